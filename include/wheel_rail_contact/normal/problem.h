@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace wheel_rail_contact
+{
+/// Isotropic elastic material.
+struct Material
+{
+  double young = 2.1e11;   ///< Young's modulus [Pa], > 0
+  double poisson = 0.28;   ///< Poisson's ratio [-], in (-1, 0.5]
+};
+
+/// Contact modulus E* of two half-spaces [Pa]: 1/E* = (1-nu1²)/E1 + (1-nu2²)/E2 (Johnson 1985, eq. 4.20).
+/// @throw std::invalid_argument for a material out of range.
+double contactModulus(const Material& first, const Material& second);
+
+/// Rectangular grid of nx × ny cells in the tangent plane; x along the track, y across.
+///
+/// With `symmetric` the pressure is even in x and only the half x > 0 is stored: rows() = nx/2 (nx is even then) and
+/// row i lies at x = (i + 1/2) dx. Without it rows() = nx and row i lies at x = (i + 1/2 - nx/2) dx. Column j lies at
+/// y0 + j dy.
+struct Grid
+{
+  int nx = 0;              ///< cells along, of the whole grid
+  int ny = 0;              ///< cells across
+  double dx = 0;           ///< cell length along [m]
+  double dy = 0;           ///< cell width across [m]
+  double y0 = 0;           ///< y of the first column's centres [m]
+  bool symmetric = false;  ///< even in x, half stored
+
+  int rows() const { return symmetric ? nx / 2 : nx; }
+  double x(int row) const { return (row + (symmetric ? 0.5 : 0.5 - 0.5 * nx)) * dx; }
+  double y(int column) const { return y0 + column * dy; }
+  /// Area that one stored cell stands for [m²] (twice the cell on a symmetric grid).
+  double cellArea() const { return (symmetric ? 2 : 1) * dx * dy; }
+};
+
+/// Gap of one patch. Arrays are rows() × ny, so that x runs fastest in memory.
+struct PatchGap
+{
+  Grid grid;
+  /// Distance of the undeformed surfaces along the patch's normal at zero approach [m]; negative: they overlap.
+  Eigen::ArrayXXd gap;
+  /// Share of the common approach that closes this patch, and of its normal force that counts in the common load [-]:
+  /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
+  double weight = 1;
+};
+
+/// Frictionless contact of half-spaces: find p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every
+/// patch, the approach being common to all of them, and either sum(weight * N_k) = load or the approach given.
+/// Patches do not deform one another (patches near one another belong in one grid).
+struct NormalProblem
+{
+  enum class Control
+  {
+    load,     ///< `value` is the load [N], > 0
+    approach  ///< `value` is the common approach [m]
+  };
+
+  std::vector<PatchGap> patches;
+  double modulus = 0;  ///< contact modulus E* [Pa]
+  Control control = Control::load;
+  double value = 0;
+};
+
+/// Why a solution ended, and whether it may be used.
+enum class SolveStatus
+{
+  converged,         ///< usable
+  no_contact,        ///< approach control: nothing touches; pressure zero, usable
+  iteration_limit,   ///< not usable
+  stalled,           ///< the residual stopped falling above the tolerance; not usable
+  indefinite,        ///< the influence matrix has a negative direction; not usable
+  invalid_problem    ///< NaN in the gap, no load, no cells; not usable
+};
+
+/// Text of a status for people.
+const char* toString(SolveStatus status);
+
+inline bool isUsable(SolveStatus status)
+{
+  return status == SolveStatus::converged || status == SolveStatus::no_contact;
+}
+
+struct PatchPressure
+{
+  Eigen::ArrayXXd pressure;  ///< [Pa], shape of the gap
+  double force = 0;          ///< normal force of the whole patch [N]
+  double max_pressure = 0;   ///< highest cell value [Pa]
+  double area = 0;           ///< contact area with sub-cell edge [m²]
+  bool touches_border = false;  ///< pressure in an outer cell of the grid: the box cut the patch
+};
+
+struct NormalSolution
+{
+  SolveStatus status = SolveStatus::invalid_problem;
+  std::vector<PatchPressure> patches;
+  double approach = 0;   ///< common approach [m]
+  int iterations = 0;    ///< products with the influence matrix
+  /// Largest violation of the contact conditions relative to the approach's scale [-]; see ConjugateGradients.
+  double residual = 0;
+};
+}  // namespace wheel_rail_contact
