@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "wheel_rail_contact/geometry/placement.h"
+
+namespace wheel_rail_contact
+{
+/// A place where the wheel comes nearest to the rail: the outlines are parallel there.
+struct InitialContact
+{
+  double y = 0;           ///< side axes [m]
+  double separation = 0;  ///< vertical distance of wheel above rail [m], negative: overlap
+  double slope = 0;       ///< common slope dz/dy of the outlines [-]
+  double curvature = 0;   ///< d²(separation)/dy² [1/m], positive at a minimum
+  double wheel_u = 0;     ///< parameter of the wheel's profile [m]
+  double rail_u = 0;      ///< parameter of the rail's profile [m]
+};
+
+/// A stretch of y in which the separation is below a given value.
+struct OverlapZone
+{
+  double y_begin = 0;           ///< side axes [m]
+  double y_end = 0;             ///< [m]
+  InitialContact contact;       ///< its deepest place
+  bool at_profile_end = false;  ///< the stretch is cut off by the end of a profile
+};
+
+/// Outline of a body seen along the track, as heights over equidistant stations across the track.
+struct Outline
+{
+  std::vector<double> z;  ///< height [m]; infinite (up for the wheel, down for the rail) where there is no body
+  std::vector<double> u;  ///< parameter of the body's profile there [m]
+};
+
+/// Search for contact between a placed wheel and a placed rail. Own algorithm:
+///
+/// Both outlines (the wheel's contact locus projected along x, and the rail's profile) are written as heights over the
+/// same equidistant stations: the lower envelope of the wheel, the upper envelope of the rail. Writing them segment by
+/// segment needs no ordering of the curves, so folds of the locus at large yaw do no harm, and every place of contact
+/// is seen at once. Their difference is the separation; its minima are then made exact on the profiles themselves, at
+/// the change of sign of the difference of slopes.
+class ContactSearch
+{
+ public:
+  ContactSearch(const Profile& wheel, const Profile& rail);
+
+  /// Takes over a new place of the rail.
+  void setRail(const PlacedRail& rail);
+  /// Takes over a new place of the wheel, and finds the separation at all stations. Call setRail() first.
+  void setWheel(const PlacedWheel& wheel);
+
+  /// The nearest place of all. @return false if wheel and rail share no station: the wheel is beside the rail.
+  bool nearest(InitialContact& contact) const;
+
+  /// All stretches in which the separation is below `separation` [m], ordered by y. Neighbours whose distance is less
+  /// than the wider one's width and whose planes differ by less than `merge_angle` count as one.
+  void overlapZones(double separation, std::vector<OverlapZone>& zones) const;
+
+  /// Largest angle between the planes of two stretches that count as one [rad].
+  static constexpr double merge_angle = 0.1;
+
+ private:
+  static constexpr double spacing = 5e-4;  ///< of stations, and of samples on the profiles [m]
+  /// Greatest error of the separation at stations from straight segments on radii of 10 mm: 2 * spacing² / (8 * 10 mm).
+  static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
+
+  double stationY(std::size_t k) const { return y_first_ + static_cast<double>(k) * spacing; }
+  bool isMinimum(std::size_t k) const;
+  InitialContact refined(std::size_t k) const;
+  bool exact(double y, std::size_t k, InitialContact& contact, double& slope_difference) const;
+  bool railAt(double y, double& u) const;
+  bool wheelAt(double y, double& u, SpacePoint& locus) const;
+  OverlapZone zoneAround(std::size_t first, std::size_t last, double separation) const;
+  void mergeNeighbours(std::vector<OverlapZone>& zones) const;
+
+  Eigen::ArrayXd wheel_u_, rail_u_;  ///< sample parameters [m]
+  std::vector<CurvePoint> wheel_points_, rail_points_;
+  std::vector<SpacePoint> wheel_locus_;
+  Outline wheel_outline_, rail_outline_;
+  std::vector<double> separation_;
+  double y_first_ = 0;
+  std::optional<PlacedRail> rail_;
+  std::optional<PlacedWheel> wheel_;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "wheel_rail_contact/config.h"
+#include "wheel_rail_contact/geometry/profile.h"
+
+namespace wheel_rail_contact
+{
+/// Side axes, used for the calculation on either rail: x forward, y outward (to the field side), z up, origin in the
+/// track frame's origin. They equal the track axes on the left and are their mirror image on the right, where y, roll
+/// and yaw change sign; so both sides run through the same arithmetic and mirror symmetry is exact.
+struct WheelsetPose
+{
+  double y = 0;     ///< axle centre [m]
+  double z = 0;     ///< axle centre [m]
+  double yaw = 0;   ///< about z [rad]
+  double roll = 0;  ///< about x, before the yaw (fixed axes) [rad]
+};
+
+/// +1 on the left, -1 on the right.
+double sideSign(Side side);
+
+/// The pose seen from a side; its own inverse.
+WheelsetPose toSide(Side side, const WheelsetPose& pose);
+
+/// Point of a plane curve in side axes with its tangent.
+struct PlanePoint
+{
+  double y, z;    ///< [m]
+  double dy, dz;  ///< derivative with respect to the profile's parameter [-]
+};
+
+/// A rail in side axes: its profile turned by the cant, set to gauge, and displaced by the rail's deflection.
+class PlacedRail
+{
+ public:
+  /// Undeflected rail: highest point at z = 0, gauge measured `gauge_depth` below it.
+  /// @throw std::invalid_argument if the profile does not reach down to the gauge depth on its gauge side.
+  PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track);
+
+  /// The same rail with its head displaced from the undeflected place.
+  PlacedRail deflected(const RailDeflection& deflection) const;
+
+  const Profile& profile() const { return *profile_; }
+  PlanePoint at(double u) const;
+  /// A point of the profile frame (on the profile or not) in side axes.
+  PlanePoint place(const CurvePoint& point) const;
+  /// Angle of the rail's own axes against the side axes [rad]: the cant less the outward roll.
+  double angle() const;
+  /// The head's reference point (ComplianceTable::reference_depth below the crown) [m].
+  PlanePoint referencePoint() const;
+
+ private:
+  void turn(double angle);
+
+  std::shared_ptr<const Profile> profile_;
+  double cosine_ = 1, sine_ = 0;  ///< of angle()
+  double y_ = 0, z_ = 0;          ///< place of the profile's origin [m]
+};
+
+/// Point in side axes [m].
+struct SpacePoint
+{
+  double x, y, z;
+};
+
+/// A wheel in side axes: its profile as a surface of revolution about the wheelset's axle.
+class PlacedWheel
+{
+ public:
+  /// Refers to `profile`, which must outlive it.
+  PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose);
+
+  /// The contact locus: the point of the wheel's circle through profile point `p` at which the surface's normal has no
+  /// component along x. The projection of the locus on the y-z plane is the wheel's outline seen along the track; since
+  /// the rail is a prism along x, wheel and rail touch exactly where this outline touches the rail's profile.
+  /// Closed form: with axle direction a and radial direction e, the normal e - (dr/ds) a has no x component.
+  /// @return false where no such point exists (profile too steep for the yaw).
+  bool locus(const CurvePoint& p, SpacePoint& out) const;
+
+  /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
+  /// profile at constant x. @return false if x is beyond the circle.
+  bool section(const CurvePoint& p, double x, PlanePoint& out) const;
+
+  const Profile& profile() const { return *profile_; }
+  const WheelsetPose& pose() const { return pose_; }
+
+ private:
+  const Profile* profile_;
+  WheelsetPose pose_;
+  double radius_;        ///< of the running circle [m]
+  double half_base_;     ///< [m]
+  double ax_, ay_, az_;  ///< axle direction, outward
+  double dy_, dz_;       ///< unit vector square to the axle, without x, pointing down
+  double fx_, fy_, fz_;  ///< unit vector square to both, forward
+};
+}  // namespace wheel_rail_contact

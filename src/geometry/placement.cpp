@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/geometry/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "bracketed_root.h"
+
+namespace wheel_rail_contact
+{
+double sideSign(Side side)
+{
+  return side == Side::left ? 1.0 : -1.0;
+}
+
+WheelsetPose toSide(Side side, const WheelsetPose& pose)
+{
+  const double sign = sideSign(side);
+  return {sign * pose.y, pose.z, sign * pose.yaw, sign * pose.roll};
+}
+
+namespace
+{
+/// Spacing at which a rail's profile is looked over for its highest point and its gauge point [m].
+constexpr double scan_spacing = 1e-4;
+constexpr double root_tolerance = 1e-12;  ///< [m]
+}  // namespace
+
+PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track) : profile_(std::move(profile))
+{
+  turn(track.cant);
+  const int count = std::max(2, static_cast<int>(profile_->length() / scan_spacing));
+  const double step = profile_->length() / count;
+  const auto height = [this](double u) { return at(u).z; };
+  const auto rise = [this](double u) { return at(u).dz; };
+
+  int top = 0;
+  for (int i = 1; i <= count; ++i)
+  {
+    if (height(i * step) > height(top * step))
+    {
+      top = i;
+    }
+  }
+  double u_top = top * step;
+  if (top > 0 && top < count && rise(u_top - step) > 0 && rise(u_top + step) < 0)
+  {
+    u_top = bracketedRoot(rise, u_top - step, rise(u_top - step), u_top + step, rise(u_top + step), root_tolerance);
+  }
+  z_ = -height(u_top);
+
+  int below = top;
+  double y_gauge = std::numeric_limits<double>::infinity();
+  for (; below >= 0 && height(below * step) > -track.gauge_depth; --below)
+  {
+    y_gauge = std::min(y_gauge, at(below * step).y);
+  }
+  if (below < 0)
+  {
+    throw std::invalid_argument("track/gauge_depth = " + std::to_string(track.gauge_depth) + " m: the rail profile " +
+                                profile_->name() + " does not reach that far below its highest point");
+  }
+  const auto above = [&](double u) { return height(u) + track.gauge_depth; };
+  const double low = below * step;
+  const double u_gauge = bracketedRoot(above, low, above(low), low + step, above(low + step), root_tolerance);
+  y_gauge = std::min(y_gauge, at(u_gauge).y);
+  y_ = 0.5 * track.gauge - y_gauge;
+}
+
+PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
+{
+  PlacedRail moved(*this);
+  const PlanePoint before = referencePoint();
+  moved.turn(angle() - deflection.roll);
+  const PlanePoint turned = moved.referencePoint();
+  moved.y_ += before.y + deflection.lateral - turned.y;
+  moved.z_ += before.z + deflection.vertical - turned.z;
+  return moved;
+}
+
+PlanePoint PlacedRail::at(double u) const
+{
+  return place(profile_->at(u));
+}
+
+double PlacedRail::angle() const
+{
+  return std::atan2(sine_, cosine_);
+}
+
+PlanePoint PlacedRail::referencePoint() const
+{
+  return place({0, -ComplianceTable::reference_depth, 1, 0, 0, 0});
+}
+
+void PlacedRail::turn(double angle)
+{
+  cosine_ = std::cos(angle);
+  sine_ = std::sin(angle);
+}
+
+PlanePoint PlacedRail::place(const CurvePoint& p) const
+{
+  return {y_ + cosine_ * p.y - sine_ * p.z, z_ + sine_ * p.y + cosine_ * p.z, cosine_ * p.dy - sine_ * p.dz,
+          sine_ * p.dy + cosine_ * p.dz};
+}
+
+PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose)
+    : profile_(&profile), pose_(pose), radius_(wheelset.rolling_radius), half_base_(wheelset.halfBase())
+{
+  // Fixed-axis roll, then yaw: axle = Rz(yaw) Rx(roll) (0, 1, 0).
+  ax_ = -std::sin(pose.yaw) * std::cos(pose.roll);
+  ay_ = std::cos(pose.yaw) * std::cos(pose.roll);
+  az_ = std::sin(pose.roll);
+  const double planar = std::hypot(ay_, az_);
+  dy_ = az_ / planar;
+  dz_ = -ay_ / planar;
+  fx_ = planar;
+  fy_ = -ax_ * ay_ / planar;
+  fz_ = -ax_ * az_ / planar;
+}
+
+bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
+{
+  // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) fx - r' ax vanishes.
+  const double radius = radius_ - p.z;
+  const double sine = -p.slope() * ax_ / fx_;
+  if (!(std::abs(sine) < 1))
+  {
+    return false;
+  }
+  const double cosine = std::sqrt(1 - sine * sine);
+  const double along = half_base_ + p.y;
+  out.x = ax_ * along + radius * sine * fx_;
+  out.y = pose_.y + ay_ * along + radius * (cosine * dy_ + sine * fy_);
+  out.z = pose_.z + az_ * along + radius * (cosine * dz_ + sine * fz_);
+  return true;
+}
+
+bool PlacedWheel::section(const CurvePoint& p, double x, PlanePoint& out) const
+{
+  const double radius = radius_ - p.z;
+  const double along = half_base_ + p.y;
+  const double forward = (x - ax_ * along) / fx_;  // radius * sin(t)
+  const double square = radius * radius - forward * forward;
+  if (!(square > 0))
+  {
+    return false;
+  }
+  const double down = std::sqrt(square);  // radius * cos(t)
+  const double forward_slope = -ax_ * p.dy / fx_;
+  const double down_slope = (-radius * p.dz - forward * forward_slope) / down;
+  out.y = pose_.y + ay_ * along + down * dy_ + forward * fy_;
+  out.z = pose_.z + az_ * along + down * dz_ + forward * fz_;
+  out.dy = ay_ * p.dy + down_slope * dy_ + forward_slope * fy_;
+  out.dz = az_ * p.dy + down_slope * dz_ + forward_slope * fz_;
+  return true;
+}
+}  // namespace wheel_rail_contact
