@@ -45,9 +45,9 @@ struct ArcSection
 struct PolynomialSection
 {
   static constexpr std::size_t max_coefficients = 9;
-  double y0;                              ///< y at the section's start [m]
-  double coefficient[max_coefficients];   ///< z = sum coefficient[k] (y0 + t)^k, [m^(1-k)]
-  std::size_t count;                      ///< used coefficients
+  double y0;                             ///< y at the section's start [m]
+  double coefficient[max_coefficients];  ///< z = sum coefficient[k] (y0 + t)^k, [m^(1-k)]
+  std::size_t count;                     ///< used coefficients
 };
 
 /// Both coordinates as cubics of the local parameter (a piece of a spline through measured points).
@@ -72,8 +72,9 @@ struct ProfileSection
 /// evaluated exactly on every section (no resampling); at a joint the section after it is taken.
 class Profile
 {
-public:
-  /// @throw std::invalid_argument if there is no section or a section has no length.
+ public:
+  /// @throw std::invalid_argument if there is no section, a section has no (or no finite) length, an arc no radius or
+  /// a polynomial too many coefficients.
   Profile(std::string name, const std::vector<ProfileSection>& sections);
 
   const std::string& name() const { return name_; }
@@ -84,12 +85,13 @@ public:
   /// Values of the parameter at which sections meet, with both ends [m].
   const std::vector<double>& joints() const { return start_; }
 
-private:
+ private:
   std::size_t sectionAt(double u) const;
 
   std::string name_;
   std::vector<SectionLaw> law_;
-  std::vector<double> start_;         ///< law_.size() + 1 joints [m]
-  std::vector<std::size_t> bucket_;   ///< first section of each of the equal buckets over the length
+  std::vector<double> start_;        ///< law_.size() + 1 joints [m]
+  std::vector<std::size_t> bucket_;  ///< section at each border of the equal buckets over the length
+  double buckets_per_metre_;         ///< [1/m]
 };
 }  // namespace wheel_rail_contact
