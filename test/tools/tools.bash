@@ -2,9 +2,9 @@
 # shellcheck shell=bash
 # Sourced by the checks: source and build folders, and what every check needs.
 set -euo pipefail
-source_dir=$1
-# shellcheck disable=SC2034
-build_dir=$2
+source_dir=$(cd "$1" && pwd)
+mkdir -p "$2"
+build_dir=$(cd "$2" && pwd)
 cd "$source_dir"
 
 # Ends as skipped unless the command is there and, if a version is given, is that version.
