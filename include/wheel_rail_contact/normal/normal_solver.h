@@ -8,7 +8,7 @@ namespace wheel_rail_contact
 /// A method for the normal contact problem. It knows gaps and a modulus, never a wheel.
 class NormalSolver
 {
-public:
+ public:
   virtual ~NormalSolver() = default;
 
   /// Name as in the parameter `contact/method`.

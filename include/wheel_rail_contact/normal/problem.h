@@ -9,8 +9,8 @@ namespace wheel_rail_contact
 /// Isotropic elastic material.
 struct Material
 {
-  double young = 2.1e11;   ///< Young's modulus [Pa], > 0
-  double poisson = 0.28;   ///< Poisson's ratio [-], in (-1, 0.5]
+  double young = 2.1e11;  ///< Young's modulus [Pa], > 0
+  double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
 };
 
 /// Contact modulus E* of two half-spaces [Pa]: 1/E* = (1-nu1²)/E1 + (1-nu2²)/E2 (Johnson 1985, eq. 4.20).
@@ -69,12 +69,12 @@ struct NormalProblem
 /// Why a solution ended, and whether it may be used.
 enum class SolveStatus
 {
-  converged,         ///< usable
-  no_contact,        ///< approach control: nothing touches; pressure zero, usable
-  iteration_limit,   ///< not usable
-  stalled,           ///< the residual stopped falling above the tolerance; not usable
-  indefinite,        ///< the influence matrix has a negative direction; not usable
-  invalid_problem    ///< NaN in the gap, no load, no cells; not usable
+  converged,        ///< usable
+  no_contact,       ///< approach control: nothing touches; pressure zero, usable
+  iteration_limit,  ///< not usable
+  stalled,          ///< the residual stopped falling above the tolerance; not usable
+  indefinite,       ///< the influence matrix has a negative direction; not usable
+  invalid_problem   ///< NaN in the gap, no load, no cells; not usable
 };
 
 /// Text of a status for people.
@@ -87,10 +87,10 @@ inline bool isUsable(SolveStatus status)
 
 struct PatchPressure
 {
-  Eigen::ArrayXXd pressure;  ///< [Pa], shape of the gap
-  double force = 0;          ///< normal force of the whole patch [N]
-  double max_pressure = 0;   ///< highest cell value [Pa]
-  double area = 0;           ///< contact area with sub-cell edge [m²]
+  Eigen::ArrayXXd pressure;     ///< [Pa], shape of the gap
+  double force = 0;             ///< normal force of the whole patch [N]
+  double max_pressure = 0;      ///< highest cell value [Pa]
+  double area = 0;              ///< contact area with sub-cell edge [m²]
   bool touches_border = false;  ///< pressure in an outer cell of the grid: the box cut the patch
 };
 
@@ -98,8 +98,8 @@ struct NormalSolution
 {
   SolveStatus status = SolveStatus::invalid_problem;
   std::vector<PatchPressure> patches;
-  double approach = 0;   ///< common approach [m]
-  int iterations = 0;    ///< products with the influence matrix
+  double approach = 0;  ///< common approach [m]
+  int iterations = 0;   ///< products with the influence matrix
   /// Largest violation of the contact conditions relative to the approach's scale [-]; see ConjugateGradients.
   double residual = 0;
 };

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "wheel_rail_contact/normal/influence.h"
+
+namespace wheel_rail_contact
+{
+/// Shape of a grid as far as its influence coefficients go: they scale with the cell width, so only the aspect counts.
+struct OperatorShape
+{
+  int nx = 0, ny = 0;      ///< cells along (of the whole grid) and across
+  double aspect = 1;       ///< dx/dy
+  bool symmetric = false;  ///< pressure even in x, half stored (nx even)
+  Kernel kernel = Kernel::rectangle;
+};
+
+/// Product of the influence matrix with a pressure, for cells of width dy = 1 and pi E* = 1: multiply by dy / (pi E*).
+///
+/// The coefficients depend on the cells' distance and are even in x and y. So the product is diagonal in the cosine and
+/// sine modes of a grid twice as long and wide (zero padding); since the pressure fills only half of it, and is split
+/// into parts even and odd about the grid's centre, each mode is a sum over a quarter of the doubled grid. At the sizes
+/// of a contact patch these sums are fastest as matrix products with precomputed cosines.
+///
+/// Fields are stored folded about the grid's centre, see index(); fieldSize() doubles, padding included. Odd nx and ny
+/// are rounded up by a column that must hold no pressure.
+class InfluenceOperator
+{
+ public:
+  /// Scratch memory of multiply() and precondition(), shared by operators.
+  class Workspace
+  {
+   public:
+    Workspace();
+    ~Workspace();
+    Workspace(Workspace&&) noexcept;
+    Workspace& operator=(Workspace&&) noexcept;
+    /// Makes room for an operator. Allocates only if it is larger than all before.
+    void reserve(const InfluenceOperator& shape);
+
+   private:
+    friend class InfluenceOperator;
+    struct Buffers;
+    std::unique_ptr<Buffers> buffers_;
+  };
+
+  /// @throw std::invalid_argument for sizes below 2, an odd nx with symmetry, or an aspect that is not positive.
+  explicit InfluenceOperator(const OperatorShape& shape);
+  ~InfluenceOperator();
+  InfluenceOperator(InfluenceOperator&&) noexcept;
+  InfluenceOperator& operator=(InfluenceOperator&&) noexcept;
+
+  const OperatorShape& shape() const;
+
+  /// Doubles in a field, a multiple of eight.
+  int fieldSize() const;
+
+  /// Place of a stored cell (row, column counted as in Grid) in a field.
+  int index(int row, int column) const;
+
+  /// displacement = A pressure. Padding of `pressure` must be zero; that of `displacement` is then zero too.
+  void multiply(const double* pressure, double* displacement, Workspace& workspace) const;
+
+  /// Approximate inverse: that of the same kernel repeated with the grid's own period.
+  void precondition(const double* residual, double* direction, Workspace& workspace) const;
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "wheel_rail_contact/normal/influence_operator.h"
+
+namespace wheel_rail_contact
+{
+/// Keeps influence operators, so that a solver computes each set of coefficients once.
+///
+/// Aspects on the ladder (aspect_ladder.h) are kept for good; of others the few last used.
+class OperatorCache
+{
+ public:
+  explicit OperatorCache(Kernel kernel = Kernel::rectangle) : kernel_(kernel) {}
+
+  /// Computes the operators of all rungs of the ladder for a grid, so that find() computes nothing later.
+  /// @throw std::invalid_argument as InfluenceOperator.
+  void prepare(int nx, int ny, bool symmetric);
+
+  /// The operator for a grid; computed now if it is new. Aspects within 1e-9 of a rung count as the rung.
+  /// @throw std::invalid_argument as InfluenceOperator.
+  std::shared_ptr<const InfluenceOperator> find(int nx, int ny, bool symmetric, double aspect);
+
+ private:
+  struct Entry
+  {
+    std::shared_ptr<const InfluenceOperator> influence;
+    bool on_ladder = false;
+    unsigned long last_use = 0;
+  };
+  struct Family
+  {
+    int nx = 0, ny = 0;
+    bool symmetric = false;
+    std::vector<Entry> entries;  ///< by rising aspect
+  };
+
+  Family& family(int nx, int ny, bool symmetric);
+  static void forgetOldest(Family& family);
+
+  Kernel kernel_;
+  std::vector<Family> families_;
+  unsigned long uses_ = 0;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lanes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+namespace baseline
+{
+constexpr int kWidth = 2;
+#include "lanes_body.h"
+}  // namespace baseline
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define WHEEL_RAIL_CONTACT_WIDE_REGISTERS
+#pragma GCC push_options
+#pragma GCC target("avx,fma")
+namespace avx
+{
+constexpr int kWidth = 4;
+#include "lanes_body.h"
+}  // namespace avx
+#pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx512f")
+namespace avx512
+{
+constexpr int kWidth = 8;
+#include "lanes_body.h"
+}  // namespace avx512
+#pragma GCC pop_options
+#endif
+
+const LaneKernels& widest()
+{
+#ifdef WHEEL_RAIL_CONTACT_WIDE_REGISTERS
+  if (__builtin_cpu_supports("avx512f"))
+  {
+    return avx512::kKernels;
+  }
+  if (__builtin_cpu_supports("avx") && __builtin_cpu_supports("fma"))
+  {
+    return avx::kKernels;
+  }
+#endif
+  return baseline::kKernels;
+}
+}  // namespace
+
+void LaneBuffer::resize(int size)
+{
+  if (size > capacity_)
+  {
+    const std::size_t bytes = static_cast<std::size_t>(size) * sizeof(double);
+    data_.reset(static_cast<double*>(::operator new[](bytes, std::align_val_t{kLanes * sizeof(double)})));
+    capacity_ = size;
+  }
+  std::fill_n(data_.get(), size, 0.0);
+}
+
+const LaneKernels& laneKernels()
+{
+  static const LaneKernels& kernels = widest();
+  return kernels;
+}
+}  // namespace wheel_rail_contact
