@@ -51,12 +51,12 @@ ProfileSection polynomial(const std::array<double, count>& down, double y_start,
   return {law, (y_end - y_start) * mm};
 }
 
-/// What tells one rail head of arcs R300, R80, R13 and 1:20 sides from another [mm].
+/// What tells one rail head of arcs R300, R80, R13 and 1:20 sides from another [mm, y out, z up from the crown].
 struct RailHead
 {
-  double crown_half_width;  ///< y where R300 meets R80
-  double corner_sine;       ///< sine of the profile's inclination where R80 meets R13 [-]
-  double side_depth;        ///< depth at which the side ends
+  double crown_half_width;      ///< y where R300 meets R80
+  double corner_yc, corner_zc;  ///< centre of the R13 arc
+  double side_depth;            ///< depth at which the side ends
 };
 
 constexpr double crown_radius = 300.0;
@@ -64,12 +64,17 @@ constexpr double shoulder_radius = 80.0;
 constexpr double corner_radius = 13.0;
 constexpr double side_slope = 20.0;  ///< steepness of the head's side, 1:20
 
-/// Distance from the shoulder arc's centre to the symmetry plane [mm]: the centres of R300 and R80 and their joint lie
-/// on one straight line.
-double shoulderCentre(double crown_half_width)
+/// Centre of the R80 arc: it lies with R300's centre and their joint on one straight line.
+struct ShoulderCentre
 {
-  return crown_half_width * (1.0 - shoulder_radius / crown_radius);
-}
+  explicit ShoulderCentre(double crown_half_width)
+      : yc((1.0 - shoulder_radius / crown_radius) * crown_half_width),
+        zc(-crown_radius + (1.0 - shoulder_radius / crown_radius) *
+                               std::sqrt(crown_radius * crown_radius - crown_half_width * crown_half_width))
+  {
+  }
+  double yc, zc;  ///< [mm]
+};
 
 /// The y distance from the corner's centre to its joint with the side [mm].
 double cornerReach()
@@ -77,26 +82,25 @@ double cornerReach()
   return corner_radius * side_slope / std::hypot(1.0, side_slope);
 }
 
-/// Field half and its mirror image; tangency gives every centre and joint.
+/// Field half and its mirror image. R80 and R13 meet on the line through their centres, R13 and side where R13 has the
+/// side's slope, so no joint has a kink.
 std::vector<ProfileSection> railSections(const RailHead& head)
 {
   const double crown_y = head.crown_half_width;
-  const double shoulder_yc = shoulderCentre(crown_y);
-  const double shoulder_zc = -crown_radius + (1.0 - shoulder_radius / crown_radius) *
-                                                 std::sqrt(crown_radius * crown_radius - crown_y * crown_y);
-  const double shoulder_y = shoulder_yc + shoulder_radius * head.corner_sine;
-  const double centres = shoulder_radius - corner_radius;
-  const double corner_yc = shoulder_yc + centres * head.corner_sine;
-  const double corner_zc = shoulder_zc + centres * std::sqrt(1.0 - head.corner_sine * head.corner_sine);
-  const double side_y = corner_yc + cornerReach();
-  const double side_z = corner_zc + cornerReach() / side_slope;
+  const ShoulderCentre shoulder(crown_y);
+  const double sine =
+      (head.corner_yc - shoulder.yc) / std::hypot(head.corner_yc - shoulder.yc, head.corner_zc - shoulder.zc);
+  const double shoulder_y = shoulder.yc + shoulder_radius * sine;
+  const double corner_y = head.corner_yc + corner_radius * sine;
+  const double side_y = head.corner_yc + cornerReach();
+  const double side_z = head.corner_zc + cornerReach() / side_slope;
   const double end_y = side_y + (side_z + head.side_depth) / side_slope;
   return {line(-end_y, -head.side_depth, -side_y, side_z),
-          arc(Half::upper, -corner_yc, corner_zc, corner_radius, -side_y, -shoulder_y),
-          arc(Half::upper, -shoulder_yc, shoulder_zc, shoulder_radius, -shoulder_y, -crown_y),
+          arc(Half::upper, -head.corner_yc, head.corner_zc, corner_radius, -side_y, -corner_y),
+          arc(Half::upper, -shoulder.yc, shoulder.zc, shoulder_radius, -shoulder_y, -crown_y),
           arc(Half::upper, 0.0, -crown_radius, crown_radius, -crown_y, crown_y),
-          arc(Half::upper, shoulder_yc, shoulder_zc, shoulder_radius, crown_y, shoulder_y),
-          arc(Half::upper, corner_yc, corner_zc, corner_radius, shoulder_y, side_y),
+          arc(Half::upper, shoulder.yc, shoulder.zc, shoulder_radius, crown_y, shoulder_y),
+          arc(Half::upper, head.corner_yc, head.corner_zc, corner_radius, corner_y, side_y),
           line(side_y, side_z, end_y, -head.side_depth)};
 }
 }  // namespace
@@ -130,17 +134,21 @@ Profile rail60E1()
   constexpr double crown_half_width = 20.456 / 2;
   constexpr double shoulder_half_width = 52.053 / 2;
   constexpr double side_depth = 35.275;
-  const double corner_sine = (shoulder_half_width - shoulderCentre(crown_half_width)) / shoulder_radius;
-  return {"60E1", railSections({crown_half_width, corner_sine, side_depth})};
+  const ShoulderCentre shoulder(crown_half_width);
+  const double sine = (shoulder_half_width - shoulder.yc) / shoulder_radius;
+  const double centres = shoulder_radius - corner_radius;
+  const double corner_yc = shoulder.yc + centres * sine;
+  const double corner_zc = shoulder.zc + centres * std::sqrt(1.0 - sine * sine);
+  return {"60E1", railSections({crown_half_width, corner_yc, corner_zc, side_depth})};
 }
 
 Profile railUic60Manchester()
 {
   constexpr double crown_half_width = 10.5;
   constexpr double side_half_width = 36.0;
+  // Fitted to the benchmark's points to 1e-6 mm; tangency with R80 would give -14.908927.
+  constexpr double corner_zc = -14.908972;
   constexpr double side_depth = 37.5;
-  const double corner_yc = side_half_width - cornerReach();
-  const double corner_sine = (corner_yc - shoulderCentre(crown_half_width)) / (shoulder_radius - corner_radius);
-  return {"UIC60_manchester", railSections({crown_half_width, corner_sine, side_depth})};
+  return {"UIC60_manchester", railSections({crown_half_width, side_half_width - cornerReach(), corner_zc, side_depth})};
 }
 }  // namespace wheel_rail_contact

@@ -19,6 +19,7 @@ Profile rail60E1();
 
 /// Upright rail UIC60 as sampled for the Manchester contact benchmark (Shackleton and Iwnicki, 2006): the same arcs,
 /// but R300 is 21 mm wide and the R13 arcs end on the 1:20 sides 72 mm apart, which puts the gauge corner 0.040 mm off
-/// rail60E1(). The sides end 37.5 mm below the crown.
+/// rail60E1(). The sampled R13 arcs lie 0.044 um inside the R80 arcs where they meet; the step is kept. The sides end
+/// 37.5 mm below the crown.
 Profile railUic60Manchester();
 }  // namespace wheel_rail_contact
