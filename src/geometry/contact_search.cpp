@@ -216,31 +216,78 @@ InitialContact ContactSearch::refined(std::size_t k) const
 
 bool ContactSearch::nearest(InitialContact& contact) const
 {
-  const auto lowest = std::min_element(separation_.begin(), separation_.end());
-  if (lowest == separation_.end() || !(*lowest < infinity))
+  const std::size_t lowest = lowestStation(0, separation_.size());
+  if (!(separation_[lowest] < infinity))
   {
     return false;
   }
-  contact = refined(static_cast<std::size_t>(lowest - separation_.begin()));
+  contact = refined(lowest);
   return true;
 }
 
-OverlapZone ContactSearch::zoneAround(std::size_t first, std::size_t last, double separation) const
+/// Stations `first` to `last` with the stretch's edges between stations, without its contact.
+OverlapZone ContactSearch::stretch(std::size_t first, std::size_t last, double separation) const
 {
-  const auto lowest = std::min_element(separation_.begin() + static_cast<long>(first),
-                                       separation_.begin() + static_cast<long>(last) + 1);
   OverlapZone zone;
-  zone.contact = refined(static_cast<std::size_t>(lowest - separation_.begin()));
-  const auto reach = [&](std::size_t inside, std::size_t outside)
+  const auto edge = [&](std::size_t inside, std::size_t outside)
   {
     const double share = (separation - separation_[inside]) / (separation_[outside] - separation_[inside]);
-    return std::isfinite(share) ? share * spacing : 0.0;
+    return rail_outline_.u[inside] + share * (rail_outline_.u[outside] - rail_outline_.u[inside]);
   };
   const bool starts_open = first == 0 || !(separation_[first - 1] < infinity);
   const bool ends_open = last + 1 == separation_.size() || !(separation_[last + 1] < infinity);
   zone.at_profile_end = starts_open || ends_open;
-  zone.y_begin = stationY(first) - (starts_open ? 0 : reach(first, first - 1));
-  zone.y_end = stationY(last) + (ends_open ? 0 : reach(last, last + 1));
+  zone.u_begin = starts_open ? rail_outline_.u[first] : edge(first, first - 1);
+  zone.u_end = ends_open ? rail_outline_.u[last] : edge(last, last + 1);
+  return zone;
+}
+
+/// Measures a stretch narrower than the stations can tell by its osculating parabola. False if it vanishes.
+bool ContactSearch::narrow(double separation, OverlapZone& zone)
+{
+  const InitialContact& contact = zone.contact;
+  const double depth = separation - contact.separation;
+  if (!(depth > 0))
+  {
+    return false;
+  }
+  const double half = contact.curvature > 0 ? std::sqrt(2 * depth / contact.curvature) : infinity;
+  if (half < static_cast<double>(fine_stations) * spacing)
+  {
+    const double along_rail = half * std::sqrt(1 + contact.slope * contact.slope);
+    zone.u_begin = contact.rail_u - along_rail;
+    zone.u_end = contact.rail_u + along_rail;
+  }
+  return zone.u_end > zone.u_begin;
+}
+
+std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t behind) const
+{
+  const auto begin = separation_.begin();
+  return static_cast<std::size_t>(
+      std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(behind)) - begin);
+}
+
+OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double separation) const
+{
+  const auto last_station = static_cast<double>(separation_.size() - 1);
+  const auto k = static_cast<std::size_t>(std::clamp(std::round((contact.y - y_first_) / spacing), 0.0, last_station));
+  std::size_t first = k;
+  std::size_t last = k;
+  while (first > 0 && separation_[first - 1] < separation)
+  {
+    --first;
+  }
+  while (last + 1 < separation_.size() && separation_[last + 1] < separation)
+  {
+    ++last;
+  }
+  OverlapZone zone = separation_[k] < separation ? stretch(first, last, separation) : OverlapZone{};
+  zone.contact = contact;
+  if (last - first + 1 < fine_stations)
+  {
+    narrow(separation, zone);
+  }
   return zone;
 }
 
@@ -249,43 +296,21 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
   zones.clear();
   for (std::size_t k = 0; k < separation_.size(); ++k)
   {
-    if (separation_[k] < separation)
+    const std::size_t first = k;
+    while (k < separation_.size() && separation_[k] < separation)
     {
-      const std::size_t first = k;
-      while (k + 1 < separation_.size() && separation_[k + 1] < separation)
-      {
-        ++k;
-      }
-      zones.push_back(zoneAround(first, k, separation));
-      if (k - first >= fine_stations)
-      {
-        continue;
-      }
+      ++k;
     }
-    else if (!isMinimum(k) || separation_[k] > separation + station_error)
+    const bool minimum = k == first && isMinimum(k) && separation_[k] < separation + station_error;
+    if (k == first && !minimum)
     {
       continue;
     }
-    else
+    OverlapZone zone = minimum ? OverlapZone{} : stretch(first, k - 1, separation);
+    zone.contact = refined(minimum ? k : lowestStation(first, k));
+    if (k - first >= fine_stations || narrow(separation, zone))
     {
-      zones.push_back({0, 0, refined(k), false});
-    }
-    // Narrower than the stations can tell: the osculating parabola.
-    OverlapZone& zone = zones.back();
-    const double depth = separation - zone.contact.separation;
-    if (!(depth > 0) || !(zone.contact.curvature > 0))
-    {
-      if (zone.y_end == zone.y_begin)
-      {
-        zones.pop_back();
-      }
-      continue;
-    }
-    const double half_width = std::sqrt(2 * depth / zone.contact.curvature);
-    if (half_width < static_cast<double>(fine_stations) * spacing)
-    {
-      zone.y_begin = zone.contact.y - half_width;
-      zone.y_end = zone.contact.y + half_width;
+      zones.push_back(zone);
     }
   }
   mergeNeighbours(zones);
@@ -295,20 +320,20 @@ void ContactSearch::mergeNeighbours(std::vector<OverlapZone>& zones) const
 {
   for (std::size_t i = 1; i < zones.size();)
   {
-    OverlapZone& left = zones[i - 1];
-    const OverlapZone& right = zones[i];
-    const double wider = std::max(left.y_end - left.y_begin, right.y_end - right.y_begin);
-    const double turn = std::abs(std::atan(right.contact.slope) - std::atan(left.contact.slope));
-    if (right.y_begin - left.y_end > wider || turn > merge_angle)
+    OverlapZone& before = zones[i - 1];
+    const OverlapZone& here = zones[i];
+    const double wider = std::max(before.u_end - before.u_begin, here.u_end - here.u_begin);
+    const double turn = std::abs(std::atan(here.contact.slope) - std::atan(before.contact.slope));
+    if (here.u_begin - before.u_end > wider || turn > merge_angle)
     {
       ++i;
       continue;
     }
-    left.y_end = right.y_end;
-    left.at_profile_end = left.at_profile_end || right.at_profile_end;
-    if (right.contact.separation < left.contact.separation)
+    before.u_end = here.u_end;
+    before.at_profile_end = before.at_profile_end || here.at_profile_end;
+    if (here.contact.separation < before.contact.separation)
     {
-      left.contact = right.contact;
+      before.contact = here.contact;
     }
     zones.erase(zones.begin() + static_cast<long>(i));
   }

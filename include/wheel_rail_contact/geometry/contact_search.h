@@ -21,11 +21,11 @@ struct InitialContact
   double rail_u = 0;      ///< parameter of the rail's profile [m]
 };
 
-/// A stretch of y in which the separation is below a given value.
+/// A stretch across the track in which the separation is below a given value.
 struct OverlapZone
 {
-  double y_begin = 0;           ///< side axes [m]
-  double y_end = 0;             ///< [m]
+  double u_begin = 0;           ///< parameter of the rail's profile [m]
+  double u_end = 0;             ///< [m]
   InitialContact contact;       ///< its deepest place
   bool at_profile_end = false;  ///< the stretch is cut off by the end of a profile
 };
@@ -57,8 +57,11 @@ class ContactSearch
   /// The nearest place of all. @return false if wheel and rail share no station: the wheel is beside the rail.
   bool nearest(InitialContact& contact) const;
 
-  /// All stretches in which the separation is below `separation` [m], ordered by y. Neighbours whose distance is less
-  /// than the wider one's width and whose planes differ by less than `merge_angle` count as one.
+  /// The stretch around a contact (as nearest() gave it) in which the separation is below `separation` [m].
+  OverlapZone zoneAround(const InitialContact& contact, double separation) const;
+
+  /// All stretches in which the separation is below `separation` [m], from the gauge side on. Neighbours whose distance
+  /// is less than the wider one's width and whose planes differ by less than `merge_angle` count as one.
   void overlapZones(double separation, std::vector<OverlapZone>& zones) const;
 
   /// Largest angle between the planes of two stretches that count as one [rad].
@@ -71,11 +74,13 @@ class ContactSearch
 
   double stationY(std::size_t k) const { return y_first_ + static_cast<double>(k) * spacing; }
   bool isMinimum(std::size_t k) const;
+  std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   InitialContact refined(std::size_t k) const;
   bool exact(double y, std::size_t k, InitialContact& contact, double& slope_difference) const;
   bool railAt(double y, double& u) const;
   bool wheelAt(double y, double& u, SpacePoint& locus) const;
-  OverlapZone zoneAround(std::size_t first, std::size_t last, double separation) const;
+  OverlapZone stretch(std::size_t first, std::size_t last, double separation) const;
+  static bool narrow(double separation, OverlapZone& zone);
   void mergeNeighbours(std::vector<OverlapZone>& zones) const;
 
   Eigen::ArrayXd wheel_u_, rail_u_;  ///< sample parameters [m]

@@ -42,4 +42,8 @@ struct ComplianceTable
 
 /// Deflection of the head under a force, both in the upright rail's own axes.
 RailDeflection deflection(const ComplianceTable& table, const RailForce& force);
+
+/// The same with force and deflection in the track's side axes (outward, up) on a rail inclined by `cant` [rad] towards
+/// the track's centre.
+RailDeflection deflectionInTrack(const ComplianceTable& table, const RailForce& force, double cant);
 }  // namespace wheel_rail_contact

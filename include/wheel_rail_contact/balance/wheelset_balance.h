@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "wheel_rail_contact/balance/fixed_point.h"
+#include "wheel_rail_contact/balance/wheel_contact.h"
+#include "wheel_rail_contact/wheelset_contact.h"
+
+namespace wheel_rail_contact
+{
+/// Vertical balance of both wheels of a wheelset, together with the rails' deflection.
+///
+/// Unknown are the roll and, with model compliance, the displacement of both rail heads. One pass places the wheelset
+/// at the roll that lets both axle ends agree with the descents known so far (rigid touch only, cheap), solves both
+/// wheels there, and compares: heights of the axle from either side, deflections used and deflections due, planes used
+/// and pressure-weighted normals. Passes go on until all agree.
+class WheelsetBalance
+{
+ public:
+  /// Refers to `config` and `solver`, which must outlive it. `size` is the grid of every patch.
+  WheelsetBalance(const ContactModelConfig& config, NormalSolver& solver, const GridSize& size);
+
+  /// Solves a valid state. The reason stands in reason() where the status is not ok.
+  ContactStatus solve(const WheelsetState& state);
+
+  std::string_view reason() const { return reason_; }
+  /// Axle centre, track frame [m].
+  double height() const { return height_; }
+  /// Track frame [rad].
+  double roll() const { return roll_; }
+  const WheelContact& wheel(Side side) const { return wheel_[static_cast<std::size_t>(side)]; }
+  /// False where the wheel carries nothing.
+  bool loaded(Side side) const { return loaded_[static_cast<std::size_t>(side)]; }
+  const RailResult& rail(Side side) const { return rail_[static_cast<std::size_t>(side)]; }
+
+  void reset();
+
+ private:
+  ContactStatus fail(ContactStatus status, std::string_view reason);
+  ContactStatus failed(WheelStatus status);
+  bool touchBoth(double roll);
+  bool findRoll();
+  double heightDifference() const;
+  double lever(Side side) const;
+  double leverSum() const;
+  WheelStatus solveWheels(const GridSize& size);
+  RailDeflection deflectionDue(Side side);
+  double moveRails();
+  bool settled(double roll_change, double mismatch) const;
+  void finish(double roll_change);
+
+  const ContactModelConfig& config_;
+  GridSize size_;
+  std::array<WheelContact, 2> wheel_;
+  PlacedRail undeflected_;
+  WheelsetState state_;
+  std::array<double, 2> load_{};  ///< vertical wheel loads [N]
+  std::array<bool, 2> loaded_{};
+  std::array<double, 2> descent_{};  ///< known so far [m]
+  std::array<RigidTouch, 2> touch_;
+  std::array<RailResult, 2> rail_;
+  FixedPoint<6> coupling_;
+  double height_ = 0;
+  double roll_ = 0;
+  bool warm_ = false;
+  std::string_view reason_;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/balance/wheel_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wheel_rail_contact/normal/aspect_ladder.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double box_margin = 1.1;    ///< grid over pressure, lengthwise and across [-]
+constexpr double box_growth = 0.3;    ///< by which a box grows at a side that the pressure touches, of its size [-]
+constexpr int most_boxes = 6;         ///< grids tried in one call
+constexpr double first_reach = 0.85;  ///< expected pressure against overlap at the first call [-]
+constexpr int estimate_steps = 4;     ///< fixed-point steps of the descent's estimate
+constexpr double descent_allowance =
+    1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
+
+using Extent = PressureExtent;
+
+Extent extentOf(const Eigen::ArrayXXd& pressure)
+{
+  Extent extent{static_cast<int>(pressure.cols()), -1, static_cast<int>(pressure.rows()), -1};
+  for (int j = 0; j < pressure.cols(); ++j)
+  {
+    for (int i = 0; i < pressure.rows(); ++i)
+    {
+      if (pressure(i, j) > 0)
+      {
+        extent.first_column = std::min(extent.first_column, j);
+        extent.last_column = j;
+        extent.first_row = std::min(extent.first_row, i);
+        extent.last_row = std::max(extent.last_row, i);
+      }
+    }
+  }
+  return extent;
+}
+
+/// Half-length along x that holds all pressure, about the patch frame's origin [m].
+double halfLength(const Grid& grid, const Extent& extent)
+{
+  const double ahead = grid.x(extent.last_row) + 0.5 * grid.dx;
+  return grid.symmetric ? ahead : std::max(ahead, -(grid.x(extent.first_row) - 0.5 * grid.dx));
+}
+
+/// Parameter of the rail's profile at place t of the patch frame, from the columns.
+double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
+{
+  const double place = std::clamp((t - grid.y0) / grid.dy, 0.0, grid.ny - 1.0);
+  const auto low = static_cast<std::size_t>(std::min(place, grid.ny - 2.0));
+  const double share = place - static_cast<double>(low);
+  return columns[low].rail_u + share * (columns[low + 1].rail_u - columns[low].rail_u);
+}
+
+/// Approach of a circular Hertzian contact of relative curvature 1/R [m] (Johnson 1985, eq. 4.23).
+double circularApproach(double curvature, double modulus, double load)
+{
+  return std::cbrt(9.0 / 16 * load * load * curvature / (modulus * modulus));
+}
+
+/// Finds the pressure's centre, and its mean normal.
+void findCenter(const Eigen::ArrayXXd& pressure, const Grid& grid, WheelPatch& patch)
+{
+  patch.slope = patch.center_x = patch.center_y = 0;
+  const double sum = pressure.sum();
+  if (!(sum > 0))
+  {
+    return;
+  }
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    const double share = pressure.col(j).sum() / sum;
+    patch.center_y += share * grid.y(j);
+    patch.slope += share * patch.columns[static_cast<std::size_t>(j)].slope;
+  }
+  for (int i = 0; i < grid.rows() && !grid.symmetric; ++i)
+  {
+    patch.center_x += pressure.row(i).sum() / sum * grid.x(i);
+  }
+}
+
+double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
+{
+  return config.wheelset.rolling_radius - config.wheel_profile->at(contact.wheel_u).z;
+}
+}  // namespace
+
+WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solver)
+    : config_(config),
+      solver_(solver),
+      modulus_(contactModulus(config.wheel_material, config.rail_material)),
+      search_(*config.wheel_profile, *config.rail_profile)
+{
+}
+
+void WheelContact::setRail(const PlacedRail& rail)
+{
+  rail_ = rail;
+  search_.setRail(rail);
+}
+
+void WheelContact::reset()
+{
+  memory_.clear();
+  load_ = 0;
+}
+
+RigidTouch WheelContact::touch(const WheelsetPose& pose)
+{
+  RigidTouch touch;
+  wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
+  search_.setWheel(*wheel_);
+  touch.found = search_.nearest(touch.contact);
+  if (touch.found)
+  {
+    touch.axle_height = pose.z - touch.contact.separation;
+    const PlanePoint point = rail_->at(touch.contact.rail_u);
+    touch.lever = point.y - pose.y + (point.z - touch.axle_height) * touch.contact.slope;
+  }
+  return touch;
+}
+
+double WheelContact::estimateDescent(const RigidTouch& touch, double load) const
+{
+  if (load_ > 0)
+  {
+    return solution_.approach * std::cbrt((load / load_) * (load / load_));
+  }
+  const double cosine = 1 / std::hypot(1, touch.contact.slope);
+  const double along = 0.5 * cosine / wheelRadius(config_, touch.contact);
+  double descent = 1e-4;
+  for (int i = 0; i < estimate_steps; ++i)
+  {
+    const OverlapZone zone = search_.zoneAround(touch.contact, touch.contact.separation + descent);
+    const double half = 0.5 * (zone.u_end - zone.u_begin);
+    const double across = descent * cosine / (half * half);
+    descent = circularApproach(2 * std::sqrt(along * across), modulus_, load / cosine) / cosine;
+  }
+  return descent;
+}
+
+WheelStatus WheelContact::solveLoad(const RigidTouch& touch, double load, const GridSize& size)
+{
+  problem_.control = NormalProblem::Control::load;
+  problem_.value = load;
+  solution_.approach = estimateDescent(touch, load);
+  const WheelStatus status = solve(touch, size);
+  load_ = status == WheelStatus::solved ? load : 0;
+  return status;
+}
+
+WheelStatus WheelContact::solveDescent(const RigidTouch& touch, double descent, const GridSize& size)
+{
+  if (!(descent > 0))
+  {
+    reset();
+    return WheelStatus::no_contact;
+  }
+  problem_.control = NormalProblem::Control::approach;
+  problem_.value = descent;
+  solution_.approach = descent;
+  const WheelStatus status = solve(touch, size);
+  load_ = status == WheelStatus::solved ? forces().vertical : 0;
+  return status;
+}
+
+WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
+{
+  WheelsetPose pose = wheel_->pose();
+  pose.z = touch.axle_height;
+  wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
+  problem_.modulus = modulus_;
+  for (int attempt = 0; attempt < most_boxes; ++attempt)
+  {
+    if (!layBoxes(touch, size))
+    {
+      return WheelStatus::off_profile;
+    }
+    solver_.solve(problem_, true, solution_);
+    ++solutions_;
+    if (!isUsable(solution_.status))
+    {
+      reset();
+      return WheelStatus::normal_failed;
+    }
+    learn();
+    if (boxesHold(touch))
+    {
+      return onProfiles() ? WheelStatus::solved : WheelStatus::off_profile;
+    }
+  }
+  reset();
+  return WheelStatus::box_not_found;
+}
+
+WheelContact::Memory WheelContact::recall(const OverlapZone& zone) const
+{
+  const Memory* nearest = nullptr;
+  for (const Memory& memory : memory_)
+  {
+    const bool inside = memory.rail_u >= zone.u_begin && memory.rail_u <= zone.u_end;
+    if (inside && (nearest == nullptr ||
+                   std::abs(memory.rail_u - zone.contact.rail_u) < std::abs(nearest->rail_u - zone.contact.rail_u)))
+    {
+      nearest = &memory;
+    }
+  }
+  return nearest != nullptr ? *nearest : Memory{zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0};
+}
+
+Grid WheelContact::layBox(const Memory& memory, const GridSize& size, WheelPatch& patch) const
+{
+  const OverlapZone& zone = patch.zone;
+  const double middle = 0.5 * (zone.u_begin + zone.u_end);
+  const double half = 0.5 * (zone.u_end - zone.u_begin);
+  ContactPlane& plane = patch.plane;
+  plane = tangentPlane(*wheel_, *rail_, zone.contact);
+  plane.x += memory.shift_x;
+  plane.angle += memory.turn;
+  plane.rail_u = middle + memory.center * half;
+  plane.wheel_u += plane.rail_u - zone.contact.rail_u;
+  const PlanePoint origin = rail_->at(plane.rail_u);
+  plane.y = origin.y;
+  plane.z = origin.z;
+
+  const double cosine = std::cos(plane.angle);
+  const double sine = std::sin(plane.angle);
+  const auto place = [&](double u)
+  {
+    const PlanePoint point = rail_->at(u);
+    return cosine * (point.y - origin.y) + sine * (point.z - origin.z);
+  };
+  const double begin = place(middle + memory.begin * half);
+  const double end = place(middle + memory.end * half);
+  const double length = 2 * box_margin * memory.half_length * patch.half_overlap;
+  Grid grid;
+  grid.nx = size.along;
+  grid.ny = size.across;
+  grid.symmetric = wheel_->pose().yaw == 0;
+  const aspect_ladder::Cell cell = aspect_ladder::coveringCell(length, box_margin * (end - begin), grid.nx, grid.ny);
+  grid.dx = cell.dx;
+  grid.dy = cell.dy;
+  grid.y0 = 0.5 * (begin + end) - 0.5 * (grid.ny - 1) * grid.dy;
+  return grid;
+}
+
+bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
+{
+  boxed_descent_ = solution_.approach;
+  search_.overlapZones(touch.contact.separation + boxed_descent_, zones_);
+  problem_.patches.resize(zones_.size());
+  patches_.resize(zones_.size());
+  for (std::size_t k = 0; k < zones_.size(); ++k)
+  {
+    WheelPatch& patch = patches_[k];
+    PatchGap& gap = problem_.patches[k];
+    patch.zone = zones_[k];
+    patch.touch_gap = patch.zone.contact.separation - touch.contact.separation;
+    patch.half_overlap = std::sqrt(2 * (boxed_descent_ - patch.touch_gap) * wheelRadius(config_, patch.zone.contact));
+    gap.grid = layBox(recall(patch.zone), size, patch);
+    gap.weight = std::cos(patch.plane.angle);
+    const bool sound = gap.grid.dx > 0 && gap.grid.dy > 0;
+    if (!sound || !buildGap(*wheel_, *rail_, patch.plane, gap.grid, gap.gap, patch.columns))
+    {
+      return false;
+    }
+  }
+  return !zones_.empty();
+}
+
+WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid& grid, const Extent& extent) const
+{
+  const OverlapZone& zone = patch.zone;
+  const double grown = std::sqrt(solution_.approach / boxed_descent_);  // of the stretch, by the solved descent
+  const double middle = 0.5 * (zone.u_begin + zone.u_end);
+  const double half = 0.5 * (zone.u_end - zone.u_begin) * grown;
+  const auto fraction = [&](double t) { return (railParameter(grid, patch.columns, t) - middle) / half; };
+  Memory memory;
+  memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
+  memory.center = (memory.rail_u - middle) / half;
+  memory.begin = fraction(grid.y(extent.first_column) - 0.5 * grid.dy);
+  memory.end = fraction(grid.y(extent.last_column) + 0.5 * grid.dy);
+  memory.half_length = halfLength(grid, extent) / (patch.half_overlap * grown);
+  memory.turn = patch.plane.angle + std::atan(patch.slope) - std::atan(zone.contact.slope);
+  memory.shift_x = patch.plane.x + patch.center_x - tangentPlane(*wheel_, *rail_, zone.contact).x;
+  return memory;
+}
+
+void WheelContact::growTouched(const Extent& extent, const Grid& grid, Memory& memory)
+{
+  const double width = memory.end - memory.begin;
+  memory.begin -= extent.first_column == 0 ? box_growth * width : 0;
+  memory.end += extent.last_column == grid.ny - 1 ? box_growth * width : 0;
+  const bool at_end = extent.last_row == grid.rows() - 1 || (!grid.symmetric && extent.first_row == 0);
+  memory.half_length *= at_end ? 1 + box_growth : 1;
+}
+
+void WheelContact::learn()
+{
+  memory_.clear();
+  box_fill_ = 1;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const Grid& grid = problem_.patches[k].grid;
+    const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
+    findCenter(pressure, grid, patches_[k]);
+    const Extent extent = extentOf(pressure);
+    if (extent.last_row < 0)
+    {
+      continue;
+    }
+    memory_.push_back(remember(patches_[k], grid, extent));
+    growTouched(extent, grid, memory_.back());
+    box_fill_ = std::min({box_fill_, (extent.last_column - extent.first_column + 1.0) / grid.ny,
+                          halfLength(grid, extent) / (0.5 * grid.nx * grid.dx)});
+  }
+}
+
+bool WheelContact::boxesHold(const RigidTouch& touch)
+{
+  for (const PatchPressure& patch : solution_.patches)
+  {
+    if (patch.touches_border)
+    {
+      return false;
+    }
+  }
+  if (solution_.approach < descent_allowance * boxed_descent_)
+  {
+    return true;
+  }
+  search_.overlapZones(touch.contact.separation + solution_.approach, zones_);
+  return std::all_of(zones_.begin(), zones_.end(),
+                     [this](const OverlapZone& zone)
+                     {
+                       return std::any_of(patches_.begin(), patches_.end(),
+                                          [&](const WheelPatch& patch) {
+                                            return zone.u_begin < patch.zone.u_end && patch.zone.u_begin < zone.u_end;
+                                          });
+                     });
+}
+
+bool WheelContact::onProfiles() const
+{
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const Extent extent = extentOf(solution_.patches[k].pressure);
+    for (int j = extent.first_column; j <= extent.last_column; ++j)
+    {
+      const GapColumn& column = patches_[k].columns[static_cast<std::size_t>(j)];
+      if (column.rail_u < 0 || column.rail_u > rail_->profile().length() || column.wheel_u < 0 ||
+          column.wheel_u > config_.wheel_profile->length())
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+WheelForces WheelContact::forces() const
+{
+  WheelForces sum;
+  const PlanePoint reference = rail_->referencePoint();
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const WheelPatch& patch = patches_[k];
+    const double force = solution_.patches[k].force;
+    const double outward = force * std::sin(patch.plane.angle + std::atan(patch.slope));
+    const double vertical = force * std::cos(patch.plane.angle);
+    const PlanePoint place = rail_->at(railParameter(problem_.patches[k].grid, patch.columns, patch.center_y));
+    sum.outward += outward;
+    sum.vertical += vertical;
+    sum.moment += outward * (place.z - reference.z) + vertical * (place.y - reference.y);
+  }
+  return sum;
+}
+
+double WheelContact::heightOverReference() const
+{
+  double force = 0;
+  double moment = 0;
+  const double reference = rail_->referencePoint().z;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    force += solution_.patches[k].force;
+    moment += solution_.patches[k].force * (patches_[k].plane.z - reference);
+  }
+  return force > 0 ? moment / force : 0;
+}
+
+double WheelContact::planeError() const
+{
+  double force = 0;
+  double error = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    force += solution_.patches[k].force;
+    error += solution_.patches[k].force * std::abs(patches_[k].slope);
+  }
+  return force > 0 ? error / force : 0;
+}
+
+double WheelContact::lever() const
+{
+  double vertical = 0;
+  double moment = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const ContactPlane& plane = patches_[k].plane;
+    const double share = solution_.patches[k].force * std::cos(plane.angle);
+    vertical += share;
+    moment += share * (plane.y - wheel_->pose().y + (plane.z - wheel_->pose().z) * std::tan(plane.angle));
+  }
+  return vertical > 0 ? moment / vertical : 0;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/balance/wheelset_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::array<Side, 2> sides{Side::left, Side::right};
+constexpr GridSize first_grid{8, 24};  ///< of the first pass from cold, where planes and boxes are still rough
+constexpr int most_passes = 25;
+constexpr int most_roll_steps = 60;
+constexpr double roll_limit = 0.2;           ///< [rad]
+constexpr double roll_step_limit = 5e-3;     ///< [rad]
+constexpr double height_tolerance = 1e-9;    ///< of both axle ends, in finding the roll [m]
+constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
+constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
+constexpr double least_fill = 0.7;           ///< share of a box that its pressure must take
+constexpr double coupling_tolerance = 1e-6;  ///< of deflection due and deflection used, relative
+constexpr double roll_arm = 0.1;             ///< makes a roll comparable with a displacement [m]
+
+std::size_t index(Side side)
+{
+  return static_cast<std::size_t>(side);
+}
+}  // namespace
+
+WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, NormalSolver& solver, const GridSize& size)
+    : config_(config),
+      size_(size),
+      wheel_{WheelContact(config, solver), WheelContact(config, solver)},
+      undeflected_(config.rail_profile, config.track)
+{
+  reset();
+}
+
+void WheelsetBalance::reset()
+{
+  warm_ = false;
+  roll_ = 0;
+  rail_ = {};
+  const bool prescribed = config_.rail_bending.model == RailBendingConfig::Model::prescribed;
+  for (const Side side : sides)
+  {
+    wheel_[index(side)].reset();
+    rail_[index(side)].deflection = prescribed ? config_.rail_bending.prescribed : RailDeflection();
+    wheel_[index(side)].setRail(undeflected_.deflected(rail_[index(side)].deflection));
+  }
+}
+
+ContactStatus WheelsetBalance::fail(ContactStatus status, std::string_view reason)
+{
+  reset();
+  reason_ = reason;
+  return status;
+}
+
+ContactStatus WheelsetBalance::failed(WheelStatus status)
+{
+  switch (status)
+  {
+    case WheelStatus::beside_rail:
+      return fail(ContactStatus::off_profile, "a wheel is beside its rail");
+    case WheelStatus::off_profile:
+      return fail(ContactStatus::off_profile, "contact lies beyond the end of a profile");
+    case WheelStatus::box_not_found:
+      return fail(ContactStatus::not_converged, "no grid was found that holds all of the contact");
+    default:
+      return fail(ContactStatus::not_converged, "the normal solution did not converge");
+  }
+}
+
+bool WheelsetBalance::touchBoth(double roll)
+{
+  for (const Side side : sides)
+  {
+    touch_[index(side)] = wheel_[index(side)].touch(toSide(side, {state_.y, 0, state_.yaw, roll}));
+  }
+  return touch_[0].found && touch_[1].found;
+}
+
+double WheelsetBalance::heightDifference() const
+{
+  return touch_[0].axle_height - descent_[0] - touch_[1].axle_height + descent_[1];
+}
+
+/// The roll at which both axle ends agree, with the descents known so far: the height seen from the left falls with the
+/// roll, that from the right rises. Newton's steps, kept within the bracket seen so far.
+bool WheelsetBalance::findRoll()
+{
+  double low = -roll_limit;
+  double high = roll_limit;
+  for (int i = 0; i < most_roll_steps; ++i)
+  {
+    if (!touchBoth(roll_))
+    {
+      return false;
+    }
+    const double difference = heightDifference();
+    if (std::abs(difference) < height_tolerance || high - low < 1e-12)
+    {
+      return true;
+    }
+    (difference > 0 ? low : high) = roll_;
+    const double levers = touch_[0].lever + touch_[1].lever;
+    const double step = std::clamp(difference / levers, -roll_step_limit, roll_step_limit);
+    const double next = roll_ + step;
+    roll_ = levers > 0 && next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return false;
+}
+
+WheelStatus WheelsetBalance::solveWheels(const GridSize& size)
+{
+  for (const Side side : sides)
+  {
+    const std::size_t k = index(side);
+    WheelContact& wheel = wheel_[k];
+    WheelStatus status = WheelStatus::no_contact;
+    if (!config_.wheelset.solve_height_and_roll)
+    {
+      status = wheel.solveDescent(touch_[k], touch_[k].axle_height - state_.z, size);
+    }
+    else if (load_[k] > 0)
+    {
+      status = wheel.solveLoad(touch_[k], load_[k], size);
+    }
+    loaded_[k] = status == WheelStatus::solved;
+    descent_[k] = loaded_[k] ? wheel.descent() : 0;
+    if (!loaded_[k] && status != WheelStatus::no_contact)
+    {
+      return status;
+    }
+  }
+  return WheelStatus::solved;
+}
+
+/// Takes the forces of the last solutions over to the rails' results; the deflection that is due under them.
+RailDeflection WheelsetBalance::deflectionDue(Side side)
+{
+  const std::size_t k = index(side);
+  const RailBendingConfig& bending = config_.rail_bending;
+  WheelForces forces = loaded_[k] ? wheel_[k].forces() : WheelForces();
+  const double from_contact = forces.outward;
+  if (bending.lateral_force == RailBendingConfig::LateralForce::topic)
+  {
+    forces.outward = state_.rail_lateral_force[k];
+  }
+  else if (bending.lateral_force == RailBendingConfig::LateralForce::constant)
+  {
+    forces.outward = bending.lateral_force_value;
+  }
+  forces.moment += (forces.outward - from_contact) * wheel_[k].heightOverReference();
+  rail_[k].lateral_force = forces.outward;
+  rail_[k].vertical_force = forces.vertical;
+  if (bending.model != RailBendingConfig::Model::compliance)
+  {
+    return rail_[k].deflection;
+  }
+  return deflectionInTrack(bending.table, {forces.outward, forces.vertical, forces.moment}, config_.track.cant);
+}
+
+/// Compares deflections due and used, and moves the rails. Returns the largest difference, relative.
+double WheelsetBalance::moveRails()
+{
+  FixedPoint<6>::Vector used, due;
+  for (const Side side : sides)
+  {
+    const auto at = static_cast<Eigen::Index>(3 * index(side));
+    const RailDeflection now = rail_[index(side)].deflection;
+    const RailDeflection then = deflectionDue(side);
+    used.segment<3>(at) << now.lateral, now.vertical, roll_arm * now.roll;
+    due.segment<3>(at) << then.lateral, then.vertical, roll_arm * then.roll;
+  }
+  if (config_.rail_bending.model != RailBendingConfig::Model::compliance || due.isZero(0))
+  {
+    return 0;
+  }
+  const double mismatch = (due - used).norm() / due.norm();
+  if (mismatch > coupling_tolerance)
+  {
+    const FixedPoint<6>::Vector next = coupling_.next(used, due);
+    for (const Side side : sides)
+    {
+      const auto at = static_cast<Eigen::Index>(3 * index(side));
+      rail_[index(side)].deflection = {next[at], next[at + 1], next[at + 2] / roll_arm};
+      wheel_[index(side)].setRail(undeflected_.deflected(rail_[index(side)].deflection));
+    }
+  }
+  return mismatch;
+}
+
+bool WheelsetBalance::settled(double roll_change, double mismatch) const
+{
+  const double tolerance = config_.contact.tolerance;
+  const auto fits = [&](Side side)
+  {
+    const WheelContact& wheel = wheel_[index(side)];
+    return !loaded_[index(side)] ||
+           (wheel.planeError() < plane_per_tolerance * tolerance && wheel.boxFill() > least_fill);
+  };
+  return std::abs(roll_change) < roll_per_tolerance * tolerance && mismatch < coupling_tolerance && fits(Side::left) &&
+         fits(Side::right);
+}
+
+ContactStatus WheelsetBalance::solve(const WheelsetState& state)
+{
+  state_ = state;
+  const bool free = config_.wheelset.solve_height_and_roll;
+  const double moment_load = 0.5 * state.torque_x / config_.wheelset.halfBase();
+  load_ = {-0.5 * state.force_z - moment_load, -0.5 * state.force_z + moment_load};
+  roll_ = free ? roll_ : state.roll;
+  coupling_.reset();
+  for (int pass = 0; pass < most_passes; ++pass)
+  {
+    const bool cold = pass == 0 && !warm_;
+    if (cold && !touchBoth(roll_))
+    {
+      return failed(WheelStatus::beside_rail);
+    }
+    for (const Side side : sides)
+    {
+      const std::size_t k = index(side);
+      descent_[k] = pass == 0 && load_[k] > 0 && free ? wheel_[k].estimateDescent(touch_[k], load_[k]) : descent_[k];
+    }
+    if (free ? !findRoll() : !touchBoth(roll_))
+    {
+      return failed(WheelStatus::beside_rail);
+    }
+    const WheelStatus status = solveWheels(cold ? first_grid : size_);
+    if (status != WheelStatus::solved)
+    {
+      return failed(status);
+    }
+    const double roll_change = free ? heightDifference() / leverSum() : 0;
+    const double mismatch = moveRails();
+    if (!cold && settled(roll_change, mismatch))
+    {
+      finish(roll_change);
+      return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
+    }
+  }
+  return fail(ContactStatus::not_converged, "height, roll and rail deflection found no common balance");
+}
+
+/// Height and roll from the last pass; what the roll was still off is made up for to first order.
+void WheelsetBalance::finish(double roll_change)
+{
+  warm_ = true;
+  reason_ = {};
+  if (!config_.wheelset.solve_height_and_roll)
+  {
+    height_ = state_.z;
+    return;
+  }
+  roll_ += roll_change;
+  height_ = touch_[0].axle_height - descent_[0] - lever(Side::left) * roll_change;
+}
+
+double WheelsetBalance::lever(Side side) const
+{
+  return loaded_[index(side)] ? wheel_[index(side)].lever() : touch_[index(side)].lever;
+}
+
+double WheelsetBalance::leverSum() const
+{
+  return lever(Side::left) + lever(Side::right);
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/wheelset_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wheel_rail_contact/balance/wheelset_balance.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double angle_limit = 0.2;    ///< largest yaw and given roll that are answered [rad]
+constexpr double lateral_limit = 0.1;  ///< largest lateral position that is answered [m]
+constexpr double height_limit = 1.0;   ///< largest given height over the running radius that is answered [m]
+constexpr double force_limit = 1e8;    ///< largest load that is answered [N], [N m]
+
+/// A grid and the relative error that it leaves in max pressure, area and approach (largest of the three; worst of the
+/// benchmark cases in test/normal).
+struct Rung
+{
+  double error;
+  GridSize size;
+};
+
+constexpr std::array<Rung, 6> ladder{
+    {{0.07, {4, 16}}, {0.053, {8, 32}}, {0.021, {16, 32}}, {0.0107, {16, 64}}, {0.003, {32, 64}}, {0.001, {64, 128}}}};
+
+GridSize gridFor(const ContactConfig& contact)
+{
+  if (contact.cells_along > 0)
+  {
+    return {contact.cells_along, contact.cells_across};
+  }
+  const auto rung =
+      std::find_if(ladder.begin(), ladder.end() - 1, [&](const Rung& r) { return r.error <= 1.1 * contact.tolerance; });
+  return rung->size;
+}
+
+std::unique_ptr<NormalSolver> makeSolver(const ContactConfig& contact)
+{
+  const GridSize size = gridFor(contact);
+  auto solver = std::make_unique<ConjugateGradients>();
+  solver->prepare(size.along, size.across, true);
+  return solver;
+}
+
+/// A named reason why a state is not answered; empty if it is.
+std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
+{
+  const auto within = [](double value, double limit) { return std::abs(value) <= limit; };
+  if (!within(state.y, lateral_limit))
+  {
+    return "lateral position is not a number or beyond 0.1 m";
+  }
+  if (!within(state.yaw, angle_limit))
+  {
+    return "yaw is not a number or beyond 0.2 rad";
+  }
+  if (!within(state.force_z, force_limit) || !within(state.torque_x, force_limit))
+  {
+    return "load is not a number or beyond 1e8 N";
+  }
+  if (!within(state.rail_lateral_force[0], force_limit) || !within(state.rail_lateral_force[1], force_limit))
+  {
+    return "lateral rail force is not a number or beyond 1e8 N";
+  }
+  if (height_and_roll_given && !within(state.roll, angle_limit))
+  {
+    return "roll is not a number or beyond 0.2 rad";
+  }
+  if (height_and_roll_given && !within(state.z, height_limit))
+  {
+    return "height is not a number or beyond 1 m";
+  }
+  return {};
+}
+
+/// Whole pressure field of a patch in track axes, from the stored half and, on the right, mirrored.
+void spread(Side side, const Grid& grid, const Eigen::ArrayXXd& stored, PatchResult& result)
+{
+  result.grid = grid;
+  result.grid.symmetric = false;
+  result.pressure.resize(grid.nx, grid.ny);
+  if (grid.symmetric)
+  {
+    result.pressure.bottomRows(grid.rows()) = stored;
+    result.pressure.topRows(grid.rows()) = stored.colwise().reverse();
+  }
+  else
+  {
+    result.pressure = stored;
+  }
+  if (side == Side::right)
+  {
+    result.grid.y0 = -(grid.y0 + (grid.ny - 1) * grid.dy);
+    result.pressure.rowwise().reverseInPlace();
+  }
+}
+}  // namespace
+
+class WheelsetContact::Chain
+{
+ public:
+  explicit Chain(ContactModelConfig config)
+      : config_(checked(std::move(config))),
+        solver_(makeSolver(config_.contact)),
+        balance_(config_, *solver_, gridFor(config_.contact))
+  {
+  }
+
+  const WheelsetResult& evaluate(const WheelsetState& state)
+  {
+    const bool given = !config_.wheelset.solve_height_and_roll;
+    result_.y = state.y;
+    result_.yaw = state.yaw;
+    result_.z = given ? state.z : config_.wheelset.rolling_radius;
+    result_.roll = given ? state.roll : 0;
+    const std::string_view reason = fault(state, given);
+    result_.status = reason.empty() ? balance_.solve(state) : ContactStatus::invalid_input;
+    result_.reason = reason.empty() ? balance_.reason() : reason;
+    result_.rail = {balance_.rail(Side::left), balance_.rail(Side::right)};
+    patch_count_ = 0;
+    if (isUsable(result_.status))
+    {
+      result_.z = balance_.height();
+      result_.roll = balance_.roll();
+      addPatches(Side::left);
+      addPatches(Side::right);
+    }
+    result_.patches.resize(patch_count_);
+    return result_;
+  }
+
+  void reset() { balance_.reset(); }
+  const ContactModelConfig& config() const { return config_; }
+
+ private:
+  static ContactModelConfig checked(ContactModelConfig config)
+  {
+    validate(config);
+    return config;
+  }
+
+  void addPatches(Side side)
+  {
+    const WheelContact& wheel = balance_.wheel(side);
+    for (std::size_t k = 0; balance_.loaded(side) && k < wheel.patches().size(); ++k)
+    {
+      if (wheel.solution().patches[k].force > 0)
+      {
+        result_.patches.resize(std::max(result_.patches.size(), patch_count_ + 1));
+        fill(side, wheel, k, result_.patches[patch_count_++]);
+      }
+    }
+  }
+
+  void fill(Side side, const WheelContact& wheel, std::size_t k, PatchResult& out) const
+  {
+    const WheelPatch& patch = wheel.patches()[k];
+    const PatchPressure& pressure = wheel.solution().patches[k];
+    const double sign = sideSign(side);
+    out.side = side;
+    out.method = solver_->name();
+    out.pose = {patch.plane.x, sign * patch.plane.y, patch.plane.z, sign * patch.plane.angle};
+    out.contact_angle = std::abs(patch.plane.angle);
+    out.normal_force = pressure.force;
+    out.approach = (wheel.descent() - patch.touch_gap) / std::hypot(1, patch.zone.contact.slope);
+    out.area = pressure.area;
+    out.max_pressure = pressure.max_pressure;
+    out.iterations = wheel.solution().iterations;
+    out.residual = wheel.solution().residual;
+    spread(side, wheel.problem().patches[k].grid, pressure.pressure, out);
+  }
+
+  ContactModelConfig config_;
+  std::unique_ptr<NormalSolver> solver_;
+  WheelsetBalance balance_;
+  WheelsetResult result_;
+  std::size_t patch_count_ = 0;
+};
+
+WheelsetContact::WheelsetContact(ContactModelConfig config) : chain_(std::make_unique<Chain>(std::move(config))) {}
+
+WheelsetContact::~WheelsetContact() = default;
+WheelsetContact::WheelsetContact(WheelsetContact&&) noexcept = default;
+WheelsetContact& WheelsetContact::operator=(WheelsetContact&&) noexcept = default;
+
+const WheelsetResult& WheelsetContact::evaluate(const WheelsetState& state)
+{
+  return chain_->evaluate(state);
+}
+
+void WheelsetContact::reset()
+{
+  chain_->reset();
+}
+
+const ContactModelConfig& WheelsetContact::config() const
+{
+  return chain_->config();
+}
+}  // namespace wheel_rail_contact
