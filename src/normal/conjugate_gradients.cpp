@@ -10,13 +10,12 @@
 #include "lanes.h"
 #include "patch_fields.h"
 #include "pressure_measures.h"
+#include "starting_pressure.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-const double kPi = std::acos(-1.0);
-
 /// A step along the chord to a clipped trial point is rounded up to the whole chord if the energy allows: then the
 /// clipped cells leave the contact for good. Any value above 1/2 keeps the energy falling.
 constexpr double kWholeChord = 0.6;
@@ -37,217 +36,181 @@ void check(const ConjugateGradientsOptions& options)
 }
 }  // namespace
 
-/// All state of a solve; fields hold the patches one after another, in the operators' order of cells.
+/// All state of a solve; fields hold the patches one after another, pressures as lengths (see PatchLayout).
 class ConjugateGradients::Iteration
 {
  public:
   explicit Iteration(const ConjugateGradientsOptions& options) : options_(options) {}
 
   OperatorCache& cache() { return cache_; }
-
-  void solve(const NormalProblem& problem, bool warm, NormalSolution& solution)
-  {
-    solution.patches.resize(problem.patches.size());
-    if (!isValid(problem))
-    {
-      finish(SolveStatus::invalid_problem, solution);
-      return;
-    }
-    begin(problem);
-    const bool touching = warm && load(solution) ? true : guess();
-    finish(touching ? iterate() : SolveStatus::no_contact, solution);
-  }
+  void solve(const NormalProblem& problem, bool warm, NormalSolution& solution);
 
  private:
-  bool loadControlled() const { return problem_->control == NormalProblem::Control::load; }
-
   void begin(const NormalProblem& problem);
-  bool load(const NormalSolution& solution);
-  bool guess();
-  double depthForLoad() const;
-  double loadOf(const LaneBuffer& pressure) const;
-  void scalePressure(double factor);
-
   SolveStatus iterate();
-  void applyMatrix(const LaneBuffer& in, LaneBuffer& out);
-  void advance(double step);
+  bool goOn(SolveStatus& status);
+  void multiply(const LaneBuffer& in, LaneBuffer& out);
+  void fitToApproach();
+  void advance(double length);
   void updateResidual();
-  double direction();
-  bool chordOf(double beta, double step);
-  SolveStatus step(double& length, bool clipped);
-
+  double precondition();
+  bool aim(double beta, double trial_length);
+  SolveStatus stepLength(bool clipped, double& length) const;
   void finish(SolveStatus status, NormalSolution& solution) const;
 
   ConjugateGradientsOptions options_;
   OperatorCache cache_;
   InfluenceOperator::Workspace workspace_;
+  const LaneKernels& kernels_ = laneKernels();
 
   const NormalProblem* problem_ = nullptr;
+  bool load_controlled_ = true;
   std::vector<PatchLayout> patches_;
-  int length_ = 0;
-  LaneBuffer p_, u_, gap_, r_, r_old_, z_, d_, q_, trial_;
-  double approach_ = 0, residual_ = 0, depth_ = 0;
-  double z_r_ = 0;
-  int products_ = 0;
+  LaneBuffer p_, u_, gap_;        ///< pressure, displacement, gap
+  LaneBuffer r_, r_old_;          ///< residual -w on the cells that may move, now and one step before
+  LaneBuffer z_, d_, q_, trial_;  ///< preconditioned residual, direction, its displacement, trial pressure
+  double approach_ = 0;           ///< [m]
+  double residual_ = 1;           ///< relative [-]
+  double z_r_ = 0;                ///< inner product of the last z and r; 0: start afresh
+  double best_ = 0;               ///< lowest residual so far
+  int products_ = 0, best_at_ = 0;
 };
+
+void ConjugateGradients::Iteration::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)
+{
+  solution.patches.resize(problem.patches.size());
+  products_ = 0;
+  residual_ = 1;
+  if (!isValid(problem))
+  {
+    solution.status = SolveStatus::invalid_problem;
+    solution.iterations = 0;
+    return;
+  }
+  begin(problem);
+  const bool started = (warm && warmStart(problem, patches_, solution, p_)) || coldStart(problem, patches_, gap_, p_);
+  finish(started ? iterate() : SolveStatus::no_contact, solution);
+}
 
 void ConjugateGradients::Iteration::begin(const NormalProblem& problem)
 {
   problem_ = &problem;
-  length_ = layOut(problem, cache_, patches_);
+  load_controlled_ = problem.control == NormalProblem::Control::load;
+  approach_ = problem.value;
+  const int length = layOut(problem, cache_, patches_);
   for (LaneBuffer* field : {&p_, &u_, &gap_, &r_, &r_old_, &z_, &d_, &q_, &trial_})
   {
-    field->resize(length_);
+    field->resize(length);
   }
-  std::fill_n(gap_.data(), length_, kNoSurface);
+  std::fill_n(p_.data(), length, 0.0);
+  std::fill_n(d_.data(), length, 0.0);
+  std::fill_n(q_.data(), length, 0.0);
+  std::fill_n(gap_.data(), length, kNoSurface);
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     workspace_.reserve(*patches_[k].influence);
-    toField(patches_[k], problem.patches[k].gap, gap_.data());
+    toField(patches_[k], 1, problem.patches[k].gap, gap_);
   }
-  approach_ = loadControlled() ? 0 : problem.value;
-  products_ = 0;
   z_r_ = 0;
-  residual_ = 1;
+  best_ = std::numeric_limits<double>::infinity();
+  best_at_ = 0;
 }
 
-double ConjugateGradients::Iteration::loadOf(const LaneBuffer& pressure) const
+SolveStatus ConjugateGradients::Iteration::iterate()
 {
-  double sum = 0;
-  for (const PatchLayout& patch : patches_)
+  multiply(p_, u_);
+  if (!load_controlled_)
   {
-    double patch_sum = 0;
-    for (int i = patch.begin; i < patch.begin + patch.size; ++i)
+    fitToApproach();
+  }
+  advance(0);
+  updateResidual();
+  double trial_length = 1;
+  SolveStatus status = SolveStatus::converged;
+  while (goOn(status))
+  {
+    const bool clipped = aim(precondition(), trial_length);
+    multiply(d_, q_);
+    double length = 0;
+    status = stepLength(clipped, length);
+    if (status != SolveStatus::converged)
     {
-      patch_sum += pressure[i];
+      return status;
     }
-    sum += patch.weight * patch.cell_area * patch_sum;
-  }
-  return sum;
-}
-
-void ConjugateGradients::Iteration::scalePressure(double factor)
-{
-  for (int i = 0; i < length_; ++i)
-  {
-    p_[i] *= factor;
-  }
-}
-
-bool ConjugateGradients::Iteration::load(const NormalSolution& solution)
-{
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    const Eigen::ArrayXXd& pressure = solution.patches[k].pressure;
-    const Grid& grid = patches_[k].grid;
-    if (pressure.rows() != grid.rows() || pressure.cols() != grid.ny || !(pressure >= 0).all())
+    advance(length);
+    updateResidual();
+    if (clipped)
     {
-      return false;
+      z_r_ = 0;
     }
-    toField(patches_[k], pressure, p_.data());
+    else
+    {
+      trial_length = length;
+    }
   }
-  const double held = loadOf(p_);
-  if (!(held > 0) || !std::isfinite(held))
+  return status;
+}
+
+/// Looks at the residual: false at the end, whose reason is then in `status`.
+bool ConjugateGradients::Iteration::goOn(SolveStatus& status)
+{
+  if (residual_ <= options_.residual)
   {
+    status = SolveStatus::converged;
     return false;
   }
-  if (loadControlled())
+  if (residual_ < best_)
   {
-    scalePressure(problem_->value / held);
+    best_ = residual_;
+    best_at_ = products_;
   }
-  return true;
+  status = products_ >= options_.max_products ? SolveStatus::iteration_limit : SolveStatus::stalled;
+  return products_ < options_.max_products && products_ - best_at_ <= kPatience;
 }
 
-/// Depth of interpenetration that a circular Hertz contact of each patch's area would need to carry the load [m].
-double ConjugateGradients::Iteration::depthForLoad() const
-{
-  double lowest = std::numeric_limits<double>::infinity(), highest = lowest;
-  for (const PatchLayout& patch : patches_)
-  {
-    const double least = *std::min_element(gap_.data() + patch.begin, gap_.data() + patch.begin + patch.size);
-    lowest = std::min(lowest, least / patch.weight);
-    const double one_cell = patch.weight * patch.weight * problem_->modulus * std::sqrt(patch.cell_area);
-    highest = std::min(highest, least / patch.weight + problem_->value / one_cell);
-  }
-  for (int halving = 0; halving < 16; ++halving)
-  {
-    const double middle = 0.5 * (lowest + highest);
-    double carried = 0;
-    for (const PatchLayout& patch : patches_)
-    {
-      double cells = 0, least = kNoSurface;
-      for (int i = patch.begin; i < patch.begin + patch.size; ++i)
-      {
-        cells += gap_[i] < patch.weight * middle ? 1 : 0;
-        least = std::min(least, gap_[i]);
-      }
-      const double radius = std::sqrt(cells * patch.cell_area / kPi);
-      const double depth = std::max(patch.weight * middle - least, 0.0);
-      carried += patch.weight * 8.0 / 3.0 * problem_->modulus * radius * depth;
-    }
-    (carried < problem_->value ? lowest : highest) = middle;
-  }
-  return highest;
-}
-
-/// Pressure of a first guess: the square root of the interpenetration at half the approach, as in a circular Hertz
-/// contact.
-bool ConjugateGradients::Iteration::guess()
-{
-  std::fill_n(p_.data(), length_, 0.0);
-  double least = std::numeric_limits<double>::infinity();
-  for (const PatchLayout& patch : patches_)
-  {
-    least = std::min(
-        least, *std::min_element(gap_.data() + patch.begin, gap_.data() + patch.begin + patch.size) / patch.weight);
-  }
-  const double level = loadControlled() ? depthForLoad() : least + 0.55 * (problem_->value - least);
-  if (!(level > least))
-  {
-    return false;
-  }
-  for (const PatchLayout& patch : patches_)
-  {
-    for (int i = patch.begin; i < patch.begin + patch.size; ++i)
-    {
-      p_[i] = problem_->modulus * std::sqrt(std::max(patch.weight * level - gap_[i], 0.0));
-    }
-  }
-  const double held = loadOf(p_);
-  if (loadControlled())
-  {
-    scalePressure(problem_->value / held);
-  }
-  return held > 0;
-}
-
-void ConjugateGradients::Iteration::applyMatrix(const LaneBuffer& in, LaneBuffer& out)
+void ConjugateGradients::Iteration::multiply(const LaneBuffer& in, LaneBuffer& out)
 {
   for (const PatchLayout& patch : patches_)
   {
-    double* result = out.data() + patch.begin;
-    patch.influence->multiply(in.data() + patch.begin, result, workspace_);
-    for (int i = 0; i < patch.size; ++i)
-    {
-      result[i] *= patch.compliance;
-    }
+    patch.influence->multiply(in.data() + patch.begin, out.data() + patch.begin, workspace_);
   }
   ++products_;
 }
 
-/// Moves pressure and displacement along the direction and, in load control, finds the approach.
-void ConjugateGradients::Iteration::advance(double step)
+/// Scales the first pressure to the least energy at the given approach.
+void ConjugateGradients::Iteration::fitToApproach()
+{
+  double work = 0, stored = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const double* p = p_.data() + patch.begin;
+    const double sum = kernels_.sum(patch.size, p), closing = kernels_.dot(patch.size, p, gap_.data() + patch.begin);
+    work += patch.force * (patch.weight * approach_ * sum - closing);
+    stored += patch.force * kernels_.dot(patch.size, p, u_.data() + patch.begin);
+  }
+  if (work > 0 && stored > 0)
+  {
+    for (const PatchLayout& patch : patches_)
+    {
+      kernels_.scale(patch.size, work / stored, p_.data() + patch.begin);
+      kernels_.scale(patch.size, work / stored, u_.data() + patch.begin);
+    }
+  }
+}
+
+/// Moves along the direction and, in load control, finds the approach.
+void ConjugateGradients::Iteration::advance(double length)
 {
   double sum = 0, weights = 0;
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
-    const LoadedCells cells = laneKernels().advance(patch.size, step, d_.data() + at, q_.data() + at, gap_.data() + at,
-                                                    p_.data() + at, u_.data() + at);
-    sum += patch.cell_area * patch.weight * cells.sum;
-    weights += patch.cell_area * patch.weight * patch.weight * cells.count;
+    const CellSum cells = kernels_.advance(patch.size, length, d_.data() + at, q_.data() + at, gap_.data() + at,
+                                           p_.data() + at, u_.data() + at);
+    sum += patch.force * patch.weight * cells.sum;
+    weights += patch.force * patch.weight * patch.weight * cells.count;
   }
-  if (loadControlled())
+  if (load_controlled_)
   {
     approach_ = sum / weights;
   }
@@ -256,83 +219,83 @@ void ConjugateGradients::Iteration::advance(double step)
 void ConjugateGradients::Iteration::updateResidual()
 {
   std::swap(r_, r_old_);
-  double worst = 0;
-  depth_ = 0;
+  double worst = 0, depth = 0;
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
-    const Violation violation = laneKernels().residual(patch.size, patch.weight * approach_, p_.data() + at,
-                                                       u_.data() + at, gap_.data() + at, r_.data() + at);
+    const double own_approach = patch.weight * approach_;
+    const Violation violation =
+        kernels_.residual(patch.size, own_approach, p_.data() + at, u_.data() + at, gap_.data() + at, r_.data() + at);
     worst = std::max({worst, violation.inside, violation.outside});
-    const double least = *std::min_element(gap_.data() + at, gap_.data() + at + patch.size);
-    depth_ = std::max(depth_, patch.weight * approach_ - least);
+    depth = std::max(depth, own_approach - patch.least_gap);
   }
-  residual_ = worst / depth_;
+  residual_ = worst / depth;
 }
 
-/// Preconditioned residual, free of load where that is given; returns the factor of the last direction.
-double ConjugateGradients::Iteration::direction()
+/// Computes z, free of load where that is given; returns the share of the last direction in the next one.
+double ConjugateGradients::Iteration::precondition()
 {
   double sum = 0, weights = 0;
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
     patch.influence->precondition(r_.data() + at, z_.data() + at, workspace_);
-    for (int i = at; i < at + patch.size; ++i)
-    {
-      z_[i] /= patch.compliance;
-    }
-    const LoadedCells cells = laneKernels().maskedSum(patch.size, r_.data() + at, z_.data() + at);
-    sum += patch.cell_area * patch.weight * cells.sum;
-    weights += patch.cell_area * patch.weight * patch.weight * cells.count;
+    const CellSum cells = kernels_.maskedSum(patch.size, r_.data() + at, z_.data() + at);
+    sum += patch.force * patch.weight * cells.sum;
+    weights += patch.force * patch.weight * patch.weight * cells.count;
   }
-  const double shift = loadControlled() ? sum / weights : 0;
+  const double shift = load_controlled_ ? sum / weights : 0;
   double z_r = 0, z_r_old = 0;
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
     const DirectionSums sums =
-        laneKernels().project(patch.size, patch.weight * shift, r_.data() + at, r_old_.data() + at, z_.data() + at);
-    z_r += patch.cell_area * sums.z_r;
-    z_r_old += patch.cell_area * sums.z_r_old;
+        kernels_.project(patch.size, patch.weight * shift, r_.data() + at, r_old_.data() + at, z_.data() + at);
+    z_r += patch.force * sums.z_r;
+    z_r_old += patch.force * sums.z_r_old;
   }
   const double beta = z_r_ > 0 ? std::max(0.0, (z_r - z_r_old) / z_r_) : 0;
   z_r_ = z_r;
   return beta;
 }
 
-/// Direction to the trial point p + step (z + beta d), with negative pressures cut and the load restored.
-bool ConjugateGradients::Iteration::chordOf(double beta, double step)
+/// Sets the direction to the trial point p + length (z + beta d), with negative pressures cut and the load restored.
+/// Returns whether any was cut.
+bool ConjugateGradients::Iteration::aim(double beta, double trial_length)
 {
-  double load = 0, clipped = 0;
+  double load = 0, cut = 0;
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
-    const TrialSums sums =
-        laneKernels().trial(patch.size, beta, step, p_.data() + at, z_.data() + at, d_.data() + at, trial_.data() + at);
-    load += patch.cell_area * patch.weight * sums.sum;
-    clipped += sums.clipped;
+    const CellSum sums = kernels_.trial(patch.size, beta, trial_length, p_.data() + at, z_.data() + at, d_.data() + at,
+                                        trial_.data() + at);
+    load += patch.force * patch.weight * sums.sum;
+    cut += sums.count;
   }
-  if (clipped == 0)
+  if (cut == 0)
   {
     return false;
   }
-  const double scale = loadControlled() ? problem_->value / load : 1;
-  laneKernels().chord(length_, scale, p_.data(), trial_.data(), d_.data());
-  return true;
-}
-
-SolveStatus ConjugateGradients::Iteration::step(double& length, bool clipped)
-{
-  double r_d = 0, d_q = 0, longest = std::numeric_limits<double>::infinity();
+  const double scale = load_controlled_ ? problem_->value / load : 1;
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
-    const StepSums sums =
-        laneKernels().stepLength(patch.size, p_.data() + at, r_.data() + at, d_.data() + at, q_.data() + at);
-    r_d += patch.cell_area * sums.r_d;
-    d_q += patch.cell_area * sums.d_q;
-    longest = std::min(longest, sums.longest);
+    kernels_.chord(patch.size, scale, p_.data() + at, trial_.data() + at, d_.data() + at);
+  }
+  return true;
+}
+
+/// Length of the step to the least energy along the direction.
+SolveStatus ConjugateGradients::Iteration::stepLength(bool clipped, double& length) const
+{
+  double r_d = 0, d_q = 0, fall = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    const StepSums sums = kernels_.stepSums(patch.size, p_.data() + at, r_.data() + at, d_.data() + at, q_.data() + at);
+    r_d += patch.force * sums.r_d;
+    d_q += patch.force * sums.d_q;
+    fall = std::max(fall, sums.fall);
   }
   if (!(d_q > 0))
   {
@@ -347,55 +310,8 @@ SolveStatus ConjugateGradients::Iteration::step(double& length, bool clipped)
   {
     length = 1;
   }
-  length = std::min(length, longest);
+  length = fall * length > 1 ? 1 / fall : length;
   return SolveStatus::converged;
-}
-
-SolveStatus ConjugateGradients::Iteration::iterate()
-{
-  applyMatrix(p_, u_);
-  advance(0);
-  double trial_step = 1, best = std::numeric_limits<double>::infinity();
-  int best_at = 0;
-  while (true)
-  {
-    updateResidual();
-    if (residual_ <= options_.residual)
-    {
-      return SolveStatus::converged;
-    }
-    if (residual_ < best)
-    {
-      best = residual_;
-      best_at = products_;
-    }
-    if (products_ >= options_.max_products)
-    {
-      return SolveStatus::iteration_limit;
-    }
-    if (products_ - best_at > kPatience)
-    {
-      return SolveStatus::stalled;
-    }
-    const double beta = direction();
-    const bool clipped = chordOf(beta, trial_step);
-    applyMatrix(d_, q_);
-    double length = 0;
-    const SolveStatus status = step(length, clipped);
-    if (status != SolveStatus::converged)
-    {
-      return status;
-    }
-    advance(length);
-    if (clipped)
-    {
-      z_r_ = 0;
-    }
-    else
-    {
-      trial_step = length;
-    }
-  }
 }
 
 void ConjugateGradients::Iteration::finish(SolveStatus status, NormalSolution& solution) const
@@ -403,14 +319,10 @@ void ConjugateGradients::Iteration::finish(SolveStatus status, NormalSolution& s
   solution.status = status;
   solution.iterations = products_;
   solution.approach = approach_;
-  solution.residual = residual_;
-  if (status == SolveStatus::invalid_problem)
-  {
-    return;
-  }
+  solution.residual = status == SolveStatus::no_contact ? 0 : residual_;
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    fromField(patches_[k], p_.data(), solution.patches[k].pressure);
+    fromField(patches_[k], patches_[k].stiffness, p_, solution.patches[k].pressure);
     measure(patches_[k].grid, solution.patches[k]);
   }
 }

@@ -301,6 +301,11 @@ InfluenceOperator::InfluenceOperator(const OperatorShape& shape)
 {
   check(shape);
   tables_ = std::make_unique<Tables>(shape);
+  symmetric_ = shape.symmetric;
+  half_rows_ = tables_->x.half;
+  middle_row_ = shape.symmetric ? 0 : half_rows_;
+  half_columns_ = tables_->y.half;
+  line_ = 2 * tables_->y.value_stride;
 }
 InfluenceOperator::~InfluenceOperator() = default;
 InfluenceOperator::InfluenceOperator(InfluenceOperator&&) noexcept = default;
@@ -314,19 +319,6 @@ const OperatorShape& InfluenceOperator::shape() const
 int InfluenceOperator::fieldSize() const
 {
   return tables_->fieldSize();
-}
-
-int InfluenceOperator::index(int row, int column) const
-{
-  const CosineModes& x = tables_->x;
-  const CosineModes& y = tables_->y;
-  const int line = 2 * y.value_stride;
-  const int across = column >= y.half ? column - y.half : y.value_stride + y.half - 1 - column;
-  if (tables_->shape.symmetric)
-  {
-    return row * line + across;
-  }
-  return (row >= x.half ? row - x.half : x.half + x.half - 1 - row) * line + across;
 }
 
 void InfluenceOperator::multiply(const double* pressure, double* displacement, Workspace& workspace) const

@@ -2,7 +2,7 @@
 #include "lanes.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace wheel_rail_contact
 {
@@ -11,7 +11,9 @@ namespace
 namespace baseline
 {
 constexpr int kWidth = 2;
+constexpr const char* kName = "baseline";
 #include "lanes_body.h"
+#include "solver_loops_body.h"
 }  // namespace baseline
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -21,7 +23,9 @@ constexpr int kWidth = 2;
 namespace avx
 {
 constexpr int kWidth = 4;
+constexpr const char* kName = "avx";
 #include "lanes_body.h"
+#include "solver_loops_body.h"
 }  // namespace avx
 #pragma GCC pop_options
 
@@ -30,7 +34,9 @@ constexpr int kWidth = 4;
 namespace avx512
 {
 constexpr int kWidth = 8;
+constexpr const char* kName = "avx512";
 #include "lanes_body.h"
+#include "solver_loops_body.h"
 }  // namespace avx512
 #pragma GCC pop_options
 #endif
@@ -53,12 +59,17 @@ const LaneKernels& widest()
 
 void LaneBuffer::resize(int size)
 {
+  if (size == size_)
+  {
+    return;
+  }
   if (size > capacity_)
   {
     const std::size_t bytes = static_cast<std::size_t>(size) * sizeof(double);
     data_.reset(static_cast<double*>(::operator new[](bytes, std::align_val_t{kLanes * sizeof(double)})));
     capacity_ = size;
   }
+  size_ = size;
   std::fill_n(data_.get(), size, 0.0);
 }
 

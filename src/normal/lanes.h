@@ -7,7 +7,7 @@
 
 namespace wheel_rail_contact
 {
-/// Vectors are padded to a multiple of this many doubles and aligned to it.
+/// Fields are padded to a multiple of this many doubles and aligned to it.
 constexpr int kLanes = 8;
 
 constexpr int roundUpToLanes(int count)
@@ -15,14 +15,11 @@ constexpr int roundUpToLanes(int count)
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Aligned array of doubles; grows only, so that a shape seen before allocates nothing.
+/// Aligned array of doubles; grows only, so that a size seen before allocates nothing.
 class LaneBuffer
 {
  public:
-  LaneBuffer() = default;
-  explicit LaneBuffer(int size) { resize(size); }
-
-  /// Makes room for `size` doubles and sets all of them to zero.
+  /// Makes room for `size` doubles; sets all to zero if the size differs from the last.
   void resize(int size);
 
   double* data() { return data_.get(); }
@@ -36,7 +33,7 @@ class LaneBuffer
     void operator()(double* data) const { ::operator delete[](data, std::align_val_t{kLanes * sizeof(double)}); }
   };
   std::unique_ptr<double[], Free> data_;
-  int capacity_ = 0;
+  int size_ = 0, capacity_ = 0;
 };
 
 /// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) * sum over k of a(l, k) * b(k, c),
@@ -54,65 +51,69 @@ struct LaneProduct
   const double* scale = nullptr;  ///< shaped like out, or null for ones
 };
 
-/// Sums over the cells of one patch that carry pressure.
-struct LoadedCells
+/// Sum over some cells, and how many they are.
+struct CellSum
 {
-  double sum = 0;    ///< of displacement + gap [m]
-  double count = 0;  ///< cells [-]
+  double sum = 0;
+  double count = 0;
 };
 
+/// Violation of the contact conditions; w is the distance of the deformed surfaces.
 struct Violation
 {
-  double inside = 0;   ///< max |w| where p > 0 [m]
-  double outside = 0;  ///< max (-w) elsewhere [m]
+  double inside = 0;   ///< largest |w| where p > 0
+  double outside = 0;  ///< largest -w elsewhere
 };
 
+/// Inner products of a new search direction.
 struct DirectionSums
 {
-  double z_r = 0, z_r_old = 0;
+  double z_r = 0;      ///< with the residual
+  double z_r_old = 0;  ///< with the residual before
 };
 
-struct TrialSums
-{
-  double sum = 0;      ///< of the trial pressure
-  double clipped = 0;  ///< cells where a positive pressure was cut to zero
-};
-
+/// What a step along a direction needs.
 struct StepSums
 {
-  double r_d = 0, d_q = 0;
-  double longest = 0;  ///< largest step that keeps p >= 0
+  double r_d = 0;   ///< slope: residual times direction
+  double d_q = 0;   ///< curvature: direction times matrix times direction
+  double fall = 0;  ///< largest relative fall of a pressure, max(-d / p): 1 / fall is the longest step with p >= 0
 };
 
-/// The loops of the solver, compiled for one instruction set; `size` is a multiple of kLanes everywhere.
+/// Inner loops of operator and solvers, compiled for one instruction set. `size` is a multiple of kLanes everywhere.
 struct LaneKernels
 {
-  int width = 0;  ///< doubles in one register
+  const char* name = nullptr;
 
   void (*multiply)(const LaneProduct& product) = nullptr;
-
-  /// Even and odd parts of `pairs` pairs of blocks of `block` doubles: out = (a + b, sign (a - b)), sign being an
-  /// array.
+  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)), `sign` being one block long. in = out allowed.
   void (*fold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
   /// Its transpose: out = (e + sign o, e - sign o).
   void (*unfold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
 
-  /// p = max(p + step d, 0), u += step q.
-  LoadedCells (*advance)(int size, double step, const double* d, const double* q, const double* gap, double* p,
-                         double* u) = nullptr;
-  /// w = u + gap - shift; r = -w where p > 0 or w < 0, else 0.
+  double (*sum)(int size, const double* values) = nullptr;
+  void (*scale)(int size, double factor, double* values) = nullptr;
+  double (*dot)(int size, const double* a, const double* b) = nullptr;
+  /// Number of values below a limit.
+  double (*countBelow)(int size, double limit, const double* values) = nullptr;
+  /// p = sqrt(max(level - gap, 0)); returns the sum.
+  double (*rootDepth)(int size, double level, const double* gap, double* p) = nullptr;
+  /// p = max(p + step d, 0), u += step q; returns the sum of u + gap where p > 0.
+  CellSum (*advance)(int size, double step, const double* d, const double* q, const double* gap, double* p,
+                     double* u) = nullptr;
+  /// With w = u + gap - shift: r = -w where p > 0 or w < 0, else 0.
   Violation (*residual)(int size, double shift, const double* p, const double* u, const double* gap,
                         double* r) = nullptr;
-  /// Sum of z and number of cells where r != 0.
-  LoadedCells (*maskedSum)(int size, const double* r, const double* z) = nullptr;
+  /// Sum of z where r != 0.
+  CellSum (*maskedSum)(int size, const double* r, const double* z) = nullptr;
   /// z = z - shift where r != 0, else 0.
   DirectionSums (*project)(int size, double shift, const double* r, const double* r_old, double* z) = nullptr;
-  /// d = z + beta d; trial = max(p + step d, 0).
-  TrialSums (*trial)(int size, double beta, double step, const double* p, const double* z, double* d,
-                     double* trial) = nullptr;
+  /// d = z + beta d; trial = max(p + step d, 0). Returns the sum of trial and the number of cells cut.
+  CellSum (*trial)(int size, double beta, double step, const double* p, const double* z, double* d,
+                   double* trial) = nullptr;
   /// d = scale trial - p.
   void (*chord)(int size, double scale, const double* p, const double* trial, double* d) = nullptr;
-  StepSums (*stepLength)(int size, const double* p, const double* r, const double* d, const double* q) = nullptr;
+  StepSums (*stepSums)(int size, const double* p, const double* r, const double* d, const double* q) = nullptr;
 };
 
 /// The kernels for the widest registers of this machine.

@@ -16,7 +16,8 @@ bool isValid(const PatchGap& patch)
                       patch.gap.rows() == grid.rows() && patch.gap.cols() == grid.ny;
   const bool sized = grid.dx > 0 && grid.dy > 0 && std::isfinite(grid.dx) && std::isfinite(grid.dy);
   const bool weighted = patch.weight > 0 && std::isfinite(patch.weight);
-  return shaped && sized && weighted && (patch.gap * 0 == 0).all();
+  // Zero times a value that is not finite is not a number, and stays so in the sum.
+  return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }
 }  // namespace
 
@@ -43,33 +44,38 @@ int layOut(const NormalProblem& problem, OperatorCache& cache, std::vector<Patch
     patch.influence = cache.find(patch.grid.nx, patch.grid.ny, patch.grid.symmetric, patch.grid.dx / patch.grid.dy);
     patch.begin = length;
     patch.size = patch.influence->fieldSize();
-    patch.compliance = patch.grid.dy / (kPi * problem.modulus);
     patch.weight = problem.patches[k].weight;
-    patch.cell_area = patch.grid.cellArea();
+    patch.stiffness = kPi * problem.modulus / patch.grid.dy;
+    patch.force = patch.stiffness * patch.grid.cellArea();
+    patch.least_gap = problem.patches[k].gap.minCoeff();
     length += patch.size;
   }
   return length;
 }
 
-void toField(const PatchLayout& patch, const Eigen::ArrayXXd& values, double* field)
+void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field)
 {
-  for (int row = 0; row < patch.grid.rows(); ++row)
+  const InfluenceOperator& influence = *patch.influence;
+  for (int column = 0; column < patch.grid.ny; ++column)
   {
-    for (int column = 0; column < patch.grid.ny; ++column)
+    double* cells = field.data() + patch.begin + influence.columnOffset(column);
+    for (int row = 0; row < patch.grid.rows(); ++row)
     {
-      field[patch.begin + patch.influence->index(row, column)] = values(row, column);
+      cells[influence.rowOffset(row)] = factor * values(row, column);
     }
   }
 }
 
-void fromField(const PatchLayout& patch, const double* field, Eigen::ArrayXXd& values)
+void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values)
 {
+  const InfluenceOperator& influence = *patch.influence;
   values.resize(patch.grid.rows(), patch.grid.ny);
-  for (int row = 0; row < patch.grid.rows(); ++row)
+  for (int column = 0; column < patch.grid.ny; ++column)
   {
-    for (int column = 0; column < patch.grid.ny; ++column)
+    const double* cells = field.data() + patch.begin + influence.columnOffset(column);
+    for (int row = 0; row < patch.grid.rows(); ++row)
     {
-      values(row, column) = field[patch.begin + patch.influence->index(row, column)];
+      values(row, column) = factor * cells[influence.rowOffset(row)];
     }
   }
 }

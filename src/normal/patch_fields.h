@@ -10,15 +10,19 @@
 
 namespace wheel_rail_contact
 {
-/// Where a patch's fields lie in the solver's arrays, and what turns them into metres and newtons.
+/// Where a patch's fields lie in the solver's arrays, and what turns them into pascals and newtons.
+///
+/// In the arrays a pressure p stands as the length p dy / (pi E*), so that the operator's product with it is the
+/// displacement [m] itself.
 struct PatchLayout
 {
   std::shared_ptr<const InfluenceOperator> influence;
   Grid grid;
   int begin = 0, size = 0;  ///< range in the arrays
-  double compliance = 0;    ///< of the operator: dy / (pi E*) [m/Pa]
-  double weight = 1;
-  double cell_area = 0;  ///< [m²]
+  double weight = 1;        ///< share of the approach and of the load [-]
+  double stiffness = 0;     ///< pi E* / dy [Pa/m]: from a length in the arrays to a pressure
+  double force = 0;         ///< normal force of a length 1 m in one stored cell [N/m]
+  double least_gap = 0;     ///< [m]
 };
 
 /// Gap in cells that only pad the arrays: never touched [m].
@@ -30,7 +34,9 @@ bool isValid(const NormalProblem& problem);
 /// Lays out the patches one after another; returns the arrays' length.
 int layOut(const NormalProblem& problem, OperatorCache& cache, std::vector<PatchLayout>& patches);
 
-/// Copies an Eigen array (rows × columns) to and from a field.
-void toField(const PatchLayout& patch, const Eigen::ArrayXXd& values, double* field);
-void fromField(const PatchLayout& patch, const double* field, Eigen::ArrayXXd& values);
+/// Writes factor * values into the patch's cells of a field; padding stays as it is.
+void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field);
+
+/// Writes factor * field into `values`, rows × columns.
+void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values);
 }  // namespace wheel_rail_contact

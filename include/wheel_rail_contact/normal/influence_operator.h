@@ -23,7 +23,7 @@ struct OperatorShape
 /// into parts even and odd about the grid's centre, each mode is a sum over a quarter of the doubled grid. At the sizes
 /// of a contact patch these sums are fastest as matrix products with precomputed cosines.
 ///
-/// Fields are stored folded about the grid's centre, see index(); fieldSize() doubles, padding included. Odd nx and ny
+/// Fields are stored folded about the grid's centre; fieldSize() doubles, padding included. Odd nx and ny
 /// are rounded up by a column that must hold no pressure.
 class InfluenceOperator
 {
@@ -56,8 +56,15 @@ class InfluenceOperator
   /// Doubles in a field, a multiple of eight.
   int fieldSize() const;
 
-  /// Place of a stored cell (row, column counted as in Grid) in a field.
-  int index(int row, int column) const;
+  /// Place in a field of a stored cell (row and column counted as in Grid): the sum of these two.
+  int rowOffset(int row) const
+  {
+    return (symmetric_ || row >= half_rows_ ? row - middle_row_ : half_rows_ + middle_row_ - 1 - row) * line_;
+  }
+  int columnOffset(int column) const
+  {
+    return column >= half_columns_ ? column - half_columns_ : line_ / 2 + half_columns_ - 1 - column;
+  }
 
   /// displacement = A pressure. Padding of `pressure` must be zero; that of `displacement` is then zero too.
   void multiply(const double* pressure, double* displacement, Workspace& workspace) const;
@@ -68,5 +75,9 @@ class InfluenceOperator
  private:
   struct Tables;
   std::unique_ptr<Tables> tables_;
+  bool symmetric_ = false;
+  int half_rows_ = 0, middle_row_ = 0;  ///< rows of half the grid; the first of them stored at offset zero
+  int half_columns_ = 0;
+  int line_ = 0;  ///< doubles of one row
 };
 }  // namespace wheel_rail_contact
