@@ -18,34 +18,6 @@ constexpr int estimate_steps = 4;     ///< fixed-point steps of the descent's es
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
 
-using Extent = PressureExtent;
-
-Extent extentOf(const Eigen::ArrayXXd& pressure)
-{
-  Extent extent{static_cast<int>(pressure.cols()), -1, static_cast<int>(pressure.rows()), -1};
-  for (int j = 0; j < pressure.cols(); ++j)
-  {
-    for (int i = 0; i < pressure.rows(); ++i)
-    {
-      if (pressure(i, j) > 0)
-      {
-        extent.first_column = std::min(extent.first_column, j);
-        extent.last_column = j;
-        extent.first_row = std::min(extent.first_row, i);
-        extent.last_row = std::max(extent.last_row, i);
-      }
-    }
-  }
-  return extent;
-}
-
-/// Half-length along x that holds all pressure, about the patch frame's origin [m].
-double halfLength(const Grid& grid, const Extent& extent)
-{
-  const double ahead = grid.x(extent.last_row) + 0.5 * grid.dx;
-  return grid.symmetric ? ahead : std::max(ahead, -(grid.x(extent.first_row) - 0.5 * grid.dx));
-}
-
 /// Parameter of the rail's profile at place t of the patch frame, from the columns.
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
 {
@@ -271,7 +243,8 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
   return !zones_.empty();
 }
 
-WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid& grid, const Extent& extent) const
+WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid& grid,
+                                            const PressureExtent& extent) const
 {
   const OverlapZone& zone = patch.zone;
   const double grown = std::sqrt(solution_.approach / boxed_descent_);  // of the stretch, by the solved descent
@@ -281,15 +254,15 @@ WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid&
   Memory memory;
   memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
   memory.center = (memory.rail_u - middle) / half;
-  memory.begin = fraction(grid.y(extent.first_column) - 0.5 * grid.dy);
-  memory.end = fraction(grid.y(extent.last_column) + 0.5 * grid.dy);
-  memory.half_length = halfLength(grid, extent) / (patch.half_overlap * grown);
+  memory.begin = fraction(extent.y_begin);
+  memory.end = fraction(extent.y_end);
+  memory.half_length = extent.half_length / (patch.half_overlap * grown);
   memory.turn = patch.plane.angle + std::atan(patch.slope) - std::atan(zone.contact.slope);
   memory.shift_x = patch.plane.x + patch.center_x - tangentPlane(*wheel_, *rail_, zone.contact).x;
   return memory;
 }
 
-void WheelContact::growTouched(const Extent& extent, const Grid& grid, Memory& memory)
+void WheelContact::growTouched(const PressureExtent& extent, const Grid& grid, Memory& memory)
 {
   const double width = memory.end - memory.begin;
   memory.begin -= extent.first_column == 0 ? box_growth * width : 0;
@@ -307,15 +280,15 @@ void WheelContact::learn()
     const Grid& grid = problem_.patches[k].grid;
     const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
     findCenter(pressure, grid, patches_[k]);
-    const Extent extent = extentOf(pressure);
-    if (extent.last_row < 0)
+    const PressureExtent extent = findExtent(grid, pressure);
+    if (extent.empty)
     {
       continue;
     }
     memory_.push_back(remember(patches_[k], grid, extent));
     growTouched(extent, grid, memory_.back());
-    box_fill_ = std::min({box_fill_, (extent.last_column - extent.first_column + 1.0) / grid.ny,
-                          halfLength(grid, extent) / (0.5 * grid.nx * grid.dx)});
+    box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / (grid.ny * grid.dy),
+                          2 * extent.half_length / (grid.nx * grid.dx)});
   }
 }
 
@@ -347,7 +320,7 @@ bool WheelContact::onProfiles() const
 {
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    const Extent extent = extentOf(solution_.patches[k].pressure);
+    const PressureExtent extent = findExtent(problem_.patches[k].grid, solution_.patches[k].pressure);
     for (int j = extent.first_column; j <= extent.last_column; ++j)
     {
       const GapColumn& column = patches_[k].columns[static_cast<std::size_t>(j)];

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "wheel_rail_contact/balance/pressure_extent.h"
 #include "wheel_rail_contact/config.h"
 #include "wheel_rail_contact/geometry/contact_search.h"
 #include "wheel_rail_contact/geometry/gap.h"
@@ -56,12 +57,6 @@ struct WheelPatch
   double slope = 0;     ///< pressure-weighted mean of the common normal's slope against the plane [-]
   double center_x = 0;  ///< pressure's centre in the patch frame [m]
   double center_y = 0;  ///< [m]
-};
-
-/// Cells with pressure, first and last in each direction; last < first if there are none.
-struct PressureExtent
-{
-  int first_column, last_column, first_row, last_row;
 };
 
 /// Contact of one wheel with one rail in side axes: finds the stretches that overlap, lays a plane and a grid over
