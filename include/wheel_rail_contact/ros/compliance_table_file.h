@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "wheel_rail_contact/rail/compliance.h"
+
+namespace wheel_rail_contact
+{
+/// A rail's compliance as it stands in a file (config/rails/*.yaml; the schema stands at the head of each).
+struct ComplianceTableFile
+{
+  std::string name;
+  ComplianceTable table;
+  double linear_range = std::numeric_limits<double>::infinity();  ///< largest |Y|/Q for which the table holds [-]
+};
+
+/// Reads a compliance table strictly: every key required, none unknown, the matrix positive definite.
+/// @throw std::invalid_argument with file, key, value and rule.
+ComplianceTableFile readComplianceTable(const std::string& file);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <std_msgs/Header.h>
+#include <tf2/buffer_core.h>
+
+#include <cstdint>
+#include <string>
+
+#include "wheel_rail_contact/ros/contact_input.h"
+#include "wheel_rail_contact/ros/messages.h"
+#include "wheel_rail_contact/wheelset_contact.h"
+
+namespace wheel_rail_contact
+{
+/// Answer to one input, before it becomes messages and markers.
+struct ContactAnswer
+{
+  std_msgs::Header header;  ///< the pose's stamp, the track frame
+  std::uint8_t status = WheelsetContactMsg::INVALID_INPUT;
+  std::string reason;                      ///< one sentence, empty when OK
+  double x = 0;                            ///< axle centre along the track [m]
+  const WheelsetResult* result = nullptr;  ///< null unless usable; valid until the next evaluation
+  bool beyond_linear_range = false;        ///< a rail's |Y|/Q is greater than its compliance table allows
+};
+
+/// One answer for each input: what the live node and the replay have in common. Not thread-safe.
+class ContactEvaluator
+{
+ public:
+  /// @throw std::invalid_argument as the core does for a configuration it cannot use.
+  explicit ContactEvaluator(const NodeConfig& config);
+
+  /// Never throws for an unusable input: the answer's status tells.
+  ContactAnswer answer(const ContactInput& input, const tf2::BufferCore& transforms);
+
+ private:
+  bool isBeyondLinearRange(const WheelsetResult& result) const;
+
+  std::string track_frame_;
+  double linear_range_;
+  WheelsetContact contact_;
+};
+
+/// @param with_grids false leaves the pressure grids empty
+/// @param solve_time wall time of the evaluation [s]
+WheelsetContactMsg toMessage(const ContactAnswer& answer, bool with_grids, double solve_time);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <tf2/buffer_core.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "wheel_rail_contact/ros/parameters.h"
+#include "wheel_rail_contact/ros/stamp_pairing.h"
+#include "wheel_rail_contact/wheelset_contact.h"
+
+namespace wheel_rail_contact
+{
+/// The messages that belong to one instant.
+struct ContactInput
+{
+  geometry_msgs::PoseStampedConstPtr pose;
+  geometry_msgs::WrenchStampedConstPtr load;  ///< null if height and roll are given
+  /// By Side; null unless lateral forces come by topic.
+  std::array<geometry_msgs::WrenchStampedConstPtr, 2> rail_force;
+};
+
+/// Pairs the messages of the input topics. Which topics take part follows from the configuration: the pose always, the
+/// load unless height and roll are given with the pose, the rail forces if rail_bending/lateral_force is `topic`.
+class InputPairing
+{
+ public:
+  /// Greatest number of messages of one topic that wait for their partners.
+  static constexpr std::size_t capacity = 1000;
+
+  explicit InputPairing(const NodeConfig& config);
+
+  bool usesLoad() const { return uses_load_; }
+  bool usesRailForces() const { return uses_rail_forces_; }
+
+  /// Each takes a message. @return the input it completes, if any.
+  std::optional<ContactInput> addPose(const geometry_msgs::PoseStampedConstPtr& pose);
+  std::optional<ContactInput> addLoad(const geometry_msgs::WrenchStampedConstPtr& load);
+  std::optional<ContactInput> addRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force);
+
+  /// Drops what still waits, at the end of a recording.
+  void finish() { pairing_.finish(); }
+  const PairingCounts& counts() const { return pairing_.counts(); }
+
+ private:
+  struct Sample
+  {
+    geometry_msgs::PoseStampedConstPtr pose;
+    geometry_msgs::WrenchStampedConstPtr wrench;
+  };
+  std::optional<ContactInput> add(std::size_t channel, const ros::Time& stamp, Sample sample);
+  std::size_t firstRailForceChannel() const { return uses_load_ ? 2 : 1; }
+
+  bool uses_load_;
+  bool uses_rail_forces_;
+  StampPairing<Sample> pairing_;
+};
+
+/// An input that cannot be evaluated: status constant of the message WheelsetContact, and the reason.
+class UnusableInput : public std::runtime_error
+{
+ public:
+  UnusableInput(std::uint8_t status, const std::string& reason) : std::runtime_error(reason), status_(status) {}
+  std::uint8_t status() const { return status_; }
+
+ private:
+  std::uint8_t status_;
+};
+
+/// State of a wheelset with its place along the track [m], which does not matter to the contact.
+struct PlacedState
+{
+  WheelsetState state;
+  double x = 0;
+};
+
+/// Brings an input to the track frame and to the core's terms.
+///
+/// Pose: in the track frame, or in a frame from which tf leads there at the pose's stamp. A quaternion within 1e-3 of
+/// unit length is normalised. The wheels are bodies of revolution, so only the axle's direction counts: with the axle
+/// pointing to (ax, ay, az), roll = asin(az) and yaw = atan2(-ax, ay), the fixed-axis roll and yaw of an orientation
+/// Rz(yaw) Rx(roll) Ry(any rotation about the axle).
+///
+/// Load: force and moment on the axle centre in track axes; its frame_id must be empty or the track frame.
+/// Rail forces: force.y is Y, positive outward on either rail (axes of its own side, so the frame_id is not used).
+///
+/// @throw UnusableInput with INVALID_INPUT for numbers that are not finite, a quaternion that is none, or a load in
+/// another frame; with NO_TRANSFORM if tf does not lead from the pose's frame to the track frame.
+PlacedState toState(const ContactInput& input, const std::string& track_frame, const tf2::BufferCore& transforms);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "wheel_rail_contact/ros/contact_evaluator.h"
+#include "wheel_rail_contact/ros/contact_input.h"
+#include "wheel_rail_contact/ros/contact_statistics.h"
+#include "wheel_rail_contact/ros/marker_tools.h"
+#include "wheel_rail_contact/ros/newest_queue.h"
+#include "wheel_rail_contact/ros/parameters.h"
+
+namespace wheel_rail_contact
+{
+/// The live contact server behind node and nodelet: topics in, answers, markers and diagnostics out.
+///
+/// Callbacks only pair what comes in; a thread of its own evaluates the pairs in order and publishes. If more comes in
+/// than can be answered, the newest inputs are kept and the others counted. No input stops the server.
+class ContactServer
+{
+ public:
+  /// Greatest number of complete inputs that wait for evaluation.
+  static constexpr std::size_t input_capacity = 200;
+  /// A pose whose transform is not there yet waits so long for it, counted from its arrival [s].
+  static constexpr double transform_patience = 0.1;
+
+  /// Reads the parameters, subscribes and starts.
+  /// @throw std::invalid_argument for parameters that cannot be used (see readNodeConfig()).
+  ContactServer(ros::NodeHandle nh, ros::NodeHandle private_nh);
+  /// Ends after the evaluation in hand.
+  ~ContactServer();
+  ContactServer(const ContactServer&) = delete;
+  ContactServer& operator=(const ContactServer&) = delete;
+
+ private:
+  struct Job
+  {
+    ContactInput input;
+    ros::WallTime arrival;
+  };
+
+  void advertise();
+  void subscribe();
+  void receivePose(const geometry_msgs::PoseStampedConstPtr& pose);
+  void receiveLoad(const geometry_msgs::WrenchStampedConstPtr& load);
+  void receiveRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force);
+  void enqueue(std::optional<ContactInput> input);
+
+  void work();
+  void waitForTransform(const Job& job) const;
+  void answer(const ContactInput& input);
+  void publishMarkers(const ContactAnswer& answer);
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::NodeHandle nh_, private_nh_;
+  const NodeConfig config_;
+  InputPairing pairing_;        ///< callbacks only; its counts are copied under `mutex_`
+  ContactEvaluator evaluator_;  ///< worker only
+  tf2_ros::Buffer transforms_;
+  tf2_ros::TransformListener listener_;
+  NewestQueue<Job> jobs_;
+
+  std::mutex mutex_;  ///< guards the statistics
+  ContactStatistics statistics_;
+  ContactStatistics reported_;  ///< as they were at the last report
+
+  std::vector<ros::Subscriber> subscribers_;
+  ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
+  MarkerKeys shown_markers_;  ///< by the last array published, worker only
+  diagnostic_updater::Updater diagnostics_;
+  ros::WallTimer diagnostics_timer_;
+  std::thread worker_;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "wheel_rail_contact/ros/contact_evaluator.h"
+#include "wheel_rail_contact/ros/stamp_pairing.h"
+
+namespace wheel_rail_contact
+{
+/// What a server has done since it started. Nothing that comes in is lost without being counted here.
+struct ContactStatistics
+{
+  static constexpr std::size_t statuses = 6;
+
+  PairingCounts pairing;                          ///< of single messages
+  std::uint64_t overload = 0;                     ///< inputs pushed out by newer ones before their turn came
+  std::array<std::uint64_t, statuses> answers{};  ///< by status constant of the message WheelsetContact
+  std::uint64_t internal_errors = 0;              ///< inputs that ended in an exception: mistakes of this program
+  std::uint64_t beyond_linear_range = 0;          ///< answers with |Y|/Q beyond the compliance table's range
+  std::uint64_t messages_built = 0;               ///< answers turned into messages, because someone listened
+  std::uint64_t marker_arrays_built = 0;          ///< answers turned into markers, because someone listened
+  double solve_time_sum = 0;                      ///< of all answers [s]
+  double solve_time_max = 0;                      ///< since the last report [s]
+  std::string last_reason;                        ///< of the newest answer that was not OK
+
+  void count(const ContactAnswer& answer, double solve_time);
+
+  std::uint64_t answered() const;
+  std::uint64_t usable() const;
+  std::uint64_t dropped() const;
+};
+
+/// Describes what happened between two reports. OK: every answer usable, nothing dropped. WARN: something dropped, an
+/// unusable answer, no partner for what came in, or a rail beyond its table's range. ERROR: answers, but none usable.
+void diagnose(const ContactStatistics& now, const ContactStatistics& before,
+              diagnostic_updater::DiagnosticStatusWrapper& report);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "wheel_rail_contact/ros/messages.h"
+#include "wheel_rail_contact/wheelset_contact.h"
+
+namespace wheel_rail_contact
+{
+// Results of the core and messages. The core does not know the wheelset's place along the track: `x` [m] is added on
+// the way to a message and taken off on the way back. Units, axes and signs are the same on both sides.
+
+std::uint8_t toMessage(ContactStatus status);
+/// NO_TRANSFORM, of which the core knows nothing, becomes invalid_input.
+/// @throw std::invalid_argument for a number that is no status.
+ContactStatus statusFromMessage(std::uint8_t status);
+
+geometry_msgs::Pose toMessage(const PatchPose& pose, double x);
+PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x);
+
+/// @param pressure nx × ny [Pa], stored as float32
+/// @throw std::invalid_argument if the pressure's shape is not the grid's, or the grid is symmetric.
+PressureGrid toMessage(const Grid& grid, const Eigen::ArrayXXd& pressure);
+/// @throw std::invalid_argument unless the message holds nx * ny values, with an origin at the grid's middle along x.
+void fromMessage(const PressureGrid& message, Grid& grid, Eigen::ArrayXXd& pressure);
+
+RailDeflectionMsg toMessage(const RailResult& rail);
+RailResult fromMessage(const RailDeflectionMsg& message);
+
+/// @param with_grid false leaves the message's grid empty
+ContactPatch toMessage(const PatchResult& patch, double x, bool with_grid);
+/// @throw std::invalid_argument for an unknown side or method, or a grid of wrong size.
+PatchResult fromMessage(const ContactPatch& message, double x);
+
+/// Fills everything but the header and the time.
+WheelsetContactMsg toMessage(const WheelsetResult& result, double x, bool with_grids);
+/// @throw std::invalid_argument as for its parts.
+WheelsetResult fromMessage(const WheelsetContactMsg& message);
+}  // namespace wheel_rail_contact

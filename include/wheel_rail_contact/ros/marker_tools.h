@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <Eigen/Core>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wheel_rail_contact
+{
+std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
+
+/// A marker to add, placed at the origin of its frame with unit scale.
+visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id, int type,
+                                      const std_msgs::ColorRGBA& color);
+
+/// Points of a surface, row by row; all rows are of equal length.
+using SurfacePoints = std::vector<std::vector<Eigen::Vector3d>>;
+
+/// Appends the triangles of a quadrilateral mesh to a TRIANGLE_LIST.
+void addSurface(const SurfacePoints& points, visualization_msgs::Marker& marker);
+/// Appends two triangles with a colour at each of the four corners, which go round.
+void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::vector<std_msgs::ColorRGBA>& colors,
+                      visualization_msgs::Marker& marker);
+
+/// What makes a marker the same in rviz: namespace and number.
+using MarkerKeys = std::set<std::pair<std::string, int>>;
+
+/// Appends a DELETE for every marker that was shown before and is no more. @return the keys of what is shown now.
+MarkerKeys appendDeletions(const MarkerKeys& before, const std_msgs::Header& header,
+                           visualization_msgs::MarkerArray& markers);
+}  // namespace wheel_rail_contact

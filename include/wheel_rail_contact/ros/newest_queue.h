@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace wheel_rail_contact
+{
+/// Bounded queue between a thread that must not wait and one that works: when it is full the oldest entry makes room,
+/// and is counted. Thread-safe.
+template <typename Entry>
+class NewestQueue
+{
+ public:
+  explicit NewestQueue(std::size_t capacity) : capacity_(capacity) {}
+
+  /// Never blocks for long. Ignored after close().
+  void push(Entry entry)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (closed_)
+      return;
+    if (entries_.size() == capacity_)
+    {
+      entries_.pop_front();
+      ++dropped_;
+    }
+    entries_.push_back(std::move(entry));
+    wake_.notify_one();
+  }
+
+  /// Waits for the oldest entry; nothing once the queue is closed.
+  std::optional<Entry> pop()
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    wake_.wait(lock, [this] { return closed_ || !entries_.empty(); });
+    if (closed_)
+      return std::nullopt;
+    std::optional<Entry> entry(std::move(entries_.front()));
+    entries_.pop_front();
+    return entry;
+  }
+
+  /// Lets go whoever waits; what is left in the queue is not delivered any more.
+  void close()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    closed_ = true;
+    wake_.notify_all();
+  }
+
+  bool closed() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return closed_;
+  }
+
+  /// Number of entries pushed out by newer ones.
+  std::uint64_t dropped() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return dropped_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<Entry> entries_;
+  std::size_t capacity_;
+  std::uint64_t dropped_ = 0;
+  bool closed_ = false;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/contact_server.h"
+
+#include <exception>
+#include <utility>
+
+#include "wheel_rail_contact/ros/contact_markers.h"
+#include "wheel_rail_contact/ros/node_parameters.h"
+#include "wheel_rail_contact/ros/track_markers.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::uint32_t queue_size = 1000;       ///< of roscpp's queues; callbacks are short, so they stay empty
+constexpr std::uint32_t marker_queue_size = 2;   ///< pictures are only worth seeing when new
+constexpr double diagnostics_period = 1.0;       ///< [s]
+constexpr double transform_poll_period = 0.002;  ///< [s]
+}  // namespace
+
+ContactServer::ContactServer(ros::NodeHandle nh, ros::NodeHandle private_nh)
+    : nh_(std::move(nh)),
+      private_nh_(std::move(private_nh)),
+      config_(readNodeParameters(private_nh_)),
+      pairing_(config_),
+      evaluator_(config_),
+      listener_(transforms_, nh_),
+      jobs_(input_capacity),
+      diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
+{
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("wheel-rail contact", this, &ContactServer::report);
+  advertise();
+  subscribe();
+  diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(diagnostics_period),
+                                           [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
+  worker_ = std::thread(&ContactServer::work, this);
+}
+
+ContactServer::~ContactServer()
+{
+  diagnostics_timer_.stop();
+  for (ros::Subscriber& subscriber : subscribers_)
+  {
+    subscriber.shutdown();
+  }
+  jobs_.close();
+  worker_.join();
+}
+
+void ContactServer::advertise()
+{
+  contact_publisher_ = private_nh_.advertise<WheelsetContactMsg>("contact", queue_size);
+  marker_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", marker_queue_size);
+  profile_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("profiles", 1, true);
+  profile_publisher_.publish(profileMarkers(config_));
+}
+
+void ContactServer::subscribe()
+{
+  const auto no_delay = ros::TransportHints().tcpNoDelay();
+  subscribers_.push_back(nh_.subscribe("wheelset/pose", queue_size, &ContactServer::receivePose, this, no_delay));
+  if (pairing_.usesLoad())
+  {
+    subscribers_.push_back(nh_.subscribe("wheelset/load", queue_size, &ContactServer::receiveLoad, this, no_delay));
+  }
+  if (pairing_.usesRailForces())
+  {
+    for (const Side side : {Side::left, Side::right})
+    {
+      subscribers_.push_back(nh_.subscribe<geometry_msgs::WrenchStamped>(
+          side == Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force", queue_size,
+          [this, side](const geometry_msgs::WrenchStampedConstPtr& force) { receiveRailForce(side, force); }, nullptr,
+          no_delay));
+    }
+  }
+}
+
+void ContactServer::receivePose(const geometry_msgs::PoseStampedConstPtr& pose)
+{
+  enqueue(pairing_.addPose(pose));
+}
+
+void ContactServer::receiveLoad(const geometry_msgs::WrenchStampedConstPtr& load)
+{
+  enqueue(pairing_.addLoad(load));
+}
+
+void ContactServer::receiveRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force)
+{
+  enqueue(pairing_.addRailForce(side, force));
+}
+
+void ContactServer::enqueue(std::optional<ContactInput> input)
+{
+  if (input)
+  {
+    jobs_.push({std::move(*input), ros::WallTime::now()});
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  statistics_.pairing = pairing_.counts();
+}
+
+void ContactServer::work()
+{
+  while (const auto job = jobs_.pop())
+  {
+    try
+    {
+      waitForTransform(*job);
+      answer(job->input);
+    }
+    catch (const std::exception& error)
+    {
+      ROS_ERROR_THROTTLE(1.0, "internal error: %s", error.what());
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++statistics_.internal_errors;
+      statistics_.last_reason = error.what();
+    }
+  }
+}
+
+/// The deadline counts from the job's arrival, so a transform that never comes delays answers but does not slow them.
+void ContactServer::waitForTransform(const Job& job) const
+{
+  const std_msgs::Header& header = job.input.pose->header;
+  if (header.frame_id == config_.track_frame)
+  {
+    return;
+  }
+  const ros::WallTime deadline = job.arrival + ros::WallDuration(transform_patience);
+  while (!transforms_.tf2::BufferCore::canTransform(config_.track_frame, header.frame_id, header.stamp) &&
+         ros::WallTime::now() < deadline && !jobs_.closed())
+  {
+    ros::WallDuration(transform_poll_period).sleep();
+  }
+}
+
+void ContactServer::answer(const ContactInput& input)
+{
+  const ros::WallTime start = ros::WallTime::now();
+  const ContactAnswer answer = evaluator_.answer(input, transforms_);
+  const double solve_time = (ros::WallTime::now() - start).toSec();
+  const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
+  const bool wants_markers = marker_publisher_.getNumSubscribers() > 0;
+  if (wants_message)
+  {
+    contact_publisher_.publish(toMessage(answer, true, solve_time));
+  }
+  if (wants_markers)
+  {
+    publishMarkers(answer);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  statistics_.count(answer, solve_time);
+  statistics_.messages_built += wants_message ? 1U : 0U;
+  statistics_.marker_arrays_built += wants_markers ? 1U : 0U;
+}
+
+void ContactServer::publishMarkers(const ContactAnswer& answer)
+{
+  visualization_msgs::MarkerArray markers = contactMarkers(answer, config_);
+  shown_markers_ = appendDeletions(shown_markers_, answer.header, markers);
+  marker_publisher_.publish(markers);
+}
+
+void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  statistics_.overload = jobs_.dropped();
+  diagnose(statistics_, reported_, status);
+  reported_ = statistics_;
+  statistics_.solve_time_max = 0;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/conversions.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// Status constants of the message by ContactStatus.
+constexpr std::array<std::uint8_t, 5> status_constants{
+    WheelsetContactMsg::OK, WheelsetContactMsg::LIFT_OFF, WheelsetContactMsg::OFF_PROFILE,
+    WheelsetContactMsg::NOT_CONVERGED, WheelsetContactMsg::INVALID_INPUT};
+
+/// Names of normal methods as they stand in messages, alive as long as the program.
+constexpr std::array<std::string_view, 3> method_names{"conjugate_gradient", "seidel", "seidel_printed"};
+
+std::string_view methodNamed(const std::string& name)
+{
+  for (const auto& known : method_names)
+    if (known == name)
+      return known;
+  throw std::invalid_argument("contact patch: method '" + name + "' is unknown");
+}
+
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
+{
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
+
+geometry_msgs::Pose wheelsetPose(const WheelsetResult& result, double x)
+{
+  geometry_msgs::Pose pose;
+  pose.position.x = x;
+  pose.position.y = result.y;
+  pose.position.z = result.z;
+  pose.orientation = toMessage(Eigen::AngleAxisd(result.yaw, Eigen::Vector3d::UnitZ()) *
+                               Eigen::AngleAxisd(result.roll, Eigen::Vector3d::UnitX()));
+  return pose;
+}
+}  // namespace
+
+std::uint8_t toMessage(ContactStatus status)
+{
+  return status_constants.at(static_cast<std::size_t>(status));
+}
+
+ContactStatus statusFromMessage(std::uint8_t status)
+{
+  if (status == WheelsetContactMsg::NO_TRANSFORM)
+    return ContactStatus::invalid_input;
+  for (std::size_t i = 0; i < status_constants.size(); ++i)
+    if (status_constants[i] == status)
+      return static_cast<ContactStatus>(i);
+  throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
+}
+
+geometry_msgs::Pose toMessage(const PatchPose& pose, double x)
+{
+  geometry_msgs::Pose message;
+  message.position.x = x + pose.x;
+  message.position.y = pose.y;
+  message.position.z = pose.z;
+  message.orientation = toMessage(Eigen::Quaterniond(Eigen::AngleAxisd(pose.angle, Eigen::Vector3d::UnitX())));
+  return message;
+}
+
+PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
+{
+  PatchPose result;
+  result.x = pose.position.x - x;
+  result.y = pose.position.y;
+  result.z = pose.position.z;
+  result.angle = 2 * std::atan2(pose.orientation.x, pose.orientation.w);
+  return result;
+}
+
+PressureGrid toMessage(const Grid& grid, const Eigen::ArrayXXd& pressure)
+{
+  if (grid.symmetric || grid.nx < 0 || grid.ny < 0 || pressure.rows() != grid.nx || pressure.cols() != grid.ny)
+    throw std::invalid_argument("pressure grid: " + std::to_string(pressure.rows()) + " x " +
+                                std::to_string(pressure.cols()) + " values for a grid of " + std::to_string(grid.nx) +
+                                " x " + std::to_string(grid.ny) + (grid.symmetric ? ", half stored" : ""));
+  PressureGrid message;
+  message.nx = static_cast<std::uint32_t>(grid.nx);
+  message.ny = static_cast<std::uint32_t>(grid.ny);
+  message.dx = grid.dx;
+  message.dy = grid.dy;
+  message.x0 = grid.x(0);
+  message.y0 = grid.y0;
+  message.pressure.resize(static_cast<std::size_t>(pressure.size()));
+  Eigen::Map<Eigen::ArrayXXf>(message.pressure.data(), grid.nx, grid.ny) = pressure.cast<float>();
+  return message;
+}
+
+void fromMessage(const PressureGrid& message, Grid& grid, Eigen::ArrayXXd& pressure)
+{
+  constexpr std::uint32_t largest = 1U << 15U;  // of either count, so that their product is safe
+  if (message.nx > largest || message.ny > largest || message.pressure.size() != std::size_t{message.nx} * message.ny)
+    throw std::invalid_argument("pressure grid: " + std::to_string(message.pressure.size()) + " values for a grid of " +
+                                std::to_string(message.nx) + " x " + std::to_string(message.ny));
+  Grid result;
+  result.nx = static_cast<int>(message.nx);
+  result.ny = static_cast<int>(message.ny);
+  result.dx = message.dx;
+  result.dy = message.dy;
+  result.y0 = message.y0;
+  if (result.nx > 0 && std::abs(result.x(0) - message.x0) > 1e-9 * std::abs(result.nx * message.dx))
+    throw std::invalid_argument("pressure grid: its middle is not at x = 0");
+  grid = result;
+  pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();
+}
+
+RailDeflectionMsg toMessage(const RailResult& rail)
+{
+  RailDeflectionMsg message;
+  message.lateral = rail.deflection.lateral;
+  message.vertical = rail.deflection.vertical;
+  message.roll = rail.deflection.roll;
+  message.lateral_force = rail.lateral_force;
+  message.vertical_force = rail.vertical_force;
+  return message;
+}
+
+RailResult fromMessage(const RailDeflectionMsg& message)
+{
+  RailResult rail;
+  rail.deflection.lateral = message.lateral;
+  rail.deflection.vertical = message.vertical;
+  rail.deflection.roll = message.roll;
+  rail.lateral_force = message.lateral_force;
+  rail.vertical_force = message.vertical_force;
+  return rail;
+}
+
+ContactPatch toMessage(const PatchResult& patch, double x, bool with_grid)
+{
+  ContactPatch message;
+  message.side = patch.side == Side::left ? ContactPatch::LEFT : ContactPatch::RIGHT;
+  message.method = std::string(patch.method);
+  message.pose = toMessage(patch.pose, x);
+  message.contact_angle = patch.contact_angle;
+  message.normal_force = patch.normal_force;
+  message.approach = patch.approach;
+  message.area = patch.area;
+  message.max_pressure = patch.max_pressure;
+  message.error_estimate = patch.error_estimate;
+  message.iterations = static_cast<std::uint32_t>(patch.iterations);
+  message.residual = patch.residual;
+  if (with_grid)
+    message.grid = toMessage(patch.grid, patch.pressure);
+  return message;
+}
+
+PatchResult fromMessage(const ContactPatch& message, double x)
+{
+  if (message.side != ContactPatch::LEFT && message.side != ContactPatch::RIGHT)
+    throw std::invalid_argument("contact patch: side " + std::to_string(message.side) + " is unknown");
+  PatchResult patch;
+  patch.side = message.side == ContactPatch::LEFT ? Side::left : Side::right;
+  patch.method = methodNamed(message.method);
+  patch.pose = patchPoseFromMessage(message.pose, x);
+  patch.contact_angle = message.contact_angle;
+  patch.normal_force = message.normal_force;
+  patch.approach = message.approach;
+  patch.area = message.area;
+  patch.max_pressure = message.max_pressure;
+  patch.error_estimate = message.error_estimate;
+  patch.iterations = static_cast<int>(message.iterations);
+  patch.residual = message.residual;
+  fromMessage(message.grid, patch.grid, patch.pressure);
+  return patch;
+}
+
+WheelsetContactMsg toMessage(const WheelsetResult& result, double x, bool with_grids)
+{
+  WheelsetContactMsg message;
+  message.status = toMessage(result.status);
+  message.status_text = result.reason;
+  message.wheelset = wheelsetPose(result, x);
+  message.left_rail = toMessage(result.rail[0]);
+  message.right_rail = toMessage(result.rail[1]);
+  message.patches.reserve(result.patches.size());
+  for (const PatchResult& patch : result.patches)
+    message.patches.push_back(toMessage(patch, x, with_grids));
+  return message;
+}
+
+WheelsetResult fromMessage(const WheelsetContactMsg& message)
+{
+  WheelsetResult result;
+  result.status = statusFromMessage(message.status);
+  result.reason = message.status_text;
+  result.y = message.wheelset.position.y;
+  result.z = message.wheelset.position.z;
+  const auto& o = message.wheelset.orientation;
+  const Eigen::Matrix3d rotation = Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized().toRotationMatrix();
+  result.yaw = std::atan2(rotation(1, 0), rotation(0, 0));
+  result.roll = std::atan2(rotation(2, 1), rotation(2, 2));
+  result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
+  for (const ContactPatch& patch : message.patches)
+    result.patches.push_back(fromMessage(patch, message.wheelset.position.x));
+  return result;
+}
+}  // namespace wheel_rail_contact

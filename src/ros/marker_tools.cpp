@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/marker_tools.h"
+
+namespace wheel_rail_contact
+{
+using visualization_msgs::Marker;
+
+std_msgs::ColorRGBA makeColor(double r, double g, double b, double a)
+{
+  std_msgs::ColorRGBA color;
+  color.r = static_cast<float>(r);
+  color.g = static_cast<float>(g);
+  color.b = static_cast<float>(b);
+  color.a = static_cast<float>(a);
+  return color;
+}
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p)
+{
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
+Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id, int type,
+                  const std_msgs::ColorRGBA& color)
+{
+  Marker marker;
+  marker.header = header;
+  marker.ns = ns;
+  marker.id = id;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1;
+  marker.color = color;
+  return marker;
+}
+
+void addSurface(const SurfacePoints& points, Marker& marker)
+{
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    for (std::size_t j = 0; j + 1 < points[i].size(); ++j)
+    {
+      for (const auto* corner : {&points[i][j], &points[i + 1][j], &points[i + 1][j + 1], &points[i][j],
+                                 &points[i + 1][j + 1], &points[i][j + 1]})
+      {
+        marker.points.push_back(toPoint(*corner));
+      }
+    }
+  }
+}
+
+void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::vector<std_msgs::ColorRGBA>& colors,
+                      Marker& marker)
+{
+  for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
+  {
+    marker.points.push_back(toPoint(corners.at(corner)));
+    marker.colors.push_back(colors.at(corner));
+  }
+}
+
+MarkerKeys appendDeletions(const MarkerKeys& before, const std_msgs::Header& header,
+                           visualization_msgs::MarkerArray& markers)
+{
+  MarkerKeys now;
+  for (const Marker& marker : markers.markers)
+  {
+    now.emplace(marker.ns, marker.id);
+  }
+  for (const auto& key : before)
+  {
+    if (now.count(key) == 0)
+    {
+      Marker marker;
+      marker.header = header;
+      marker.ns = key.first;
+      marker.id = key.second;
+      marker.action = Marker::DELETE;
+      marker.pose.orientation.w = 1;
+      markers.markers.push_back(marker);
+    }
+  }
+  return now;
+}
+}  // namespace wheel_rail_contact

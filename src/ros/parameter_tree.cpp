@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/parameter_tree.h"
+
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+void collect(const YAML::Node& group, const std::string& prefix, ParameterTree& tree)
+{
+  for (const auto& entry : group)
+  {
+    if (!entry.first.IsScalar())
+      throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is no name");
+    const std::string name = prefix + entry.first.Scalar();
+    if (entry.second.IsMap())
+      collect(entry.second, name + "/", tree);
+    else if (!tree.emplace(name, entry.second).second)
+      throw std::invalid_argument("parameter " + name + " is given twice");
+  }
+}
+
+std::string digits(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << value;
+  return text.str();
+}
+
+YAML::Node listToYaml(const XmlRpc::XmlRpcValue& value)
+{
+  YAML::Node node(YAML::NodeType::Sequence);
+  for (int i = 0; i < value.size(); ++i)
+    node.push_back(toYaml(value[i]));
+  return node;
+}
+
+YAML::Node groupToYaml(const XmlRpc::XmlRpcValue& value)
+{
+  YAML::Node node(YAML::NodeType::Map);
+  for (const auto& entry : value)
+    node[entry.first] = toYaml(entry.second);
+  return node;
+}
+}  // namespace
+
+ParameterTree parameterTree(const YAML::Node& document)
+{
+  ParameterTree tree;
+  if (!document.IsDefined() || document.IsNull())
+    return tree;
+  if (!document.IsMap())
+    throw std::invalid_argument("parameters: a map of names and values is wanted");
+  collect(document, "", tree);
+  return tree;
+}
+
+ParameterTree readParameterFile(const std::string& file)
+{
+  try
+  {
+    return parameterTree(YAML::LoadFile(file));
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw std::invalid_argument(file + ": " + error.what());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(file + ": " + error.what());
+  }
+}
+
+YAML::Node toYaml(const XmlRpc::XmlRpcValue& value)
+{
+  using XmlRpc::XmlRpcValue;
+  switch (value.getType())
+  {
+    case XmlRpcValue::TypeInvalid:
+      return YAML::Node(YAML::NodeType::Null);
+    case XmlRpcValue::TypeBoolean:
+      return YAML::Node(static_cast<const bool&>(value) ? "true" : "false");
+    case XmlRpcValue::TypeInt:
+      return YAML::Node(std::to_string(static_cast<const int&>(value)));
+    case XmlRpcValue::TypeDouble:
+      return YAML::Node(digits(static_cast<const double&>(value)));
+    case XmlRpcValue::TypeString:
+      return YAML::Node(static_cast<const std::string&>(value));
+    case XmlRpcValue::TypeArray:
+      return listToYaml(value);
+    case XmlRpcValue::TypeStruct:
+      return groupToYaml(value);
+    default:
+      throw std::invalid_argument("parameters: dates and binary data are no parameter values");
+  }
+}
+
+ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper)
+{
+  ParameterTree result = upper;
+  result.insert(base.begin(), base.end());
+  return result;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/parameters.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "wheel_rail_contact/ros/compliance_table_file.h"
+#include "wheel_rail_contact/ros/file_names.h"
+#include "wheel_rail_contact/ros/parameter_reader.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+enum class ProfileKind
+{
+  wheel,
+  rail
+};
+
+std::shared_ptr<const Profile> loadProfile(const std::string& name, ProfileKind kind)
+{
+  if (name == "S1002" && kind == ProfileKind::wheel)
+    return std::make_shared<Profile>(s1002Wheel());
+  if (name == "60E1" && kind == ProfileKind::rail)
+    return std::make_shared<Profile>(rail60E1());
+  if (name == "UIC60_manchester" && kind == ProfileKind::rail)
+    return std::make_shared<Profile>(railUic60Manchester());
+  throw std::invalid_argument("there is no such profile");
+}
+
+const NumberRule seconds{"a number of seconds >= 0 and <= 60", [](double v) { return v >= 0 && v <= 60; }};
+
+/// Values that name files; they are opened after all other values have been found right.
+struct FileNames
+{
+  std::string wheel_profile, rail_profile, table;
+};
+
+void readTrack(ParameterReader& reader, NodeConfig& config)
+{
+  TrackConfig& track = config.model.track;
+  reader.read("track/gauge", rules::finite, track.gauge);
+  reader.read("track/gauge_depth", rules::finite, track.gauge_depth);
+  reader.read("track/cant", rules::finite, track.cant);
+  reader.read("track/frame", config.track_frame);
+  if (config.track_frame.empty() || config.track_frame[0] == '/')
+    reader.refuse("track/frame", "the tf name of a frame, without a slash before it");
+}
+
+void readWheelset(ParameterReader& reader, WheelsetConfig& wheelset)
+{
+  reader.read("wheelset/rolling_radius", rules::finite, wheelset.rolling_radius);
+  reader.read("wheelset/flange_back_distance", rules::finite, wheelset.flange_back_distance);
+  reader.read("wheelset/tape_circle", rules::finite, wheelset.tape_circle);
+  std::vector<std::string> free =
+      wheelset.solve_height_and_roll ? std::vector<std::string>{"z", "roll"} : std::vector<std::string>{};
+  reader.read("wheelset/free", free);
+  std::sort(free.begin(), free.end());
+  wheelset.solve_height_and_roll = !free.empty();
+  if (!free.empty() && free != std::vector<std::string>{"roll", "z"})
+    reader.refuse("wheelset/free", "[z, roll] or []");
+}
+
+void readMaterial(ParameterReader& reader, const std::string& group, Material& material)
+{
+  reader.read(group + "/young", rules::finite, material.young);
+  reader.read(group + "/poisson", rules::finite, material.poisson);
+}
+
+void readLateralForce(ParameterReader& reader, RailBendingConfig& bending)
+{
+  using LateralForce = RailBendingConfig::LateralForce;
+  const std::string name = "rail_bending/lateral_force";
+  if (reader.isNumber(name))
+  {
+    reader.read(name, rules::finite, bending.lateral_force_value);
+    bending.lateral_force = LateralForce::constant;
+    return;
+  }
+  std::string word = bending.lateral_force == LateralForce::contact ? "contact" : "topic";
+  reader.read(name, word);
+  if (word != "contact" && word != "topic")
+    reader.refuse(name, "contact, topic or a finite number [N]");
+  bending.lateral_force = word == "contact" ? LateralForce::contact : LateralForce::topic;
+}
+
+void readRailBending(ParameterReader& reader, RailBendingConfig& bending, FileNames& files)
+{
+  using Model = RailBendingConfig::Model;
+  reader.read("rail_bending/model",
+              {{"none", Model::none}, {"prescribed", Model::prescribed}, {"compliance", Model::compliance}},
+              bending.model);
+  reader.read("rail_bending/table", files.table);
+  if (bending.model == Model::compliance && files.table.empty())
+    reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
+  readLateralForce(reader, bending);
+  reader.read("rail_bending/prescribed/lateral", rules::finite, bending.prescribed.lateral);
+  reader.read("rail_bending/prescribed/vertical", rules::finite, bending.prescribed.vertical);
+  reader.read("rail_bending/prescribed/roll", rules::finite, bending.prescribed.roll);
+  if (bending.model == Model::prescribed)
+    for (const char* name : {"lateral", "vertical", "roll"})
+      reader.require(std::string("rail_bending/prescribed/") + name, "rail_bending/model prescribed needs it");
+}
+
+void readContact(ParameterReader& reader, ContactConfig& contact)
+{
+  reader.read("contact/method",
+              {{"conjugate_gradient", NormalMethod::conjugate_gradient},
+               {"seidel", NormalMethod::seidel},
+               {"seidel_printed", NormalMethod::seidel_printed}},
+              contact.method);
+  reader.read("contact/tolerance", rules::finite, contact.tolerance);
+  reader.read("contact/grid/along", rules::whole, contact.cells_along);
+  reader.read("contact/grid/across", rules::whole, contact.cells_across);
+}
+
+void readMarkers(ParameterReader& reader, MarkerConfig& markers)
+{
+  reader.read("markers/rail_length", rules::positive, markers.rail_length);
+  reader.read("markers/force_scale", rules::not_negative, markers.force_scale);
+  reader.read("markers/max_pressure", rules::positive, markers.max_pressure);
+  reader.read("markers/zoom", rules::not_negative, markers.zoom);
+  reader.read("markers/zoom_height", rules::not_negative, markers.zoom_height);
+  reader.read("markers/pressure_height", rules::not_negative, markers.pressure_height);
+}
+
+/// Every parameter is asked for here, given or not.
+void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
+{
+  readTrack(reader, config);
+  readWheelset(reader, config.model.wheelset);
+  reader.read("wheel/profile", files.wheel_profile);
+  reader.read("rail/profile", files.rail_profile);
+  readMaterial(reader, "material/wheel", config.model.wheel_material);
+  readMaterial(reader, "material/rail", config.model.rail_material);
+  readRailBending(reader, config.model.rail_bending, files);
+  readContact(reader, config.model.contact);
+  reader.read("sync/slop", seconds, config.slop);
+  readMarkers(reader, config.markers);
+}
+/// Runs `open` on the value of a parameter that names a file; errors get the parameter's name.
+template <typename Open>
+auto openFile(const std::string& name, const std::string& value, const Open& open)
+{
+  try
+  {
+    return open(value);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(name + " = " + value + ": " + error.what());
+  }
+}
+
+/// Names of shipped profiles have no dot and no slash, those of files have.
+std::shared_ptr<const Profile> openProfile(const std::string& value, ProfileKind kind, const std::string& directory)
+{
+  const bool is_file = value.find_first_of("./") != std::string::npos;
+  return loadProfile(is_file ? resolveFile(value, directory) : value, kind);
+}
+
+/// Opens the files, and lets the core check the ranges of its own options.
+void complete(const FileNames& files, const std::string& directory, NodeConfig& config)
+{
+  ContactModelConfig& model = config.model;
+  model.wheel_profile =
+      openFile("wheel/profile", files.wheel_profile,
+               [&](const std::string& value) { return openProfile(value, ProfileKind::wheel, directory); });
+  model.rail_profile =
+      openFile("rail/profile", files.rail_profile,
+               [&](const std::string& value) { return openProfile(value, ProfileKind::rail, directory); });
+  if (model.rail_bending.model == RailBendingConfig::Model::compliance)
+  {
+    const ComplianceTableFile file =
+        openFile("rail_bending/table", files.table,
+                 [&](const std::string& value) { return readComplianceTable(resolveFile(value, directory)); });
+    model.rail_bending.table = file.table;
+    config.linear_range = file.linear_range;
+  }
+  validate(model);
+}
+}  // namespace
+
+NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const std::string& directory)
+{
+  ParameterReader reader(tree, prefix);
+  NodeConfig config;
+  FileNames files;
+  readAll(reader, config, files);
+  reader.refuseUnknown();
+  reader.require("wheel/profile", "name of a profile, or a file");
+  reader.require("rail/profile", "name of a profile, or a file");
+  try
+  {
+    complete(files, directory, config);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument("parameter " + prefix + error.what());
+  }
+  return config;
+}
+
+std::set<std::string> parameterNames()
+{
+  ParameterReader reader({}, "");
+  NodeConfig config;
+  FileNames files;
+  readAll(reader, config, files);
+  return reader.askedNames();
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/track_markers.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+
+#include "wheel_rail_contact/geometry/placement.h"
+#include "wheel_rail_contact/ros/color_map.h"
+#include "wheel_rail_contact/ros/marker_tools.h"
+
+namespace wheel_rail_contact
+{
+using Eigen::Vector3d;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+namespace
+{
+constexpr int profile_points = 80;    ///< drawn points of a profile
+constexpr int tread_rows = 17;        ///< rows of points round the drawn part of a tread
+constexpr double tread_angle = 0.30;  ///< half the drawn part of a tread, about the axle [rad]
+constexpr int circle_points = 96;
+constexpr double line_width = 0.003;   ///< [m]
+constexpr double axle_radius = 0.015;  ///< drawn much thinner than it is, so that it hides nothing [m]
+constexpr double pi = 3.14159265358979323846;
+
+const std::array<Side, 2> sides{Side::left, Side::right};
+
+std_msgs::ColorRGBA railColor()
+{
+  return makeColor(0.55, 0.57, 0.60);
+}
+std_msgs::ColorRGBA wheelColor()
+{
+  return makeColor(0.45, 0.55, 0.68, 0.55);
+}
+std_msgs::ColorRGBA lineColor()
+{
+  return makeColor(0.62, 0.70, 0.80, 0.8);
+}
+std_msgs::ColorRGBA textColor()
+{
+  return makeColor(0.92, 0.92, 0.92);
+}
+
+double parameterAt(const Profile& profile, int i)
+{
+  return profile.length() * i / (profile_points - 1);
+}
+
+/// A rail's outline at x, track frame [m].
+std::vector<Vector3d> railOutline(const PlacedRail& rail, Side side, double x)
+{
+  std::vector<Vector3d> points;
+  for (int i = 0; i < profile_points; ++i)
+  {
+    const PlanePoint p = rail.at(parameterAt(rail.profile(), i));
+    points.emplace_back(x, sideSign(side) * p.y, p.z);
+  }
+  return points;
+}
+
+Eigen::Isometry3d toTrack(const WheelsetPose& pose, double x)
+{
+  return Eigen::Translation3d(x, pose.y, pose.z) * Eigen::AngleAxisd(pose.yaw, Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(pose.roll, Vector3d::UnitX());
+}
+
+/// Point of a wheel in the wheelset's own frame; `turn` about the axle from the lowest point forward [rad].
+Vector3d wheelPoint(const WheelsetConfig& wheelset, Side side, const CurvePoint& p, double turn)
+{
+  const double radius = wheelset.rolling_radius - p.z;
+  return {radius * std::sin(turn), sideSign(side) * (wheelset.halfBase() + p.y), -radius * std::cos(turn)};
+}
+
+Marker tread(const NodeConfig& config, const std_msgs::Header& header, Side side, const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor());
+  const Profile& profile = *config.model.wheel_profile;
+  SurfacePoints points;
+  for (int row = 0; row < tread_rows; ++row)
+  {
+    const double turn = tread_angle * (2.0 * row / (tread_rows - 1) - 1);
+    points.emplace_back();
+    for (int i = 0; i < profile_points; ++i)
+    {
+      const CurvePoint p = profile.at(parameterAt(profile, i));
+      points.back().push_back(to_track * wheelPoint(config.model.wheelset, side, p, turn));
+    }
+  }
+  addSurface(points, marker);
+  return marker;
+}
+
+void addSegment(const Vector3d& begin, const Vector3d& end, Marker& marker)
+{
+  marker.points.push_back(toPoint(begin));
+  marker.points.push_back(toPoint(end));
+}
+
+/// Circles through both ends of the profile and through the flange's tip, as a LINE_LIST.
+Marker circles(const NodeConfig& config, const std_msgs::Header& header, Side side, const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel_lines", static_cast<int>(side), Marker::LINE_LIST, lineColor());
+  marker.scale.x = line_width;
+  const Profile& profile = *config.model.wheel_profile;
+  CurvePoint tip = profile.at(0);
+  for (int i = 0; i < profile_points; ++i)
+  {
+    const CurvePoint p = profile.at(parameterAt(profile, i));
+    tip = p.z < tip.z ? p : tip;
+  }
+  for (const CurvePoint& p : {tip, profile.at(profile.length())})
+  {
+    for (int i = 0; i < circle_points; ++i)
+    {
+      const double step = 2 * pi / circle_points;
+      addSegment(to_track * wheelPoint(config.model.wheelset, side, p, i * step),
+                 to_track * wheelPoint(config.model.wheelset, side, p, (i + 1) * step), marker);
+    }
+  }
+  return marker;
+}
+
+Marker axle(const NodeConfig& config, const std_msgs::Header& header, const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel_lines", 2, Marker::CYLINDER, lineColor());
+  const Eigen::Quaterniond turned(to_track.linear() *
+                                  Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitX()).toRotationMatrix());
+  marker.pose.position = toPoint(to_track.translation());
+  marker.pose.orientation.w = turned.w();
+  marker.pose.orientation.x = turned.x();
+  marker.pose.orientation.y = turned.y();
+  marker.pose.orientation.z = turned.z();
+  marker.scale.x = marker.scale.y = 2 * axle_radius;
+  marker.scale.z = 2 * config.model.wheelset.halfBase();
+  return marker;
+}
+
+Marker railAtRest(const NodeConfig& config, const std_msgs::Header& header, Side side)
+{
+  Marker marker =
+      makeMarker(header, "rail_at_rest", static_cast<int>(side), Marker::LINE_STRIP, makeColor(0.95, 0.65, 0.2, 0.9));
+  marker.scale.x = line_width;
+  const PlacedRail rail(config.model.rail_profile, config.model.track);
+  for (const Vector3d& p : railOutline(rail, side, -0.5 * config.markers.rail_length))
+  {
+    marker.points.push_back(toPoint(p));
+  }
+  return marker;
+}
+
+Marker text(const std_msgs::Header& header, int id, const Vector3d& place, double height, const std::string& words)
+{
+  Marker marker = makeMarker(header, "scale", id, Marker::TEXT_VIEW_FACING, textColor());
+  marker.pose.position = toPoint(place);
+  marker.scale.z = height;
+  marker.text = words;
+  return marker;
+}
+
+/// A bar of the pressure colours between the rails, with figures in MPa.
+void addScale(const NodeConfig& config, const std_msgs::Header& header, MarkerArray& markers)
+{
+  constexpr int steps = 32, labels = 4;
+  constexpr double bottom = 0.06, height = 0.30, width = 0.03, text_height = 0.035;  // [m]
+  Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, textColor());
+  for (int i = 0; i < steps; ++i)
+  {
+    const double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+    const double z_low = bottom + height * low, z_high = bottom + height * high;
+    addQuadrilateral({{0, 0, z_low}, {0, -width, z_low}, {0, -width, z_high}, {0, 0, z_high}},
+                     {colorOf(low), colorOf(low), colorOf(high), colorOf(high)}, bar);
+  }
+  markers.markers.push_back(bar);
+  for (int i = 0; i < labels; ++i)
+  {
+    const double share = static_cast<double>(i) / (labels - 1);
+    char words[32];
+    std::snprintf(words, sizeof words, i + 1 == labels ? "%.0f MPa" : "%.0f",
+                  share * config.markers.max_pressure / 1e6);
+    markers.markers.push_back(
+        text(header, i + 1, {0, -width - 2.2 * text_height, bottom + height * share}, text_height, words));
+  }
+}
+}  // namespace
+
+void addRails(const NodeConfig& config, const std_msgs::Header& header, double x,
+              const std::array<RailDeflection, 2>& deflection, MarkerArray& markers)
+{
+  const PlacedRail at_rest(config.model.rail_profile, config.model.track);
+  const double half_length = 0.5 * config.markers.rail_length;
+  for (const Side side : sides)
+  {
+    const PlacedRail rail = at_rest.deflected(deflection[static_cast<std::size_t>(side)]);
+    Marker marker = makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor());
+    addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)}, marker);
+    markers.markers.push_back(marker);
+  }
+}
+
+void addWheelset(const NodeConfig& config, const std_msgs::Header& header, double x, const WheelsetPose& pose,
+                 MarkerArray& markers)
+{
+  const Eigen::Isometry3d to_track = toTrack(pose, x);
+  for (const Side side : sides)
+  {
+    markers.markers.push_back(tread(config, header, side, to_track));
+    markers.markers.push_back(circles(config, header, side, to_track));
+  }
+  markers.markers.push_back(axle(config, header, to_track));
+}
+
+MarkerArray profileMarkers(const NodeConfig& config)
+{
+  std_msgs::Header header;
+  header.frame_id = config.track_frame;
+  MarkerArray markers;
+  for (const Side side : sides)
+  {
+    markers.markers.push_back(railAtRest(config, header, side));
+  }
+  addScale(config, header, markers);
+  return markers;
+}
+}  // namespace wheel_rail_contact
