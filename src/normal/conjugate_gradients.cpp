@@ -56,11 +56,12 @@ class ConjugateGradients::Iteration
   double precondition();
   bool aim(double beta, double trial_length);
   SolveStatus stepLength(bool clipped, double& length) const;
-  void finish(SolveStatus status, NormalSolution& solution) const;
+  void finish(SolveStatus status, NormalSolution& solution);
 
   ConjugateGradientsOptions options_;
   OperatorCache cache_;
   InfluenceOperator::Workspace workspace_;
+  PressureMeasures measures_;
   const LaneKernels& kernels_ = laneKernels();
 
   const NormalProblem* problem_ = nullptr;
@@ -314,7 +315,7 @@ SolveStatus ConjugateGradients::Iteration::stepLength(bool clipped, double& leng
   return SolveStatus::converged;
 }
 
-void ConjugateGradients::Iteration::finish(SolveStatus status, NormalSolution& solution) const
+void ConjugateGradients::Iteration::finish(SolveStatus status, NormalSolution& solution)
 {
   solution.status = status;
   solution.iterations = products_;
@@ -323,7 +324,7 @@ void ConjugateGradients::Iteration::finish(SolveStatus status, NormalSolution& s
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     fromField(patches_[k], patches_[k].stiffness, p_, solution.patches[k].pressure);
-    measure(patches_[k].grid, solution.patches[k]);
+    measures_.measure(patches_[k].grid, solution.patches[k]);
   }
 }
 
