@@ -38,10 +38,18 @@ GridSize gridFor(const ContactConfig& contact)
   return rung->size;
 }
 
-std::unique_ptr<NormalSolver> makeSolver(const ContactConfig& contact)
+/// Residual of the normal solution where rail deflection and contact forces have to agree closely [-].
+constexpr double coupled_residual = 1e-6;
+
+std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config)
 {
-  const GridSize size = gridFor(contact);
-  auto solver = std::make_unique<ConjugateGradients>();
+  const GridSize size = gridFor(config.contact);
+  ConjugateGradientsOptions options;
+  if (config.rail_bending.model == RailBendingConfig::Model::compliance)
+  {
+    options.residual = coupled_residual;
+  }
+  auto solver = std::make_unique<ConjugateGradients>(options);
   solver->prepare(size.along, size.across, true);
   return solver;
 }
@@ -105,7 +113,7 @@ class WheelsetContact::Chain
  public:
   explicit Chain(ContactModelConfig config)
       : config_(checked(std::move(config))),
-        solver_(makeSolver(config_.contact)),
+        solver_(makeSolver(config_)),
         balance_(config_, *solver_, gridFor(config_.contact))
   {
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "wheel_rail_contact/normal/aspect_ladder.h"
+#include "wheel_rail_contact/normal/hertz.h"
 
 namespace wheel_rail_contact
 {
@@ -27,12 +28,6 @@ double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, do
   return columns[low].rail_u + share * (columns[low + 1].rail_u - columns[low].rail_u);
 }
 
-/// Approach of a circular Hertzian contact of relative curvature 1/R [m] (Johnson 1985, eq. 4.23).
-double circularApproach(double curvature, double modulus, double load)
-{
-  return std::cbrt(9.0 / 16 * load * load * curvature / (modulus * modulus));
-}
-
 /// Finds the pressure's centre, and its mean normal.
 void findCenter(const Eigen::ArrayXXd& pressure, const Grid& grid, WheelPatch& patch)
 {
@@ -52,6 +47,14 @@ void findCenter(const Eigen::ArrayXXd& pressure, const Grid& grid, WheelPatch& p
   {
     patch.center_x += pressure.row(i).sum() / sum * grid.x(i);
   }
+}
+
+/// Grid on the ladder of cell aspects over `length` along and [begin, end] across, with a margin [m].
+Grid coveringGrid(double length, double begin, double end, const GridSize& size)
+{
+  const aspect_ladder::Cell cell =
+      aspect_ladder::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
+  return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
 }
 
 double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
@@ -109,7 +112,7 @@ double WheelContact::estimateDescent(const RigidTouch& touch, double load) const
     const OverlapZone zone = search_.zoneAround(touch.contact, touch.contact.separation + descent);
     const double half = 0.5 * (zone.u_end - zone.u_begin);
     const double across = descent * cosine / (half * half);
-    descent = circularApproach(2 * std::sqrt(along * across), modulus_, load / cosine) / cosine;
+    descent = hertzForForce({along, across}, modulus_, load / cosine).approach / cosine;
   }
   return descent;
 }
@@ -158,20 +161,22 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       reset();
       return WheelStatus::normal_failed;
     }
-    learn();
+    measure();
     if (boxesHold(touch))
     {
       return onProfiles() ? WheelStatus::solved : WheelStatus::off_profile;
     }
+    learn();
   }
   reset();
   return WheelStatus::box_not_found;
 }
 
-WheelContact::Memory WheelContact::recall(const OverlapZone& zone) const
+/// Memory of the contact in this stretch, a guess if there is none.
+WheelContact::Memory& WheelContact::recall(const OverlapZone& zone)
 {
-  const Memory* nearest = nullptr;
-  for (const Memory& memory : memory_)
+  Memory* nearest = nullptr;
+  for (Memory& memory : memory_)
   {
     const bool inside = memory.rail_u >= zone.u_begin && memory.rail_u <= zone.u_end;
     if (inside && (nearest == nullptr ||
@@ -180,12 +185,19 @@ WheelContact::Memory WheelContact::recall(const OverlapZone& zone) const
       nearest = &memory;
     }
   }
-  return nearest != nullptr ? *nearest : Memory{zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0};
+  if (nearest == nullptr)
+  {
+    memory_.push_back({zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0, {}});
+    nearest = &memory_.back();
+  }
+  return *nearest;
 }
 
-Grid WheelContact::layBox(const Memory& memory, const GridSize& size, WheelPatch& patch) const
+/// Lays plane and grid over the patch's stretch, as remembered.
+void WheelContact::layBox(const GridSize& size, WheelPatch& patch, Grid& grid)
 {
   const OverlapZone& zone = patch.zone;
+  Memory& memory = recall(zone);
   const double middle = 0.5 * (zone.u_begin + zone.u_end);
   const double half = 0.5 * (zone.u_end - zone.u_begin);
   ContactPlane& plane = patch.plane;
@@ -198,6 +210,12 @@ Grid WheelContact::layBox(const Memory& memory, const GridSize& size, WheelPatch
   plane.y = origin.y;
   plane.z = origin.z;
 
+  const bool symmetric = wheel_->pose().yaw == 0;
+  if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
+  {
+    grid = memory.grid;
+    return;
+  }
   const double cosine = std::cos(plane.angle);
   const double sine = std::sin(plane.angle);
   const auto place = [&](double u)
@@ -207,16 +225,10 @@ Grid WheelContact::layBox(const Memory& memory, const GridSize& size, WheelPatch
   };
   const double begin = place(middle + memory.begin * half);
   const double end = place(middle + memory.end * half);
-  const double length = 2 * box_margin * memory.half_length * patch.half_overlap;
-  Grid grid;
-  grid.nx = size.along;
-  grid.ny = size.across;
-  grid.symmetric = wheel_->pose().yaw == 0;
-  const aspect_ladder::Cell cell = aspect_ladder::coveringCell(length, box_margin * (end - begin), grid.nx, grid.ny);
-  grid.dx = cell.dx;
-  grid.dy = cell.dy;
-  grid.y0 = 0.5 * (begin + end) - 0.5 * (grid.ny - 1) * grid.dy;
-  return grid;
+  const double length = 2 * memory.half_length * patch.half_overlap;
+  grid = coveringGrid(length, begin, end, size);
+  grid.symmetric = symmetric;
+  memory.grid = grid;
 }
 
 bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
@@ -232,7 +244,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     patch.zone = zones_[k];
     patch.touch_gap = patch.zone.contact.separation - touch.contact.separation;
     patch.half_overlap = std::sqrt(2 * (boxed_descent_ - patch.touch_gap) * wheelRadius(config_, patch.zone.contact));
-    gap.grid = layBox(recall(patch.zone), size, patch);
+    layBox(size, patch, gap.grid);
     gap.weight = std::cos(patch.plane.angle);
     const bool sound = gap.grid.dx > 0 && gap.grid.dy > 0;
     if (!sound || !buildGap(*wheel_, *rail_, patch.plane, gap.grid, gap.gap, patch.columns))
@@ -243,9 +255,9 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
   return !zones_.empty();
 }
 
-WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid& grid,
-                                            const PressureExtent& extent) const
+WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid& grid) const
 {
+  const PressureExtent& extent = patch.extent;
   const OverlapZone& zone = patch.zone;
   const double grown = std::sqrt(solution_.approach / boxed_descent_);  // of the stretch, by the solved descent
   const double middle = 0.5 * (zone.u_begin + zone.u_end);
@@ -259,47 +271,55 @@ WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid&
   memory.half_length = extent.half_length / (patch.half_overlap * grown);
   memory.turn = patch.plane.angle + std::atan(patch.slope) - std::atan(zone.contact.slope);
   memory.shift_x = patch.plane.x + patch.center_x - tangentPlane(*wheel_, *rail_, zone.contact).x;
+  growCut(extent, grid, memory);
   return memory;
 }
 
-void WheelContact::growTouched(const PressureExtent& extent, const Grid& grid, Memory& memory)
+void WheelContact::growCut(const PressureExtent& extent, const Grid& grid, Memory& memory)
 {
   const double width = memory.end - memory.begin;
-  memory.begin -= extent.first_column == 0 ? box_growth * width : 0;
-  memory.end += extent.last_column == grid.ny - 1 ? box_growth * width : 0;
-  const bool at_end = extent.last_row == grid.rows() - 1 || (!grid.symmetric && extent.first_row == 0);
-  memory.half_length *= at_end ? 1 + box_growth : 1;
+  memory.begin -= extent.cutBegin(grid) ? box_growth * width : 0;
+  memory.end += extent.cutEnd(grid) ? box_growth * width : 0;
+  memory.half_length *= extent.cutLength(grid) ? 1 + box_growth : 1;
 }
 
-void WheelContact::learn()
+void WheelContact::measure()
 {
-  memory_.clear();
   box_fill_ = 1;
+  box_cut_ = false;
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     const Grid& grid = problem_.patches[k].grid;
     const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
     findCenter(pressure, grid, patches_[k]);
-    const PressureExtent extent = findExtent(grid, pressure);
-    if (extent.empty)
+    patches_[k].extent = findExtent(grid, pressure);
+    const PressureExtent& extent = patches_[k].extent;
+    if (!extent.empty)
     {
-      continue;
+      box_cut_ = box_cut_ || extent.cut(grid);
+      box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / (grid.ny * grid.dy),
+                            2 * extent.half_length / (grid.nx * grid.dx)});
     }
-    memory_.push_back(remember(patches_[k], grid, extent));
-    growTouched(extent, grid, memory_.back());
-    box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / (grid.ny * grid.dy),
-                          2 * extent.half_length / (grid.nx * grid.dx)});
+  }
+}
+
+void WheelContact::learn()
+{
+  memory_.clear();
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    if (!patches_[k].extent.empty)
+    {
+      memory_.push_back(remember(patches_[k], problem_.patches[k].grid));
+    }
   }
 }
 
 bool WheelContact::boxesHold(const RigidTouch& touch)
 {
-  for (const PatchPressure& patch : solution_.patches)
+  if (box_cut_)
   {
-    if (patch.touches_border)
-    {
-      return false;
-    }
+    return false;
   }
   if (solution_.approach < descent_allowance * boxed_descent_)
   {
@@ -320,7 +340,7 @@ bool WheelContact::onProfiles() const
 {
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    const PressureExtent extent = findExtent(problem_.patches[k].grid, solution_.patches[k].pressure);
+    const PressureExtent& extent = patches_[k].extent;
     for (int j = extent.first_column; j <= extent.last_column; ++j)
     {
       const GapColumn& column = patches_[k].columns[static_cast<std::size_t>(j)];

@@ -165,44 +165,46 @@ RailDeflection WheelsetBalance::deflectionDue(Side side)
 /// Compares deflections due and used, and moves the rails. Returns the largest difference, relative.
 double WheelsetBalance::moveRails()
 {
-  FixedPoint<6>::Vector used, due;
+  double mismatch = 0;
   for (const Side side : sides)
   {
-    const auto at = static_cast<Eigen::Index>(3 * index(side));
-    const RailDeflection now = rail_[index(side)].deflection;
-    const RailDeflection then = deflectionDue(side);
-    used.segment<3>(at) << now.lateral, now.vertical, roll_arm * now.roll;
-    due.segment<3>(at) << then.lateral, then.vertical, roll_arm * then.roll;
-  }
-  if (config_.rail_bending.model != RailBendingConfig::Model::compliance || due.isZero(0))
-  {
-    return 0;
-  }
-  const double mismatch = (due - used).norm() / due.norm();
-  if (mismatch > coupling_tolerance)
-  {
-    const FixedPoint<6>::Vector next = coupling_.next(used, due);
-    for (const Side side : sides)
+    const std::size_t k = index(side);
+    const RailDeflection used = rail_[k].deflection;
+    const RailDeflection due = deflectionDue(side);
+    if (config_.rail_bending.model != RailBendingConfig::Model::compliance)
     {
-      const auto at = static_cast<Eigen::Index>(3 * index(side));
-      rail_[index(side)].deflection = {next[at], next[at + 1], next[at + 2] / roll_arm};
-      wheel_[index(side)].setRail(undeflected_.deflected(rail_[index(side)].deflection));
+      continue;
+    }
+    const Eigen::Vector3d x(used.lateral, used.vertical, roll_arm * used.roll);
+    const Eigen::Vector3d image(due.lateral, due.vertical, roll_arm * due.roll);
+    const double difference = image.isZero(0) ? x.norm() : (image - x).norm() / image.norm();
+    mismatch = std::max(mismatch, difference);
+    if (difference > coupling_tolerance)
+    {
+      const Eigen::Vector3d next = coupling_[k].next(x, image);
+      rail_[k].deflection = {next[0], next[1], next[2] / roll_arm};
+      wheel_[k].setRail(undeflected_.deflected(rail_[k].deflection));
     }
   }
   return mismatch;
 }
 
-bool WheelsetBalance::settled(double roll_change, double mismatch) const
+/// True if planes and boxes fit the pressure; otherwise they are laid anew in the next pass.
+bool WheelsetBalance::layoutFits()
 {
-  const double tolerance = config_.contact.tolerance;
-  const auto fits = [&](Side side)
+  bool all = true;
+  for (const Side side : sides)
   {
-    const WheelContact& wheel = wheel_[index(side)];
-    return !loaded_[index(side)] ||
-           (wheel.planeError() < plane_per_tolerance * tolerance && wheel.boxFill() > least_fill);
-  };
-  return std::abs(roll_change) < roll_per_tolerance * tolerance && mismatch < coupling_tolerance && fits(Side::left) &&
-         fits(Side::right);
+    WheelContact& wheel = wheel_[index(side)];
+    const bool fits = !loaded_[index(side)] || (wheel.planeError() < plane_per_tolerance * config_.contact.tolerance &&
+                                                wheel.boxFill() > least_fill);
+    if (!fits)
+    {
+      wheel.learn();
+    }
+    all = all && fits;
+  }
+  return all;
 }
 
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
@@ -212,7 +214,8 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   const double moment_load = 0.5 * state.torque_x / config_.wheelset.halfBase();
   load_ = {-0.5 * state.force_z - moment_load, -0.5 * state.force_z + moment_load};
   roll_ = free ? roll_ : state.roll;
-  coupling_.reset();
+  coupling_[0].reset();
+  coupling_[1].reset();
   for (int pass = 0; pass < most_passes; ++pass)
   {
     const bool cold = pass == 0 && !warm_;
@@ -236,7 +239,9 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
     }
     const double roll_change = free ? heightDifference() / leverSum() : 0;
     const double mismatch = moveRails();
-    if (!cold && settled(roll_change, mismatch))
+    const bool fits = layoutFits();
+    const bool level = std::abs(roll_change) < roll_per_tolerance * config_.contact.tolerance;
+    if (!cold && fits && level && mismatch < coupling_tolerance)
     {
       finish(roll_change);
       return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
@@ -250,6 +255,8 @@ void WheelsetBalance::finish(double roll_change)
 {
   warm_ = true;
   reason_ = {};
+  wheel_[0].learn();
+  wheel_[1].learn();
   if (!config_.wheelset.solve_height_and_roll)
   {
     height_ = state_.z;

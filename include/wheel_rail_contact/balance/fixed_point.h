@@ -39,7 +39,7 @@ class FixedPoint
   }
 
  private:
-  static constexpr int depth = 4;  ///< remembered steps
+  static constexpr int depth = 2;  ///< remembered steps
   Eigen::Matrix<double, N, depth> residual_change_ = Eigen::Matrix<double, N, depth>::Zero();
   Eigen::Matrix<double, N, depth> image_change_ = Eigen::Matrix<double, N, depth>::Zero();
   Vector last_residual_ = Vector::Zero();

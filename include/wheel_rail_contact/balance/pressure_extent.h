@@ -16,6 +16,12 @@ struct PressureExtent
   int first_row = 0, last_row = -1;        ///< with pressure
   double y_begin = 0, y_end = 0;           ///< edges across, patch frame [m]
   double half_length = 0;                  ///< largest |x| of the edges along [m]
+
+  /// An edge lies outside the grid: it cuts the contact off.
+  bool cutBegin(const Grid& grid) const { return y_begin < grid.y(0) - 0.5 * grid.dy; }
+  bool cutEnd(const Grid& grid) const { return y_end > grid.y(grid.ny - 1) + 0.5 * grid.dy; }
+  bool cutLength(const Grid& grid) const { return half_length > 0.5 * grid.nx * grid.dx; }
+  bool cut(const Grid& grid) const { return cutBegin(grid) || cutEnd(grid) || cutLength(grid); }
 };
 
 PressureExtent findExtent(const Grid& grid, const Eigen::ArrayXXd& pressure);

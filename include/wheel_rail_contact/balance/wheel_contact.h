@@ -54,6 +54,7 @@ struct WheelPatch
   double half_overlap = 0;  ///< half-length of the overlap along the track [m]
   ContactPlane plane;
   std::vector<GapColumn> columns;
+  PressureExtent extent;
   double slope = 0;     ///< pressure-weighted mean of the common normal's slope against the plane [-]
   double center_x = 0;  ///< pressure's centre in the patch frame [m]
   double center_y = 0;  ///< [m]
@@ -62,9 +63,9 @@ struct WheelPatch
 /// Contact of one wheel with one rail in side axes: finds the stretches that overlap, lays a plane and a grid over
 /// each, and solves all of them at one descent of the wheel.
 ///
-/// Remembers, relative to the overlapping stretch, where in it the last contact lay and how its plane was turned; the
-/// next call starts from there. Planes therefore settle over calls: `planeError()` tells by how much the last
-/// solution's pressure-weighted normal was off the plane it was solved in.
+/// Remembers, relative to the overlapping stretch, where in it the last contact lay and how its plane was turned.
+/// Memory changes only where learn() is called (or a box has cut the contact off): between, the solution is a smooth
+/// function of the placement. planeError() and boxFill() tell how well the remembered planes and boxes still fit.
 class WheelContact
 {
  public:
@@ -85,6 +86,9 @@ class WheelContact
   WheelStatus solveLoad(const RigidTouch& touch, double load, const GridSize& size);
   /// The same with the axle `descent` below the first touch [m].
   WheelStatus solveDescent(const RigidTouch& touch, double descent, const GridSize& size);
+
+  /// Takes the last solution over into memory: the next call lays its planes and boxes after it.
+  void learn();
 
   /// Descent of the axle below the first touch in the last solution [m].
   double descent() const { return solution_.approach; }
@@ -116,14 +120,15 @@ class WheelContact
     double half_length = 0;  ///< of the pressure along the track, in half-lengths of the overlap [-]
     double turn = 0;         ///< plane against the tangent at the initial contact [rad]
     double shift_x = 0;      ///< pressure's centre against the initial contact [m]
+    Grid grid;               ///< as laid after this memory; no cells: not laid yet
   };
   WheelStatus solve(const RigidTouch& touch, const GridSize& size);
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
-  Memory recall(const OverlapZone& zone) const;
-  Grid layBox(const Memory& memory, const GridSize& size, WheelPatch& patch) const;
-  void learn();
-  Memory remember(const WheelPatch& patch, const Grid& grid, const PressureExtent& extent) const;
-  static void growTouched(const PressureExtent& extent, const Grid& grid, Memory& memory);
+  Memory& recall(const OverlapZone& zone);
+  void layBox(const GridSize& size, WheelPatch& patch, Grid& grid);
+  void measure();
+  Memory remember(const WheelPatch& patch, const Grid& grid) const;
+  static void growCut(const PressureExtent& extent, const Grid& grid, Memory& memory);
   bool boxesHold(const RigidTouch& touch);
   bool onProfiles() const;
 
@@ -140,6 +145,7 @@ class WheelContact
   NormalSolution solution_;
   double boxed_descent_ = 0;  ///< descent for which the boxes were laid [m]
   double box_fill_ = 1;
+  bool box_cut_ = false;
   double load_ = 0;  ///< of the last usable solution [N]; 0: none
   int solutions_ = 0;
 };

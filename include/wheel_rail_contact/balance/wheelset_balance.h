@@ -48,7 +48,7 @@ class WheelsetBalance
   WheelStatus solveWheels(const GridSize& size);
   RailDeflection deflectionDue(Side side);
   double moveRails();
-  bool settled(double roll_change, double mismatch) const;
+  bool layoutFits();
   void finish(double roll_change);
 
   const ContactModelConfig& config_;
@@ -61,7 +61,7 @@ class WheelsetBalance
   std::array<double, 2> descent_{};  ///< known so far [m]
   std::array<RigidTouch, 2> touch_;
   std::array<RailResult, 2> rail_;
-  FixedPoint<6> coupling_;
+  std::array<FixedPoint<3>, 2> coupling_;
   double height_ = 0;
   double roll_ = 0;
   bool warm_ = false;
