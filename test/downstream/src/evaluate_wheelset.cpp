@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Evaluates one wheelset standing centred on the track, without ROS.
 #include <iostream>
+#include <memory>
 
+#include "wheel_rail_contact/geometry/standard_profiles.h"
 #include "wheel_rail_contact/wheelset_contact.h"
 
 int main()
@@ -9,8 +11,8 @@ int main()
   using namespace wheel_rail_contact;
 
   ContactModelConfig config;
-  config.wheel_profile = s1002();
-  config.rail_profile = rail60E1();
+  config.wheel_profile = std::make_shared<const Profile>(s1002Wheel());
+  config.rail_profile = std::make_shared<const Profile>(rail60E1());
   WheelsetContact contact(config);
 
   WheelsetState state;
