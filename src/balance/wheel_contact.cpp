@@ -11,21 +11,22 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr double box_margin = 1.1;    ///< grid over pressure, lengthwise and across [-]
-constexpr double box_growth = 0.3;    ///< by which a box grows at a side that the pressure touches, of its size [-]
-constexpr int most_boxes = 6;         ///< grids tried in one call
-constexpr double first_reach = 0.85;  ///< expected pressure against overlap at the first call [-]
-constexpr int estimate_steps = 4;     ///< fixed-point steps of the descent's estimate
+constexpr double box_margin = 1.1;        ///< grid over pressure, lengthwise and across [-]
+constexpr double box_growth = 0.3;        ///< by which a box grows at a side that the pressure touches, of its size [-]
+constexpr int most_boxes = 6;             ///< grids tried in one call
+constexpr double first_reach = 0.85;      ///< expected pressure against overlap at the first call [-]
+constexpr int estimate_steps = 4;         ///< fixed-point steps of the descent's estimate
+constexpr double missed_clearance = 0.1;  ///< width beside a box in which edges alone tell, of the box's width [-]
+constexpr double missed_share = 0.05;     ///< overlap beyond a box that is let pass, of the descent [-]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
 
-/// Parameter of the rail's profile at place t of the patch frame, from the columns.
+/// Parameter of the rail's profile at place t of the patch frame, from the columns, carried on beyond them.
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
 {
-  const double place = std::clamp((t - grid.y0) / grid.dy, 0.0, grid.ny - 1.0);
-  const auto low = static_cast<std::size_t>(std::min(place, grid.ny - 2.0));
-  const double share = place - static_cast<double>(low);
-  return columns[low].rail_u + share * (columns[low + 1].rail_u - columns[low].rail_u);
+  const double place = (t - grid.y0) / grid.dy;
+  const auto low = static_cast<std::size_t>(std::clamp(place, 0.0, grid.ny - 2.0));
+  return columns[low].rail_u + (place - static_cast<double>(low)) * (columns[low + 1].rail_u - columns[low].rail_u);
 }
 
 /// Finds the pressure's centre, and its mean normal.
@@ -55,6 +56,12 @@ Grid coveringGrid(double length, double begin, double end, const GridSize& size)
   const aspect_ladder::Cell cell =
       aspect_ladder::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
   return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
+}
+
+/// Place of a point along the plane [m].
+double placeOnPlane(const ContactPlane& plane, const PlanePoint& point)
+{
+  return std::cos(plane.angle) * (point.y - plane.y) + std::sin(plane.angle) * (point.z - plane.z);
 }
 
 double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
@@ -155,6 +162,10 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       return WheelStatus::off_profile;
     }
     solver_.solve(problem_, true, solution_);
+    if (!isUsable(solution_.status))
+    {
+      solver_.solve(problem_, false, solution_);
+    }
     ++solutions_;
     if (!isUsable(solution_.status))
     {
@@ -162,6 +173,7 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       return WheelStatus::normal_failed;
     }
     measure();
+    widened_ = widened_ && attempt > 0;
     if (boxesHold(touch))
     {
       return onProfiles() ? WheelStatus::solved : WheelStatus::off_profile;
@@ -315,9 +327,63 @@ void WheelContact::learn()
   }
 }
 
+/// Looks at the stretch beyond the box: where the undeformed bodies overlap by more than this pressure pushes them
+/// apart there, pressure was missed (a second lobe, say). Widens the patch's extent over such places.
+bool WheelContact::missesPressure(const RigidTouch& touch, std::size_t k)
+{
+  WheelPatch& patch = patches_[k];
+  const Grid& grid = problem_.patches[k].grid;
+  const double clearance = missed_clearance * grid.ny * grid.dy;
+  const double closing = (1 - missed_share) * solution_.approach * std::cos(patch.plane.angle);
+  search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, stations_);
+  bool missed = false;
+  for (const Station& station : stations_)
+  {
+    const PlanePoint rail = rail_->at(station.rail_u);
+    const double t = placeOnPlane(patch.plane, rail);
+    const double local = std::atan2(rail.dz, rail.dy);
+    const double gap =
+        (station.separation - touch.contact.separation) * std::cos(local) / std::cos(local - patch.plane.angle);
+    const bool beyond = t < grid.y0 - clearance || t > grid.y(grid.ny - 1) + clearance;
+    if (beyond && closing - gap > displacementBeside(k, t))
+    {
+      missed = true;
+      patch.extent.y_begin = std::min(patch.extent.y_begin, t);
+      patch.extent.y_end = std::max(patch.extent.y_end, t);
+    }
+  }
+  return missed;
+}
+
+/// Displacement of both bodies at place t beside the pressure, on its line of centres [m]: each column's load spread
+/// evenly over the pressure's length, columns taken together in eight groups.
+double WheelContact::displacementBeside(std::size_t k, double t) const
+{
+  const Grid& grid = problem_.patches[k].grid;
+  const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
+  const double half_length = std::max(patches_[k].extent.half_length, grid.dx);
+  constexpr int groups = 8;
+  double sum = 0;
+  for (int group = 0; group < groups; ++group)
+  {
+    const int begin = group * grid.ny / groups;
+    const int end = (group + 1) * grid.ny / groups;
+    const double force = pressure.middleCols(begin, end - begin).sum() * grid.cellArea();
+    const double distance = std::abs(t - 0.5 * (grid.y(begin) + grid.y(end - 1)));
+    sum += force * std::asinh(half_length / distance);
+  }
+  return sum / (std::acos(-1.0) * modulus_ * half_length);
+}
+
 bool WheelContact::boxesHold(const RigidTouch& touch)
 {
-  if (box_cut_)
+  bool missed = false;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    missed = (!patches_[k].extent.empty && missesPressure(touch, k)) || missed;
+  }
+  widened_ = widened_ || missed;
+  if (box_cut_ || missed)
   {
     return false;
   }

@@ -197,7 +197,7 @@ bool WheelsetBalance::layoutFits()
   {
     WheelContact& wheel = wheel_[index(side)];
     const bool fits = !loaded_[index(side)] || (wheel.planeError() < plane_per_tolerance * config_.contact.tolerance &&
-                                                wheel.boxFill() > least_fill);
+                                                (wheel.boxFill() > least_fill || wheel.widened()));
     if (!fits)
     {
       wheel.learn();

@@ -316,6 +316,19 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
   mergeNeighbours(zones);
 }
 
+void ContactSearch::stationsBetween(double u_begin, double u_end, std::vector<Station>& stations) const
+{
+  stations.clear();
+  for (std::size_t k = 0; k < separation_.size(); ++k)
+  {
+    const double u = rail_outline_.u[k];
+    if (u > u_begin && u < u_end && separation_[k] < infinity)
+    {
+      stations.push_back({u, separation_[k]});
+    }
+  }
+}
+
 void ContactSearch::mergeNeighbours(std::vector<OverlapZone>& zones) const
 {
   for (std::size_t i = 1; i < zones.size();)

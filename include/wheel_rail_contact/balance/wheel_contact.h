@@ -99,6 +99,8 @@ class WheelContact
   double planeError() const;
   /// Smallest share of a grid's length or width that its pressure takes [-].
   double boxFill() const { return box_fill_; }
+  /// A box of the last call had to be widened for pressure that its first form missed, and may be loose now.
+  bool widened() const { return widened_; }
   /// -d(axle height)/d(roll) at constant load [m].
   double lever() const;
   int solutions() const { return solutions_; }
@@ -129,6 +131,8 @@ class WheelContact
   void measure();
   Memory remember(const WheelPatch& patch, const Grid& grid) const;
   static void growCut(const PressureExtent& extent, const Grid& grid, Memory& memory);
+  bool missesPressure(const RigidTouch& touch, std::size_t k);
+  double displacementBeside(std::size_t k, double t) const;
   bool boxesHold(const RigidTouch& touch);
   bool onProfiles() const;
 
@@ -139,6 +143,7 @@ class WheelContact
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
   std::vector<OverlapZone> zones_;
+  std::vector<Station> stations_;
   std::vector<WheelPatch> patches_;
   std::vector<Memory> memory_;
   NormalProblem problem_;
@@ -146,6 +151,7 @@ class WheelContact
   double boxed_descent_ = 0;  ///< descent for which the boxes were laid [m]
   double box_fill_ = 1;
   bool box_cut_ = false;
+  bool widened_ = false;
   double load_ = 0;  ///< of the last usable solution [N]; 0: none
   int solutions_ = 0;
 };

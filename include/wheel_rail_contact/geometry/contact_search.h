@@ -30,6 +30,13 @@ struct OverlapZone
   bool at_profile_end = false;  ///< the stretch is cut off by the end of a profile
 };
 
+/// Separation at one place across the track.
+struct Station
+{
+  double rail_u;      ///< parameter of the rail's profile [m]
+  double separation;  ///< vertical distance of the outlines [m]
+};
+
 /// Outline of a body seen along the track, as heights over equidistant stations across the track.
 struct Outline
 {
@@ -66,6 +73,9 @@ class ContactSearch
 
   /// Largest angle between the planes of two stretches that count as one [rad].
   static constexpr double merge_angle = 0.1;
+
+  /// The stations between two parameters of the rail's profile.
+  void stationsBetween(double u_begin, double u_end, std::vector<Station>& stations) const;
 
  private:
   static constexpr double spacing = 5e-4;  ///< of stations, and of samples on the profiles [m]
