@@ -32,7 +32,7 @@ SampledPoint pointOf(const ProfileFile& file, double unit)
   {
     file.refuse("number of columns is " + std::to_string(fields.size()) + ", must be 2");
   }
-  const auto valueOf = [&](const std::string& field)
+  const auto value_of = [&](const std::string& field)
   {
     const std::optional<double> value = parseNumber(field);
     if (!value)
@@ -41,7 +41,7 @@ SampledPoint pointOf(const ProfileFile& file, double unit)
     }
     return *value * unit;
   };
-  return {valueOf(fields[0]), valueOf(fields[1])};
+  return {value_of(fields[0]), value_of(fields[1])};
 }
 }  // namespace
 

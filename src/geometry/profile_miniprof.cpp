@@ -127,7 +127,7 @@ double MiniProfReader::number(const std::string& key, const std::string& value) 
 void MiniProfReader::readColumns(const std::string& definition)
 {
   const std::vector<std::string> names = splitFields(definition);
-  const auto columnOf = [&](const char* name)
+  const auto column_of = [&](const char* name)
   {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
@@ -137,8 +137,8 @@ void MiniProfReader::readColumns(const std::string& definition)
     return static_cast<std::size_t>(found - names.begin());
   };
   columns_ = names.size();
-  x_column_ = columnOf("X");
-  y_column_ = columnOf("Y");
+  x_column_ = column_of("X");
+  y_column_ = column_of("Y");
 }
 
 void MiniProfReader::readPoint(const std::vector<std::string>& words)
@@ -148,7 +148,7 @@ void MiniProfReader::readPoint(const std::vector<std::string>& words)
     file_.refuse("number of columns is " + std::to_string(words.size()) +
                  (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) : ", at least X and Y are needed"));
   }
-  const auto valueOf = [&](std::size_t column)
+  const auto value_of = [&](std::size_t column)
   {
     const std::optional<double> value = parseNumber(words[column]);
     if (!value)
@@ -157,7 +157,7 @@ void MiniProfReader::readPoint(const std::vector<std::string>& words)
     }
     return *value;
   };
-  addPoint(file_, content_, toFrame(valueOf(x_column_) + x_offset_, valueOf(y_column_) + y_offset_));
+  addPoint(file_, content_, toFrame(value_of(x_column_) + x_offset_, value_of(y_column_) + y_offset_));
 }
 
 SampledPoint MiniProfReader::toFrame(double x, double y) const

@@ -32,7 +32,7 @@ const char* nameOf(ProfileKind kind)
 /// @throw ProfileError if the extension is none that is read, or one of the other kind.
 std::string checkedExtension(const std::string& path, ProfileKind kind)
 {
-  const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+  std::string extension = lowerCase(std::filesystem::path(path).extension().string());
   const bool of_wheel = extension == ".prw" || extension == ".whl";
   const bool of_rail = extension == ".prr" || extension == ".ban";
   if (!of_wheel && !of_rail && extension != ".csv")

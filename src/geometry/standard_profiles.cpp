@@ -23,9 +23,9 @@ enum class Half
 ProfileSection arc(Half half, double yc, double zc, double radius, double y_start, double y_end)
 {
   const double turn = half == Half::upper ? -1.0 : 1.0;
-  const auto angleAt = [&](double y) { return -turn * std::acos(std::clamp((y - yc) / radius, -1.0, 1.0)); };
-  const double start = angleAt(y_start);
-  const double sweep = turn * (angleAt(y_end) - start);
+  const auto angle_at = [&](double y) { return -turn * std::acos(std::clamp((y - yc) / radius, -1.0, 1.0)); };
+  const double start = angle_at(y_start);
+  const double sweep = turn * (angle_at(y_end) - start);
   return {ArcSection{yc * mm, zc * mm, radius * mm, start, turn}, radius * mm * sweep};
 }
 
@@ -37,13 +37,13 @@ ProfileSection line(double y0, double z0, double y1, double z1)
 }
 
 /// z = -sum down[k] y^k, with the coefficients of the standard's law [mm^(1-k)], whose z points down.
-template <std::size_t count>
-ProfileSection polynomial(const std::array<double, count>& down, double y_start, double y_end)
+template <std::size_t Count>
+ProfileSection polynomial(const std::array<double, Count>& down, double y_start, double y_end)
 {
-  static_assert(count <= PolynomialSection::max_coefficients, "too many coefficients");
-  PolynomialSection law{y_start * mm, {}, count};
+  static_assert(Count <= PolynomialSection::max_coefficients, "too many coefficients");
+  PolynomialSection law{y_start * mm, {}, Count};
   double scale = -mm;
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < Count; ++k)
   {
     law.coefficient[k] = down[k] * scale;
     scale /= mm;
