@@ -199,7 +199,7 @@ WheelContact::Memory& WheelContact::recall(const OverlapZone& zone)
   }
   if (nearest == nullptr)
   {
-    memory_.push_back({zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0, {}});
+    memory_.push_back({zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0, {}, 0, 0});
     nearest = &memory_.back();
   }
   return *nearest;
@@ -226,6 +226,8 @@ void WheelContact::layBox(const GridSize& size, WheelPatch& patch, Grid& grid)
   if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
   {
     grid = memory.grid;
+    patch.expected_width = memory.width;
+    patch.expected_length = memory.length;
     return;
   }
   const double cosine = std::cos(plane.angle);
@@ -237,8 +239,9 @@ void WheelContact::layBox(const GridSize& size, WheelPatch& patch, Grid& grid)
   };
   const double begin = place(middle + memory.begin * half);
   const double end = place(middle + memory.end * half);
-  const double length = 2 * memory.half_length * patch.half_overlap;
-  grid = coveringGrid(length, begin, end, size);
+  patch.expected_width = memory.width = end - begin;
+  patch.expected_length = memory.length = 2 * memory.half_length * patch.half_overlap;
+  grid = coveringGrid(memory.length, begin, end, size);
   grid.symmetric = symmetric;
   memory.grid = grid;
 }
@@ -309,8 +312,8 @@ void WheelContact::measure()
     if (!extent.empty)
     {
       box_cut_ = box_cut_ || extent.cut(grid);
-      box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / (grid.ny * grid.dy),
-                            2 * extent.half_length / (grid.nx * grid.dx)});
+      box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / patches_[k].expected_width,
+                            2 * extent.half_length / patches_[k].expected_length});
     }
   }
 }

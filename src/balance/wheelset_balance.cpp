@@ -17,7 +17,7 @@ constexpr double roll_step_limit = 5e-3;     ///< [rad]
 constexpr double height_tolerance = 1e-9;    ///< of both axle ends, in finding the roll [m]
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
-constexpr double least_fill = 0.7;           ///< share of a box that its pressure must take
+constexpr double least_fill = 0.8;           ///< share of its expected size that a pressure must have
 constexpr double coupling_tolerance = 1e-6;  ///< of deflection due and deflection used, relative
 constexpr double roll_arm = 0.1;             ///< makes a roll comparable with a displacement [m]
 

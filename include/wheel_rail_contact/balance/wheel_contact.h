@@ -49,9 +49,11 @@ enum class WheelStatus
 /// One patch as solved, beside its pressure.
 struct WheelPatch
 {
-  OverlapZone zone;         ///< stretch it was laid over
-  double touch_gap = 0;     ///< vertical gap at the first touch of the whole wheel [m]
-  double half_overlap = 0;  ///< half-length of the overlap along the track [m]
+  OverlapZone zone;            ///< stretch it was laid over
+  double touch_gap = 0;        ///< vertical gap at the first touch of the whole wheel [m]
+  double half_overlap = 0;     ///< half-length of the overlap along the track [m]
+  double expected_width = 0;   ///< of the pressure, for which the grid was laid [m]
+  double expected_length = 0;  ///< likewise, along the track [m]
   ContactPlane plane;
   std::vector<GapColumn> columns;
   PressureExtent extent;
@@ -97,7 +99,7 @@ class WheelContact
   double heightOverReference() const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;
-  /// Smallest share of a grid's length or width that its pressure takes [-].
+  /// Smallest ratio of a pressure's length or width to those its grid was laid for [-].
   double boxFill() const { return box_fill_; }
   /// A box of the last call had to be widened for pressure that its first form missed, and may be loose now.
   bool widened() const { return widened_; }
@@ -123,6 +125,8 @@ class WheelContact
     double turn = 0;         ///< plane against the tangent at the initial contact [rad]
     double shift_x = 0;      ///< pressure's centre against the initial contact [m]
     Grid grid;               ///< as laid after this memory; no cells: not laid yet
+    double width = 0;        ///< of the pressure as expected when the grid was laid [m]
+    double length = 0;       ///< likewise, along the track [m]
   };
   WheelStatus solve(const RigidTouch& touch, const GridSize& size);
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
