@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "wheel_rail_contact/wheelset_contact.h"
+
+namespace wheel_rail_contact
+{
+/// The Manchester contact benchmark (Shackleton and Iwnicki 2008, Vehicle System Dynamics 46): S1002 on UIC60, rails
+/// inclined 1:40, gauge 1435 mm, flange backs 1360 mm apart, rolling radius 460 mm.
+inline ContactModelConfig manchesterScene()
+{
+  ContactModelConfig config;
+  config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
+  config.rail_profile = std::make_shared<Profile>(railUic60Manchester());
+  return config;
+}
+
+/// Rail on pads of 40 kN/mm (lateral) and 100 kN/mm (vertical) every 0.6 m; source as in config/rails/pads_40_100.yaml.
+inline ComplianceTable softPads()
+{
+  return {60.5e-9, 303e-9, 2.63e-6, 5.6e-9};
+}
+}  // namespace wheel_rail_contact
