@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Read by catkin_python_setup(); not to be run by hand."""
+from distutils.core import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(**generate_distutils_setup(packages=["wheel_rail_contact", "wheel_rail_contact.rail_fe"], package_dir={"": "src"}))

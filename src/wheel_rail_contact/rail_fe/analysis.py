@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The finite-element step: mesh, loads, supports, solution, and the head's compliance from it."""
+import tempfile
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from . import calculix, gmsh_mesh
+from .deck import write_deck
+from .head_motion import Head
+from .loads import REFERENCE_DEPTH, HeadSurface
+from .mesh import Mesh
+from .stations import stations
+from .supports import Supports, supports
+
+ECCENTRICITY = 0.020        # of the vertical force that gives the moment [m]
+COARSER = 1.5               # mesh size of the second solution, over that of the first
+CONVERGENCE_ORDER = 2       # of the compliances with the mesh size, assumed by the error estimate
+COMPLIANCES = ("lateral_lateral", "lateral_roll", "roll_roll", "vertical_vertical")
+
+
+@dataclass
+class Model:
+    """All that the input deck says."""
+    mesh: Mesh
+    supports: Supports
+    cases: list
+    reported: np.ndarray  # indices of the nodes whose displacements are printed
+    young: float
+    poisson: float
+
+
+@dataclass
+class Solution:
+    """Result of one mesh, per unit force on the whole rail; compliances in SI (see COMPLIANCES)."""
+    mesh: Mesh
+    compliance: dict
+    asymmetry: float       # |roll per Y - displacement per M| over their mean: 0 by Maxwell-Betti
+    neighbours: list       # one compliance dictionary per distance
+    unknowns: int
+    check: np.ndarray      # displacements (nodes, 3) [m] under the study's check load, right in the loaded section
+    check_crown: float     # lateral displacement of the crown there [m]
+    check_roll: float      # roll of the head there [rad]
+
+
+def solve(study, mesh_size, progress, deck_directory=None):
+    """Solve the study on one mesh. `progress(text)` is told what begins; the deck is kept in `deck_directory` if given.
+
+    Raises RailError if a program is missing or fails.
+    """
+    place = nullcontext(deck_directory) if deck_directory else tempfile.TemporaryDirectory(prefix="rail_compliance_")
+    with place as directory:
+        directory = Path(directory)
+        progress(f"meshing with {mesh_size:g} m")
+        mesh = _mesh(study, mesh_size, directory)
+        progress(f"loads and supports: {len(mesh.elements)} elements, {3 * len(mesh.nodes)} unknowns")
+        heads = [Head(mesh, x, study.section.height - study.head_depth, study.section.height - REFERENCE_DEPTH)
+                 for x in (0.0, *study.neighbours)]
+        reported = np.unique(np.concatenate([mesh.plane_nodes(0, 0.0)] + [head.nodes for head in heads]))
+        model = Model(mesh, supports(study.supports, mesh, study.section, study.pads), _load_cases(study, mesh), reported,
+                      study.young, study.poisson)
+        write_deck(directory / "rail.inp", model, fields=deck_directory is not None)
+        steps = calculix.solve(directory, "rail", len(model.cases),
+                               lambda k: progress(f"solving load case {k} of {len(model.cases)}"))
+    return _evaluate(study, model, heads, [_displacements(step, mesh) for step in steps])
+
+
+def estimated_error(fine, coarse):
+    """Largest estimated relative discretisation error of the four compliances of `fine`, from a second, coarser mesh
+    (Richardson 1911, with COARSER and CONVERGENCE_ORDER)."""
+    return max(abs(coarse.compliance[name] / fine.compliance[name] - 1) for name in COMPLIANCES) / (
+        COARSER**CONVERGENCE_ORDER - 1)
+
+
+def _mesh(study, size, directory):
+    required = list(study.neighbours) + (list(study.pads.edges()) if study.pads else [])
+    cuts = stations(0.5 * study.length, size, required)
+    return gmsh_mesh.rail_mesh(study.section, cuts, size, study.element_type, directory)
+
+
+def _load_cases(study, mesh):
+    """Y at the reference height, Q on the axis, Q off the axis; the check load last."""
+    section, surface = study.section, HeadSurface(mesh, study.section)
+    return [surface.lateral(section.gauge_face(section.height - REFERENCE_DEPTH), "Y at the reference height"),
+            surface.vertical(section.crown(), "Q on the axis"),
+            surface.vertical(section.crossing(0, ECCENTRICITY, 1), "Q off the axis"),
+            surface.lateral(section.gauge_face(study.check_height), f"Y at {study.check_height:g} m, the check load")]
+
+
+def _displacements(step, mesh):
+    field = np.zeros_like(mesh.nodes)
+    for number, displacement in step.items():
+        field[number - 1] = displacement
+    return field
+
+
+def _evaluate(study, model, heads, fields):
+    own, *others = [_compliance(head, model.cases, fields) for head in heads]
+    lateral_roll, roll_lateral = own["lateral_roll"], own.pop("roll_lateral")
+    own["lateral_roll"] = 0.5 * (lateral_roll + roll_lateral)
+    for other in others:
+        other["lateral_roll"] = 0.5 * (other["lateral_roll"] + other.pop("roll_lateral"))
+    check = study.force * fields[-1]
+    crown = np.linalg.norm(model.mesh.nodes - [0, *study.section.points(study.section.crown())[0]], axis=1).argmin()
+    return Solution(model.mesh, own, abs(lateral_roll - roll_lateral) / own["lateral_roll"], others,
+                    3 * len(model.mesh.nodes) - model.supports.fixed_count(),
+                    check, float(check[crown, 1]), float(heads[0].motion(check)[2]))
+
+
+def _compliance(head, cases, fields):
+    """Compliances of the motion of one head from the first three load cases: the moment's part is the difference of the
+    two vertical forces, and what moment the lateral force's patch has is taken out of its part."""
+    (lateral_case, on_axis, off_axis), motions = cases[:3], [head.motion(field) for field in fields[:3]]
+    per_moment = (motions[2] - motions[1]) / (off_axis.moment - on_axis.moment)
+    per_lateral = motions[0] - lateral_case.moment * per_moment
+    return {"lateral_lateral": float(per_lateral[0]), "lateral_roll": float(per_lateral[2]),
+            "roll_lateral": float(per_moment[0]), "roll_roll": float(per_moment[2]),
+            "vertical_vertical": float(-motions[1][1])}

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of rail_compliance."""
+import argparse
+import shlex
+import sys
+import time
+from pathlib import Path
+
+from . import calculix, gmsh_mesh
+from .analysis import COARSER, estimated_error, solve
+from .errors import RailError
+from .mesh import FACES
+from .picture import write_picture
+from .section import read_section
+from .study import Study
+from .supports import KINDS, Pads
+from .table_file import table_text
+
+NEIGHBOURS = (1.8, 2.5)  # axle distances of common bogies [m]
+PAD_OPTIONS = {"pad_lateral": "lateral", "pad_vertical": "vertical", "pad_roll": "roll", "pad_length": "seat_length",
+               "spacing": "spacing", "bays": "bays"}  # of the command line -> of Pads
+
+
+def main(arguments=None):
+    """Run the command; returns its exit status."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    options = _parser().parse_args(arguments)
+    try:
+        _run(options, shlex.join(["rail_compliance", *arguments]))
+    except (RailError, OSError) as error:
+        print(f"rail_compliance: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _run(options, command):
+    study = _study(options)
+    study.validate()
+    gmsh_mesh.program()
+    calculix.program()
+    started = time.monotonic()
+
+    def progress(text):
+        print(f"[{time.monotonic() - started:6.1f} s] {text}", file=sys.stderr, flush=True)
+
+    if options.keep_deck:
+        options.keep_deck.mkdir(parents=True, exist_ok=True)
+    progress("coarser mesh, for the error estimate")
+    coarse = solve(study, COARSER * study.mesh_size, progress)
+    progress("asked mesh")
+    fine = solve(study, study.mesh_size, progress, options.keep_deck)
+    options.out.write_text(table_text(options.out.stem, study, fine, coarse, command), encoding="utf-8")
+    progress(f"wrote {options.out}")
+    if options.picture:
+        write_picture(options.picture, study, fine)
+        progress(f"wrote {options.picture}")
+    _report(study, fine, coarse)
+
+
+def _report(study, fine, coarse):
+    print("  ".join(f"{name} {value:.4e}" for name, value in fine.compliance.items()) + "  (SI)")
+    print(f"estimated discretisation error {100 * estimated_error(fine, coarse):.2g} %")
+    print(f"{study.force / 1e3:g} kN outward at {1e3 * study.check_height:g} mm: crown {1e3 * fine.check_crown:.4f} mm, head "
+          f"rolls {1e3 * fine.check_roll:.3f} mrad")
+
+
+def _study(options):
+    """The study the options ask for; raises RailError for options that do not go together."""
+    pads = _pads(options)
+    length = options.length
+    if length is None:
+        length = pads.bays * pads.spacing if pads else Study.length
+    neighbours = options.neighbours
+    if neighbours is None:
+        neighbours = [distance for distance in NEIGHBOURS if pads and distance < 0.5 * length]
+    return Study(section=read_section(options.section or shipped_section()), supports=options.supports, pads=pads,
+                 length=length, young=options.young, poisson=options.poisson, element_type=options.element,
+                 mesh_size=options.mesh_size, neighbours=tuple(sorted(set(neighbours))), head_depth=options.head_depth,
+                 force=options.force, force_height=options.force_height)
+
+
+def _pads(options):
+    """Pads from the options that were given; None where the supports are no seats."""
+    given = {name: getattr(options, option) for option, name in PAD_OPTIONS.items() if getattr(options, option) is not None}
+    if options.supports != "seats":
+        if given:
+            raise RailError(f"pad options ({', '.join(given)}) belong to --supports seats")
+        return None
+    if "lateral" not in given or "vertical" not in given:
+        raise RailError("--supports seats needs --pad-lateral and --pad-vertical")
+    return Pads(**given)
+
+
+def shipped_section():
+    """Path of the section that comes with the package, in the source tree or beside an installed one."""
+    beside = Path("config", "rails", "sections", "60E1.csv")
+    here = Path(__file__).resolve().parent
+    roots = [here.parents[2], *(parent / "share" / "wheel_rail_contact" for parent in here.parents)]
+    for root in roots:
+        if (root / beside).is_file():
+            return root / beside
+    raise RailError("the shipped section 60E1.csv was not found; name a file with --section")
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="rail_compliance", description="Compliance of a rail's head under a wheel by finite elements (gmsh, "
+        "CalculiX), written as the table the contact node reads. SI units throughout.")
+    add = parser.add_argument
+    add("--supports", required=True, choices=KINDS, help="what holds the rail")
+    add("--out", required=True, type=Path, metavar="F.yaml", help="compliance table to write; its stem is the name")
+    add("--section", type=Path, metavar="F.csv", help="closed outline, header y_mm,z_mm (default: the shipped 60E1)")
+    add("--length", type=float, metavar="M", help="of the rail (default: 1; with seats: bays times spacing)")
+    add("--young", type=float, default=Study.young, metavar="PA", help="modulus of elasticity (default: %(default)g)")
+    add("--poisson", type=float, default=Study.poisson, metavar="NU", help="Poisson's ratio (default: %(default)g)")
+    add("--element", choices=sorted(FACES), default=Study.element_type,
+        help="10-node tetrahedra or 20-node bricks (default: %(default)s)")
+    add("--mesh-size", type=float, default=Study.mesh_size, metavar="M",
+        help="of the elements in the section (default: %(default)g)")
+    add("--head-depth", type=float, default=Study.head_depth, metavar="M",
+        help="the head, whose rigid motion is fitted, reaches this far below the crown (default: %(default)g)")
+    add("--force", type=float, default=Study.force, metavar="N",
+        help="check load: lateral force on the gauge face (default: %(default)g)")
+    add("--force-height", type=float, metavar="M",
+        help="height of the check load above the foot (default: 14 mm below the crown)")
+    add("--keep-deck", type=Path, metavar="DIR", help="keep gmsh's and CalculiX's files there")
+    add("--picture", type=Path, metavar="F.png", help="picture of the loaded section under the check load")
+    _add_seat_options(parser.add_argument_group("with --supports seats").add_argument)
+    return parser
+
+
+def _add_seat_options(add):
+    add("--pad-lateral", type=float, metavar="N/M", help="lateral stiffness of a seat")
+    add("--pad-vertical", type=float, metavar="N/M", help="vertical stiffness of a seat")
+    add("--pad-roll", type=float, metavar="NM/RAD",
+        help="roll stiffness of a seat (default: of the vertical one spread evenly under the foot)")
+    add("--pad-length", type=float, metavar="M", help=f"of a seat along the rail (default: {Pads.seat_length:g})")
+    add("--spacing", type=float, metavar="M", help=f"of the seats (default: {Pads.spacing:g})")
+    add("--bays", type=int, metavar="N",
+        help=f"number of bays; even: load between two seats, odd: over one (default: {Pads.bays})")
+    add("--neighbours", type=float, nargs="*", metavar="M", help="distances along the rail at which another wheel's "
+        f"influence is wanted (default: {' and '.join(map(str, NEIGHBOURS))})")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
