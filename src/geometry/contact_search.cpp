@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "bracketed_root.h"
@@ -18,51 +17,24 @@ constexpr double newton_tolerance = 1e-11;  ///< [m]
 constexpr double root_tolerance = 1e-8;     ///< of a contact's place across the track [m]
 constexpr std::size_t fine_stations = 4;    ///< stretches of fewer stations are measured by their curvature
 
-/// Parameters about `spacing` apart over the whole profile, and the points there.
-void sample(const Profile& profile, double spacing, Eigen::ArrayXd& u, std::vector<CurvePoint>& points)
-{
-  const auto count = std::max(2L, std::lround(profile.length() / spacing) + 1);
-  u = Eigen::ArrayXd::LinSpaced(count, 0, profile.length());
-  points.resize(static_cast<std::size_t>(count));
-  std::transform(u.begin(), u.end(), points.begin(), [&](double value) { return profile.at(value); });
-}
-
-/// Equidistant stations y = first + k spacing.
-struct Stations
-{
-  double first;
-  double spacing;
-};
-
-/// Writes the straight segment from (y0, z0, u0) to (y1, z1, u1) into the outline where `nearer(new, old)`.
-template <typename Nearer>
-void writeSegment(const Stations& stations, double y0, double z0, double u0, double y1, double z1, double u1,
-                  Nearer nearer, Outline& outline)
-{
-  const auto count = static_cast<long>(outline.z.size());
-  const long first = std::max(0L, static_cast<long>(std::ceil((std::min(y0, y1) - stations.first) / stations.spacing)));
-  const long last =
-      std::min(count - 1, static_cast<long>(std::floor((std::max(y0, y1) - stations.first) / stations.spacing)));
-  for (long k = first; k <= last; ++k)
-  {
-    const double y = stations.first + static_cast<double>(k) * stations.spacing;
-    const double share = y1 == y0 ? 0 : (y - y0) / (y1 - y0);
-    const double z = z0 + share * (z1 - z0);
-    const auto at = static_cast<std::size_t>(k);
-    if (nearer(z, outline.z[at]))
-    {
-      outline.z[at] = z;
-      outline.u[at] = u0 + share * (u1 - u0);
-    }
-  }
-}
 }  // namespace
 
-ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
+/// Points of a profile about `spacing` apart.
+std::vector<ContactSearch::Sample> ContactSearch::sample(const Profile& profile)
 {
-  sample(wheel, spacing, wheel_u_, wheel_points_);
-  sample(rail, spacing, rail_u_, rail_points_);
-  wheel_locus_.resize(wheel_points_.size());
+  const long count = std::max(2L, std::lround(profile.length() / spacing) + 1);
+  std::vector<Sample> samples(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const double u = profile.length() * static_cast<double>(i) / static_cast<double>(count - 1);
+    samples[i] = {profile.at(u), u};
+  }
+  return samples;
+}
+
+ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
+    : wheel_samples_(sample(wheel)), rail_samples_(sample(rail))
+{
 }
 
 void ContactSearch::setRail(const PlacedRail& rail)
@@ -70,26 +42,24 @@ void ContactSearch::setRail(const PlacedRail& rail)
   rail_ = rail;
   double low = infinity;
   double high = -infinity;
-  for (const CurvePoint& point : rail_points_)
+  for (const Sample& sample : rail_samples_)
   {
-    const double y = rail.place(point).y;
+    const double y = rail.place(sample.point).y;
     low = std::min(low, y);
     high = std::max(high, y);
   }
-  const auto count = static_cast<std::size_t>((high - low) / spacing) + 2;
-  y_first_ = low;
-  rail_outline_.z.assign(count, -infinity);
-  rail_outline_.u.assign(count, 0);
-  wheel_outline_.z.resize(count);
-  wheel_outline_.u.resize(count);
-  separation_.resize(count);
-  PlanePoint before = rail.place(rail_points_.front());
-  for (std::size_t i = 1; i < rail_points_.size(); ++i)
+  stations_ = {low, spacing, static_cast<std::size_t>((high - low) / spacing) + 2};
+  rail_outline_.start(stations_);
+  separation_.resize(stations_.count);
+  OutlinePoint before{};
+  for (const Sample& sample : rail_samples_)
   {
-    const PlanePoint here = rail.place(rail_points_[i]);
-    const auto at = static_cast<Eigen::Index>(i);
-    writeSegment({y_first_, spacing}, before.y, before.z, rail_u_[at - 1], here.y, here.z, rail_u_[at],
-                 std::greater<double>(), rail_outline_);
+    const PlanePoint place = rail.place(sample.point);
+    const OutlinePoint here{place.y, place.z, sample.u};
+    if (sample.u > 0)
+    {
+      rail_outline_.add(before, here);
+    }
     before = here;
   }
 }
@@ -97,24 +67,25 @@ void ContactSearch::setRail(const PlacedRail& rail)
 void ContactSearch::setWheel(const PlacedWheel& wheel)
 {
   wheel_ = wheel;
-  std::fill(wheel_outline_.z.begin(), wheel_outline_.z.end(), infinity);
-  SpacePoint before{};
+  wheel_outline_.start(stations_);
+  OutlinePoint before{};
   bool has_before = false;
-  for (std::size_t i = 0; i < wheel_points_.size(); ++i)
+  for (const Sample& sample : wheel_samples_)
   {
-    SpacePoint here;
-    const bool has_here = wheel.locus(wheel_points_[i], here);
+    SpacePoint locus;
+    const bool has_here = wheel.locus(sample.point, locus);
+    const OutlinePoint here{locus.y, locus.z, sample.u};
     if (has_before && has_here)
     {
-      const auto at = static_cast<Eigen::Index>(i);
-      writeSegment({y_first_, spacing}, before.y, before.z, wheel_u_[at - 1], here.y, here.z, wheel_u_[at],
-                   std::less<double>(), wheel_outline_);
+      wheel_outline_.add(before, here);
     }
     before = here;
     has_before = has_here;
   }
-  std::transform(wheel_outline_.z.begin(), wheel_outline_.z.end(), rail_outline_.z.begin(), separation_.begin(),
-                 std::minus<double>());
+  for (std::size_t k = 0; k < stations_.count; ++k)
+  {
+    separation_[k] = wheel_outline_.z(k) - rail_outline_.z(k);
+  }
 }
 
 bool ContactSearch::isMinimum(std::size_t k) const
@@ -168,8 +139,8 @@ bool ContactSearch::wheelAt(double y, double& u, SpacePoint& locus) const
 bool ContactSearch::exact(double y, std::size_t k, InitialContact& contact, double& slope_difference) const
 {
   contact.y = y;
-  contact.wheel_u = wheel_outline_.u[k];
-  contact.rail_u = rail_outline_.u[k];
+  contact.wheel_u = wheel_outline_.u(k);
+  contact.rail_u = rail_outline_.u(k);
   SpacePoint locus{};
   if (!railAt(y, contact.rail_u) || !wheelAt(y, contact.wheel_u, locus))
   {
@@ -193,20 +164,20 @@ bool ContactSearch::exact(double y, std::size_t k, InitialContact& contact, doub
 
 InitialContact ContactSearch::refined(std::size_t k) const
 {
-  InitialContact contact{stationY(k), separation_[k], 0, 0, wheel_outline_.u[k], rail_outline_.u[k]};
+  InitialContact contact{stations_.y(k), separation_[k], 0, 0, wheel_outline_.u(k), rail_outline_.u(k)};
   const std::size_t before = k > 0 ? k - 1 : k;
   const std::size_t after = std::min(k + 1, separation_.size() - 1);
   InitialContact trial;
   double low = 0;
   double high = 0;
   const bool bracketed = separation_[before] < infinity && separation_[after] < infinity &&
-                         exact(stationY(before), before, trial, low) && exact(stationY(after), after, trial, high) &&
-                         low < 0 && high > 0;
+                         exact(stations_.y(before), before, trial, low) &&
+                         exact(stations_.y(after), after, trial, high) && low < 0 && high > 0;
   double difference = 0;
   const auto slopeDifference = [&](double y) { return exact(y, k, trial, difference) ? difference : 0.0; };
-  const double y = bracketed
-                       ? bracketedRoot(slopeDifference, stationY(before), low, stationY(after), high, root_tolerance)
-                       : stationY(k);
+  const double y =
+      bracketed ? bracketedRoot(slopeDifference, stations_.y(before), low, stations_.y(after), high, root_tolerance)
+                : stations_.y(k);
   if (exact(y, k, trial, difference))
   {
     contact = trial;
@@ -232,13 +203,13 @@ OverlapZone ContactSearch::stretch(std::size_t first, std::size_t last, double s
   const auto edge = [&](std::size_t inside, std::size_t outside)
   {
     const double share = (separation - separation_[inside]) / (separation_[outside] - separation_[inside]);
-    return rail_outline_.u[inside] + share * (rail_outline_.u[outside] - rail_outline_.u[inside]);
+    return rail_outline_.u(inside) + share * (rail_outline_.u(outside) - rail_outline_.u(inside));
   };
   const bool starts_open = first == 0 || !(separation_[first - 1] < infinity);
   const bool ends_open = last + 1 == separation_.size() || !(separation_[last + 1] < infinity);
   zone.at_profile_end = starts_open || ends_open;
-  zone.u_begin = starts_open ? rail_outline_.u[first] : edge(first, first - 1);
-  zone.u_end = ends_open ? rail_outline_.u[last] : edge(last, last + 1);
+  zone.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
+  zone.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
   return zone;
 }
 
@@ -270,8 +241,9 @@ std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t behind) 
 
 OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double separation) const
 {
-  const auto last_station = static_cast<double>(separation_.size() - 1);
-  const auto k = static_cast<std::size_t>(std::clamp(std::round((contact.y - y_first_) / spacing), 0.0, last_station));
+  const auto last_station = static_cast<double>(stations_.count - 1);
+  const double place = std::round((contact.y - stations_.first) / stations_.spacing);
+  const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, last_station));
   std::size_t first = k;
   std::size_t last = k;
   while (first > 0 && separation_[first - 1] < separation)
@@ -321,7 +293,7 @@ void ContactSearch::stationsBetween(double u_begin, double u_end, std::vector<St
   stations.clear();
   for (std::size_t k = 0; k < separation_.size(); ++k)
   {
-    const double u = rail_outline_.u[k];
+    const double u = rail_outline_.u(k);
     if (u > u_begin && u < u_end && separation_[k] < infinity)
     {
       stations.push_back({u, separation_[k]});

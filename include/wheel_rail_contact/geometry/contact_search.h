@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "wheel_rail_contact/geometry/outline.h"
 #include "wheel_rail_contact/geometry/placement.h"
 
 namespace wheel_rail_contact
@@ -35,13 +35,6 @@ struct Station
 {
   double rail_u;      ///< parameter of the rail's profile [m]
   double separation;  ///< vertical distance of the outlines [m]
-};
-
-/// Outline of a body seen along the track, as heights over equidistant stations across the track.
-struct Outline
-{
-  std::vector<double> z;  ///< height [m]; infinite (up for the wheel, down for the rail) where there is no body
-  std::vector<double> u;  ///< parameter of the body's profile there [m]
 };
 
 /// Search for contact between a placed wheel and a placed rail. Own algorithm:
@@ -82,7 +75,6 @@ class ContactSearch
   /// Greatest error of the separation at stations from straight segments on radii of 10 mm: 2 * spacing² / (8 * 10 mm).
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
-  double stationY(std::size_t k) const { return y_first_ + static_cast<double>(k) * spacing; }
   bool isMinimum(std::size_t k) const;
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   InitialContact refined(std::size_t k) const;
@@ -93,12 +85,18 @@ class ContactSearch
   static bool narrow(double separation, OverlapZone& zone);
   void mergeNeighbours(std::vector<OverlapZone>& zones) const;
 
-  Eigen::ArrayXd wheel_u_, rail_u_;  ///< sample parameters [m]
-  std::vector<CurvePoint> wheel_points_, rail_points_;
-  std::vector<SpacePoint> wheel_locus_;
-  Outline wheel_outline_, rail_outline_;
+  struct Sample
+  {
+    CurvePoint point;
+    double u;
+  };
+  static std::vector<Sample> sample(const Profile& profile);
+
+  std::vector<Sample> wheel_samples_, rail_samples_;
+  Stations stations_;
+  Outline wheel_outline_{Outline::Envelope::lower};
+  Outline rail_outline_{Outline::Envelope::upper};
   std::vector<double> separation_;
-  double y_first_ = 0;
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
 };
