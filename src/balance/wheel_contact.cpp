@@ -4,65 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wheel_rail_contact/normal/aspect_ladder.h"
+#include "wheel_rail_contact/balance/missed_pressure.h"
 #include "wheel_rail_contact/normal/hertz.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr double box_margin = 1.1;        ///< grid over pressure, lengthwise and across [-]
-constexpr double box_growth = 0.3;        ///< by which a box grows at a side that the pressure touches, of its size [-]
-constexpr int most_boxes = 6;             ///< grids tried in one call
-constexpr double first_reach = 0.85;      ///< expected pressure against overlap at the first call [-]
-constexpr int estimate_steps = 4;         ///< fixed-point steps of the descent's estimate
-constexpr double missed_clearance = 0.1;  ///< width beside a box in which edges alone tell, of the box's width [-]
-constexpr double missed_share = 0.05;     ///< overlap beyond a box that is let pass, of the descent [-]
+constexpr int most_boxes = 6;      ///< grids tried in one call
+constexpr int estimate_steps = 4;  ///< fixed-point steps of the descent's estimate
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
-
-/// Parameter of the rail's profile at place t of the patch frame, from the columns, carried on beyond them.
-double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
-{
-  const double place = (t - grid.y0) / grid.dy;
-  const auto low = static_cast<std::size_t>(std::clamp(place, 0.0, grid.ny - 2.0));
-  return columns[low].rail_u + (place - static_cast<double>(low)) * (columns[low + 1].rail_u - columns[low].rail_u);
-}
-
-/// Finds the pressure's centre, and its mean normal.
-void findCenter(const Eigen::ArrayXXd& pressure, const Grid& grid, WheelPatch& patch)
-{
-  patch.slope = patch.center_x = patch.center_y = 0;
-  const double sum = pressure.sum();
-  if (!(sum > 0))
-  {
-    return;
-  }
-  for (int j = 0; j < grid.ny; ++j)
-  {
-    const double share = pressure.col(j).sum() / sum;
-    patch.center_y += share * grid.y(j);
-    patch.slope += share * patch.columns[static_cast<std::size_t>(j)].slope;
-  }
-  for (int i = 0; i < grid.rows() && !grid.symmetric; ++i)
-  {
-    patch.center_x += pressure.row(i).sum() / sum * grid.x(i);
-  }
-}
-
-/// Grid on the ladder of cell aspects over `length` along and [begin, end] across, with a margin [m].
-Grid coveringGrid(double length, double begin, double end, const GridSize& size)
-{
-  const aspect_ladder::Cell cell =
-      aspect_ladder::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
-  return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
-}
-
-/// Place of a point along the plane [m].
-double placeOnPlane(const ContactPlane& plane, const PlanePoint& point)
-{
-  return std::cos(plane.angle) * (point.y - plane.y) + std::sin(plane.angle) * (point.z - plane.z);
-}
 
 double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
 {
@@ -176,7 +128,10 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     widened_ = widened_ && attempt > 0;
     if (boxesHold(touch))
     {
-      return onProfiles() ? WheelStatus::solved : WheelStatus::off_profile;
+      const bool on_profiles = std::all_of(patches_.begin(), patches_.end(),
+                                           [this](const WheelPatch& patch)
+                                           { return onProfiles(patch, *config_.wheel_profile, rail_->profile()); });
+      return on_profiles ? WheelStatus::solved : WheelStatus::off_profile;
     }
     learn();
   }
@@ -185,10 +140,10 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
 }
 
 /// Memory of the contact in this stretch, a guess if there is none.
-WheelContact::Memory& WheelContact::recall(const OverlapZone& zone)
+PatchMemory& WheelContact::recall(const OverlapZone& zone)
 {
-  Memory* nearest = nullptr;
-  for (Memory& memory : memory_)
+  PatchMemory* nearest = nullptr;
+  for (PatchMemory& memory : memory_)
   {
     const bool inside = memory.rail_u >= zone.u_begin && memory.rail_u <= zone.u_end;
     if (inside && (nearest == nullptr ||
@@ -199,51 +154,10 @@ WheelContact::Memory& WheelContact::recall(const OverlapZone& zone)
   }
   if (nearest == nullptr)
   {
-    memory_.push_back({zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0, {}, 0, 0});
+    memory_.push_back(firstGuess(zone));
     nearest = &memory_.back();
   }
   return *nearest;
-}
-
-/// Lays plane and grid over the patch's stretch, as remembered.
-void WheelContact::layBox(const GridSize& size, WheelPatch& patch, Grid& grid)
-{
-  const OverlapZone& zone = patch.zone;
-  Memory& memory = recall(zone);
-  const double middle = 0.5 * (zone.u_begin + zone.u_end);
-  const double half = 0.5 * (zone.u_end - zone.u_begin);
-  ContactPlane& plane = patch.plane;
-  plane = tangentPlane(*wheel_, *rail_, zone.contact);
-  plane.x += memory.shift_x;
-  plane.angle += memory.turn;
-  plane.rail_u = middle + memory.center * half;
-  plane.wheel_u += plane.rail_u - zone.contact.rail_u;
-  const PlanePoint origin = rail_->at(plane.rail_u);
-  plane.y = origin.y;
-  plane.z = origin.z;
-
-  const bool symmetric = wheel_->pose().yaw == 0;
-  if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
-  {
-    grid = memory.grid;
-    patch.expected_width = memory.width;
-    patch.expected_length = memory.length;
-    return;
-  }
-  const double cosine = std::cos(plane.angle);
-  const double sine = std::sin(plane.angle);
-  const auto place = [&](double u)
-  {
-    const PlanePoint point = rail_->at(u);
-    return cosine * (point.y - origin.y) + sine * (point.z - origin.z);
-  };
-  const double begin = place(middle + memory.begin * half);
-  const double end = place(middle + memory.end * half);
-  patch.expected_width = memory.width = end - begin;
-  patch.expected_length = memory.length = 2 * memory.half_length * patch.half_overlap;
-  grid = coveringGrid(memory.length, begin, end, size);
-  grid.symmetric = symmetric;
-  memory.grid = grid;
 }
 
 bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
@@ -259,7 +173,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     patch.zone = zones_[k];
     patch.touch_gap = patch.zone.contact.separation - touch.contact.separation;
     patch.half_overlap = std::sqrt(2 * (boxed_descent_ - patch.touch_gap) * wheelRadius(config_, patch.zone.contact));
-    layBox(size, patch, gap.grid);
+    layPatch(*wheel_, *rail_, size, recall(patch.zone), patch, gap.grid);
     gap.weight = std::cos(patch.plane.angle);
     const bool sound = gap.grid.dx > 0 && gap.grid.dy > 0;
     if (!sound || !buildGap(*wheel_, *rail_, patch.plane, gap.grid, gap.gap, patch.columns))
@@ -270,34 +184,6 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
   return !zones_.empty();
 }
 
-WheelContact::Memory WheelContact::remember(const WheelPatch& patch, const Grid& grid) const
-{
-  const PressureExtent& extent = patch.extent;
-  const OverlapZone& zone = patch.zone;
-  const double grown = std::sqrt(solution_.approach / boxed_descent_);  // of the stretch, by the solved descent
-  const double middle = 0.5 * (zone.u_begin + zone.u_end);
-  const double half = 0.5 * (zone.u_end - zone.u_begin) * grown;
-  const auto fraction = [&](double t) { return (railParameter(grid, patch.columns, t) - middle) / half; };
-  Memory memory;
-  memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
-  memory.center = (memory.rail_u - middle) / half;
-  memory.begin = fraction(extent.y_begin);
-  memory.end = fraction(extent.y_end);
-  memory.half_length = extent.half_length / (patch.half_overlap * grown);
-  memory.turn = patch.plane.angle + std::atan(patch.slope) - std::atan(zone.contact.slope);
-  memory.shift_x = patch.plane.x + patch.center_x - tangentPlane(*wheel_, *rail_, zone.contact).x;
-  growCut(extent, grid, memory);
-  return memory;
-}
-
-void WheelContact::growCut(const PressureExtent& extent, const Grid& grid, Memory& memory)
-{
-  const double width = memory.end - memory.begin;
-  memory.begin -= extent.cutBegin(grid) ? box_growth * width : 0;
-  memory.end += extent.cutEnd(grid) ? box_growth * width : 0;
-  memory.half_length *= extent.cutLength(grid) ? 1 + box_growth : 1;
-}
-
 void WheelContact::measure()
 {
   box_fill_ = 1;
@@ -305,15 +191,14 @@ void WheelContact::measure()
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     const Grid& grid = problem_.patches[k].grid;
-    const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
-    findCenter(pressure, grid, patches_[k]);
-    patches_[k].extent = findExtent(grid, pressure);
-    const PressureExtent& extent = patches_[k].extent;
+    WheelPatch& patch = patches_[k];
+    measurePatch(grid, solution_.patches[k].pressure, patch);
+    const PressureExtent& extent = patch.extent;
     if (!extent.empty)
     {
       box_cut_ = box_cut_ || extent.cut(grid);
-      box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / patches_[k].expected_width,
-                            2 * extent.half_length / patches_[k].expected_length});
+      box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / patch.expected_width,
+                            2 * extent.half_length / patch.expected_length});
     }
   }
 }
@@ -321,70 +206,35 @@ void WheelContact::measure()
 void WheelContact::learn()
 {
   memory_.clear();
+  const double grown = std::sqrt(solution_.approach / boxed_descent_);
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     if (!patches_[k].extent.empty)
     {
-      memory_.push_back(remember(patches_[k], problem_.patches[k].grid));
+      memory_.push_back(remember(*wheel_, *rail_, patches_[k], problem_.patches[k].grid, grown));
     }
   }
 }
 
-/// Looks at the stretch beyond the box: where the undeformed bodies overlap by more than this pressure pushes them
-/// apart there, pressure was missed (a second lobe, say). Widens the patch's extent over such places.
-bool WheelContact::missesPressure(const RigidTouch& touch, std::size_t k)
+bool WheelContact::missesPressure(const RigidTouch& touch)
 {
-  WheelPatch& patch = patches_[k];
-  const Grid& grid = problem_.patches[k].grid;
-  const double clearance = missed_clearance * grid.ny * grid.dy;
-  const double closing = (1 - missed_share) * solution_.approach * std::cos(patch.plane.angle);
-  search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, stations_);
   bool missed = false;
-  for (const Station& station : stations_)
+  for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    const PlanePoint rail = rail_->at(station.rail_u);
-    const double t = placeOnPlane(patch.plane, rail);
-    const double local = std::atan2(rail.dz, rail.dy);
-    const double gap =
-        (station.separation - touch.contact.separation) * std::cos(local) / std::cos(local - patch.plane.angle);
-    const bool beyond = t < grid.y0 - clearance || t > grid.y(grid.ny - 1) + clearance;
-    if (beyond && closing - gap > displacementBeside(k, t))
+    WheelPatch& patch = patches_[k];
+    if (!patch.extent.empty)
     {
-      missed = true;
-      patch.extent.y_begin = std::min(patch.extent.y_begin, t);
-      patch.extent.y_end = std::max(patch.extent.y_end, t);
+      search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, touch.contact.separation, stations_);
+      const SolvedPatch solved{problem_.patches[k].grid, solution_.patches[k].pressure, modulus_, solution_.approach};
+      missed = widenOverMissedPressure(solved, *rail_, stations_, patch) || missed;
     }
   }
   return missed;
 }
 
-/// Displacement of both bodies at place t beside the pressure, on its line of centres [m]: each column's load spread
-/// evenly over the pressure's length, columns taken together in eight groups.
-double WheelContact::displacementBeside(std::size_t k, double t) const
-{
-  const Grid& grid = problem_.patches[k].grid;
-  const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
-  const double half_length = std::max(patches_[k].extent.half_length, grid.dx);
-  constexpr int groups = 8;
-  double sum = 0;
-  for (int group = 0; group < groups; ++group)
-  {
-    const int begin = group * grid.ny / groups;
-    const int end = (group + 1) * grid.ny / groups;
-    const double force = pressure.middleCols(begin, end - begin).sum() * grid.cellArea();
-    const double distance = std::abs(t - 0.5 * (grid.y(begin) + grid.y(end - 1)));
-    sum += force * std::asinh(half_length / distance);
-  }
-  return sum / (std::acos(-1.0) * modulus_ * half_length);
-}
-
 bool WheelContact::boxesHold(const RigidTouch& touch)
 {
-  bool missed = false;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    missed = (!patches_[k].extent.empty && missesPressure(touch, k)) || missed;
-  }
+  const bool missed = missesPressure(touch);
   widened_ = widened_ || missed;
   if (box_cut_ || missed)
   {
@@ -403,24 +253,6 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
                                             return zone.u_begin < patch.zone.u_end && patch.zone.u_begin < zone.u_end;
                                           });
                      });
-}
-
-bool WheelContact::onProfiles() const
-{
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    const PressureExtent& extent = patches_[k].extent;
-    for (int j = extent.first_column; j <= extent.last_column; ++j)
-    {
-      const GapColumn& column = patches_[k].columns[static_cast<std::size_t>(j)];
-      if (column.rail_u < 0 || column.rail_u > rail_->profile().length() || column.wheel_u < 0 ||
-          column.wheel_u > config_.wheel_profile->length())
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 WheelForces WheelContact::forces() const

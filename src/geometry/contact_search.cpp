@@ -288,7 +288,7 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
   mergeNeighbours(zones);
 }
 
-void ContactSearch::stationsBetween(double u_begin, double u_end, std::vector<Station>& stations) const
+void ContactSearch::stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const
 {
   stations.clear();
   for (std::size_t k = 0; k < separation_.size(); ++k)
@@ -296,7 +296,7 @@ void ContactSearch::stationsBetween(double u_begin, double u_end, std::vector<St
     const double u = rail_outline_.u(k);
     if (u > u_begin && u < u_end && separation_[k] < infinity)
     {
-      stations.push_back({u, separation_[k]});
+      stations.push_back({u, separation_[k] - level});
     }
   }
 }

@@ -225,6 +225,11 @@ ContactPlane tangentPlane(const PlacedWheel& wheel, const PlacedRail& rail, cons
   return plane;
 }
 
+double placeOnPlane(const ContactPlane& plane, const PlanePoint& point)
+{
+  return LocalAxes(plane).t(point);
+}
+
 bool buildGap(const PlacedWheel& wheel, const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,
               Eigen::ArrayXXd& gap, std::vector<GapColumn>& columns)
 {

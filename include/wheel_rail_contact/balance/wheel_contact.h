@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "wheel_rail_contact/balance/pressure_extent.h"
+#include "wheel_rail_contact/balance/patch_memory.h"
 #include "wheel_rail_contact/config.h"
 #include "wheel_rail_contact/geometry/contact_search.h"
 #include "wheel_rail_contact/geometry/gap.h"
@@ -12,13 +12,6 @@
 
 namespace wheel_rail_contact
 {
-/// Cells of the grid laid over a patch.
-struct GridSize
-{
-  int along = 0;
-  int across = 0;
-};
-
 /// First touch of rigid bodies, side axes.
 struct RigidTouch
 {
@@ -44,22 +37,6 @@ enum class WheelStatus
   off_profile,    ///< pressure beyond the end of a profile
   box_not_found,  ///< no grid was found that holds all of the contact
   normal_failed   ///< the normal solution is not usable, see solution().status
-};
-
-/// One patch as solved, beside its pressure.
-struct WheelPatch
-{
-  OverlapZone zone;            ///< stretch it was laid over
-  double touch_gap = 0;        ///< vertical gap at the first touch of the whole wheel [m]
-  double half_overlap = 0;     ///< half-length of the overlap along the track [m]
-  double expected_width = 0;   ///< of the pressure, for which the grid was laid [m]
-  double expected_length = 0;  ///< likewise, along the track [m]
-  ContactPlane plane;
-  std::vector<GapColumn> columns;
-  PressureExtent extent;
-  double slope = 0;     ///< pressure-weighted mean of the common normal's slope against the plane [-]
-  double center_x = 0;  ///< pressure's centre in the patch frame [m]
-  double center_y = 0;  ///< [m]
 };
 
 /// Contact of one wheel with one rail in side axes: finds the stretches that overlap, lays a plane and a grid over
@@ -114,31 +91,12 @@ class WheelContact
   void reset();
 
  private:
-  /// Where a contact lay in its overlapping stretch.
-  struct Memory
-  {
-    double rail_u = 0;  ///< place of the contact on the rail, to know it again [m]
-    double center = 0;  ///< middle of the pressure, in half-widths of the stretch from its middle [-]
-    double begin = 0;   ///< edges of the pressure, likewise [-]
-    double end = 0;
-    double half_length = 0;  ///< of the pressure along the track, in half-lengths of the overlap [-]
-    double turn = 0;         ///< plane against the tangent at the initial contact [rad]
-    double shift_x = 0;      ///< pressure's centre against the initial contact [m]
-    Grid grid;               ///< as laid after this memory; no cells: not laid yet
-    double width = 0;        ///< of the pressure as expected when the grid was laid [m]
-    double length = 0;       ///< likewise, along the track [m]
-  };
   WheelStatus solve(const RigidTouch& touch, const GridSize& size);
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
-  Memory& recall(const OverlapZone& zone);
-  void layBox(const GridSize& size, WheelPatch& patch, Grid& grid);
+  PatchMemory& recall(const OverlapZone& zone);
   void measure();
-  Memory remember(const WheelPatch& patch, const Grid& grid) const;
-  static void growCut(const PressureExtent& extent, const Grid& grid, Memory& memory);
-  bool missesPressure(const RigidTouch& touch, std::size_t k);
-  double displacementBeside(std::size_t k, double t) const;
+  bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
-  bool onProfiles() const;
 
   const ContactModelConfig& config_;
   NormalSolver& solver_;
@@ -149,7 +107,7 @@ class WheelContact
   std::vector<OverlapZone> zones_;
   std::vector<Station> stations_;
   std::vector<WheelPatch> patches_;
-  std::vector<Memory> memory_;
+  std::vector<PatchMemory> memory_;
   NormalProblem problem_;
   NormalSolution solution_;
   double boxed_descent_ = 0;  ///< descent for which the boxes were laid [m]

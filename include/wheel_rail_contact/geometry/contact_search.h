@@ -67,8 +67,8 @@ class ContactSearch
   /// Largest angle between the planes of two stretches that count as one [rad].
   static constexpr double merge_angle = 0.1;
 
-  /// The stations between two parameters of the rail's profile.
-  void stationsBetween(double u_begin, double u_end, std::vector<Station>& stations) const;
+  /// The stations between two parameters of the rail's profile, with their separation above `level` [m].
+  void stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const;
 
  private:
   static constexpr double spacing = 5e-4;  ///< of stations, and of samples on the profiles [m]

@@ -22,6 +22,9 @@ struct ContactPlane
 /// The plane through the rail's point of an initial contact, tangent to both bodies.
 ContactPlane tangentPlane(const PlacedWheel& wheel, const PlacedRail& rail, const InitialContact& contact);
 
+/// Place of a point along the plane, in the y-z plane [m].
+double placeOnPlane(const ContactPlane& plane, const PlanePoint& point);
+
 /// What a column of a gap (constant y in the patch frame) knows of the bodies at x = 0.
 struct GapColumn
 {

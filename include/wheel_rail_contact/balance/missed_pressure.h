@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "wheel_rail_contact/balance/wheel_patch.h"
+
+namespace wheel_rail_contact
+{
+/// A solved patch as missed pressure is looked for beside it.
+struct SolvedPatch
+{
+  const Grid& grid;
+  const Eigen::ArrayXXd& pressure;  ///< [Pa]
+  double modulus;                   ///< contact modulus E* [Pa]
+  double descent;                   ///< of the axle below the first touch [m]
+};
+
+/// Looks at the stretch beyond a patch's grid: where the undeformed bodies overlap by more than its pressure pushes
+/// them apart there, pressure was missed (a second lobe, say). Widens the patch's extent over such places.
+/// @param stations  separation over the stretch, less that of the first touch
+/// @return true if pressure was missed.
+bool widenOverMissedPressure(const SolvedPatch& solved, const PlacedRail& rail, const std::vector<Station>& stations,
+                             WheelPatch& patch);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "wheel_rail_contact/balance/pressure_extent.h"
+#include "wheel_rail_contact/geometry/contact_search.h"
+#include "wheel_rail_contact/geometry/gap.h"
+
+namespace wheel_rail_contact
+{
+/// Cells of the grid laid over a patch.
+struct GridSize
+{
+  int along = 0;
+  int across = 0;
+};
+
+/// One patch as solved, beside its pressure.
+struct WheelPatch
+{
+  OverlapZone zone;            ///< stretch it was laid over
+  double touch_gap = 0;        ///< vertical gap at the first touch of the whole wheel [m]
+  double half_overlap = 0;     ///< half-length of the overlap along the track [m]
+  double expected_width = 0;   ///< of the pressure, for which the grid was laid [m]
+  double expected_length = 0;  ///< likewise, along the track [m]
+  ContactPlane plane;
+  std::vector<GapColumn> columns;
+  PressureExtent extent;
+  double slope = 0;     ///< pressure-weighted mean of the common normal's slope against the plane [-]
+  double center_x = 0;  ///< pressure's centre in the patch frame [m]
+  double center_y = 0;  ///< [m]
+};
+
+/// Parameter of the rail's profile at place `t` of the patch frame [m], from the columns, carried on beyond them.
+double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t);
+
+/// Finds the pressure's centre, mean normal and extent.
+void measurePatch(const Grid& grid, const Eigen::ArrayXXd& pressure, WheelPatch& patch);
+
+/// True if all of the pressure lies on both profiles.
+bool onProfiles(const WheelPatch& patch, const Profile& wheel, const Profile& rail);
+}  // namespace wheel_rail_contact

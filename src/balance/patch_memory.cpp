@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/balance/patch_memory.h"
+
+#include <cmath>
+
+#include "wheel_rail_contact/normal/aspect_ladder.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double box_margin = 1.1;    ///< grid over pressure, lengthwise and across [-]
+constexpr double box_growth = 0.3;    ///< by which a box grows at a side that the pressure touches, of its size [-]
+constexpr double first_reach = 0.85;  ///< expected pressure against overlap at the first call [-]
+
+/// Grid on the ladder of cell aspects over `length` along and [begin, end] across, with a margin [m].
+Grid coveringGrid(double length, double begin, double end, const GridSize& size)
+{
+  const aspect_ladder::Cell cell =
+      aspect_ladder::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
+  return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
+}
+
+/// Widens the memory at sides where the grid cut the pressure off.
+void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory)
+{
+  const double width = memory.end - memory.begin;
+  memory.begin -= extent.cutBegin(grid) ? box_growth * width : 0;
+  memory.end += extent.cutEnd(grid) ? box_growth * width : 0;
+  memory.half_length *= extent.cutLength(grid) ? 1 + box_growth : 1;
+}
+}  // namespace
+
+PatchMemory firstGuess(const OverlapZone& zone)
+{
+  return {zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0, {}, 0, 0};
+}
+
+PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const WheelPatch& patch, const Grid& grid,
+                     double grown)
+{
+  const PressureExtent& extent = patch.extent;
+  const OverlapZone& zone = patch.zone;
+  const double middle = 0.5 * (zone.u_begin + zone.u_end);
+  const double half = 0.5 * (zone.u_end - zone.u_begin) * grown;
+  const auto fraction = [&](double t) { return (railParameter(grid, patch.columns, t) - middle) / half; };
+  PatchMemory memory;
+  memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
+  memory.center = (memory.rail_u - middle) / half;
+  memory.begin = fraction(extent.y_begin);
+  memory.end = fraction(extent.y_end);
+  memory.half_length = extent.half_length / (patch.half_overlap * grown);
+  memory.turn = patch.plane.angle + std::atan(patch.slope) - std::atan(zone.contact.slope);
+  memory.shift_x = patch.plane.x + patch.center_x - tangentPlane(wheel, rail, zone.contact).x;
+  growCut(extent, grid, memory);
+  return memory;
+}
+
+void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, PatchMemory& memory,
+              WheelPatch& patch, Grid& grid)
+{
+  const OverlapZone& zone = patch.zone;
+  const double middle = 0.5 * (zone.u_begin + zone.u_end);
+  const double half = 0.5 * (zone.u_end - zone.u_begin);
+  ContactPlane& plane = patch.plane;
+  plane = tangentPlane(wheel, rail, zone.contact);
+  plane.x += memory.shift_x;
+  plane.angle += memory.turn;
+  plane.rail_u = middle + memory.center * half;
+  plane.wheel_u += plane.rail_u - zone.contact.rail_u;
+  const PlanePoint origin = rail.at(plane.rail_u);
+  plane.y = origin.y;
+  plane.z = origin.z;
+
+  const bool symmetric = wheel.pose().yaw == 0;
+  if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
+  {
+    grid = memory.grid;
+    patch.expected_width = memory.width;
+    patch.expected_length = memory.length;
+    return;
+  }
+  const double begin = placeOnPlane(plane, rail.at(middle + memory.begin * half));
+  const double end = placeOnPlane(plane, rail.at(middle + memory.end * half));
+  patch.expected_width = memory.width = end - begin;
+  patch.expected_length = memory.length = 2 * memory.half_length * patch.half_overlap;
+  grid = coveringGrid(memory.length, begin, end, size);
+  grid.symmetric = symmetric;
+  memory.grid = grid;
+}
+}  // namespace wheel_rail_contact
