@@ -136,6 +136,7 @@ class WheelsetContact::Chain
       result_.roll = balance_.roll();
       addPatches(Side::left);
       addPatches(Side::right);
+      result_.reason = unloaded();
     }
     result_.patches.resize(patch_count_);
     return result_;
@@ -149,6 +150,16 @@ class WheelsetContact::Chain
   {
     validate(config);
     return config;
+  }
+
+  /// Which wheels carry nothing, of a usable answer; empty if both carry.
+  std::string_view unloaded() const
+  {
+    if (balance_.loaded(Side::left))
+    {
+      return balance_.loaded(Side::right) ? "" : "the right wheel carries nothing";
+    }
+    return balance_.loaded(Side::right) ? "the left wheel carries nothing" : "neither wheel carries anything";
   }
 
   void addPatches(Side side)
