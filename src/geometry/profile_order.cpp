@@ -20,8 +20,8 @@ constexpr double most_height = 0.120;
 constexpr double widest_gap = 0.025;
 /// Nearer points give no curvature: files have 1e-6 ... 1e-4 mm of rounding.
 constexpr double least_distance = 5e-5;
-/// How far the curve at y = 0 may be from the origin's height.
-constexpr double origin_tolerance = 0.010;
+/// How far the curve at y = 0 may be from the origin's height; wear is less.
+constexpr double origin_tolerance = 0.005;
 /// By how much a flange is lower than the field side, at least.
 constexpr double least_flange_height = 0.010;
 /// Share of the points that may be left out because the measurement runs back there.
@@ -119,6 +119,10 @@ FilePoints alongTheCurve(const ProfileFile& file, const FilePoints& points, doub
     }
     const FilePoint& last = kept.back();
     const double step = distance(last, p);
+    if (step < least_distance)
+    {
+      continue;
+    }
     bool back = false;
     if (kept.size() > 1)
     {

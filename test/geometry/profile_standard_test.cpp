@@ -5,25 +5,19 @@
 #include <cmath>
 #include <vector>
 
+#include "profile_helpers.h"
 #include "wheel_rail_contact/geometry/standard_profiles.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr double mm = 1e-3;
+using test::mm;
 
 /// The profile's point at y; y must grow along the curve.
 CurvePoint atY(const Profile& profile, double y)
 {
-  double low = 0.0;
-  double high = profile.length();
-  for (int halving = 0; halving < 100; ++halving)
-  {
-    const double middle = 0.5 * (low + high);
-    (profile.at(middle).y < y ? low : high) = middle;
-  }
-  return profile.at(low);
+  return profile.at(test::parameterAt(profile, y));
 }
 
 /// Distance of a point from the profile, positive above it [m].

@@ -61,7 +61,7 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind);
 /// * `.csv`: y to the field side, z up. The first line states columns and unit, `y_mm,z_mm` or `y_m,z_m`, with or
 ///   without a leading #; further lines that start with # are comments.
 ///
-/// The origin must be the running circle of a wheel, the crown of a rail, within 10 mm in height. A rail may be stored
+/// The origin must be the running circle of a wheel, the crown of a rail, within 5 mm in height. A rail may be stored
 /// canted, as it lies in the track; the track's cant must then be set to zero.
 ///
 /// Points less than 0.05 mm from the one before are left out, since the digits of files do not give a curvature on that
