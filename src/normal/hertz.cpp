@@ -10,19 +10,21 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) / k².
+/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) /
+/// k².
 struct Elliptic
 {
   double k = 0, d = 0;
 };
 
-/// By the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), arranged so that nothing cancels at kappa = 1.
+/// By the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6),
+/// arranged so that nothing cancels at kappa = 1.
 Elliptic elliptic(double kappa)
 {
   double mean = 0.5 * (1 + kappa), root = std::sqrt(kappa);
   double c = 0.5 * (1 - kappa);
-  double share =
-      1 + 0.5 * (1 - kappa) / (1 + kappa);  // sum of 2^n c_n² over c_0² = k²; c_1² / k² = (1 - kappa) / (4 (1 + kappa))
+  double share = 1 + 0.5 * (1 - kappa) / (1 + kappa);  // sum of 2^n c_n² over c_0² = k²; c_1² /
+                                                       // k² = (1 - kappa) / (4 (1 + kappa))
   const double modulus_squared = (1 - kappa) * (1 + kappa);
   for (double power = 4; c * c > 1e-17 * mean * mean; power *= 2)
   {
@@ -38,10 +40,11 @@ Elliptic elliptic(double kappa)
   return result;
 }
 
-/// Ratio of the axes b/a <= 1 of the ellipse for curvatures in the ratio A/B <= 1, A belonging to the longer axis.
+/// Ratio of the axes b/a <= 1 of the ellipse for curvatures in the ratio A/B <=
+/// 1, A belonging to the longer axis.
 ///
-/// Solves B/A = (K - D) / (kappa² D) for log kappa by Newton's method from kappa = (A/B)^(2/3), which is right to a few
-/// per cent for round contacts.
+/// Solves B/A = (K - D) / (kappa² D) for log kappa by Newton's method from
+/// kappa = (A/B)^(2/3), which is right to a few per cent for round contacts.
 double axesRatio(double curvature_ratio, Elliptic& integrals)
 {
   double log_kappa = 2.0 / 3.0 * std::log(curvature_ratio);
@@ -52,7 +55,8 @@ double axesRatio(double curvature_ratio, Elliptic& integrals)
     integrals = elliptic(kappa);
     const double rest = integrals.k - integrals.d, squared = kappa * kappa, m = 1 - squared;
     const double error = std::log(rest / (squared * integrals.d)) - target;
-    // Derivatives with respect to m = k²: of K, and of D (nearly circular: their limit).
+    // Derivatives with respect to m = k²: of K, and of D (nearly circular:
+    // their limit).
     const double k_slope = rest / (2 * squared);
     const double d_slope = m > 1e-4 ? (rest / squared - integrals.d) / (2 * m) : 3 * kPi / 32;
     const double slope = -2 * squared * ((k_slope - d_slope) / rest - d_slope / integrals.d) - 2;
@@ -72,7 +76,8 @@ bool isPositive(double value)
   return value > 0 && std::isfinite(value);
 }
 
-/// Fills in everything once the shape of the ellipse is known; `longer` is its longer semi-axis.
+/// Fills in everything once the shape of the ellipse is known; `longer` is its
+/// longer semi-axis.
 HertzContact fromShape(const GapCurvature& gap, double modulus, double longer, double kappa, const Elliptic& integrals)
 {
   HertzContact contact;

@@ -33,7 +33,8 @@ void check(const OperatorShape& shape)
   }
 }
 
-/// Cosine transform of a kernel given at 0 … length on the period 2 length, both ways: [mode_y][mode_x].
+/// Cosine transform of a kernel given at 0 … length on the period 2 length,
+/// both ways: [mode_y][mode_x].
 class Spectrum
 {
  public:
@@ -70,7 +71,8 @@ class Spectrum
   double operator()(int a, int b) const { return values_[at(a, b)]; }
 
  private:
-  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the period holds once: [a][m].
+  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the
+  /// period holds once: [a][m].
   static std::vector<double> cosines(int length)
   {
     std::vector<double> table;
@@ -112,7 +114,8 @@ InfluenceOperator::Workspace& InfluenceOperator::Workspace::operator=(Workspace&
 
 struct InfluenceOperator::Tables
 {
-  /// Modes kept of both directions and their factors: [parity x][mode x][parity y][mode y, padded].
+  /// Modes kept of both directions and their factors: [parity x][mode x][parity
+  /// y][mode y, padded].
   struct Diagonal
   {
     int modes_x = 0, modes_y = 0;
@@ -137,6 +140,8 @@ struct InfluenceOperator::Tables
   CosineModes x, y;
   LaneBuffer sign_along;  ///< (-1)^row over half the field
   Diagonal product, inverse;
+  LaneBuffer probe,
+      probe_product;  ///< uneven weights of the cells, and the product with them
 };
 
 InfluenceOperator::Tables::Tables(const OperatorShape& wanted)
@@ -172,7 +177,8 @@ std::vector<double> InfluenceOperator::Tables::coefficients() const
 
 void InfluenceOperator::Tables::fill(Diagonal& diagonal, const Spectrum& spectrum, bool inverted) const
 {
-  const int step = x.count / diagonal.modes_x;  // of the doubled period's modes: 1, or 2 for the grid's own period
+  const int step = x.count / diagonal.modes_x;  // of the doubled period's modes: 1, or 2 for
+                                                // the grid's own period
   const int stride = roundUpToLanes(diagonal.modes_y);
   diagonal.line = 2 * stride;
   diagonal.factors.resize(x_parts * diagonal.modes_x * diagonal.line);
@@ -306,6 +312,7 @@ InfluenceOperator::InfluenceOperator(const OperatorShape& shape)
   middle_row_ = shape.symmetric ? 0 : half_rows_;
   half_columns_ = tables_->y.half;
   line_ = 2 * tables_->y.value_stride;
+  fillProbe();
 }
 InfluenceOperator::~InfluenceOperator() = default;
 InfluenceOperator::InfluenceOperator(InfluenceOperator&&) noexcept = default;
@@ -324,6 +331,34 @@ int InfluenceOperator::fieldSize() const
 void InfluenceOperator::multiply(const double* pressure, double* displacement, Workspace& workspace) const
 {
   tables_->apply(tables_->product, pressure, displacement, *workspace.buffers_);
+}
+
+void InfluenceOperator::fillProbe()
+{
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  Tables& tables = *tables_;
+  tables.probe.resize(tables.fieldSize());
+  tables.probe_product.resize(tables.fieldSize());
+  int cell = 0;
+  for (int row = 0; row < (symmetric_ ? tables.shape.nx / 2 : tables.shape.nx); ++row)
+  {
+    for (int column = 0; column < tables.shape.ny; ++column, ++cell)
+    {
+      tables.probe[rowOffset(row) + columnOffset(column)] = 0.5 + std::fmod(cell * kGoldenRatio, 1.0);
+    }
+  }
+  Workspace workspace;
+  workspace.reserve(*this);
+  multiply(tables.probe.data(), tables.probe_product.data(), workspace);
+}
+
+bool InfluenceOperator::isProduct(const double* pressure, const double* displacement) const
+{
+  constexpr double kTolerance = 1e-9;
+  const int size = fieldSize();
+  const double found = laneKernels().dot(size, tables_->probe.data(), displacement);
+  const double expected = laneKernels().dot(size, tables_->probe_product.data(), pressure);
+  return std::abs(found - expected) <= kTolerance * expected;
 }
 
 void InfluenceOperator::precondition(const double* residual, double* direction, Workspace& workspace) const

@@ -15,11 +15,13 @@ constexpr int roundUpToLanes(int count)
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Aligned array of doubles; grows only, so that a size seen before allocates nothing.
+/// Aligned array of doubles; grows only, so that a size seen before allocates
+/// nothing.
 class LaneBuffer
 {
  public:
-  /// Makes room for `size` doubles; sets all to zero if the size differs from the last.
+  /// Makes room for `size` doubles; sets all to zero if the size differs from
+  /// the last.
   void resize(int size);
 
   double* data() { return data_.get(); }
@@ -36,8 +38,9 @@ class LaneBuffer
   int size_ = 0, capacity_ = 0;
 };
 
-/// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) * sum over k of a(l, k) * b(k, c),
-/// l being contiguous in memory, for all l < lanes (a multiple of kLanes), k < inner, c < columns.
+/// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) *
+/// sum over k of a(l, k) * b(k, c), l being contiguous in memory, for all l <
+/// lanes (a multiple of kLanes), k < inner, c < columns.
 struct LaneProduct
 {
   int lanes = 0, inner = 0, columns = 0;
@@ -58,35 +61,44 @@ struct CellSum
   double count = 0;
 };
 
-/// Violation of the contact conditions; w is the distance of the deformed surfaces.
+/// Violation of the contact conditions; w is the distance of the deformed
+/// surfaces.
 struct Violation
 {
   double inside = 0;   ///< largest |w| where p > 0
   double outside = 0;  ///< largest -w elsewhere
 };
 
-/// Inner products of a new search direction.
-struct DirectionSums
+/// Sums over the cells that may move.
+struct MaskedSums
 {
-  double z_r = 0;      ///< with the residual
-  double z_r_old = 0;  ///< with the residual before
+  double count = 0;
+  double z = 0, q = 0, z_q = 0, z_r = 0;  ///< of z, of q, of z q and of z r
 };
 
-/// What a step along a direction needs.
+/// How a trial point is found: p + length * (z - shift + beta * last step).
+struct TrialStep
+{
+  double length = 0, shift = 0, beta = 0;
+};
+
+/// What the length of a step needs.
 struct StepSums
 {
-  double r_d = 0;   ///< slope: residual times direction
-  double d_q = 0;   ///< curvature: direction times matrix times direction
-  double fall = 0;  ///< largest relative fall of a pressure, max(-d / p): 1 / fall is the longest step with p >= 0
+  double s_q = 0;   ///< curvature: step times matrix times step
+  double fall = 0;  ///< largest relative fall of a pressure, max(-s / p): 1 /
+                    ///< fall is the longest step with p >= 0
 };
 
-/// Inner loops of operator and solvers, compiled for one instruction set. `size` is a multiple of kLanes everywhere.
+/// Inner loops of operator and solvers, compiled for one instruction set.
+/// `size` is a multiple of kLanes everywhere.
 struct LaneKernels
 {
   const char* name = nullptr;
 
   void (*multiply)(const LaneProduct& product) = nullptr;
-  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)), `sign` being one block long. in = out allowed.
+  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)), `sign`
+  /// being one block long. in = out allowed.
   void (*fold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
   /// Its transpose: out = (e + sign o, e - sign o).
   void (*unfold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
@@ -98,22 +110,21 @@ struct LaneKernels
   double (*countBelow)(int size, double limit, const double* values) = nullptr;
   /// p = sqrt(max(level - gap, 0)); returns the sum.
   double (*rootDepth)(int size, double level, const double* gap, double* p) = nullptr;
-  /// p = max(p + step d, 0), u += step q; returns the sum of u + gap where p > 0.
-  CellSum (*advance)(int size, double step, const double* d, const double* q, const double* gap, double* p,
+  /// p = max(p + length s, 0), u += length q; returns the sum of u + gap where
+  /// p > 0.
+  CellSum (*advance)(int size, double length, const double* s, const double* q, const double* gap, double* p,
                      double* u) = nullptr;
   /// With w = u + gap - shift: r = -w where p > 0 or w < 0, else 0.
   Violation (*residual)(int size, double shift, const double* p, const double* u, const double* gap,
                         double* r) = nullptr;
-  /// Sum of z where r != 0.
-  CellSum (*maskedSum)(int size, const double* r, const double* z) = nullptr;
-  /// z = z - shift where r != 0, else 0.
-  DirectionSums (*project)(int size, double shift, const double* r, const double* r_old, double* z) = nullptr;
-  /// d = z + beta d; trial = max(p + step d, 0). Returns the sum of trial and the number of cells cut.
-  CellSum (*trial)(int size, double beta, double step, const double* p, const double* z, double* d,
-                   double* trial) = nullptr;
-  /// d = scale trial - p.
-  void (*chord)(int size, double scale, const double* p, const double* trial, double* d) = nullptr;
-  StepSums (*stepSums)(int size, const double* p, const double* r, const double* d, const double* q) = nullptr;
+  /// Sums where r != 0.
+  MaskedSums (*maskedSums)(int size, const double* r, const double* z, const double* q) = nullptr;
+  /// out = max(p + step, 0), moving only cells where r != 0; returns its sum.
+  double (*trial)(int size, const TrialStep& step, const double* r, const double* p, const double* z,
+                  const double* last, double* out) = nullptr;
+  /// trial = scale trial - p; returns its product with r.
+  double (*chord)(int size, double scale, const double* r, const double* p, double* trial) = nullptr;
+  StepSums (*stepSums)(int size, const double* p, const double* s, const double* q) = nullptr;
 };
 
 /// The kernels for the widest registers of this machine.

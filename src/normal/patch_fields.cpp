@@ -16,7 +16,8 @@ bool isValid(const PatchGap& patch)
                       patch.gap.rows() == grid.rows() && patch.gap.cols() == grid.ny;
   const bool sized = grid.dx > 0 && grid.dy > 0 && std::isfinite(grid.dx) && std::isfinite(grid.dy);
   const bool weighted = patch.weight > 0 && std::isfinite(patch.weight);
-  // Zero times a value that is not finite is not a number, and stays so in the sum.
+  // Zero times a value that is not finite is not a number, and stays so in the
+  // sum.
   return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }
 }  // namespace
@@ -55,27 +56,39 @@ int layOut(const NormalProblem& problem, OperatorCache& cache, std::vector<Patch
 
 void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field)
 {
-  const InfluenceOperator& influence = *patch.influence;
-  for (int column = 0; column < patch.grid.ny; ++column)
+  const int rows = patch.grid.rows(), columns = patch.grid.ny, middle = patch.influence->middleColumn();
+  for (int row = 0; row < rows; ++row)
   {
-    double* cells = field.data() + patch.begin + influence.columnOffset(column);
-    for (int row = 0; row < patch.grid.rows(); ++row)
+    const double* from = values.data() + row;
+    double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
+    double* lower = line + patch.influence->columnOffset(0);
+    for (int column = 0; column < middle; ++column)
     {
-      cells[influence.rowOffset(row)] = factor * values(row, column);
+      lower[-column] = factor * from[column * rows];
+    }
+    for (int column = middle; column < columns; ++column)
+    {
+      line[column - middle] = factor * from[column * rows];
     }
   }
 }
 
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values)
 {
-  const InfluenceOperator& influence = *patch.influence;
-  values.resize(patch.grid.rows(), patch.grid.ny);
-  for (int column = 0; column < patch.grid.ny; ++column)
+  const int rows = patch.grid.rows(), columns = patch.grid.ny, middle = patch.influence->middleColumn();
+  values.resize(rows, columns);
+  for (int row = 0; row < rows; ++row)
   {
-    const double* cells = field.data() + patch.begin + influence.columnOffset(column);
-    for (int row = 0; row < patch.grid.rows(); ++row)
+    double* to = values.data() + row;
+    const double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
+    const double* lower = line + patch.influence->columnOffset(0);
+    for (int column = 0; column < middle; ++column)
     {
-      values(row, column) = factor * cells[influence.rowOffset(row)];
+      to[column * rows] = factor * lower[-column];
+    }
+    for (int column = middle; column < columns; ++column)
+    {
+      to[column * rows] = factor * line[column - middle];
     }
   }
 }

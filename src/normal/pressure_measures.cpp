@@ -10,7 +10,8 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Rise of the parabola through three squared pressures above the middle one, which is the highest; zero at an edge.
+/// Rise of the parabola through three squared pressures above the middle one,
+/// which is the highest; zero at an edge.
 double rise(double before, double top, double after)
 {
   const double slope = (after - before) * (after + before);
@@ -34,8 +35,9 @@ void frame(const Grid& grid, const Eigen::ArrayXXd& pressure, Eigen::ArrayXXd& f
 }
 }  // namespace
 
-void PressureMeasures::measure(const Grid& grid, PatchPressure& patch)
+void PressureMeasures::measure(PatchPressure& patch)
 {
+  const Grid& grid = patch.grid;
   const Eigen::ArrayXXd& p = patch.pressure;
   frame(grid, p, framed_);
   patch.force = p.sum() * grid.cellArea();

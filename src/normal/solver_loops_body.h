@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, after lanes_body.h. No include guard.
+// Included by lanes.cpp once per instruction set, after lanes_body.h. No
+// include guard.
 
 double sum(int size, const double* values)
 {
@@ -52,15 +53,15 @@ double rootDepth(int size, double level, const double* gap, double* p)
   return total;
 }
 
-CellSum advance(int size, double step, const double* d, const double* q, const double* gap, double* p, double* u)
+CellSum advance(int size, double length, const double* s, const double* q, const double* gap, double* p, double* u)
 {
   const Register zero = {}, one = zero + 1;
   Register sum = zero, count = zero;
   for (int i = 0; i < size; i += kWidth)
   {
-    const Register moved = load(p + i) + step * load(d + i);
+    const Register moved = load(p + i) + length * load(s + i);
     const Register pressure = moved > zero ? moved : zero;
-    const Register displacement = load(u + i) + step * load(q + i);
+    const Register displacement = load(u + i) + length * load(q + i);
     store(p + i, pressure);
     store(u + i, displacement);
     sum += pressure > zero ? displacement + load(gap + i) : zero;
@@ -87,74 +88,65 @@ Violation residual(int size, double shift, const double* p, const double* u, con
   return {maxOf(inside), maxOf(outside)};
 }
 
-CellSum maskedSum(int size, const double* r, const double* z)
+MaskedSums maskedSums(int size, const double* r, const double* z, const double* q)
 {
   const Register zero = {}, one = zero + 1;
-  Register sum = zero, count = zero;
-  for (int i = 0; i < size; i += kWidth)
-  {
-    const auto active = load(r + i) != zero;
-    sum += active ? load(z + i) : zero;
-    count += active ? one : zero;
-  }
-  return {sumOf(sum), sumOf(count)};
-}
-
-DirectionSums project(int size, double shift, const double* r, const double* r_old, double* z)
-{
-  const Register zero = {};
-  Register z_r = zero, z_r_old = zero;
+  Register count = zero, sum_z = zero, sum_q = zero, z_q = zero, z_r = zero;
   for (int i = 0; i < size; i += kWidth)
   {
     const Register force = load(r + i);
-    const Register projected = force != zero ? load(z + i) - shift : zero;
-    store(z + i, projected);
-    z_r += projected * force;
-    z_r_old += projected * load(r_old + i);
+    const auto free = force != zero;
+    const Register direction = free ? load(z + i) : zero, displacement = free ? load(q + i) : zero;
+    count += free ? one : zero;
+    sum_z += direction;
+    sum_q += displacement;
+    z_q += direction * displacement;
+    z_r += direction * force;
   }
-  return {sumOf(z_r), sumOf(z_r_old)};
+  return {sumOf(count), sumOf(sum_z), sumOf(sum_q), sumOf(z_q), sumOf(z_r)};
 }
 
-CellSum trial(int size, double beta, double step, const double* p, const double* z, double* d, double* trial)
-{
-  const Register zero = {}, one = zero + 1;
-  Register sum = zero, clipped = zero;
-  for (int i = 0; i < size; i += kWidth)
-  {
-    const Register pressure = load(p + i);
-    const Register direction = load(z + i) + beta * load(d + i);
-    const Register moved = pressure + step * direction;
-    const Register cut = moved > zero ? moved : zero;
-    store(d + i, direction);
-    store(trial + i, cut);
-    sum += cut;
-    clipped += moved < zero ? one : zero;
-  }
-  return {sumOf(sum), sumOf(clipped)};
-}
-
-void chord(int size, double scale, const double* p, const double* trial, double* d)
-{
-  for (int i = 0; i < size; i += kWidth)
-  {
-    store(d + i, scale * load(trial + i) - load(p + i));
-  }
-}
-
-StepSums stepSums(int size, const double* p, const double* r, const double* d, const double* q)
+double trial(int size, const TrialStep& step, const double* r, const double* p, const double* z, const double* last,
+             double* out)
 {
   const Register zero = {};
-  Register r_d = zero, d_q = zero, fall = zero;
+  Register sum = zero;
   for (int i = 0; i < size; i += kWidth)
   {
-    const Register direction = load(d + i), pressure = load(p + i);
-    r_d += load(r + i) * direction;
-    d_q += direction * load(q + i);
-    const Register ratio = direction < zero ? -direction / pressure : zero;
-    fall = ratio > fall ? ratio : fall;
+    const Register direction = load(z + i) - step.shift + step.beta * load(last + i);
+    const Register moved = load(p + i) + (load(r + i) != zero ? step.length * direction : zero);
+    const Register kept = moved > zero ? moved : zero;
+    store(out + i, kept);
+    sum += kept;
   }
-  return {sumOf(r_d), sumOf(d_q), maxOf(fall)};
+  return sumOf(sum);
 }
 
-constexpr LaneKernels kKernels = {kName,     multiply, fold,     unfold,    sum,     scale, dot,   countBelow,
-                                  rootDepth, advance,  residual, maskedSum, project, trial, chord, stepSums};
+double chord(int size, double scale, const double* r, const double* p, double* trial)
+{
+  Register slope = {};
+  for (int i = 0; i < size; i += kWidth)
+  {
+    const Register step = scale * load(trial + i) - load(p + i);
+    store(trial + i, step);
+    slope += load(r + i) * step;
+  }
+  return sumOf(slope);
+}
+
+StepSums stepSums(int size, const double* p, const double* s, const double* q)
+{
+  const Register zero = {};
+  Register s_q = zero, fall = zero;
+  for (int i = 0; i < size; i += kWidth)
+  {
+    const Register step = load(s + i);
+    s_q += step * load(q + i);
+    const Register ratio = step < zero ? -step / load(p + i) : zero;
+    fall = ratio > fall ? ratio : fall;
+  }
+  return {sumOf(s_q), maxOf(fall)};
+}
+
+constexpr LaneKernels kKernels = {kName,     multiply, fold,     unfold,     sum,   scale, dot,     countBelow,
+                                  rootDepth, advance,  residual, maskedSums, trial, chord, stepSums};

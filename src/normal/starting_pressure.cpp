@@ -11,7 +11,8 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Steps of the search for the level of interpenetration; the guess needs no more.
+/// Steps of the search for the level of interpenetration; the guess needs no
+/// more.
 constexpr int kHalvings = 12;
 
 bool isLoadControlled(const NormalProblem& problem)
@@ -26,8 +27,9 @@ double equivalentRadius(const PatchLayout& patch, const LaneBuffer& gap, double 
   return std::sqrt(cells * patch.grid.cellArea() / kPi);
 }
 
-/// Load that circular Hertz contacts of the patches' areas of interpenetration would carry [N], `level` being half the
-/// approach: F = 4/3 E* a delta (Johnson 1985, eq. 4.22 to 4.24).
+/// Load that circular Hertz contacts of the patches' areas of interpenetration
+/// would carry [N], `level` being half the approach: F = 4/3 E* a delta
+/// (Johnson 1985, eq. 4.22 to 4.24).
 double loadAt(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
               double level)
 {
@@ -68,13 +70,37 @@ double levelForLoad(const NormalProblem& problem, const std::vector<PatchLayout>
   return high;
 }
 
-void scaleToLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, LaneBuffer& pressure)
+void scaleToLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, LaneBuffer& pressure,
+                 LaneBuffer* displacement)
 {
   const double factor = problem.value / loadOf(patches, pressure);
   for (const PatchLayout& patch : patches)
   {
     laneKernels().scale(patch.size, factor, pressure.data() + patch.begin);
+    if (displacement)
+    {
+      laneKernels().scale(patch.size, factor, displacement->data() + patch.begin);
+    }
   }
+}
+
+bool hasShape(const Eigen::ArrayXXd& values, const Grid& grid)
+{
+  return values.rows() == grid.rows() && values.cols() == grid.ny;
+}
+
+/// Copies the displacement of an earlier solution on cells of the same aspect;
+/// false if it is not the pressure's.
+bool copyDisplacement(const PatchLayout& patch, const PatchPressure& earlier, const LaneBuffer& pressure,
+                      LaneBuffer& displacement)
+{
+  if (!hasShape(earlier.displacement, patch.grid) || !(earlier.grid.dy > 0))
+  {
+    return false;
+  }
+  // The same pressures on cells of another size displace in proportion.
+  toField(patch, patch.grid.dy / earlier.grid.dy, earlier.displacement, displacement);
+  return patch.influence->isProduct(pressure.data() + patch.begin, displacement.data() + patch.begin);
 }
 }  // namespace
 
@@ -88,43 +114,45 @@ double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressur
   return load;
 }
 
-bool warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,
-               LaneBuffer& pressure)
+Start warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,
+                LaneBuffer& pressure, LaneBuffer& displacement)
 {
+  bool complete = true;
   for (std::size_t k = 0; k < patches.size(); ++k)
   {
-    const Eigen::ArrayXXd& known = earlier.patches[k].pressure;
-    const Grid& grid = patches[k].grid;
-    if (known.rows() != grid.rows() || known.cols() != grid.ny || !(known.minCoeff() >= 0))
+    const PatchPressure& known = earlier.patches[k];
+    if (!hasShape(known.pressure, patches[k].grid) || !(known.pressure.minCoeff() >= 0))
     {
-      return false;
+      return Start::none;
     }
-    toField(patches[k], 1 / patches[k].stiffness, known, pressure);
+    toField(patches[k], 1 / patches[k].stiffness, known.pressure, pressure);
+    complete = complete && copyDisplacement(patches[k], known, pressure, displacement);
   }
   const double load = loadOf(patches, pressure);
   if (!(load > 0) || !std::isfinite(load))
   {
-    return false;
+    return Start::none;
   }
   if (isLoadControlled(problem))
   {
-    scaleToLoad(problem, patches, pressure);
+    scaleToLoad(problem, patches, pressure, complete ? &displacement : nullptr);
   }
-  return true;
+  return complete ? Start::complete : Start::pressure;
 }
 
-bool coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
-               LaneBuffer& pressure)
+Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
+                LaneBuffer& pressure)
 {
   const double first = firstTouch(patches);
   const double level = isLoadControlled(problem) ? levelForLoad(problem, patches, gap) : 0.5 * (first + problem.value);
   if (!(level > first))
   {
-    return false;
+    return Start::none;
   }
   for (const PatchLayout& patch : patches)
   {
-    // Hertz: p = 4 E* / (pi a) sqrt(depth of the deepest point) sqrt(depth), depths below half the approach.
+    // Hertz: p = 4 E* / (pi a) sqrt(depth of the deepest point) sqrt(depth),
+    // depths below half the approach.
     const double own_level = patch.weight * level;
     const double depth = std::max(own_level - patch.least_gap, 0.0);
     const double radius = equivalentRadius(patch, gap, own_level);
@@ -135,8 +163,8 @@ bool coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& pat
   }
   if (isLoadControlled(problem))
   {
-    scaleToLoad(problem, patches, pressure);
+    scaleToLoad(problem, patches, pressure, nullptr);
   }
-  return true;
+  return Start::pressure;
 }
 }  // namespace wheel_rail_contact

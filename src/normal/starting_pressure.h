@@ -10,13 +10,23 @@ namespace wheel_rail_contact
 /// Load of a pressure field [N], counted by the patches' weights.
 double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure);
 
-/// Takes over the pressure of an earlier solution, scaled to the load where that is given.
-/// Returns false (and leaves `pressure` undefined) if its shapes differ or it holds no pressure.
-bool warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,
-               LaneBuffer& pressure);
+/// What a start found.
+enum class Start
+{
+  none,      ///< nothing to start from
+  pressure,  ///< pressure only
+  complete   ///< pressure and its displacement
+};
 
-/// A first pressure from the gap: proportional to the root of the interpenetration at half the approach, as in a
-/// circular Hertz contact, where that is exact. Returns false if, at a given approach, nothing touches.
-bool coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
-               LaneBuffer& pressure);
+/// Takes over the pressure of an earlier solution, scaled to the load where
+/// that is given, and its displacement if that still belongs to it (same aspect
+/// of the cells).
+Start warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,
+                LaneBuffer& pressure, LaneBuffer& displacement);
+
+/// A first pressure from the gap: proportional to the root of the
+/// interpenetration at half the approach, as in a circular Hertz contact, where
+/// that is exact. None if, at a given approach, nothing touches.
+Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
+                LaneBuffer& pressure);
 }  // namespace wheel_rail_contact
