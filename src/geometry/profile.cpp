@@ -17,11 +17,11 @@ CurvePoint evaluate(const LineSection& line, double t)
 
 CurvePoint evaluate(const ArcSection& arc, double t)
 {
-  const double phi = arc.angle + arc.turn * t / arc.radius;
+  const double bend = 1.0 / arc.radius;
+  const double phi = arc.angle + arc.turn * t * bend;
   const double c = std::cos(phi);
   const double s = std::sin(phi);
-  return {arc.yc + arc.radius * c, arc.zc + arc.radius * s, -arc.turn * s, arc.turn * c,
-          -c / arc.radius,         -s / arc.radius};
+  return {arc.yc + arc.radius * c, arc.zc + arc.radius * s, -arc.turn * s, arc.turn * c, -c * bend, -s * bend};
 }
 
 /// Horner's scheme for a polynomial and its first two derivatives.

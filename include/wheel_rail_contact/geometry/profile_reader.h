@@ -33,8 +33,7 @@ class ProfileError : public std::runtime_error
   std::string reason_;
 };
 
-/// Standard deviation across the curve assumed for MiniProf measurements unless another is given [m]: half the accuracy
-/// of about 10 um that the instrument's maker states.
+/// Standard deviation across the curve assumed for MiniProf measurements unless another is given [m].
 constexpr double miniprof_noise = 5e-6;
 
 /// A standard profile by name, or a profile from a file by path.
@@ -46,18 +45,17 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind);
 
 /// Profile from a file; the format follows from the extension (upper or lower case):
 ///
-/// * Simpack `.prw` (wheel), `.prr` (rail): z down, y to the field side after the file's own edits. These are made in
-/// the
-///   order in which Simpack numbers them: 1 point.dist.min, 2 shift, 3 rotate (about x, from y towards z), 4 bound
-///   (points outside are left out; min > max switches it off), 5 mirror, 6 inversion, 7 units. A third column is the
-///   point's weight; points of weight 0 are left out. approx.smooth, whose meaning Simpack does not publish, is taken
-///   as the noise in the file's length unit.
+/// * Simpack `.prw` (wheel), `.prr` (rail): z down, y to the field side after the file's own edits. Their order is the
+///   one Simpack numbers: 1 point.dist.min, 2 shift, 3 rotate (about x, from y towards z), 4 bound (points outside are
+///   left out; min > max switches it off), 5 mirror, 6 inversion, 7 units. A third column is the point's weight; points
+///   of weight 0 are left out. approx.smooth, whose meaning is not public, is taken as the noise in the file's length
+///   unit.
 /// * MiniProf `.whl`, `.ban` (rail), in mm, as MiniProf for Windows writes them: key=value lines, then columns as
 ///   ColumnDef says. Wheel: X from the flange back to the field side, Y towards the flange tip; it is moved so that the
 ///   running circle, at X = WheelDiameterTaperline (70 mm if not stated), becomes the origin. Rail: Y up, X to the
-///   gauge side. (Greenwood publishes no description of these axes; they are those of the profiles of worn rails and
-///   wheels that come with CONTACT, and of the conversion programs of GENSYS.) Xoffset and Yoffset are added; a Tilt
-///   other than 0 is refused. Points where the measurement runs back by less than 1 mm are left out.
+///   gauge side. (These axes are inferred from the measured profiles of worn rails and wheels that come with CONTACT
+///   and from the conversion programs of GENSYS, not from a description by the maker.) Xoffset and Yoffset are added; a
+///   Tilt other than 0 is refused. Points where the measurement runs back by less than 1 mm are left out.
 /// * `.csv`: y to the field side, z up. The first line states columns and unit, `y_mm,z_mm` or `y_m,z_m`, with or
 ///   without a leading #; further lines that start with # are comments.
 ///

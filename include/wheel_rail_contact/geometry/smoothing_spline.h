@@ -22,7 +22,7 @@ constexpr double max_spline_noise = 1e-4;
 /// the polygon through the points. Weights play no part.
 ///
 /// Points of the standard profiles 0.25 mm apart give the profile back within 1e-7 mm and its curvature within 0.1 %;
-/// within about four points of a jump in curvature 1e-4 mm, and the jump itself is spread over two or three points.
+/// within about eight points of a jump in curvature 2e-4 mm, and the jump itself is spread over two or three points.
 ///
 /// @param points at least 4, along the curve, no two neighbours equal, the polygon through them at most 10 m long.
 /// @throw std::invalid_argument if the points break these rules.
@@ -31,7 +31,7 @@ std::vector<ProfileSection> interpolatingSpline(const std::vector<SampledPoint>&
 /// Smooth parametric cubic spline near noisy points, its parameter as above, its sections about 0.5 mm long.
 ///
 /// Cubic B-splines with a penalty on the third differences of the coefficients (Eilers and Marx, Flexible smoothing
-/// with B-splines and penalties, Statistical Science 11, 1996, eq. 10). The penalty is relaxed with the square of the
+/// with B-splines and penalties, Statistical Science 11, 1996). The penalty is relaxed with the square of the
 /// local curvature, found by a first fit with an even penalty, so that the flat crown or tread is smoothed over a
 /// longer length than a sharp corner. Its strength makes the mean square deviation noise² (Reinsch, Smoothing by spline
 /// functions, Numer. Math. 10, 1967).

@@ -5,7 +5,7 @@
 
 namespace wheel_rail_contact
 {
-/// Wheel S1002 (EN 13715:2020, annex B; UIC 510-2), flange height 28 mm, flange thickness 32.5 mm, built from its eight
+/// Wheel S1002 (EN 13715, UIC 510-2), flange height 28 mm, flange thickness 32.5 mm, built from its eight
 /// sections H G F E D C B A with the standard's own numbers, from the flange back (y = -70 mm) to y = +60 mm.
 ///
 /// The numbers are rounded in the standard, so its sections meet with steps: 0.118 um at y = -35 mm (polynomial C, arc
