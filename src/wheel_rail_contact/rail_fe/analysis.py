@@ -59,8 +59,8 @@ def solve(study, mesh_size, progress, deck_directory=None):
         heads = [Head(mesh, x, study.section.height - study.head_depth, study.section.height - REFERENCE_DEPTH)
                  for x in (0.0, *study.neighbours)]
         reported = np.unique(np.concatenate([mesh.plane_nodes(0, 0.0)] + [head.nodes for head in heads]))
-        model = Model(mesh, supports(study.supports, mesh, study.section, study.pads), _load_cases(study, mesh), reported,
-                      study.young, study.poisson)
+        holding = supports(study.supports, mesh, study.section, study.pads)
+        model = Model(mesh, holding, _load_cases(study, mesh), reported, study.young, study.poisson)
         write_deck(directory / "rail.inp", model, fields=deck_directory is not None)
         steps = calculix.solve(directory, "rail", len(model.cases),
                                lambda k: progress(f"solving load case {k} of {len(model.cases)}"))
@@ -81,12 +81,14 @@ def _mesh(study, size, directory):
 
 
 def _load_cases(study, mesh):
-    """Y at the reference height, Q on the axis, Q off the axis; the check load last."""
+    """Y at the reference height, Q on the axis, Q off the axis; last the check load, if it is another one."""
     section, surface = study.section, HeadSurface(mesh, study.section)
-    return [surface.lateral(section.gauge_face(section.height - REFERENCE_DEPTH), "Y at the reference height"),
-            surface.vertical(section.crown(), "Q on the axis"),
-            surface.vertical(section.crossing(0, ECCENTRICITY, 1), "Q off the axis"),
-            surface.lateral(section.gauge_face(study.check_height), f"Y at {study.check_height:g} m, the check load")]
+    cases = [surface.lateral(section.gauge_face(section.height - REFERENCE_DEPTH), "Y at the reference height"),
+             surface.vertical(section.crown(), "Q on the axis"),
+             surface.vertical(section.crossing(0, ECCENTRICITY, 1), "Q off the axis")]
+    if study.force_height is not None:
+        cases.append(surface.lateral(section.gauge_face(study.force_height), f"Y at {study.force_height:g} m"))
+    return cases
 
 
 def _displacements(step, mesh):
@@ -102,7 +104,7 @@ def _evaluate(study, model, heads, fields):
     own["lateral_roll"] = 0.5 * (lateral_roll + roll_lateral)
     for other in others:
         other["lateral_roll"] = 0.5 * (other["lateral_roll"] + other.pop("roll_lateral"))
-    check = study.force * fields[-1]
+    check = study.force * (fields[0] if study.force_height is None else fields[-1])
     crown = np.linalg.norm(model.mesh.nodes - [0, *study.section.points(study.section.crown())[0]], axis=1).argmin()
     return Solution(model.mesh, own, abs(lateral_roll - roll_lateral) / own["lateral_roll"], others,
                     3 * len(model.mesh.nodes) - model.supports.fixed_count(),

@@ -10,7 +10,7 @@ from . import calculix, gmsh_mesh
 from .analysis import COARSER, estimated_error, solve
 from .errors import RailError
 from .mesh import FACES
-from .picture import write_picture
+from .picture import pyplot, write_picture
 from .section import read_section
 from .study import Study
 from .supports import KINDS, Pads
@@ -36,8 +36,7 @@ def main(arguments=None):
 def _run(options, command):
     study = _study(options)
     study.validate()
-    gmsh_mesh.program()
-    calculix.program()
+    _check_what_is_needed(options)
     started = time.monotonic()
 
     def progress(text):
@@ -57,11 +56,22 @@ def _run(options, command):
     _report(study, fine, coarse)
 
 
+def _check_what_is_needed(options):
+    """Raises RailError for a missing program or folder before any time is spent."""
+    gmsh_mesh.program()
+    calculix.program()
+    for path in (options.out, options.picture):
+        if path and not path.parent.is_dir():
+            raise RailError(f"{path}: there is no folder {path.parent}")
+    if options.picture:
+        pyplot()
+
+
 def _report(study, fine, coarse):
     print("  ".join(f"{name} {value:.4e}" for name, value in fine.compliance.items()) + "  (SI)")
     print(f"estimated discretisation error {100 * estimated_error(fine, coarse):.2g} %")
-    print(f"{study.force / 1e3:g} kN outward at {1e3 * study.check_height:g} mm: crown {1e3 * fine.check_crown:.4f} mm, head "
-          f"rolls {1e3 * fine.check_roll:.3f} mrad")
+    print(f"{study.force / 1e3:g} kN outward at {1e3 * study.check_height:g} mm: crown {1e3 * fine.check_crown:.4f} mm, "
+          f"head rolls {1e3 * fine.check_roll:.3f} mrad")
 
 
 def _study(options):
@@ -75,16 +85,17 @@ def _study(options):
         neighbours = [distance for distance in NEIGHBOURS if pads and distance < 0.5 * length]
     return Study(section=read_section(options.section or shipped_section()), supports=options.supports, pads=pads,
                  length=length, young=options.young, poisson=options.poisson, element_type=options.element,
-                 mesh_size=options.mesh_size, neighbours=tuple(sorted(set(neighbours))), head_depth=options.head_depth,
-                 force=options.force, force_height=options.force_height)
+                 mesh_size=options.mesh_size, neighbours=tuple(sorted(set(neighbours))),
+                 head_depth=options.head_depth, force=options.force, force_height=options.force_height)
 
 
 def _pads(options):
     """Pads from the options that were given; None where the supports are no seats."""
-    given = {name: getattr(options, option) for option, name in PAD_OPTIONS.items() if getattr(options, option) is not None}
+    given = {name: getattr(options, option) for option, name in PAD_OPTIONS.items()}
+    given = {name: value for name, value in given.items() if value is not None}
     if options.supports != "seats":
         if given:
-            raise RailError(f"pad options ({', '.join(given)}) belong to --supports seats")
+            raise RailError("options of seats (pads, --spacing, --bays) belong to --supports seats")
         return None
     if "lateral" not in given or "vertical" not in given:
         raise RailError("--supports seats needs --pad-lateral and --pad-vertical")

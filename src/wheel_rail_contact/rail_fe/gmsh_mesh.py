@@ -50,33 +50,38 @@ def program():
 
 def version():
     """Version of gmsh."""
-    run = subprocess.run([program(), "--version"], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True)
+    run = subprocess.run([program(), "--version"], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                         check=True)
     return run.stdout.strip().splitlines()[-1]
 
 
 def _script(section, cuts, size, element_type):
-    """gmsh script: the section from splines through the outline, each meshed by two edges, extruded along x in layers.
+    """gmsh script: the section, extruded along x in layers."""
+    bricks = element_type == "C3D20"
+    layers = ", ".join(f"{share:.9g}" for share in cuts[1:] / cuts[-1])
+    ones = ", ".join(["1"] * (len(cuts) - 1))
+    lines = _outline_script(section, size) + ["Plane Surface(1) = {1};"] + ["Recombine Surface {1};"] * bricks
+    lines += [f"Extrude {{{cuts[-1]:.9g}, 0, 0}} {{ Surface{{1}}; Layers{{ {{{ones}}}, {{{layers}}} }};"
+              + (" Recombine; }" if bricks else " }")]
+    return SCRIPT_HEAD.format(incomplete=int(bricks)) + "\n".join(lines + ["Physical Volume(1) = {1};", ""])
+
+
+def _outline_script(section, size):
+    """The outline as a loop of splines, each meshed by two edges of about `size` [m].
 
     Two, because the full-quadrilateral recombination starts from a boundary of every second point.
     """
-    arcs, bricks = section.cuts(2 * size), element_type == "C3D20"
+    arcs = section.cuts(2 * size)
     lengths = np.diff(np.append(arcs, arcs[0] + section.perimeter))
-    n = len(arcs)
-    lines = [SCRIPT_HEAD.format(incomplete=int(bricks))]
-    shares = np.arange(SPLINE_PARTS) / SPLINE_PARTS
+    n, shares = len(arcs), np.arange(SPLINE_PARTS) / SPLINE_PARTS
+    lines = []
     for i, (y, z) in enumerate(section.points((arcs[:, None] + shares * lengths[:, None]).ravel())):
-        near = 0.25 * (lengths[i // SPLINE_PARTS] + lengths[(i - 1) // SPLINE_PARTS])
+        near = 0.25 * (lengths[i // SPLINE_PARTS] + lengths[i // SPLINE_PARTS - 1])
         lines.append(f"Point({i + 1}) = {{0, {y:.9g}, {z:.9g}, {near:.4g}}};")
     for i in range(n):
-        first = SPLINE_PARTS * i + 1
-        last = SPLINE_PARTS * ((i + 1) % n) + 1
+        first, last = SPLINE_PARTS * i + 1, SPLINE_PARTS * ((i + 1) % n) + 1
         lines.append(f"Spline({i + 1}) = {{{first}:{first + SPLINE_PARTS - 1}, {last}}};")
-    lines += [f"Transfinite Curve {{1:{n}}} = 3;", f"Curve Loop(1) = {{1:{n}}};", "Plane Surface(1) = {1};"]
-    lines += ["Recombine Surface {1};"] if bricks else []
-    layers = ", ".join(f"{share:.9g}" for share in cuts[1:] / cuts[-1])
-    lines += [f"Extrude {{{cuts[-1]:.9g}, 0, 0}} {{ Surface{{1}}; "
-              f"Layers{{ {{{', '.join(['1'] * (len(cuts) - 1))}}}, {{{layers}}} }};{' Recombine;' if bricks else ''} }}"]
-    return "\n".join(lines + ["Physical Volume(1) = {1};", ""])
+    return lines + [f"Transfinite Curve {{1:{n}}} = 3;", f"Curve Loop(1) = {{1:{n}}};"]
 
 
 def _read(path, element_type):

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .errors import RailError
+from .mesh import PLANE_TOLERANCE
 from .surface import FacePoints
 
 PATCH = 0.010            # side of the loaded square [m]: along the rail and along the outline
@@ -28,7 +29,7 @@ class HeadSurface:
     def __init__(self, mesh, section):
         faces = mesh.outer_faces()
         x = mesh.nodes[faces][:, :, 0]
-        faces = faces[(np.ptp(x, axis=1) > 0) & (x.min(axis=1) < 0.5 * PATCH)]
+        faces = faces[(np.ptp(x, axis=1) > PLANE_TOLERANCE) & (x.min(axis=1) < 0.5 * PATCH)]
         arc = section.project(mesh.nodes[faces][:, :, 1:].reshape(-1, 2)).reshape(faces.shape)
         whole = np.ptp(arc, axis=1) < 0.5 * section.perimeter  # not across the outline's first point
         self._points = FacePoints(mesh.nodes, faces[whole], DIVISIONS)

@@ -11,14 +11,14 @@ SHOWN_SHARE = 0.12  # the largest displacement is drawn at most this share of th
 
 def write_picture(path, study, solution):
     """PNG of the section at the load, deformed and undeformed. Raises RailError if matplotlib is missing."""
-    pyplot = _pyplot()
+    plot = pyplot()
     faces = solution.mesh.plane_faces(0, 0.0)
     place, move = solution.mesh.nodes[:, 1:], solution.check[:, 1:]
     size = np.linalg.norm(move, axis=1)
     factor = _round_factor(SHOWN_SHARE * study.section.height / size[faces].max())
     triangles = faces[:, SUBTRIANGLES[faces.shape[1]]].reshape(-1, 3)
     shown = 1e3 * (place + factor * move)
-    figure, axes = pyplot.subplots(figsize=(6.4, 6.8))
+    figure, axes = plot.subplots(figsize=(6.4, 6.8))
     colours = axes.tripcolor(*shown.T, triangles, 1e3 * size, shading="gouraud", cmap="viridis")
     _draw_edges(axes, shown, faces)
     outline = 1e3 * np.vstack([study.section.outline, study.section.outline[:1]])
@@ -30,17 +30,18 @@ def write_picture(path, study, solution):
     figure.colorbar(colours, label="displacement [mm]", shrink=0.8)
     figure.tight_layout()
     figure.savefig(path, dpi=130)
-    pyplot.close(figure)
+    plot.close(figure)
 
 
-def _pyplot():
+def pyplot():
+    """matplotlib's pyplot, drawing to files only; raises RailError if it is not installed."""
     try:
         import matplotlib
+        matplotlib.use("Agg")
+        from matplotlib import pyplot as plot
     except ImportError as error:
         raise RailError("matplotlib is not installed; on Debian: apt install python3-matplotlib") from error
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    return pyplot
+    return plot
 
 
 def _draw_edges(axes, shown, faces):

@@ -37,11 +37,12 @@ class Study:
         _demand(self.mesh_size <= 0.25 * self.section.height,
                 f"--mesh-size is {self.mesh_size:g} m: must be at most a quarter of the section's height "
                 f"({self.section.height:g} m)")
-        _demand(self.head_depth < self.section.height,
-                f"--head-depth is {self.head_depth:g} m: must be less than the section's height")
+        _demand(self.head_depth <= self.section.height,
+                f"--head-depth is {self.head_depth:g} m: must be at most the section's height")
         _demand(self.supports not in ENDS or self.length >= self.section.height,
                 f"--length is {self.length:g} m: with held ends must be at least the section's height")
-        _demand((self.pads is not None) == (self.supports == "seats"), "pads belong to --supports seats, and only to it")
+        _demand((self.pads is not None) == (self.supports == "seats"),
+                "pads belong to --supports seats, and only to it")
         self._validate_neighbours()
         if self.pads:
             self._validate_pads()
@@ -49,8 +50,8 @@ class Study:
     def _validate_neighbours(self):
         _demand(not self.neighbours or self.pads, "--neighbours belongs to --supports seats")
         for distance in self.neighbours:
-            _demand(0 < distance < 0.5 * self.length, f"--neighbours has {distance:g} m: must be above 0 and below half "
-                    f"the rail's length ({0.5 * self.length:g} m)")
+            _demand(0 < distance < 0.5 * self.length, f"--neighbours has {distance:g} m: must be above 0 and below "
+                    f"half the rail's length ({0.5 * self.length:g} m)")
 
     def _validate_pads(self):
         pads = self.pads

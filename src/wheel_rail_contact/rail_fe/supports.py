@@ -20,13 +20,14 @@ class Pads:
     """
     lateral: float           # stiffness of a seat [N/m]
     vertical: float          # stiffness of a seat [N/m]
-    roll: float = None       # stiffness of a seat about the rail's axis [N m/rad]; None: the vertical one spread evenly under the foot
+    roll: float = None       # stiffness of a seat about the rail's axis [N m/rad]; None: see roll_stiffness
     spacing: float = 0.6     # of the seats [m]
-    bays: int = 12
+    bays: int = 20
     seat_length: float = 0.15  # along the rail [m]
 
     def roll_stiffness(self, section):
-        """Stiffness of a seat about the rail's axis [N m/rad]."""
+        """Stiffness of a seat about the rail's axis [N m/rad]; if not given, that of the vertical stiffness spread
+        evenly under the flat of the foot."""
         return self.vertical * section.foot_width() ** 2 / 12 if self.roll is None else self.roll
 
     def centres(self):
@@ -49,7 +50,8 @@ class Supports:
 
     def fixed_count(self):
         """Number of fixed degrees of freedom."""
-        return len({(node, freedom) for nodes, freedoms in self.fixed.values() for node in nodes for freedom in freedoms})
+        return len({(node, freedom) for nodes, freedoms in self.fixed.values()
+                    for node in nodes for freedom in freedoms})
 
 
 def supports(kind, mesh, section, pads=None):
@@ -68,8 +70,8 @@ def supports(kind, mesh, section, pads=None):
 
 
 def _seat_springs(mesh, section, pads):
-    """Springs of all seats: lateral ones alike per area, vertical ones so that their roll stiffness is right too."""
-    springs = []
+    """Springs of all seats: lateral ones alike per area, vertical ones so that their roll stiffness is right."""
+    springs, roll = [], pads.roll_stiffness(section)
     faces = mesh.plane_faces(2, 0.0)
     x = mesh.nodes[faces][:, :, 0]
     for centre in pads.centres():
@@ -77,9 +79,10 @@ def _seat_springs(mesh, section, pads):
         area = _nodal_area(mesh.nodes, faces[inside.all(axis=1)])
         nodes = np.flatnonzero(area)
         whole = 0.5 if centre == 0 else 1.0  # the plane of symmetry halves a seat under the load
-        vertical = _vertical_springs(mesh.nodes[nodes, 1], area[nodes], pads.vertical, pads.roll_stiffness(section)) * whole
+        vertical = _vertical_springs(mesh.nodes[nodes, 1], area[nodes], pads.vertical, roll) * whole
         lateral = area[nodes] * (pads.lateral * whole / area.sum())
-        springs += [(node, 2, k) for node, k in zip(nodes, lateral)] + [(node, 3, k) for node, k in zip(nodes, vertical)]
+        springs += [(node, 2, k) for node, k in zip(nodes, lateral)]
+        springs += [(node, 3, k) for node, k in zip(nodes, vertical)]
     return springs
 
 
@@ -94,8 +97,8 @@ def _nodal_area(nodes, faces):
 
 
 def _vertical_springs(y, area, vertical, roll):
-    """Stiffness [N/m] of springs at y [m] on the areas [m^2]: a + b y^2 per area, with the seat's vertical [N/m] and roll
-    [N m/rad] stiffness as sums. Raises RailError if that would need a negative spring."""
+    """Stiffness [N/m] of springs at y [m] on the areas [m^2]: a + b y^2 per area, with the seat's vertical [N/m] and
+    roll [N m/rad] stiffness as sums. Raises RailError if that would need a negative spring."""
     moments = [np.sum(area * y**power) for power in (0, 2, 4)]
     level, bend = np.linalg.solve([moments[:2], moments[1:]], [vertical, roll])
     stiffness = area * (level + bend * y**2)
@@ -103,6 +106,6 @@ def _vertical_springs(y, area, vertical, roll):
         edge = np.abs(y).max()
         limits = [vertical * (moments[1] * edge**2 - moments[2]) / (moments[0] * edge**2 - moments[1]),
                   vertical * moments[2] / moments[1]]
-        raise RailError(f"--pad-roll is {roll:g} N m/rad: with a vertical stiffness of {vertical:g} N/m under this foot it "
-                        f"must lie between {limits[0]:.4g} and {limits[1]:.4g}")
+        raise RailError(f"--pad-roll is {roll:g} N m/rad: with a vertical stiffness of {vertical:g} N/m under this "
+                        f"foot it must lie between {limits[0]:.4g} and {limits[1]:.4g}")
     return stiffness

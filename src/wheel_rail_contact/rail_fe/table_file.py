@@ -10,11 +10,12 @@ from .loads import REFERENCE_DEPTH
 HEAD = """\
 # Compliance of one rail's head under a wheel, as the contact node reads it (SI units, upright rail's own axes).
 #
-#   [lateral; roll] = [[lateral_lateral, lateral_roll], [lateral_roll, roll_roll]] [Y; M],  vertical = -vertical_vertical Q
+#   [lateral; roll] = [[lateral_lateral, lateral_roll], [lateral_roll, roll_roll]] [Y; M]
+#   vertical = -vertical_vertical Q
 #
-# Y [N] lateral force, outward (field side) positive; Q [N] vertical force, down positive; M [N m] moment of both about the
-# reference point, outward roll positive. The reference point lies on the rail's axis, reference_depth below the crown;
-# lateral [m] is positive outward, vertical [m] up, roll [rad] turns the crown outward. Small displacements, linear.
+# Y [N] lateral force, outward (field side) positive; Q [N] vertical force, down positive; M [N m] moment of both about
+# the reference point, outward roll positive. The reference point lies on the rail's axis, reference_depth below the
+# crown; lateral [m] is positive outward, vertical [m] up, roll [rad] turns the crown outward. Small displacements.
 #
 # Schema (every key below is required, no other is allowed, numbers are finite unless said):
 #   name                 string
@@ -25,7 +26,7 @@ HEAD = """\
 #   vertical_vertical    [m/N]        displacement down per Q, > 0
 #   linear_range_lateral_to_vertical  largest |Y|/Q for which the table holds, > 0; .inf: no limit
 #   neighbours           list, may be empty, distances strictly rising: influence of a force on the same rail at
-#                        `distance` [m] along it, with the same four compliances (symmetric in the two places; any sign)
+#                        `distance` [m] along it, by the same four compliances (any sign)
 #   provenance           map of how the numbers came about; for readers, not for the node
 """
 UNITS = {"lateral_lateral": "m/N", "lateral_roll": "rad/N", "roll_roll": "rad/(N m)", "vertical_vertical": "m/N"}
