@@ -37,7 +37,7 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
   problem_ = &problem;
   load_controlled_ = problem.control == NormalProblem::Control::load;
   approach_ = problem.value;
-  const int length = layOut(problem, cache, patches_);
+  const int length = layOut(problem, &cache, patches_);
   for (LaneBuffer* field : {&p_, &u_, &gap_, &r_, &z_, &s_, &last_, &q_})
   {
     field->resize(length);

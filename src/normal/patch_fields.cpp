@@ -34,17 +34,18 @@ bool isValid(const NormalProblem& problem)
   return valid;
 }
 
-int layOut(const NormalProblem& problem, OperatorCache& cache, std::vector<PatchLayout>& patches)
+int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches)
 {
   patches.resize(problem.patches.size());
   int length = 0;
   for (std::size_t k = 0; k < patches.size(); ++k)
   {
     PatchLayout& patch = patches[k];
-    patch.grid = problem.patches[k].grid;
-    patch.influence = cache.find(patch.grid.nx, patch.grid.ny, patch.grid.symmetric, patch.grid.dx / patch.grid.dy);
+    const Grid& grid = problem.patches[k].grid;
+    patch.grid = grid;
+    patch.influence = cache ? cache->find(grid.nx, grid.ny, grid.symmetric, grid.dx / grid.dy) : nullptr;
     patch.begin = length;
-    patch.size = patch.influence->fieldSize();
+    patch.size = cache ? patch.influence->fieldSize() : roundUpToLanes(grid.rows() * grid.ny);
     patch.weight = problem.patches[k].weight;
     patch.stiffness = kPi * problem.modulus / patch.grid.dy;
     patch.force = patch.stiffness * patch.grid.cellArea();
@@ -56,7 +57,13 @@ int layOut(const NormalProblem& problem, OperatorCache& cache, std::vector<Patch
 
 void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field)
 {
-  const int rows = patch.grid.rows(), columns = patch.grid.ny, middle = patch.influence->middleColumn();
+  const int rows = patch.grid.rows(), columns = patch.grid.ny;
+  if (!patch.influence)
+  {
+    Eigen::Map<Eigen::ArrayXXd>(field.data() + patch.begin, rows, columns) = factor * values;
+    return;
+  }
+  const int middle = patch.influence->middleColumn();
   for (int row = 0; row < rows; ++row)
   {
     const double* from = values.data() + row;
@@ -75,8 +82,14 @@ void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& val
 
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values)
 {
-  const int rows = patch.grid.rows(), columns = patch.grid.ny, middle = patch.influence->middleColumn();
+  const int rows = patch.grid.rows(), columns = patch.grid.ny;
+  if (!patch.influence)
+  {
+    values = factor * Eigen::Map<const Eigen::ArrayXXd>(field.data() + patch.begin, rows, columns);
+    return;
+  }
   values.resize(rows, columns);
+  const int middle = patch.influence->middleColumn();
   for (int row = 0; row < rows; ++row)
   {
     double* to = values.data() + row;

@@ -17,7 +17,7 @@ namespace wheel_rail_contact
 /// operator's product with it is the displacement [m] itself.
 struct PatchLayout
 {
-  std::shared_ptr<const InfluenceOperator> influence;
+  std::shared_ptr<const InfluenceOperator> influence;  ///< null: cells in the order of the gap arrays
   Grid grid;
   int begin = 0, size = 0;  ///< range in the arrays
   double weight = 1;        ///< share of the approach and of the load [-]
@@ -33,8 +33,9 @@ constexpr double kNoSurface = 1e300;
 /// modulus and value in range.
 bool isValid(const NormalProblem& problem);
 
-/// Lays out the patches one after another; returns the arrays' length.
-int layOut(const NormalProblem& problem, OperatorCache& cache, std::vector<PatchLayout>& patches);
+/// Lays out the patches one after another: with a cache in their operators' order of cells, without one in that of the
+/// gap arrays. Returns the arrays' length.
+int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches);
 
 /// Writes factor * values into the patch's cells of a field; padding stays as
 /// it is.

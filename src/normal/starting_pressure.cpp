@@ -42,17 +42,6 @@ double loadAt(const NormalProblem& problem, const std::vector<PatchLayout>& patc
   return load;
 }
 
-/// Common approach at which anything touches [m].
-double firstTouch(const std::vector<PatchLayout>& patches)
-{
-  double level = std::numeric_limits<double>::infinity();
-  for (const PatchLayout& patch : patches)
-  {
-    level = std::min(level, patch.least_gap / patch.weight);
-  }
-  return level;
-}
-
 /// Half the approach that carries the load [m].
 double levelForLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap)
 {
@@ -94,7 +83,7 @@ bool hasShape(const Eigen::ArrayXXd& values, const Grid& grid)
 bool copyDisplacement(const PatchLayout& patch, const PatchPressure& earlier, const LaneBuffer& pressure,
                       LaneBuffer& displacement)
 {
-  if (!hasShape(earlier.displacement, patch.grid) || !(earlier.grid.dy > 0))
+  if (!patch.influence || !hasShape(earlier.displacement, patch.grid) || !(earlier.grid.dy > 0))
   {
     return false;
   }
@@ -103,6 +92,21 @@ bool copyDisplacement(const PatchLayout& patch, const PatchPressure& earlier, co
   return patch.influence->isProduct(pressure.data() + patch.begin, displacement.data() + patch.begin);
 }
 }  // namespace
+
+double firstTouch(const std::vector<PatchLayout>& patches)
+{
+  double level = std::numeric_limits<double>::infinity();
+  for (const PatchLayout& patch : patches)
+  {
+    level = std::min(level, patch.least_gap / patch.weight);
+  }
+  return level;
+}
+
+double approachForLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap)
+{
+  return 2 * levelForLoad(problem, patches, gap) - firstTouch(patches);
+}
 
 double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure)
 {

@@ -10,6 +10,13 @@ namespace wheel_rail_contact
 /// Load of a pressure field [N], counted by the patches' weights.
 double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure);
 
+/// Common approach at which anything touches [m].
+double firstTouch(const std::vector<PatchLayout>& patches);
+
+/// Rough approach that carries the load [m]: that of circular Hertz contacts with the patches' areas of
+/// interpenetration at half of it. `gap` holds the patches' cells in any order.
+double approachForLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap);
+
 /// What a start found.
 enum class Start
 {

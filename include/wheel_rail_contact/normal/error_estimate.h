@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "wheel_rail_contact/normal/problem.h"
+
+namespace wheel_rail_contact
+{
+/// Estimated relative errors of one patch of a solution [-], all >= 0.
+struct ErrorEstimate
+{
+  double max_pressure = 0;
+  double area = 0;
+  double approach = 0;  ///< of the patch's own approach, from its first touch on
+
+  double largest() const;
+};
+
+/// What a solution on a grid shows of its own mesh error: the estimates are sums of these, each times its weight.
+///
+/// Along the lines of cells through the highest cell, let q be the squared pressure over its maximum (a parabola in a
+/// Hertz contact), and k the second differences of the gap across. Lengths are counted in cells.
+struct ErrorTerms
+{
+  /// Of max_pressure: bend of q at the crest, along plus across · third differences of q beside it, along plus across ·
+  /// square of the jumps of k, weighted by 1 / (distance from the crest + 1/2)², as a pressure over the maximum · one
+  /// cell of the area.
+  std::array<double, 4> max_pressure{};
+  /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded) over
+  /// the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over the
+  /// maximum, per cell of the area · variation of k over its mean and (cells across)² · residual.
+  std::array<double, 6> area{};
+  /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
+  std::array<double, 3> approach{};
+};
+
+/// Terms of a patch that carries pressure. `residual` is the solution's, over the patch's own approach.
+ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double modulus, double residual);
+
+/// Weights of the terms.
+struct ErrorWeights
+{
+  std::array<double, 4> max_pressure{};
+  std::array<double, 6> area{};
+  std::array<double, 3> approach{};
+};
+
+/// The weights in use.
+const ErrorWeights& gridErrorWeights();
+
+/// Errors that mesh and algebra leave in patch `patch` of a usable solution by any method that puts pressure on the
+/// grid's cells; zero for a patch without pressure.
+///
+/// Weights were fitted to random contacts, each against the same one on a grid four times finer each way, so that the
+/// largest of the three is at least the true one in 97.5 % of them; test/calibration does that again and prints the
+/// table. In several patches, one patch's error of approach shifts the load to the others: with Hertz's laws (maximum ~
+/// approach^1/2, area ~ approach) that is added in.
+ErrorEstimate estimateGridError(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "gap_scenes.h"
+#include "wheel_rail_contact/balance/wheelset_balance.h"
+#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "wheel_rail_contact/normal/error_estimate.h"
+
+/// Solutions of random scenes with their true errors: the same scene on a grid four times finer each way.
+namespace wheel_rail_contact::scenes
+{
+/// One patch.
+struct ErrorSample
+{
+  const char* kind = "";
+  GridSize size;
+  bool alone = false;  ///< the only patch of its problem
+  ErrorTerms terms;
+  ErrorEstimate estimate;
+  ErrorEstimate error;  ///< true
+};
+
+constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each way
+
+/// Grids in use, coarse to fine.
+constexpr std::array<GridSize, 9> grids{
+    {{4, 16}, {8, 16}, {8, 24}, {8, 32}, {16, 32}, {16, 48}, {16, 64}, {32, 64}, {32, 128}}};
+
+inline ConjugateGradientsOptions strictOptions()
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-6;
+  options.max_products = 1000;
+  return options;
+}
+
+/// Fills terms and estimate. `own_approach` is the patch's own [m].
+inline ErrorSample describe(const char* kind, const NormalProblem& problem, const NormalSolution& solution,
+                            std::size_t patch, double own_approach)
+{
+  ErrorSample sample;
+  sample.kind = kind;
+  sample.size = {problem.patches[patch].grid.nx, problem.patches[patch].grid.ny};
+  sample.alone = problem.patches.size() == 1;
+  const double residual = solution.residual * (sample.alone ? 1 : solution.approach / own_approach);
+  sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
+  sample.estimate = estimateGridError(problem, solution, patch);
+  return sample;
+}
+
+inline ErrorEstimate relativeErrors(const PatchPressure& found, double found_approach, const PatchPressure& truth,
+                                    double true_approach)
+{
+  return {std::abs(found.max_pressure / truth.max_pressure - 1), std::abs(found.area / truth.area - 1),
+          std::abs(found_approach / true_approach - 1)};
+}
+
+/// Solves gap scenes.
+class GapSampler
+{
+ public:
+  GapSampler() : truth_(strictOptions()) {}
+
+  /// Adds a sample for every patch; false if the scene has no usable truth (a patch without pressure, or no box found).
+  bool sample(const GapScene& scene, const GridSize& size, Random& random, std::vector<ErrorSample>& samples)
+  {
+    problem_.modulus = modulus;
+    problem_.value = scene.load;
+    problem_.patches.resize(scene.patches.size());
+    for (PatchGap& patch : problem_.patches)
+    {
+      patch.grid = {16, 48, 1e-3, 4e-4, -0.5 * 47 * 4e-4, scene.even};
+    }
+    if (!findBoxes(scene))
+    {
+      return false;
+    }
+    ConjugateGradientsOptions options;
+    options.residual = spread(random, 1e-5, 1e-3);
+    ConjugateGradients solver(options);
+    for (PatchGap& patch : problem_.patches)
+    {
+      patch.grid = looser(random, patch.grid, size);
+    }
+    fill(scene);
+    solver.solve(problem_, false, found_);
+    const NormalProblem coarse = problem_;
+    for (PatchGap& patch : problem_.patches)
+    {
+      patch.grid = refined(patch.grid, finer);
+    }
+    fill(scene);
+    truth_.solve(problem_, false, true_);
+    return found_.status == SolveStatus::converged && true_.status == SolveStatus::converged &&
+           add(scene, coarse, samples);
+  }
+
+ private:
+  static constexpr double modulus = 1.14e11;  ///< steel on steel [Pa]
+  static constexpr int most_boxes = 12;
+
+  void fill(const GapScene& scene)
+  {
+    for (std::size_t k = 0; k < scene.patches.size(); ++k)
+    {
+      scenes::sample(scene.patches[k], problem_.patches[k]);
+    }
+  }
+
+  /// Lays grids around the pressure until they hold all of it closely.
+  bool findBoxes(const GapScene& scene)
+  {
+    for (int attempt = 0; attempt < most_boxes; ++attempt)
+    {
+      fill(scene);
+      boxer_.solve(problem_, false, found_);
+      bool hold = found_.status == SolveStatus::converged;
+      for (std::size_t k = 0; hold && k < problem_.patches.size(); ++k)
+      {
+        if (!(found_.patches[k].force > 0))
+        {
+          return false;
+        }
+        hold = layBox(found_.patches[k], problem_.patches[k].grid) && hold;
+      }
+      if (hold)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Lays a grid over the pressure found on it; true if it fitted already.
+  static bool layBox(const PatchPressure& patch, Grid& grid)
+  {
+    const PressureExtent extent = findExtent(grid, patch.pressure);
+    const double width = extent.y_end - extent.y_begin;
+    const double begin = extent.y_begin - (extent.cutBegin(grid) ? 0.4 * width : 0);
+    const double end = extent.y_end + (extent.cutEnd(grid) ? 0.4 * width : 0);
+    const double length = 2 * extent.half_length * (extent.cutLength(grid) ? 1.4 : 1);
+    const bool fits = !extent.cut(grid) && width > 0.6 * grid.ny * grid.dy && length > 0.6 * grid.nx * grid.dx;
+    grid = covering(grid, length, 0.5 * (begin + end), end - begin, {grid.nx, grid.ny});
+    return fits;
+  }
+
+  static Grid covering(const Grid& like, double length, double middle, double width, const GridSize& size)
+  {
+    constexpr double margin = 1.1;
+    const aspect_ladder::Cell cell =
+        aspect_ladder::coveringCell(margin * length, margin * width, size.along, size.across);
+    return {size.along, size.across, cell.dx, cell.dy, middle - 0.5 * (size.across - 1) * cell.dy, like.symmetric};
+  }
+
+  /// As tight or as loose as boxes are in use, and moved by parts of a cell.
+  static Grid looser(Random& random, const Grid& tight, const GridSize& size)
+  {
+    const bool close = oneIn(random, 2);
+    const double looseness = close ? 1 : uniform(random, 1, 1.25);
+    const double length = tight.nx * tight.dx / 1.1 * looseness, width = tight.ny * tight.dy / 1.1 * looseness;
+    const double shift = (close ? 0.005 : 0.04) * uniform(random, -1, 1) * width;
+    return covering(tight, length, tight.y0 + 0.5 * (tight.ny - 1) * tight.dy + shift, width, size);
+  }
+
+  bool add(const GapScene& scene, const NormalProblem& coarse, std::vector<ErrorSample>& samples) const
+  {
+    for (const PatchPressure& patch : true_.patches)
+    {
+      if (!(patch.force > 0) || patch.touches_border)
+      {
+        return false;
+      }
+    }
+    for (std::size_t k = 0; k < coarse.patches.size(); ++k)
+    {
+      const double touch = problem_.patches[k].gap.minCoeff();
+      const double found_approach = found_.approach - touch, true_approach = true_.approach - touch;
+      if (!(found_.patches[k].force > 0))
+      {
+        return false;
+      }
+      ErrorSample sample = describe(scene.kind, coarse, found_, k, found_approach);
+      sample.error = relativeErrors(found_.patches[k], found_approach, true_.patches[k], true_approach);
+      samples.push_back(sample);
+    }
+    return true;
+  }
+
+  ConjugateGradients boxer_, truth_;
+  NormalProblem problem_;
+  NormalSolution found_, true_;
+};
+
+/// A wheelset S1002 on the benchmark's UIC60 or on 60E1.
+struct WheelsetScene
+{
+  ContactModelConfig config;
+  WheelsetState state;
+};
+
+inline WheelsetScene randomWheelsetScene(Random& random)
+{
+  static const auto wheel = std::make_shared<const Profile>(s1002Wheel());
+  static const auto rail_60e1 = std::make_shared<const Profile>(rail60E1());
+  static const auto rail_uic60 = std::make_shared<const Profile>(railUic60Manchester());
+  WheelsetScene scene;
+  scene.config.wheel_profile = wheel;
+  scene.config.rail_profile = oneIn(random, 2) ? rail_60e1 : rail_uic60;
+  scene.config.track.cant = oneIn(random, 2) ? 1.0 / 40 : 1.0 / 20;
+  scene.config.track.gauge = uniform(random, 1.43, 1.44);
+  scene.state.y = uniform(random, -7e-3, 7e-3);
+  scene.state.yaw = oneIn(random, 2) ? 0 : uniform(random, -0.02, 0.02);
+  scene.state.force_z = -2e3 * spread(random, 5, 150);
+  return scene;
+}
+
+/// Adds a sample for every patch of both wheels; false if the scene has no solution or other patches in its truth.
+inline bool sampleWheelset(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
+{
+  ContactModelConfig strict = scene.config;
+  strict.contact.tolerance = 1e-4;
+  ConjugateGradients solver;
+  static ConjugateGradients strict_solver(strictOptions());
+  WheelsetBalance balance(scene.config, solver, size);
+  WheelsetBalance truth(strict, strict_solver, {finer * size.along, finer * size.across});
+  if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
+  {
+    return false;
+  }
+  for (const Side side : {Side::left, Side::right})
+  {
+    const WheelContact &found = balance.wheel(side), &fine = truth.wheel(side);
+    for (std::size_t k = 0; k < found.patches().size() && found.patches().size() == fine.patches().size(); ++k)
+    {
+      const PatchPressure &pressure = found.solution().patches[k], &fine_pressure = fine.solution().patches[k];
+      const double weight = found.problem().patches[k].weight;
+      const double approach = weight * (found.descent() - found.patches()[k].touch_gap);
+      const double fine_approach = weight * (fine.descent() - fine.patches()[k].touch_gap);
+      if (pressure.force > 0 && fine_pressure.force > 0)
+      {
+        ErrorSample sample = describe("wheelset", found.problem(), found.solution(), k, approach);
+        sample.error = relativeErrors(pressure, approach, fine_pressure, fine_approach);
+        samples.push_back(sample);
+      }
+    }
+  }
+  return true;
+}
+}  // namespace wheel_rail_contact::scenes
