@@ -8,8 +8,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Place of the edge of a line with a single loaded cell: the middle of the
-/// range where just one is loaded.
+/// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
 constexpr double kLoneCell = 0.325;
 
 double straightEdge(double p1, double p2)
@@ -18,8 +17,7 @@ double straightEdge(double p1, double p2)
   return (1.07425 * outer - 0.17475 * p2) / (p2 - 0.42487 * outer);
 }
 
-/// The square between four neighbouring cell centres; `p` points to the one at
-/// its lowest row and column.
+/// The square between four neighbouring cell centres; `p` points to the one at its lowest row and column.
 class Square
 {
  public:
@@ -46,8 +44,7 @@ class Square
   const double* at(int i, int j) const { return p_ + i + j * column_; }
   bool loaded(int i, int j) const { return *at(i, j) > 0; }
 
-  /// Edge's distance from corner (i, j) along x (towards the other row) or
-  /// along y.
+  /// Edge's distance from corner (i, j) along x (towards the other row) or along y.
   double reach(int i, int j, bool along_x) const
   {
     const std::ptrdiff_t inward = along_x ? (i == 0 ? -1 : 1) : (j == 0 ? -column_ : column_);
@@ -67,8 +64,7 @@ class Square
     return 1 - 0.5 * (1 - reach(1 - i, j, true)) * (1 - reach(i, 1 - j, false));
   }
 
-  /// Two loaded neighbours: (0, side) and (1, side) with the edge along x, or
-  /// (side, 0) and (side, 1) along y.
+  /// Two loaded neighbours: (0, side) and (1, side) with the edge along x, or (side, 0) and (side, 1) along y.
   double strip(int di, int dj, int side) const
   {
     const bool edge_along_x = dj == 1;
@@ -88,8 +84,7 @@ double edgeDistance(double p1, double p2, double p3)
     return kLoneCell;
   }
   const double straight = straightEdge(p1, p2);
-  // Factor of the term distance^(3/2); the divisor is the value of the bracket
-  // for that term itself.
+  // Factor of the term distance^(3/2); the divisor is the value of the bracket for that term itself.
   const double bend = (p3 - 1.42487 * p2 + 0.26582 * p1) / 1.42;
   const double x1 = std::max(straight, 0.0), x2 = 1 + straight;
   return straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2));

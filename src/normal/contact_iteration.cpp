@@ -8,25 +8,21 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// A step along the chord to a trial point that was cut is rounded up to the
-/// whole chord if the energy allows: then the cut cells leave the contact at
-/// once. Any value above 1/2 keeps the energy falling.
+/// A step along the chord to a trial point that was cut is rounded up to the whole chord if the energy allows: then the
+/// cut cells leave the contact at once. Any value above 1/2 keeps the energy falling.
 constexpr double kWholeChord = 0.6;
 
-/// Bounds of the trial length's change in one step, and of the length itself
-/// (1: the preconditioner is the inverse).
+/// Bounds of the trial length's change in one step, and of the length itself (1: the preconditioner is the inverse).
 constexpr double kShorten = 0.25, kLengthen = 2, kShortest = 0.02, kLongest = 3;
 
 /// Relative fall of a pressure within this of 1 is a fall to zero.
 constexpr double kRounding = 1e-9;
 
-/// Products without a new lowest residual after which the iteration counts as
-/// stalled.
+/// Products without a new lowest residual after which the iteration counts as stalled.
 constexpr int kPatience = 40;
 
-/// A trial point counts only if the energy falls along the chord to it by this
-/// share of the uncut direction's slope; otherwise others are tried, so many
-/// times.
+/// A trial point counts only if the energy falls along the chord to it by this share of the uncut direction's slope;
+/// otherwise others are tried, so many times.
 constexpr double kEnoughSlope = 0.2;
 constexpr int kAttempts = 2;
 
@@ -182,12 +178,11 @@ void ContactIteration::updateResidual()
   residual_ = worst / depth;
 }
 
-/// Sets the step s_ to the chord to a trial point and returns the fall of
-/// energy per length along it (zero: none found).
+/// Sets the step s_ to the chord to a trial point and returns the fall of energy per length along it (zero: none
+/// found).
 ///
-/// The preconditioned direction, cut at the bounds, falls nearly always. If it
-/// does not, a trial nearer by falls in most cases, and the plain gradient in
-/// all.
+/// The preconditioned direction, cut at the bounds, falls nearly always. If it does not, a trial nearer by falls in
+/// most cases, and the plain gradient in all.
 double ContactIteration::aim()
 {
   std::swap(s_, last_);
@@ -203,8 +198,7 @@ double ContactIteration::aim()
   return slope > kEnoughSlope * step.length * z_r_ ? slope : gradientChord();
 }
 
-/// Computes z, and how far the last step goes on in the next one: so that both
-/// are conjugate.
+/// Computes z, and how far the last step goes on in the next one: so that both are conjugate.
 TrialStep ContactIteration::precondition()
 {
   double weights = 0, sum_z = 0, sum_q = 0, z_q = 0;
@@ -213,7 +207,7 @@ TrialStep ContactIteration::precondition()
   {
     const int at = patch.begin;
     patch.influence->precondition(r_.data() + at, z_.data() + at, workspace_);
-    const MaskedSums sums = kernels_.maskedSums(patch.size, r_.data() + at, z_.data() + at, q_.data() + at);
+    const MaskedSums sums = kernels_.masked_sums(patch.size, r_.data() + at, z_.data() + at, q_.data() + at);
     weights += patch.force * patch.weight * patch.weight * sums.count;
     sum_z += patch.force * patch.weight * sums.z;
     sum_q += patch.force * patch.weight * sums.q;
@@ -227,8 +221,7 @@ TrialStep ContactIteration::precondition()
   return step;
 }
 
-/// Sets s_ to the chord from p to the trial point along `direction`, pressures
-/// cut at zero and scaled to the load.
+/// Sets s_ to the chord from p to the trial point along `direction`, pressures cut at zero and scaled to the load.
 double ContactIteration::chord(const LaneBuffer& direction, const TrialStep& step)
 {
   double load = 0;
@@ -253,9 +246,8 @@ double ContactIteration::chord(const LaneBuffer& direction, const TrialStep& ste
 
 /// As aim(), along the plain residual.
 ///
-/// The residual is taken at the approach that makes it orthogonal to the
-/// pressure; then scaling the trial point to the load does no work, each cell's
-/// share of the slope is positive, and only a solution has none.
+/// The residual is taken at the approach that makes it orthogonal to the pressure; then scaling the trial point to the
+/// load does no work, each cell's share of the slope is positive, and only a solution has none.
 double ContactIteration::gradientChord()
 {
   double work = 0, load = 0;
@@ -281,8 +273,7 @@ double ContactIteration::gradientChord()
   return chord(r_, step);
 }
 
-/// Length of the step s_ to the least energy, within p >= 0; false if the
-/// energy has no minimum along it.
+/// Length of the step s_ to the least energy, within p >= 0; false if the energy has no minimum along it.
 bool ContactIteration::stepLength(double slope, double& length)
 {
   double fall = 0;
@@ -290,7 +281,7 @@ bool ContactIteration::stepLength(double slope, double& length)
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
-    const StepSums sums = kernels_.stepSums(patch.size, p_.data() + at, s_.data() + at, q_.data() + at);
+    const StepSums sums = kernels_.step_sums(patch.size, p_.data() + at, s_.data() + at, q_.data() + at);
     s_q_ += patch.force * sums.s_q;
     fall = std::max(fall, sums.fall);
   }

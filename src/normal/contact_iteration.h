@@ -10,19 +10,17 @@
 
 namespace wheel_rail_contact
 {
-/// The iteration behind ConjugateGradients. Fields hold the patches one after
-/// another, pressures as lengths (see PatchLayout).
+/// The iteration behind ConjugateGradients. Fields hold the patches one after another, pressures as lengths (see
+/// PatchLayout).
 class ContactIteration
 {
  public:
   explicit ContactIteration(const ConjugateGradientsOptions& options) : options_(options) {}
 
-  /// Prepares for a valid problem, which must outlive the solve: fields, gap,
-  /// no pressure.
+  /// Prepares for a valid problem, which must outlive the solve: fields, gap, no pressure.
   void begin(const NormalProblem& problem, OperatorCache& cache);
 
-  /// Finds a first pressure, from `earlier` if that is given and fits. Returns
-  /// false if nothing touches.
+  /// Finds a first pressure, from `earlier` if that is given and fits. Returns false if nothing touches.
   bool start(const NormalSolution* earlier);
 
   SolveStatus iterate();
@@ -55,8 +53,7 @@ class ContactIteration
   std::vector<PatchLayout> patches_;
 
   LaneBuffer p_, u_, gap_;  ///< pressure, displacement, gap
-  LaneBuffer r_, z_;        ///< residual -w on the cells that may move, and its
-                            ///< preconditioned form
+  LaneBuffer r_, z_;        ///< residual -w on the cells that may move, and its preconditioned form
   LaneBuffer s_, last_,
       q_;                    ///< step, the one before, displacement of the step multiplied last
   double approach_ = 0;      ///< [m]

@@ -10,15 +10,13 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) /
-/// k².
+/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) / k².
 struct Elliptic
 {
   double k = 0, d = 0;
 };
 
-/// By the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6),
-/// arranged so that nothing cancels at kappa = 1.
+/// By the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), arranged so that nothing cancels at kappa = 1.
 Elliptic elliptic(double kappa)
 {
   double mean = 0.5 * (1 + kappa), root = std::sqrt(kappa);
@@ -40,11 +38,10 @@ Elliptic elliptic(double kappa)
   return result;
 }
 
-/// Ratio of the axes b/a <= 1 of the ellipse for curvatures in the ratio A/B <=
-/// 1, A belonging to the longer axis.
+/// Ratio of the axes b/a <= 1 of the ellipse for curvatures in the ratio A/B <= 1, A belonging to the longer axis.
 ///
-/// Solves B/A = (K - D) / (kappa² D) for log kappa by Newton's method from
-/// kappa = (A/B)^(2/3), which is right to a few per cent for round contacts.
+/// Solves B/A = (K - D) / (kappa² D) for log kappa by Newton's method from kappa = (A/B)^(2/3), which is right to a few
+/// per cent for round contacts.
 double axesRatio(double curvature_ratio, Elliptic& integrals)
 {
   double log_kappa = 2.0 / 3.0 * std::log(curvature_ratio);
@@ -76,8 +73,7 @@ bool isPositive(double value)
   return value > 0 && std::isfinite(value);
 }
 
-/// Fills in everything once the shape of the ellipse is known; `longer` is its
-/// longer semi-axis.
+/// Fills in everything once the shape of the ellipse is known; `longer` is its longer semi-axis.
 HertzContact fromShape(const GapCurvature& gap, double modulus, double longer, double kappa, const Elliptic& integrals)
 {
   HertzContact contact;

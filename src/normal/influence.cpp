@@ -9,13 +9,11 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Distance beyond which quadrature replaces the closed form, in lengths of the
-/// rectangle's longer side [-]. There the six-point rule's error is below
-/// 1e-14.
+/// Distance beyond which quadrature replaces the closed form, in lengths of the rectangle's longer side [-]. There the
+/// six-point rule's error is below 1e-14.
 constexpr double kFar = 8;
 
-/// Six-point Gauss–Legendre rule on [-1, 1]: the three positive nodes and their
-/// weights.
+/// Six-point Gauss–Legendre rule on [-1, 1]: the three positive nodes and their weights.
 constexpr std::array<double, 3> kNodes = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
 constexpr std::array<double, 3> kWeights = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
 

@@ -33,8 +33,7 @@ void check(const OperatorShape& shape)
   }
 }
 
-/// Cosine transform of a kernel given at 0 … length on the period 2 length,
-/// both ways: [mode_y][mode_x].
+/// Cosine transform of a kernel given at 0 … length on the period 2 length, both ways: [mode_y][mode_x].
 class Spectrum
 {
  public:
@@ -71,8 +70,7 @@ class Spectrum
   double operator()(int a, int b) const { return values_[at(a, b)]; }
 
  private:
-  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the
-  /// period holds once: [a][m].
+  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the period holds once: [a][m].
   static std::vector<double> cosines(int length)
   {
     std::vector<double> table;
@@ -114,8 +112,7 @@ InfluenceOperator::Workspace& InfluenceOperator::Workspace::operator=(Workspace&
 
 struct InfluenceOperator::Tables
 {
-  /// Modes kept of both directions and their factors: [parity x][mode x][parity
-  /// y][mode y, padded].
+  /// Modes kept of both directions and their factors: [parity x][mode x][parity y][mode y, padded].
   struct Diagonal
   {
     int modes_x = 0, modes_y = 0;

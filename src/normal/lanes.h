@@ -15,13 +15,11 @@ constexpr int roundUpToLanes(int count)
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Aligned array of doubles; grows only, so that a size seen before allocates
-/// nothing.
+/// Aligned array of doubles; grows only, so that a size seen before allocates nothing.
 class LaneBuffer
 {
  public:
-  /// Makes room for `size` doubles; sets all to zero if the size differs from
-  /// the last.
+  /// Makes room for `size` doubles; sets all to zero if the size differs from the last.
   void resize(int size);
 
   double* data() { return data_.get(); }
@@ -38,9 +36,8 @@ class LaneBuffer
   int size_ = 0, capacity_ = 0;
 };
 
-/// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) *
-/// sum over k of a(l, k) * b(k, c), l being contiguous in memory, for all l <
-/// lanes (a multiple of kLanes), k < inner, c < columns.
+/// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) * sum over k of a(l, k) * b(k, c), l
+/// being contiguous in memory, for all l < lanes (a multiple of kLanes), k < inner, c < columns.
 struct LaneProduct
 {
   int lanes = 0, inner = 0, columns = 0;
@@ -61,8 +58,7 @@ struct CellSum
   double count = 0;
 };
 
-/// Violation of the contact conditions; w is the distance of the deformed
-/// surfaces.
+/// Violation of the contact conditions; w is the distance of the deformed surfaces.
 struct Violation
 {
   double inside = 0;   ///< largest |w| where p > 0
@@ -86,19 +82,16 @@ struct TrialStep
 struct StepSums
 {
   double s_q = 0;   ///< curvature: step times matrix times step
-  double fall = 0;  ///< largest relative fall of a pressure, max(-s / p): 1 /
-                    ///< fall is the longest step with p >= 0
+  double fall = 0;  ///< largest relative fall of a pressure, max(-s / p): 1 / fall is the longest step with p >= 0
 };
 
-/// Inner loops of operator and solvers, compiled for one instruction set.
-/// `size` is a multiple of kLanes everywhere.
+/// Inner loops of operator and solvers, compiled for one instruction set. `size` is a multiple of kLanes everywhere.
 struct LaneKernels
 {
   const char* name = nullptr;
 
   void (*multiply)(const LaneProduct& product) = nullptr;
-  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)), `sign`
-  /// being one block long. in = out allowed.
+  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)), `sign` being one block long. in = out allowed.
   void (*fold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
   /// Its transpose: out = (e + sign o, e - sign o).
   void (*unfold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
@@ -107,24 +100,23 @@ struct LaneKernels
   void (*scale)(int size, double factor, double* values) = nullptr;
   double (*dot)(int size, const double* a, const double* b) = nullptr;
   /// Number of values below a limit.
-  double (*countBelow)(int size, double limit, const double* values) = nullptr;
+  double (*count_below)(int size, double limit, const double* values) = nullptr;
   /// p = sqrt(max(level - gap, 0)); returns the sum.
-  double (*rootDepth)(int size, double level, const double* gap, double* p) = nullptr;
-  /// p = max(p + length s, 0), u += length q; returns the sum of u + gap where
-  /// p > 0.
+  double (*root_depth)(int size, double level, const double* gap, double* p) = nullptr;
+  /// p = max(p + length s, 0), u += length q; returns the sum of u + gap where p > 0.
   CellSum (*advance)(int size, double length, const double* s, const double* q, const double* gap, double* p,
                      double* u) = nullptr;
   /// With w = u + gap - shift: r = -w where p > 0 or w < 0, else 0.
   Violation (*residual)(int size, double shift, const double* p, const double* u, const double* gap,
                         double* r) = nullptr;
   /// Sums where r != 0.
-  MaskedSums (*maskedSums)(int size, const double* r, const double* z, const double* q) = nullptr;
+  MaskedSums (*masked_sums)(int size, const double* r, const double* z, const double* q) = nullptr;
   /// out = max(p + step, 0), moving only cells where r != 0; returns its sum.
   double (*trial)(int size, const TrialStep& step, const double* r, const double* p, const double* z,
                   const double* last, double* out) = nullptr;
   /// trial = scale trial - p; returns its product with r.
   double (*chord)(int size, double scale, const double* r, const double* p, double* trial) = nullptr;
-  StepSums (*stepSums)(int size, const double* p, const double* s, const double* q) = nullptr;
+  StepSums (*step_sums)(int size, const double* p, const double* s, const double* q) = nullptr;
 };
 
 /// The kernels for the widest registers of this machine.

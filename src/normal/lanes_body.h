@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, inside a namespace that
-// defines kWidth. No include guard.
+// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth. No include guard.
 
 using Register = double __attribute__((vector_size(kWidth * sizeof(double))));
 using Memory = double __attribute__((vector_size(kWidth * sizeof(double)), aligned(sizeof(double))));

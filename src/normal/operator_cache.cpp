@@ -10,8 +10,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Relative difference below which two aspects count as one; the coefficients
-/// differ by no more.
+/// Relative difference below which two aspects count as one; the coefficients differ by no more.
 constexpr double kSameAspect = 1e-9;
 
 /// Operators kept of a grid with aspects off the ladder.

@@ -16,8 +16,7 @@ bool isValid(const PatchGap& patch)
                       patch.gap.rows() == grid.rows() && patch.gap.cols() == grid.ny;
   const bool sized = grid.dx > 0 && grid.dy > 0 && std::isfinite(grid.dx) && std::isfinite(grid.dy);
   const bool weighted = patch.weight > 0 && std::isfinite(patch.weight);
-  // Zero times a value that is not finite is not a number, and stays so in the
-  // sum.
+  // Zero times a value that is not finite is not a number, and stays so in the sum.
   return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }
 }  // namespace

@@ -10,11 +10,10 @@
 
 namespace wheel_rail_contact
 {
-/// Where a patch's fields lie in the solver's arrays, and what turns them into
-/// pascals and newtons.
+/// Where a patch's fields lie in the solver's arrays, and what turns them into pascals and newtons.
 ///
-/// In the arrays a pressure p stands as the length p dy / (pi E*), so that the
-/// operator's product with it is the displacement [m] itself.
+/// In the arrays a pressure p stands as the length p dy / (pi E*), so that the operator's product with it is the
+/// displacement [m] itself.
 struct PatchLayout
 {
   std::shared_ptr<const InfluenceOperator> influence;  ///< null: cells in the order of the gap arrays
@@ -29,16 +28,14 @@ struct PatchLayout
 /// Gap in cells that only pad the arrays: never touched [m].
 constexpr double kNoSurface = 1e300;
 
-/// True if the problem can be solved at all: cells, finite gaps, weights,
-/// modulus and value in range.
+/// True if the problem can be solved at all: cells, finite gaps, weights, modulus and value in range.
 bool isValid(const NormalProblem& problem);
 
 /// Lays out the patches one after another: with a cache in their operators' order of cells, without one in that of the
 /// gap arrays. Returns the arrays' length.
 int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches);
 
-/// Writes factor * values into the patch's cells of a field; padding stays as
-/// it is.
+/// Writes factor * values into the patch's cells of a field; padding stays as it is.
 void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field);
 
 /// Writes factor * field into `values`, rows × columns.

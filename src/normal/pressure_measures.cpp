@@ -10,8 +10,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Rise of the parabola through three squared pressures above the middle one,
-/// which is the highest; zero at an edge.
+/// Rise of the parabola through three squared pressures above the middle one, which is the highest; zero at an edge.
 double rise(double before, double top, double after)
 {
   const double slope = (after - before) * (after + before);

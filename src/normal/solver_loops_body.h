@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, after lanes_body.h. No
-// include guard.
+// Included by lanes.cpp once per instruction set, after lanes_body.h. No include guard.
 
 double sum(int size, const double* values)
 {

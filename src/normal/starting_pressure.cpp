@@ -11,8 +11,7 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Steps of the search for the level of interpenetration; the guess needs no
-/// more.
+/// Steps of the search for the level of interpenetration; the guess needs no more.
 constexpr int kHalvings = 12;
 
 bool isLoadControlled(const NormalProblem& problem)
@@ -23,13 +22,12 @@ bool isLoadControlled(const NormalProblem& problem)
 /// Radius of the circle with the area of the cells that lie below `level` [m].
 double equivalentRadius(const PatchLayout& patch, const LaneBuffer& gap, double level)
 {
-  const double cells = laneKernels().countBelow(patch.size, level, gap.data() + patch.begin);
+  const double cells = laneKernels().count_below(patch.size, level, gap.data() + patch.begin);
   return std::sqrt(cells * patch.grid.cellArea() / kPi);
 }
 
-/// Load that circular Hertz contacts of the patches' areas of interpenetration
-/// would carry [N], `level` being half the approach: F = 4/3 E* a delta
-/// (Johnson 1985, eq. 4.22 to 4.24).
+/// Load that circular Hertz contacts of the patches' areas of interpenetration would carry [N], `level` being half the
+/// approach: F = 4/3 E* a delta (Johnson 1985, eq. 4.22 to 4.24).
 double loadAt(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
               double level)
 {
@@ -155,13 +153,12 @@ Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& pa
   }
   for (const PatchLayout& patch : patches)
   {
-    // Hertz: p = 4 E* / (pi a) sqrt(depth of the deepest point) sqrt(depth),
-    // depths below half the approach.
+    // Hertz: p = 4 E* / (pi a) sqrt(depth of the deepest point) sqrt(depth), depths below half the approach.
     const double own_level = patch.weight * level;
     const double depth = std::max(own_level - patch.least_gap, 0.0);
     const double radius = equivalentRadius(patch, gap, own_level);
     double* p = pressure.data() + patch.begin;
-    laneKernels().rootDepth(patch.size, own_level, gap.data() + patch.begin, p);
+    laneKernels().root_depth(patch.size, own_level, gap.data() + patch.begin, p);
     const double factor = radius > 0 ? 4 * problem.modulus / (kPi * radius) * std::sqrt(depth) / patch.stiffness : 0;
     laneKernels().scale(patch.size, factor, p);
   }

@@ -25,15 +25,13 @@ enum class Start
   complete   ///< pressure and its displacement
 };
 
-/// Takes over the pressure of an earlier solution, scaled to the load where
-/// that is given, and its displacement if that still belongs to it (same aspect
-/// of the cells).
+/// Takes over the pressure of an earlier solution, scaled to the load where that is given, and its displacement if that
+/// still belongs to it (same aspect of the cells).
 Start warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,
                 LaneBuffer& pressure, LaneBuffer& displacement);
 
-/// A first pressure from the gap: proportional to the root of the
-/// interpenetration at half the approach, as in a circular Hertz contact, where
-/// that is exact. None if, at a given approach, nothing touches.
+/// A first pressure from the gap: proportional to the root of the interpenetration at half the approach, as in a
+/// circular Hertz contact, where that is exact. None if, at a given approach, nothing touches.
 Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
                 LaneBuffer& pressure);
 }  // namespace wheel_rail_contact

@@ -15,29 +15,22 @@ struct ConjugateGradientsOptions
   int max_products = 200;
 };
 
-/// Bound-constrained, preconditioned conjugate gradients with exact rectangle
-/// coefficients.
+/// Bound-constrained, preconditioned conjugate gradients with exact rectangle coefficients.
 ///
-/// Idea: Vollebregt 2014 (J. Comput. Phys. 257, bound-constrained CG); load
-/// control by projection: Polonsky and Keer 1999 (Wear 231). Differences: the
-/// step is aimed at the bounds before its one product is made (the search goes
-/// along the chord to the clipped trial point), so that every iterate satisfies
-/// p >= 0 and the load exactly, the energy falls monotonically and each
-/// iteration costs one product.
+/// Idea: Vollebregt 2014 (J. Comput. Phys. 257, bound-constrained CG); load control by projection: Polonsky and Keer
+/// 1999 (Wear 231). Differences: the step is aimed at the bounds before its one product is made (the search goes along
+/// the chord to the clipped trial point), so that every iterate satisfies p >= 0 and the load exactly, the energy falls
+/// monotonically and each iteration costs one product.
 ///
 /// Residual: with w = A p + gap - weight * approach,
-///   max( max of |w| where p > 0, max of -w where p = 0 ) / max over all cells
-///   of (weight * approach - gap),
-/// that is, the largest violation of the contact conditions over the largest
-/// depth of interpenetration of the undeformed bodies. p >= 0 and (load
-/// control) sum(weight * force) = load hold to rounding. In load control the
-/// approach is the mean of (A p + gap) / weight over the loaded cells, weighted
-/// by weight² times the cell's area.
+///   max( max of |w| where p > 0, max of -w where p = 0 ) / max over all cells of (weight * approach - gap),
+/// that is, the largest violation of the contact conditions over the largest depth of interpenetration of the
+/// undeformed bodies. p >= 0 and (load control) sum(weight * force) = load hold to rounding. In load control the
+/// approach is the mean of (A p + gap) / weight over the loaded cells, weighted by weight² times the cell's area.
 class ConjugateGradients : public NormalSolver
 {
  public:
-  /// @throw std::invalid_argument naming the option, its value and the broken
-  /// rule.
+  /// @throw std::invalid_argument naming the option, its value and the broken rule.
   explicit ConjugateGradients(const ConjugateGradientsOptions& options = {});
   ~ConjugateGradients() override;
   ConjugateGradients(ConjugateGradients&&) noexcept;
@@ -45,9 +38,8 @@ class ConjugateGradients : public NormalSolver
 
   const char* name() const override { return "conjugate_gradient"; }
 
-  /// Computes all that a grid of this shape needs, for every cell aspect of the
-  /// ladder (aspect_ladder.h): later solves on such grids compute no
-  /// coefficient and allocate only at their first call.
+  /// Computes all that a grid of this shape needs, for every cell aspect of the ladder (aspect_ladder.h): later solves
+  /// on such grids compute no coefficient and allocate only at their first call.
   /// @throw std::invalid_argument for a shape that no grid can have.
   void prepare(int nx, int ny, bool symmetric);
 

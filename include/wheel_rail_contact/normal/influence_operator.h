@@ -7,8 +7,7 @@
 
 namespace wheel_rail_contact
 {
-/// Shape of a grid as far as its influence coefficients go: they scale with the
-/// cell width, so only the aspect counts.
+/// Shape of a grid as far as its influence coefficients go: they scale with the cell width, so only the aspect counts.
 struct OperatorShape
 {
   int nx = 0, ny = 0;      ///< cells along (of the whole grid) and across
@@ -17,19 +16,15 @@ struct OperatorShape
   Kernel kernel = Kernel::rectangle;
 };
 
-/// Product of the influence matrix with a pressure, for cells of width dy = 1
-/// and pi E* = 1: multiply by dy / (pi E*).
+/// Product of the influence matrix with a pressure, for cells of width dy = 1 and pi E* = 1: multiply by dy / (pi E*).
 ///
-/// The coefficients depend on the cells' distance and are even in x and y. So
-/// the product is diagonal in the cosine and sine modes of a grid twice as long
-/// and wide (zero padding); since the pressure fills only half of it, and is
-/// split into parts even and odd about the grid's centre, each mode is a sum
-/// over a quarter of the doubled grid. At the sizes of a contact patch these
-/// sums are fastest as matrix products with precomputed cosines.
+/// The coefficients depend on the cells' distance and are even in x and y. So the product is diagonal in the cosine and
+/// sine modes of a grid twice as long and wide (zero padding); since the pressure fills only half of it, and is split
+/// into parts even and odd about the grid's centre, each mode is a sum over a quarter of the doubled grid. At the sizes
+/// of a contact patch these sums are fastest as matrix products with precomputed cosines.
 ///
-/// Fields are stored folded about the grid's centre; fieldSize() doubles,
-/// padding included. Odd nx and ny are rounded up by a column that must hold no
-/// pressure.
+/// Fields are stored folded about the grid's centre; fieldSize() doubles, padding included. Odd nx and ny are rounded
+/// up by a column that must hold no pressure.
 class InfluenceOperator
 {
  public:
@@ -41,8 +36,7 @@ class InfluenceOperator
     ~Workspace();
     Workspace(Workspace&&) noexcept;
     Workspace& operator=(Workspace&&) noexcept;
-    /// Makes room for an operator. Allocates only if it is larger than all
-    /// before.
+    /// Makes room for an operator. Allocates only if it is larger than all before.
     void reserve(const InfluenceOperator& shape);
 
    private:
@@ -51,8 +45,7 @@ class InfluenceOperator
     std::unique_ptr<Buffers> buffers_;
   };
 
-  /// @throw std::invalid_argument for sizes below 2, an odd nx with symmetry,
-  /// or an aspect that is not positive.
+  /// @throw std::invalid_argument for sizes below 2, an odd nx with symmetry, or an aspect that is not positive.
   explicit InfluenceOperator(const OperatorShape& shape);
   ~InfluenceOperator();
   InfluenceOperator(InfluenceOperator&&) noexcept;
@@ -63,8 +56,7 @@ class InfluenceOperator
   /// Doubles in a field, a multiple of eight.
   int fieldSize() const;
 
-  /// Place in a field of a stored cell (row and column counted as in Grid): the
-  /// sum of these two.
+  /// Place in a field of a stored cell (row and column counted as in Grid): the sum of these two.
   int rowOffset(int row) const
   {
     return (symmetric_ || row >= half_rows_ ? row - middle_row_ : half_rows_ + middle_row_ - 1 - row) * line_;
@@ -76,17 +68,14 @@ class InfluenceOperator
     return column >= half_columns_ ? column - half_columns_ : line_ / 2 + half_columns_ - 1 - column;
   }
 
-  /// displacement = A pressure. Padding of `pressure` must be zero; that of
-  /// `displacement` is then zero too.
+  /// displacement = A pressure. Padding of `pressure` must be zero; that of `displacement` is then zero too.
   void multiply(const double* pressure, double* displacement, Workspace& workspace) const;
 
-  /// Whether `displacement` is the product with `pressure`, as far as one
-  /// weighted sum over all cells tells (to 1e-9 of its value): any change of
-  /// single cells shows.
+  /// Whether `displacement` is the product with `pressure`, as far as one weighted sum over all cells tells (to 1e-9 of
+  /// its value): any change of single cells shows.
   bool isProduct(const double* pressure, const double* displacement) const;
 
-  /// Approximate inverse: that of the same kernel repeated with the grid's own
-  /// period.
+  /// Approximate inverse: that of the same kernel repeated with the grid's own period.
   void precondition(const double* residual, double* direction, Workspace& workspace) const;
 
  private:
@@ -95,9 +84,8 @@ class InfluenceOperator
   struct Tables;
   std::unique_ptr<Tables> tables_;
   bool symmetric_ = false;
-  int half_rows_ = 0,
-      middle_row_ = 0;  ///< rows of half the grid; the first of them stored at offset zero
-  int half_columns_ = 0;
-  int line_ = 0;  ///< doubles of one row
+  int half_rows_ = 0, half_columns_ = 0;
+  int middle_row_ = 0;  ///< the row stored at offset zero
+  int line_ = 0;        ///< doubles of one row
 };
 }  // namespace wheel_rail_contact

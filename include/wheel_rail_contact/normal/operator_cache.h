@@ -8,23 +8,19 @@
 
 namespace wheel_rail_contact
 {
-/// Keeps influence operators, so that a solver computes each set of
-/// coefficients once.
+/// Keeps influence operators, so that a solver computes each set of coefficients once.
 ///
-/// Aspects on the ladder (aspect_ladder.h) are kept for good; of others the few
-/// last used.
+/// Aspects on the ladder (aspect_ladder.h) are kept for good; of others the few last used.
 class OperatorCache
 {
  public:
   explicit OperatorCache(Kernel kernel = Kernel::rectangle) : kernel_(kernel) {}
 
-  /// Computes the operators of all rungs of the ladder for a grid, so that
-  /// find() computes nothing later.
+  /// Computes the operators of all rungs of the ladder for a grid, so that find() computes nothing later.
   /// @throw std::invalid_argument as InfluenceOperator.
   void prepare(int nx, int ny, bool symmetric);
 
-  /// The operator for a grid; computed now if it is new. Aspects within 1e-9 of
-  /// a rung count as the rung.
+  /// The operator for a grid; computed now if it is new. Aspects within 1e-9 of a rung count as the rung.
   /// @throw std::invalid_argument as InfluenceOperator.
   std::shared_ptr<const InfluenceOperator> find(int nx, int ny, bool symmetric, double aspect);
 

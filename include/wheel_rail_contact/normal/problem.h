@@ -13,18 +13,15 @@ struct Material
   double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
 };
 
-/// Contact modulus E* of two half-spaces [Pa]: 1/E* = (1-nu1²)/E1 + (1-nu2²)/E2
-/// (Johnson 1985, eq. 4.20).
+/// Contact modulus E* of two half-spaces [Pa]: 1/E* = (1-nu1²)/E1 + (1-nu2²)/E2 (Johnson 1985, eq. 4.20).
 /// @throw std::invalid_argument for a material out of range.
 double contactModulus(const Material& first, const Material& second);
 
-/// Rectangular grid of nx × ny cells in the tangent plane; x along the track, y
-/// across.
+/// Rectangular grid of nx × ny cells in the tangent plane; x along the track, y across.
 ///
-/// With `symmetric` the pressure is even in x and only the half x > 0 is
-/// stored: rows() = nx/2 (nx is even then) and row i lies at x = (i + 1/2) dx.
-/// Without it rows() = nx and row i lies at x = (i + 1/2 - nx/2) dx. Column j
-/// lies at y0 + j dy.
+/// With `symmetric` the pressure is even in x and only the half x > 0 is stored: rows() = nx/2 (nx is even then) and
+/// row i lies at x = (i + 1/2) dx. Without it rows() = nx and row i lies at x = (i + 1/2 - nx/2) dx. Column j lies at
+/// y0 + j dy.
 struct Grid
 {
   int nx = 0;              ///< cells along, of the whole grid
@@ -37,8 +34,7 @@ struct Grid
   int rows() const { return symmetric ? nx / 2 : nx; }
   double x(int row) const { return (row + (symmetric ? 0.5 : 0.5 - 0.5 * nx)) * dx; }
   double y(int column) const { return y0 + column * dy; }
-  /// Area that one stored cell stands for [m²] (twice the cell on a symmetric
-  /// grid).
+  /// Area that one stored cell stands for [m²] (twice the cell on a symmetric grid).
   double cellArea() const { return (symmetric ? 2 : 1) * dx * dy; }
 };
 
@@ -46,19 +42,15 @@ struct Grid
 struct PatchGap
 {
   Grid grid;
-  /// Distance of the undeformed surfaces along the patch's normal at zero
-  /// approach [m]; negative: they overlap.
+  /// Distance of the undeformed surfaces along the patch's normal at zero approach [m]; negative: they overlap.
   Eigen::ArrayXXd gap;
-  /// Share of the common approach that closes this patch, and of its normal
-  /// force that counts in the common load [-]: the cosine between the patch's
-  /// normal and the direction of the load; 1 for a single patch pressed
-  /// straight.
+  /// Share of the common approach that closes this patch, and of its normal force that counts in the common load [-]:
+  /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
   double weight = 1;
 };
 
-/// Frictionless contact of half-spaces: find p >= 0 with w = A p + gap - weight
-/// * approach >= 0 and p w = 0 in every patch, the approach being common to all
-/// of them, and either sum(weight * N_k) = load or the approach given. Patches
+/// Frictionless contact of half-spaces: find p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every
+/// patch, the approach being common to all of them, and either sum(weight * N_k) = load or the approach given. Patches
 /// do not deform one another (patches near one another belong in one grid).
 struct NormalProblem
 {
@@ -95,15 +87,13 @@ inline bool isUsable(SolveStatus status)
 
 /// Solution of one patch.
 ///
-/// A solver that starts from an earlier solution makes use of `displacement`
-/// only if it still belongs to `pressure`; whoever changes one may leave the
-/// other as it is.
+/// A solver that starts from an earlier solution makes use of `displacement` only if it still belongs to `pressure`;
+/// whoever changes one may leave the other as it is.
 struct PatchPressure
 {
   Grid grid;                     ///< where the pressure was found
   Eigen::ArrayXXd pressure;      ///< [Pa], shape of the gap
-  Eigen::ArrayXXd displacement;  ///< of both surfaces together, apart along the
-                                 ///< normal [m], shape of the gap
+  Eigen::ArrayXXd displacement;  ///< of both surfaces together, apart along the normal [m], shape of the gap
   double force = 0;              ///< normal force of the whole patch [N]
   double max_pressure = 0;       ///< highest pressure, between the cells if it lies there [Pa]
   double area = 0;               ///< contact area with sub-cell edge [m²]
@@ -116,8 +106,7 @@ struct NormalSolution
   std::vector<PatchPressure> patches;
   double approach = 0;  ///< common approach [m]
   int iterations = 0;   ///< products with the influence matrix
-  /// Largest violation of the contact conditions relative to the approach's
-  /// scale [-]; see ConjugateGradients.
+  /// Largest violation of the contact conditions relative to the approach's scale [-]; see ConjugateGradients.
   double residual = 0;
 };
 }  // namespace wheel_rail_contact

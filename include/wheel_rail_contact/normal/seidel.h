@@ -32,12 +32,12 @@ struct SeidelOptions
 /// cell p = max(p - w / a_own, 0), each cell at once using what the cells before it have become. Any grid of the
 /// interface, not only square cells. Slow: a sweep costs the square of the number of cells.
 ///
-/// Printed: influence of a cell on others by its force at its centre, on itself exactly (the print's
-/// 4 c1 ln(1 + sqrt 2) lacks the side h of the square). The approach is applied in equal steps, each starting from the
-/// last one's pressure, and a step ends when the pressure's root mean square change is small, which on fine grids comes
-/// before the error is small. The paper does not say how it meets a load; here the approach is found by secant steps.
-/// An earlier solution is not used. On cells longer than 4.70 times their width the matrix has negative directions: the
-/// status is then `indefinite` as soon as one has shown itself, though the iteration comes to its own end.
+/// Printed: influence of a cell on others by its force at its centre, on itself exactly (the print's 4 c1 ln(1 + sqrt
+/// 2) lacks the side h of the square). The approach is applied in equal steps, each starting from the last one's
+/// pressure, and a step ends when the pressure's root mean square change is small, which on fine grids comes before the
+/// error is small. The paper does not say how it meets a load; here the approach is found by secant steps. An earlier
+/// solution is not used. On cells longer than 4.70 times their width the matrix has negative directions: the status is
+/// then `indefinite` as soon as one has shown itself, though the iteration comes to its own end.
 ///
 /// Repaired: exact rectangle coefficients, positive definite on cells of any shape; after each sweep the pressure is
 /// scaled to the load and the approach follows from the loaded cells.
