@@ -15,7 +15,7 @@ export LC_ALL=C.UTF-8
 # A shell that has sourced this build's own setup file gets the same build as one that has not.
 if [[ -n ${CMAKE_PREFIX_PATH:-} ]]; then
   CMAKE_PREFIX_PATH=$(tr ':' '\n' <<< "$CMAKE_PREFIX_PATH" | grep --invert-match --line-regexp --fixed-strings \
-    --regexp="$build/devel" --regexp="$build/install" | paste --serial --delimiters=: || true)
+    "$build/devel" | paste --serial --delimiters=: || true)
   export CMAKE_PREFIX_PATH
 fi
 

@@ -43,3 +43,11 @@ without_build_dir()
 {
   tr ':' '\n' <<< "$1" | grep --invert-match --fixed-strings "$build_dir" | paste --serial --delimiters=: || true
 }
+
+# A folder for the check, gone with it. Not in the build folder: that lies inside the package, where roslaunch and rosrun
+# would find what is copied or linked there.
+make_scratch_dir()
+{
+  scratch_dir=$(mktemp --directory)
+  trap 'rm -rf "$scratch_dir"' EXIT
+}
