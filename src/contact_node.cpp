@@ -2,6 +2,7 @@
 #include <ros/ros.h>
 
 #include <exception>
+#include <iostream>
 
 #include "wheel_rail_contact/ros/contact_server.h"
 
@@ -16,7 +17,7 @@ int main(int argc, char** argv)
   }
   catch (const std::exception& error)
   {
-    ROS_FATAL("%s", error.what());
+    std::cerr << "contact_node: " << error.what() << '\n';  // the ROS log is gone with the last node handle
     return 1;
   }
 }

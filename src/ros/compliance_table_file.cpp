@@ -41,7 +41,9 @@ void checkNeighbours(ParameterReader& reader, const std::string& file)
     double distance = 0;
     readRequired(neighbour, "distance", rules::positive, distance);
     if (distance <= last)
+    {
       neighbour.refuse("distance", "greater than the one before it");
+    }
     last = distance;
     readCompliances(neighbour, rules::finite);
     neighbour.refuseUnknown();
@@ -55,9 +57,13 @@ void takeProvenance(ParameterTree& tree, const std::string& file)
   const auto first = tree.lower_bound(group);
   auto last = first;
   while (last != tree.end() && last->first.rfind(group, 0) == 0)
+  {
     ++last;
+  }
   if (first == last)
+  {
     throw std::invalid_argument(file + ": provenance is missing: say where the numbers come from");
+  }
   tree.erase(first, last);
 }
 }  // namespace
@@ -75,8 +81,10 @@ ComplianceTableFile readComplianceTable(const std::string& file)
   result.table = readCompliances(reader, rules::positive);
   const ComplianceTable& table = result.table;
   if (!(table.lateral_lateral * table.roll_roll > table.lateral_roll * table.lateral_roll))
+  {
     reader.refuse("lateral_roll",
                   "smaller than the root of lateral_lateral times roll_roll (positive definite matrix)");
+  }
   readRequired(reader, "linear_range_lateral_to_vertical", positive_or_infinite, result.linear_range);
   checkNeighbours(reader, file);
   reader.refuseUnknown();

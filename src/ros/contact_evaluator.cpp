@@ -51,7 +51,9 @@ WheelsetContactMsg toMessage(const ContactAnswer& answer, bool with_grids, doubl
   WheelsetContactMsg message;
   message.wheelset.orientation.w = 1;
   if (answer.result)
+  {
     message = toMessage(*answer.result, answer.x, with_grids);
+  }
   message.header = answer.header;
   message.status = answer.status;
   message.status_text = answer.reason;

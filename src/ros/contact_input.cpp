@@ -26,7 +26,9 @@ template <typename Vector>
 void requireFinite(const Vector& v, const std::string& name)
 {
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+  {
     refuse(name + " is not finite");
+  }
 }
 
 void requireFinite(const geometry_msgs::Wrench& wrench, const std::string& name)
@@ -42,7 +44,9 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Pose& pose)
   const Eigen::Quaterniond q(o.w, o.x, o.y, o.z);
   const double norm = q.norm();
   if (!(std::abs(norm - 1) <= quaternion_tolerance))
+  {
     refuse("pose: the quaternion's length is " + std::to_string(norm) + ", it must be 1 within 0.001");
+  }
   return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) * q.normalized();
 }
 
@@ -53,21 +57,35 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform)
   return Eigen::Translation3d(t.x, t.y, t.z) * Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized();
 }
 
+/// A text of unknown origin, cut to what a reason has room for.
+std::string shown(const std::string& text)
+{
+  constexpr std::size_t room = 200;
+  return text.size() <= room ? text : text.substr(0, room) + "...";
+}
+
 Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std::string& track_frame,
                               const tf2::BufferCore& transforms)
 {
-  const Eigen::Isometry3d own = toIsometry(pose.pose);
-  if (pose.header.frame_id == track_frame)
+  Eigen::Isometry3d own = toIsometry(pose.pose);
+  const std::string& frame = pose.header.frame_id;
+  if (frame == track_frame)
+  {
     return own;
+  }
+  if (!isFrameName(frame))
+  {
+    throw UnusableInput(WheelsetContactMsg::NO_TRANSFORM,
+                        "pose: its frame_id '" + shown(frame) + "' names no tf frame");
+  }
   try
   {
-    const auto transform = transforms.lookupTransform(track_frame, pose.header.frame_id, pose.header.stamp);
-    return toIsometry(transform.transform) * own;
+    return toIsometry(transforms.lookupTransform(track_frame, frame, pose.header.stamp).transform) * own;
   }
   catch (const tf2::TransformException& error)
   {
-    throw UnusableInput(WheelsetContactMsg::NO_TRANSFORM,
-                        "pose: no transform from its frame to '" + track_frame + "': " + error.what());
+    throw UnusableInput(WheelsetContactMsg::NO_TRANSFORM, "pose: no transform from its frame '" + shown(frame) +
+                                                              "' to '" + track_frame + "': " + shown(error.what()));
   }
 }
 
@@ -75,7 +93,10 @@ void setLoad(const geometry_msgs::WrenchStamped& load, const std::string& track_
 {
   const std::string& frame = load.header.frame_id;
   if (!frame.empty() && frame != track_frame)
-    refuse("load: its frame_id is '" + frame + "', but it must be in track axes: '" + track_frame + "' or empty");
+  {
+    refuse("load: its frame_id is '" + shown(frame) + "', but it must be in track axes: '" + track_frame +
+           "' or empty");
+  }
   requireFinite(load.wrench, "load");
   state.force_z = load.wrench.force.z;
   state.torque_x = load.wrench.torque.x;
@@ -98,14 +119,18 @@ std::optional<ContactInput> InputPairing::addPose(const geometry_msgs::PoseStamp
 std::optional<ContactInput> InputPairing::addLoad(const geometry_msgs::WrenchStampedConstPtr& load)
 {
   if (!uses_load_)
+  {
     return std::nullopt;
+  }
   return add(load_channel, load->header.stamp, {nullptr, load});
 }
 
 std::optional<ContactInput> InputPairing::addRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force)
 {
   if (!uses_rail_forces_)
+  {
     return std::nullopt;
+  }
   return add(firstRailForceChannel() + static_cast<std::size_t>(side), force->header.stamp, {nullptr, force});
 }
 
@@ -113,15 +138,28 @@ std::optional<ContactInput> InputPairing::add(std::size_t channel, const ros::Ti
 {
   const auto set = pairing_.add(channel, stamp, std::move(sample));
   if (!set)
+  {
     return std::nullopt;
+  }
   ContactInput input;
   input.pose = (*set)[pose_channel].pose;
   if (uses_load_)
+  {
     input.load = (*set)[load_channel].wrench;
+  }
   if (uses_rail_forces_)
+  {
     for (std::size_t side = 0; side < 2; ++side)
+    {
       input.rail_force[side] = (*set)[firstRailForceChannel() + side].wrench;
+    }
+  }
   return input;
+}
+
+bool isFrameName(const std::string& name)
+{
+  return !name.empty() && name[0] != '/';
 }
 
 PlacedState toState(const ContactInput& input, const std::string& track_frame, const tf2::BufferCore& transforms)
@@ -135,13 +173,17 @@ PlacedState toState(const ContactInput& input, const std::string& track_frame, c
   placed.state.roll = std::asin(std::clamp(axle.z(), -1.0, 1.0));
   placed.state.yaw = std::atan2(-axle.x(), axle.y());
   if (input.load)
+  {
     setLoad(*input.load, track_frame, placed.state);
+  }
   for (std::size_t side = 0; side < 2; ++side)
+  {
     if (input.rail_force[side])
     {
       requireFinite(input.rail_force[side]->wrench, side == 0 ? "left rail force" : "right rail force");
       placed.state.rail_lateral_force[side] = input.rail_force[side]->wrench.force.y;
     }
+  }
   return placed;
 }
 }  // namespace wheel_rail_contact

@@ -20,8 +20,8 @@ namespace
 {
 constexpr int ids_per_side = 16;
 constexpr double true_size_lift = 2e-4;  ///< of the patch over the rail, so that both can be seen [m]
-constexpr double arrow_shaft = 0.012;    ///< diameter [m]
-constexpr double arrow_head = 0.03;      ///< diameter and length [m]
+constexpr double arrow_shaft = 0.014;    ///< diameter [m]
+constexpr double arrow_head = 0.035;     ///< diameter and length [m]
 constexpr double line_width = 0.002;     ///< [m]
 constexpr double label_height = 0.045;   ///< of letters [m]
 constexpr double zoom_spacing = 0.05;    ///< between magnified patches [m]
@@ -155,9 +155,9 @@ Marker makeText(const std_msgs::Header& header, const std::string& ns, int id, c
 Marker label(const PatchPicture& picture, const NodeConfig& config, const std_msgs::Header& header)
 {
   char words[64];
-  std::snprintf(words, sizeof words, "%.0f MPa\n%.0f mm2", picture.patch->max_pressure / 1e6,
+  std::snprintf(words, sizeof words, "%.0f MPa\n%.0f mm²", picture.patch->max_pressure / 1e6,
                 picture.patch->area * 1e6);
-  const Vector3d above(0, 0, config.markers.pressure_height + 2 * label_height);
+  const Vector3d above(0, 0, config.markers.pressure_height + 1.5 * label_height);
   return makeText(header, "label", picture.id, picture.zoom_place + above, words);
 }
 

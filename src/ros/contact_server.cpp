@@ -18,9 +18,9 @@ constexpr double diagnostics_period = 1.0;       ///< [s]
 constexpr double transform_poll_period = 0.002;  ///< [s]
 }  // namespace
 
-ContactServer::ContactServer(ros::NodeHandle nh, ros::NodeHandle private_nh)
-    : nh_(std::move(nh)),
-      private_nh_(std::move(private_nh)),
+ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : nh_(nh),
+      private_nh_(private_nh),
       config_(readNodeParameters(private_nh_)),
       pairing_(config_),
       evaluator_(config_),
@@ -124,7 +124,7 @@ void ContactServer::work()
 void ContactServer::waitForTransform(const Job& job) const
 {
   const std_msgs::Header& header = job.input.pose->header;
-  if (header.frame_id == config_.track_frame)
+  if (header.frame_id == config_.track_frame || !isFrameName(header.frame_id))
   {
     return;
   }

@@ -29,22 +29,38 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   const std::uint64_t errors = now.internal_errors - before.internal_errors;
   const std::uint64_t dropped = now.dropped() - before.dropped();
   if (errors > 0)
+  {
     report.summaryf(DiagnosticStatus::ERROR, "internal error: %s", now.last_reason.c_str());
+  }
   else if (answered > 0 && unusable == answered)
+  {
     report.summaryf(DiagnosticStatus::ERROR, "no answer usable: %s", now.last_reason.c_str());
+  }
   else if (unusable > 0)
+  {
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers not usable: %s", unusable, answered,
                     now.last_reason.c_str());
+  }
   else if (dropped > 0)
+  {
     report.summaryf(DiagnosticStatus::WARN, "%lu inputs dropped", dropped);
+  }
   else if (answered == 0 && now.pairing.received > before.pairing.received)
+  {
     report.summary(DiagnosticStatus::WARN, "what comes in finds no partner");
+  }
   else if (now.beyond_linear_range > before.beyond_linear_range)
+  {
     report.summary(DiagnosticStatus::WARN, "a rail's Y/Q is beyond the range of its compliance table");
+  }
   else if (answered > 0)
+  {
     report.summaryf(DiagnosticStatus::OK, "%lu answers", answered);
+  }
   else
+  {
     report.summary(DiagnosticStatus::OK, "no input");
+  }
 }
 
 void addTimes(const ContactStatistics& now, const ContactStatistics& before,
@@ -64,7 +80,9 @@ void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
   solve_time_sum += solve_time;
   solve_time_max = std::max(solve_time_max, solve_time);
   if (!answer.reason.empty())
+  {
     last_reason = answer.reason;
+  }
 }
 
 std::uint64_t ContactStatistics::answered() const
@@ -89,11 +107,15 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   report.add("messages received", now.pairing.received);
   report.add("messages waiting for a partner", now.pairing.waiting);
   for (std::size_t i = 0; i < drop_names.size(); ++i)
+  {
     report.add(std::string("messages dropped: ") + drop_names[i], now.pairing.dropped[i]);
+  }
   report.add("inputs dropped: overload", now.overload);
   report.add("answers", now.answered());
   for (std::size_t i = 0; i < status_names.size(); ++i)
+  {
     report.add(std::string("answers ") + status_names[i], now.answers[i]);
+  }
   report.add("internal errors", now.internal_errors);
   report.add("answers beyond the table's linear range", now.beyond_linear_range);
   report.add("contact messages built", now.messages_built);

@@ -23,8 +23,12 @@ constexpr std::array<std::string_view, 3> method_names{"conjugate_gradient", "se
 std::string_view methodNamed(const std::string& name)
 {
   for (const auto& known : method_names)
+  {
     if (known == name)
+    {
       return known;
+    }
+  }
   throw std::invalid_argument("contact patch: method '" + name + "' is unknown");
 }
 
@@ -58,10 +62,16 @@ std::uint8_t toMessage(ContactStatus status)
 ContactStatus statusFromMessage(std::uint8_t status)
 {
   if (status == WheelsetContactMsg::NO_TRANSFORM)
+  {
     return ContactStatus::invalid_input;
+  }
   for (std::size_t i = 0; i < status_constants.size(); ++i)
+  {
     if (status_constants[i] == status)
+    {
       return static_cast<ContactStatus>(i);
+    }
+  }
   throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
 }
 
@@ -88,9 +98,11 @@ PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
 PressureGrid toMessage(const Grid& grid, const Eigen::ArrayXXd& pressure)
 {
   if (grid.symmetric || grid.nx < 0 || grid.ny < 0 || pressure.rows() != grid.nx || pressure.cols() != grid.ny)
+  {
     throw std::invalid_argument("pressure grid: " + std::to_string(pressure.rows()) + " x " +
                                 std::to_string(pressure.cols()) + " values for a grid of " + std::to_string(grid.nx) +
                                 " x " + std::to_string(grid.ny) + (grid.symmetric ? ", half stored" : ""));
+  }
   PressureGrid message;
   message.nx = static_cast<std::uint32_t>(grid.nx);
   message.ny = static_cast<std::uint32_t>(grid.ny);
@@ -107,8 +119,10 @@ void fromMessage(const PressureGrid& message, Grid& grid, Eigen::ArrayXXd& press
 {
   constexpr std::uint32_t largest = 1U << 15U;  // of either count, so that their product is safe
   if (message.nx > largest || message.ny > largest || message.pressure.size() != std::size_t{message.nx} * message.ny)
+  {
     throw std::invalid_argument("pressure grid: " + std::to_string(message.pressure.size()) + " values for a grid of " +
                                 std::to_string(message.nx) + " x " + std::to_string(message.ny));
+  }
   Grid result;
   result.nx = static_cast<int>(message.nx);
   result.ny = static_cast<int>(message.ny);
@@ -116,7 +130,9 @@ void fromMessage(const PressureGrid& message, Grid& grid, Eigen::ArrayXXd& press
   result.dy = message.dy;
   result.y0 = message.y0;
   if (result.nx > 0 && std::abs(result.x(0) - message.x0) > 1e-9 * std::abs(result.nx * message.dx))
+  {
     throw std::invalid_argument("pressure grid: its middle is not at x = 0");
+  }
   grid = result;
   pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();
 }
@@ -158,14 +174,18 @@ ContactPatch toMessage(const PatchResult& patch, double x, bool with_grid)
   message.iterations = static_cast<std::uint32_t>(patch.iterations);
   message.residual = patch.residual;
   if (with_grid)
+  {
     message.grid = toMessage(patch.grid, patch.pressure);
+  }
   return message;
 }
 
 PatchResult fromMessage(const ContactPatch& message, double x)
 {
   if (message.side != ContactPatch::LEFT && message.side != ContactPatch::RIGHT)
+  {
     throw std::invalid_argument("contact patch: side " + std::to_string(message.side) + " is unknown");
+  }
   PatchResult patch;
   patch.side = message.side == ContactPatch::LEFT ? Side::left : Side::right;
   patch.method = methodNamed(message.method);
@@ -192,7 +212,9 @@ WheelsetContactMsg toMessage(const WheelsetResult& result, double x, bool with_g
   message.right_rail = toMessage(result.rail[1]);
   message.patches.reserve(result.patches.size());
   for (const PatchResult& patch : result.patches)
+  {
     message.patches.push_back(toMessage(patch, x, with_grids));
+  }
   return message;
 }
 
@@ -209,7 +231,9 @@ WheelsetResult fromMessage(const WheelsetContactMsg& message)
   result.roll = std::atan2(rotation(2, 1), rotation(2, 2));
   result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
   for (const ContactPatch& patch : message.patches)
+  {
     result.patches.push_back(fromMessage(patch, message.wheelset.position.x));
+  }
   return result;
 }
 }  // namespace wheel_rail_contact

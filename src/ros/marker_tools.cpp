@@ -3,6 +3,7 @@
 
 namespace wheel_rail_contact
 {
+using Eigen::Vector3d;
 using visualization_msgs::Marker;
 
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a)
@@ -39,17 +40,16 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id,
   return marker;
 }
 
-void addSurface(const SurfacePoints& points, Marker& marker)
+void addSurface(const SurfacePoints& points, bool flipped, Marker& marker)
 {
+  const std::vector<std_msgs::ColorRGBA> colors(4, marker.color);
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
     for (std::size_t j = 0; j + 1 < points[i].size(); ++j)
     {
-      for (const auto* corner : {&points[i][j], &points[i + 1][j], &points[i + 1][j + 1], &points[i][j],
-                                 &points[i + 1][j + 1], &points[i][j + 1]})
-      {
-        marker.points.push_back(toPoint(*corner));
-      }
+      const Vector3d &along = flipped ? points[i][j + 1] : points[i + 1][j],
+                     &across = flipped ? points[i + 1][j] : points[i][j + 1];
+      addQuadrilateral({points[i][j], along, points[i + 1][j + 1], across}, colors, marker);
     }
   }
 }

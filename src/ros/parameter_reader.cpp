@@ -27,15 +27,21 @@ std::optional<double> parseNumber(const std::string& text)
   const std::size_t sign = (text.rfind('-', 0) == 0 || text.rfind('+', 0) == 0) ? 1 : 0;
   const std::string word = text.substr(sign);
   if (word == ".inf" || word == "inf")
+  {
     return (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
+  }
   if (word == ".nan" || word == "nan")
+  {
     return std::numeric_limits<double>::quiet_NaN();
+  }
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
   double value = 0;
   stream >> std::noskipws >> value;
   if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof())
+  {
     return std::nullopt;
+  }
   return value;
 }
 
@@ -43,7 +49,9 @@ std::string joined(const std::vector<std::string>& words)
 {
   std::string text;
   for (const auto& word : words)
+  {
     text += (text.empty() ? "" : ", ") + word;
+  }
   return text;
 }
 }  // namespace
@@ -58,9 +66,13 @@ const YAML::Node* ParameterReader::find(const std::string& name)
   asked_.insert(name);
   const auto entry = tree_.find(name);
   if (entry == tree_.end())
+  {
     return nullptr;
+  }
   if (entry->second.IsNull())
+  {
     throw std::invalid_argument("parameter " + prefix_ + name + " has no value");
+  }
   return &entry->second;
 }
 
@@ -68,7 +80,9 @@ const std::string& ParameterReader::scalar(const std::string& name, const YAML::
                                            const std::string& rule) const
 {
   if (!node.IsScalar())
+  {
     refuse(name, rule);
+  }
   return node.Scalar();
 }
 
@@ -76,10 +90,14 @@ void ParameterReader::read(const std::string& name, const NumberRule& rule, doub
 {
   const YAML::Node* node = find(name);
   if (!node)
+  {
     return;
+  }
   const auto number = parseNumber(scalar(name, *node, rule.text));
   if (!number || !rule.holds(*number))
+  {
     refuse(name, rule.text);
+  }
   value = *number;
 }
 
@@ -93,19 +111,27 @@ void ParameterReader::read(const std::string& name, const NumberRule& rule, int&
 void ParameterReader::read(const std::string& name, std::string& value)
 {
   if (const YAML::Node* node = find(name))
+  {
     value = scalar(name, *node, "a word");
+  }
 }
 
 void ParameterReader::read(const std::string& name, std::vector<std::string>& words)
 {
   const YAML::Node* node = find(name);
   if (!node)
+  {
     return;
+  }
   if (!node->IsSequence())
+  {
     refuse(name, "a list of words");
+  }
   words.clear();
   for (const auto& entry : *node)
+  {
     words.push_back(scalar(name, entry, "a list of words"));
+  }
 }
 
 std::vector<ParameterTree> ParameterReader::readGroups(const std::string& name)
@@ -113,13 +139,19 @@ std::vector<ParameterTree> ParameterReader::readGroups(const std::string& name)
   std::vector<ParameterTree> groups;
   const YAML::Node* node = find(name);
   if (!node)
+  {
     return groups;
+  }
   if (!node->IsSequence())
+  {
     refuse(name, "a list of groups");
+  }
   for (const auto& entry : *node)
   {
     if (!entry.IsMap())
+    {
       refuse(name, "a list of groups");
+    }
     groups.push_back(parameterTree(entry));
   }
   return groups;
@@ -134,15 +166,21 @@ bool ParameterReader::isNumber(const std::string& name) const
 void ParameterReader::require(const std::string& name, const std::string& why) const
 {
   if (!has(name))
+  {
     throw std::invalid_argument("parameter " + prefix_ + name + " is missing: " + why);
+  }
 }
 
 void ParameterReader::refuseUnknown() const
 {
   for (const auto& entry : tree_)
+  {
     if (asked_.count(entry.first) == 0)
+    {
       throw std::invalid_argument("parameter " + prefix_ + entry.first +
                                   " is unknown; known names there: " + siblingsOf(entry.first));
+    }
+  }
 }
 
 void ParameterReader::refuse(const std::string& name, const std::string& rule) const
@@ -173,10 +211,16 @@ std::string ParameterReader::siblingsOf(const std::string& name) const
     const auto slash = group.rfind('/');
     group = slash == std::string::npos ? "" : group.substr(0, slash);
     for (const auto& candidate : asked_)
+    {
       if (group.empty() || candidate.rfind(group + "/", 0) == 0)
+      {
         known.push_back(candidate);
+      }
+    }
     if (group.empty())
+    {
       break;
+    }
   }
   return joined(known);
 }

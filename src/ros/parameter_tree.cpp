@@ -15,12 +15,18 @@ void collect(const YAML::Node& group, const std::string& prefix, ParameterTree& 
   for (const auto& entry : group)
   {
     if (!entry.first.IsScalar())
+    {
       throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is no name");
+    }
     const std::string name = prefix + entry.first.Scalar();
     if (entry.second.IsMap())
+    {
       collect(entry.second, name + "/", tree);
+    }
     else if (!tree.emplace(name, entry.second).second)
+    {
       throw std::invalid_argument("parameter " + name + " is given twice");
+    }
   }
 }
 
@@ -36,8 +42,11 @@ std::string digits(double value)
 YAML::Node listToYaml(const XmlRpc::XmlRpcValue& value)
 {
   YAML::Node node(YAML::NodeType::Sequence);
-  for (int i = 0; i < value.size(); ++i)
-    node.push_back(toYaml(value[i]));
+  int i = 0;  // the iterators of XmlRpcValue are for groups only
+  while (i < value.size())
+  {
+    node.push_back(toYaml(value[i++]));
+  }
   return node;
 }
 
@@ -45,7 +54,9 @@ YAML::Node groupToYaml(const XmlRpc::XmlRpcValue& value)
 {
   YAML::Node node(YAML::NodeType::Map);
   for (const auto& entry : value)
+  {
     node[entry.first] = toYaml(entry.second);
+  }
   return node;
 }
 }  // namespace
@@ -54,9 +65,13 @@ ParameterTree parameterTree(const YAML::Node& document)
 {
   ParameterTree tree;
   if (!document.IsDefined() || document.IsNull())
+  {
     return tree;
+  }
   if (!document.IsMap())
+  {
     throw std::invalid_argument("parameters: a map of names and values is wanted");
+  }
   collect(document, "", tree);
   return tree;
 }

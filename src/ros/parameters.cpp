@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "wheel_rail_contact/geometry/profile_reader.h"
 #include "wheel_rail_contact/ros/compliance_table_file.h"
 #include "wheel_rail_contact/ros/file_names.h"
 #include "wheel_rail_contact/ros/parameter_reader.h"
@@ -13,23 +13,6 @@ namespace wheel_rail_contact
 {
 namespace
 {
-enum class ProfileKind
-{
-  wheel,
-  rail
-};
-
-std::shared_ptr<const Profile> loadProfile(const std::string& name, ProfileKind kind)
-{
-  if (name == "S1002" && kind == ProfileKind::wheel)
-    return std::make_shared<Profile>(s1002Wheel());
-  if (name == "60E1" && kind == ProfileKind::rail)
-    return std::make_shared<Profile>(rail60E1());
-  if (name == "UIC60_manchester" && kind == ProfileKind::rail)
-    return std::make_shared<Profile>(railUic60Manchester());
-  throw std::invalid_argument("there is no such profile");
-}
-
 const NumberRule seconds{"a number of seconds >= 0 and <= 60", [](double v) { return v >= 0 && v <= 60; }};
 
 /// Values that name files; they are opened after all other values have been found right.
@@ -46,7 +29,9 @@ void readTrack(ParameterReader& reader, NodeConfig& config)
   reader.read("track/cant", rules::finite, track.cant);
   reader.read("track/frame", config.track_frame);
   if (config.track_frame.empty() || config.track_frame[0] == '/')
+  {
     reader.refuse("track/frame", "the tf name of a frame, without a slash before it");
+  }
 }
 
 void readWheelset(ParameterReader& reader, WheelsetConfig& wheelset)
@@ -60,7 +45,9 @@ void readWheelset(ParameterReader& reader, WheelsetConfig& wheelset)
   std::sort(free.begin(), free.end());
   wheelset.solve_height_and_roll = !free.empty();
   if (!free.empty() && free != std::vector<std::string>{"roll", "z"})
+  {
     reader.refuse("wheelset/free", "[z, roll] or []");
+  }
 }
 
 void readMaterial(ParameterReader& reader, const std::string& group, Material& material)
@@ -82,7 +69,9 @@ void readLateralForce(ParameterReader& reader, RailBendingConfig& bending)
   std::string word = bending.lateral_force == LateralForce::contact ? "contact" : "topic";
   reader.read(name, word);
   if (word != "contact" && word != "topic")
+  {
     reader.refuse(name, "contact, topic or a finite number [N]");
+  }
   bending.lateral_force = word == "contact" ? LateralForce::contact : LateralForce::topic;
 }
 
@@ -94,14 +83,20 @@ void readRailBending(ParameterReader& reader, RailBendingConfig& bending, FileNa
               bending.model);
   reader.read("rail_bending/table", files.table);
   if (bending.model == Model::compliance && files.table.empty())
+  {
     reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
+  }
   readLateralForce(reader, bending);
   reader.read("rail_bending/prescribed/lateral", rules::finite, bending.prescribed.lateral);
   reader.read("rail_bending/prescribed/vertical", rules::finite, bending.prescribed.vertical);
   reader.read("rail_bending/prescribed/roll", rules::finite, bending.prescribed.roll);
   if (bending.model == Model::prescribed)
+  {
     for (const char* name : {"lateral", "vertical", "roll"})
+    {
       reader.require(std::string("rail_bending/prescribed/") + name, "rail_bending/model prescribed needs it");
+    }
+  }
 }
 
 void readContact(ParameterReader& reader, ContactConfig& contact)
@@ -148,17 +143,25 @@ auto openFile(const std::string& name, const std::string& value, const Open& ope
   {
     return open(value);
   }
-  catch (const std::invalid_argument& error)
+  catch (const std::exception& error)
   {
     throw std::invalid_argument(name + " = " + value + ": " + error.what());
   }
 }
 
+/// What the rail's name 60E1 becomes where ROS takes it for a number: `_rail/profile:=60E1` on a command line, or a
+/// <param> without a type in a launch file.
+const std::string rail_60e1_as_number = "600";
+
 /// Names of shipped profiles have no dot and no slash, those of files have.
 std::shared_ptr<const Profile> openProfile(const std::string& value, ProfileKind kind, const std::string& directory)
 {
+  if (value == rail_60e1_as_number)
+  {
+    return std::make_shared<Profile>(loadProfile("60E1", kind));
+  }
   const bool is_file = value.find_first_of("./") != std::string::npos;
-  return loadProfile(is_file ? resolveFile(value, directory) : value, kind);
+  return std::make_shared<Profile>(loadProfile(is_file ? resolveFile(value, directory) : value, kind));
 }
 
 /// Opens the files, and lets the core check the ranges of its own options.

@@ -21,23 +21,23 @@ constexpr int profile_points = 80;    ///< drawn points of a profile
 constexpr int tread_rows = 17;        ///< rows of points round the drawn part of a tread
 constexpr double tread_angle = 0.30;  ///< half the drawn part of a tread, about the axle [rad]
 constexpr int circle_points = 96;
-constexpr double line_width = 0.003;   ///< [m]
-constexpr double axle_radius = 0.015;  ///< drawn much thinner than it is, so that it hides nothing [m]
+constexpr double line_width = 0.002;   ///< [m]
+constexpr double axle_radius = 0.008;  ///< drawn much thinner than it is, so that it hides nothing [m]
 constexpr double pi = 3.14159265358979323846;
 
 const std::array<Side, 2> sides{Side::left, Side::right};
 
 std_msgs::ColorRGBA railColor()
 {
-  return makeColor(0.55, 0.57, 0.60);
+  return makeColor(0.75, 0.77, 0.80);
 }
 std_msgs::ColorRGBA wheelColor()
 {
-  return makeColor(0.45, 0.55, 0.68, 0.55);
+  return makeColor(0.55, 0.68, 0.85, 0.45);
 }
 std_msgs::ColorRGBA lineColor()
 {
-  return makeColor(0.62, 0.70, 0.80, 0.8);
+  return makeColor(0.62, 0.70, 0.80, 0.35);
 }
 std_msgs::ColorRGBA textColor()
 {
@@ -89,7 +89,7 @@ Marker tread(const NodeConfig& config, const std_msgs::Header& header, Side side
       points.back().push_back(to_track * wheelPoint(config.model.wheelset, side, p, turn));
     }
   }
-  addSurface(points, marker);
+  addSurface(points, side == Side::left, marker);
   return marker;
 }
 
@@ -195,7 +195,8 @@ void addRails(const NodeConfig& config, const std_msgs::Header& header, double x
   {
     const PlacedRail rail = at_rest.deflected(deflection[static_cast<std::size_t>(side)]);
     Marker marker = makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor());
-    addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)}, marker);
+    addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)},
+               side == Side::right, marker);
     markers.markers.push_back(marker);
   }
 }

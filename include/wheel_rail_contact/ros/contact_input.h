@@ -80,6 +80,9 @@ struct PlacedState
   double x = 0;
 };
 
+/// True if tf can know a frame of this name: not empty, without a slash before it.
+bool isFrameName(const std::string& name);
+
 /// Brings an input to the track frame and to the core's terms.
 ///
 /// Pose: in the track frame, or in a frame from which tf leads there at the pose's stamp. A quaternion within 1e-3 of

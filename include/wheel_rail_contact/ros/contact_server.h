@@ -34,7 +34,7 @@ class ContactServer
 
   /// Reads the parameters, subscribes and starts.
   /// @throw std::invalid_argument for parameters that cannot be used (see readNodeConfig()).
-  ContactServer(ros::NodeHandle nh, ros::NodeHandle private_nh);
+  ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
   /// Ends after the evaluation in hand.
   ~ContactServer();
   ContactServer(const ContactServer&) = delete;

@@ -10,7 +10,7 @@ struct MarkerConfig
   double force_scale = 2.5e-6;    ///< length of a force arrow [m/N], >= 0; 0: no arrows
   double max_pressure = 1.5e9;    ///< upper end of the colour scale [Pa], > 0
   double zoom = 25;               ///< magnification of the patches drawn above the rails [-], >= 0; 0: none
-  double zoom_height = 0.25;      ///< of these patches above the true ones [m], >= 0
+  double zoom_height = 0.18;      ///< of these patches above the true ones [m], >= 0
   double pressure_height = 0.12;  ///< height of the pressure surface at `max_pressure`, magnified patch [m], >= 0
 };
 }  // namespace wheel_rail_contact

@@ -24,7 +24,9 @@ class NewestQueue
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (closed_)
+    {
       return;
+    }
     if (entries_.size() == capacity_)
     {
       entries_.pop_front();
@@ -40,7 +42,9 @@ class NewestQueue
     std::unique_lock<std::mutex> lock(mutex_);
     wake_.wait(lock, [this] { return closed_ || !entries_.empty(); });
     if (closed_)
+    {
       return std::nullopt;
+    }
     std::optional<Entry> entry(std::move(entries_.front()));
     entries_.pop_front();
     return entry;

@@ -77,7 +77,9 @@ void ParameterReader::read(const std::string& name, const std::vector<std::pair<
   std::string word;
   read(name, word);
   if (!has(name))
+  {
     return;
+  }
   std::vector<std::string> words;
   for (const auto& choice : choices)
   {

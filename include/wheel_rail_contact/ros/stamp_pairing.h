@@ -75,10 +75,14 @@ class StampPairing
       return std::nullopt;
     }
     if (own.last && time < *own.last)
+    {
       goBack(channel);
+    }
     own.last = time;
     if (own.waiting.size() == capacity_)
+    {
       dropOldest(own, DropReason::queue_full);
+    }
     own.waiting.emplace_back(time, std::move(sample));
     ++counts_.waiting;
     return merge();
@@ -88,7 +92,9 @@ class StampPairing
   void finish()
   {
     for (Channel& channel : channels_)
+    {
       dropAll(channel, DropReason::no_partner);
+    }
   }
 
   const PairingCounts& counts() const { return counts_; }
@@ -113,7 +119,9 @@ class StampPairing
   void dropAll(Channel& channel, DropReason reason)
   {
     while (!channel.waiting.empty())
+    {
       dropOldest(channel, reason);
+    }
   }
 
   void goBack(std::size_t channel)
@@ -122,9 +130,13 @@ class StampPairing
     for (Channel& other : channels_)
     {
       if (again)
+      {
         other.went_back = false;
+      }
       if (!other.went_back)
+      {
         dropAll(other, DropReason::time_jump);
+      }
     }
     dropAll(channels_[channel], DropReason::time_jump);
     channels_[channel].went_back = true;
@@ -140,7 +152,9 @@ class StampPairing
     {
       const auto ends = std::minmax_element(channels_.begin(), channels_.end(), earlier);
       if (ends.second->waiting.front().first - ends.first->waiting.front().first <= slop_)
+      {
         return takeSet();
+      }
       dropOldest(*ends.first, DropReason::no_partner);
     }
     return std::nullopt;

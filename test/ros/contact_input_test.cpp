@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/contact_input.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <boost/make_shared.hpp>
+#include <limits>
+#include <string>
+
+#include "wheel_rail_contact/ros/messages.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+geometry_msgs::PoseStamped pose(const Eigen::Quaterniond& q = Eigen::Quaterniond::Identity())
+{
+  geometry_msgs::PoseStamped message;
+  message.header.stamp = ros::Time(10);
+  message.header.frame_id = "track";
+  message.pose.position.x = 4;
+  message.pose.position.y = 0.002;
+  message.pose.position.z = 0.46;
+  message.pose.orientation.w = q.w();
+  message.pose.orientation.x = q.x();
+  message.pose.orientation.y = q.y();
+  message.pose.orientation.z = q.z();
+  return message;
+}
+
+geometry_msgs::WrenchStamped wrench(double fy, double fz, double tx)
+{
+  geometry_msgs::WrenchStamped message;
+  message.header.stamp = ros::Time(10);
+  message.wrench.force.y = fy;
+  message.wrench.force.z = fz;
+  message.wrench.torque.x = tx;
+  return message;
+}
+
+template <typename Message>
+boost::shared_ptr<const Message> shared(const Message& message)
+{
+  return boost::make_shared<const Message>(message);
+}
+
+ContactInput input(const geometry_msgs::PoseStamped& p, const geometry_msgs::WrenchStamped& load = wrench(0, -2e5, 3))
+{
+  return {shared(p), shared(load), {}};
+}
+
+PlacedState convert(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
+{
+  return toState(in, "track", transforms);
+}
+
+/// Status and reason with which an input is refused.
+std::pair<int, std::string> refusal(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
+{
+  try
+  {
+    convert(in, transforms);
+  }
+  catch (const UnusableInput& error)
+  {
+    return {error.status(), error.what()};
+  }
+  return {-1, "accepted"};
+}
+
+Eigen::Quaterniond turned(double yaw, double roll, double spin)
+{
+  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()) *
+         Eigen::AngleAxisd(spin, Eigen::Vector3d::UnitY());
+}
+}  // namespace
+
+TEST(ContactInput, PoseAndLoadAreTakenOver)
+{
+  const PlacedState placed = convert(input(pose()));
+  EXPECT_EQ(placed.x, 4);
+  EXPECT_EQ(placed.state.y, 0.002);
+  EXPECT_EQ(placed.state.z, 0.46);
+  EXPECT_EQ(placed.state.yaw, 0);
+  EXPECT_EQ(placed.state.roll, 0);
+  EXPECT_EQ(placed.state.force_z, -2e5);
+  EXPECT_EQ(placed.state.torque_x, 3);
+}
+
+TEST(ContactInput, RollingOfTheWheelsDoesNotMatter)
+{
+  for (const double spin : {0.0, 0.3, 1.5707963267948966, 3.0, -2.0})
+  {
+    const PlacedState placed = convert(input(pose(turned(0.02, -0.005, spin))));
+    EXPECT_NEAR(placed.state.yaw, 0.02, 1e-12) << spin;
+    EXPECT_NEAR(placed.state.roll, -0.005, 1e-12) << spin;
+  }
+}
+
+TEST(ContactInput, QuaternionOfNearlyUnitLengthIsNormalised)
+{
+  Eigen::Quaterniond q = turned(0.02, 0.01, 0);
+  q.coeffs() *= 1.0009;
+  EXPECT_NEAR(convert(input(pose(q))).state.yaw, 0.02, 1e-12);
+  q.coeffs() *= 1.0002;
+  EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContactMsg::INVALID_INPUT);
+}
+
+TEST(ContactInput, NumbersThatAreNoneAreRefusedByName)
+{
+  auto bad = pose();
+  bad.pose.position.y = not_a_number;
+  EXPECT_EQ(refusal(input(bad)),
+            (std::pair<int, std::string>(WheelsetContactMsg::INVALID_INPUT, "pose: position is not finite")));
+  bad = pose();
+  bad.pose.position.x = infinity;
+  EXPECT_EQ(refusal(input(bad)).first, WheelsetContactMsg::INVALID_INPUT);
+  for (const double w : {0.0, 5e-324, not_a_number, infinity, 1e308})
+  {
+    bad = pose();
+    bad.pose.orientation.w = w;
+    const auto refused = refusal(input(bad));
+    EXPECT_EQ(refused.first, WheelsetContactMsg::INVALID_INPUT) << w;
+    EXPECT_NE(refused.second.find("quaternion"), std::string::npos) << refused.second;
+  }
+  EXPECT_EQ(refusal(input(pose(), wrench(0, not_a_number, 0))).second, "load: force is not finite");
+  EXPECT_EQ(refusal(input(pose(), wrench(0, -1e5, -infinity))).second, "load: torque is not finite");
+}
+
+TEST(ContactInput, LoadInAnotherFrameIsRefused)
+{
+  auto load = wrench(0, -2e5, 0);
+  load.header.frame_id = "track";
+  EXPECT_EQ(convert(input(pose(), load)).state.force_z, -2e5);
+  load.header.frame_id = "wheelset";
+  const auto refused = refusal(input(pose(), load));
+  EXPECT_EQ(refused.first, WheelsetContactMsg::INVALID_INPUT);
+  EXPECT_NE(refused.second.find("'wheelset'"), std::string::npos);
+}
+
+TEST(ContactInput, TransformLeadsToTheTrackFrame)
+{
+  tf2::BufferCore transforms;
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "track";
+  transform.header.stamp = ros::Time(10);
+  transform.child_frame_id = "vehicle";
+  transform.transform.translation.y = 0.01;
+  transform.transform.rotation.z = std::sin(0.005);
+  transform.transform.rotation.w = std::cos(0.005);
+  transforms.setTransform(transform, "test");
+  auto message = pose();
+  message.header.frame_id = "vehicle";
+  const PlacedState placed = convert(input(message), transforms);
+  EXPECT_NEAR(placed.state.yaw, 0.01, 1e-12);
+  EXPECT_NEAR(placed.state.y, 0.01 + 4 * std::sin(0.01) + 0.002 * std::cos(0.01), 1e-12);
+
+  message.header.stamp = ros::Time(11);
+  const auto late = refusal(input(message), transforms);
+  EXPECT_EQ(late.first, WheelsetContactMsg::NO_TRANSFORM);
+  EXPECT_NE(late.second.find("'track'"), std::string::npos);
+}
+
+TEST(ContactInput, UnknownAndOddFramesGiveNoTransform)
+{
+  for (const std::string& frame :
+       {std::string("nowhere"), std::string(), std::string("/track"), std::string(100000, 'x')})
+  {
+    auto message = pose();
+    message.header.frame_id = frame;
+    EXPECT_EQ(refusal(input(message)).first, WheelsetContactMsg::NO_TRANSFORM) << frame.substr(0, 20);
+  }
+}
+
+TEST(ContactInput, RailForcesAreOutwardOnBothSides)
+{
+  ContactInput in = input(pose());
+  in.rail_force = {shared(wrench(30e3, 0, 0)), shared(wrench(-5e3, 0, 0))};
+  const PlacedState placed = convert(in);
+  EXPECT_EQ(placed.state.rail_lateral_force[0], 30e3);
+  EXPECT_EQ(placed.state.rail_lateral_force[1], -5e3);
+  in.rail_force[1] = shared(wrench(not_a_number, 0, 0));
+  EXPECT_EQ(refusal(in).second, "right rail force: force is not finite");
+}
+
+TEST(InputPairing, TakesTheTopicsThatTheConfigurationNeeds)
+{
+  NodeConfig config;
+  InputPairing both(config);
+  EXPECT_FALSE(both.addPose(shared(pose())));
+  const auto pair = both.addLoad(shared(wrench(0, -1, 0)));
+  ASSERT_TRUE(pair);
+  EXPECT_TRUE(pair->pose && pair->load && !pair->rail_force[0]);
+
+  config.model.wheelset.solve_height_and_roll = false;
+  InputPairing alone(config);
+  const auto single = alone.addPose(shared(pose()));
+  ASSERT_TRUE(single);
+  EXPECT_FALSE(single->load);
+  EXPECT_FALSE(alone.addLoad(shared(wrench(0, -1, 0))));
+
+  config = NodeConfig();
+  config.model.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.model.rail_bending.lateral_force = RailBendingConfig::LateralForce::topic;
+  InputPairing four(config);
+  EXPECT_FALSE(four.addPose(shared(pose())));
+  EXPECT_FALSE(four.addRailForce(Side::right, shared(wrench(2, 0, 0))));
+  EXPECT_FALSE(four.addLoad(shared(wrench(0, -1, 0))));
+  const auto all = four.addRailForce(Side::left, shared(wrench(1, 0, 0)));
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->rail_force[0]->wrench.force.y, 1);
+  EXPECT_EQ(all->rail_force[1]->wrench.force.y, 2);
+}

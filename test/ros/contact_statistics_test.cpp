@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/contact_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace wheel_rail_contact;
+using diagnostic_msgs::DiagnosticStatus;
+
+namespace
+{
+ContactAnswer answerWith(std::uint8_t status, const std::string& reason)
+{
+  ContactAnswer answer;
+  answer.status = status;
+  answer.reason = reason;
+  return answer;
+}
+
+diagnostic_updater::DiagnosticStatusWrapper reportOf(const ContactStatistics& now, const ContactStatistics& before)
+{
+  diagnostic_updater::DiagnosticStatusWrapper report;
+  diagnose(now, before, report);
+  return report;
+}
+
+std::string valueOf(const diagnostic_updater::DiagnosticStatusWrapper& report, const std::string& key)
+{
+  for (const auto& entry : report.values)
+  {
+    if (entry.key == key)
+    {
+      return entry.value;
+    }
+  }
+  return "no such key";
+}
+}  // namespace
+
+TEST(ContactStatistics, GoodAnswersAreOk)
+{
+  ContactStatistics now;
+  now.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
+  now.count(answerWith(WheelsetContactMsg::LIFT_OFF, "the left wheel carries nothing"), 0.003);
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::OK);
+  EXPECT_EQ(valueOf(report, "answers"), "2");
+  EXPECT_EQ(valueOf(report, "answers LIFT_OFF"), "1");
+  EXPECT_EQ(valueOf(report, "solve time, mean [ms]"), "2.000");
+  EXPECT_EQ(valueOf(report, "solve time, max [ms]"), "3.000");
+  EXPECT_EQ(valueOf(report, "last reason"), "the left wheel carries nothing");
+}
+
+TEST(ContactStatistics, SilenceIsOk)
+{
+  EXPECT_EQ(reportOf({}, {}).level, DiagnosticStatus::OK);
+}
+
+TEST(ContactStatistics, SomeUnusableAnswersWarnAndOnlyUnusableOnesAreAnError)
+{
+  ContactStatistics before, now;
+  before.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
+  now = before;
+  now.count(answerWith(WheelsetContactMsg::INVALID_INPUT, "load: force is not finite"), 0);
+  EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::ERROR);
+  EXPECT_NE(reportOf(now, before).message.find("load: force is not finite"), std::string::npos);
+  now.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
+  EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(reportOf(now, now).level, DiagnosticStatus::OK) << "what was reported before is over";
+}
+
+TEST(ContactStatistics, DropsWarnAndAreCountedByReason)
+{
+  ContactStatistics now;
+  now.pairing.dropped[static_cast<std::size_t>(DropReason::time_jump)] = 3;
+  now.overload = 2;
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(valueOf(report, "messages dropped: time went back"), "3");
+  EXPECT_EQ(valueOf(report, "inputs dropped: overload"), "2");
+}
+
+TEST(ContactStatistics, InputWithoutPartnerWarns)
+{
+  ContactStatistics now;
+  now.pairing.received = now.pairing.waiting = 20;
+  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
+}
+
+TEST(ContactStatistics, RailBeyondItsTableWarns)
+{
+  ContactStatistics now;
+  ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "");
+  answer.beyond_linear_range = true;
+  now.count(answer, 0.001);
+  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
+}
+
+TEST(ContactStatistics, ExceptionOfTheProgramIsAnError)
+{
+  ContactStatistics now;
+  now.internal_errors = 1;
+  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::ERROR);
+}

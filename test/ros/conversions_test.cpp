@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+PatchResult examplePatch(Side side)
+{
+  PatchResult patch;
+  patch.side = side;
+  patch.method = "seidel";
+  patch.pose = {0.01, side == Side::left ? 0.75 : -0.75, -0.001, side == Side::left ? 0.03 : -0.03};
+  patch.contact_angle = 0.03;
+  patch.normal_force = 100e3;
+  patch.approach = 8e-5;
+  patch.area = 190e-6;
+  patch.max_pressure = 980e6;
+  patch.error_estimate = 0.004;
+  patch.iterations = 17;
+  patch.residual = 1e-7;
+  patch.grid.nx = 4;
+  patch.grid.ny = 3;
+  patch.grid.dx = 0.002;
+  patch.grid.dy = 0.001;
+  patch.grid.y0 = -0.0015;
+  patch.pressure = Eigen::ArrayXd::LinSpaced(12, 1e6, 12e6).reshaped(4, 3);
+  return patch;
+}
+
+WheelsetResult exampleResult()
+{
+  WheelsetResult result;
+  result.status = ContactStatus::lift_off;
+  result.reason = "the right wheel carries nothing";
+  result.y = -0.002;
+  result.z = 0.4597;
+  result.yaw = 0.02;
+  result.roll = -0.001;
+  result.rail[0] = {{1e-3, -2e-4, 3e-3}, 3.5e3, 1e5};
+  result.rail[1] = {{-1e-3, 2e-4, -3e-3}, -3.5e3, 0};
+  result.patches = {examplePatch(Side::left), examplePatch(Side::right)};
+  return result;
+}
+
+void expectEqual(const PatchResult& a, const PatchResult& b)
+{
+  EXPECT_EQ(a.side, b.side);
+  EXPECT_EQ(a.method, b.method);
+  EXPECT_NEAR(a.pose.x, b.pose.x, 1e-14);
+  EXPECT_EQ(a.pose.y, b.pose.y);
+  EXPECT_EQ(a.pose.z, b.pose.z);
+  EXPECT_NEAR(a.pose.angle, b.pose.angle, 1e-15);
+  EXPECT_EQ(a.contact_angle, b.contact_angle);
+  EXPECT_EQ(a.normal_force, b.normal_force);
+  EXPECT_EQ(a.approach, b.approach);
+  EXPECT_EQ(a.area, b.area);
+  EXPECT_EQ(a.max_pressure, b.max_pressure);
+  EXPECT_EQ(a.error_estimate, b.error_estimate);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_EQ(a.residual, b.residual);
+  EXPECT_EQ(a.grid.nx, b.grid.nx);
+  EXPECT_EQ(a.grid.ny, b.grid.ny);
+  EXPECT_EQ(a.grid.dx, b.grid.dx);
+  EXPECT_EQ(a.grid.dy, b.grid.dy);
+  EXPECT_EQ(a.grid.y0, b.grid.y0);
+  EXPECT_TRUE(a.pressure.isApprox(b.pressure, std::numeric_limits<float>::epsilon()));
+}
+}  // namespace
+
+TEST(Conversions, ResultSurvivesTheWayToAMessageAndBack)
+{
+  const WheelsetResult before = exampleResult();
+  const WheelsetResult after = fromMessage(toMessage(before, 12.5, true));
+  EXPECT_EQ(after.status, before.status);
+  EXPECT_EQ(after.reason, before.reason);
+  EXPECT_EQ(after.y, before.y);
+  EXPECT_EQ(after.z, before.z);
+  EXPECT_NEAR(after.yaw, before.yaw, 1e-15);
+  EXPECT_NEAR(after.roll, before.roll, 1e-15);
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    EXPECT_EQ(after.rail[side].deflection.lateral, before.rail[side].deflection.lateral);
+    EXPECT_EQ(after.rail[side].deflection.vertical, before.rail[side].deflection.vertical);
+    EXPECT_EQ(after.rail[side].deflection.roll, before.rail[side].deflection.roll);
+    EXPECT_EQ(after.rail[side].lateral_force, before.rail[side].lateral_force);
+    EXPECT_EQ(after.rail[side].vertical_force, before.rail[side].vertical_force);
+  }
+  ASSERT_EQ(after.patches.size(), 2U);
+  expectEqual(after.patches[0], before.patches[0]);
+  expectEqual(after.patches[1], before.patches[1]);
+}
+
+TEST(Conversions, PlaceAlongTheTrackIsAddedToEveryPose)
+{
+  const WheelsetContactMsg message = toMessage(exampleResult(), 100, false);
+  EXPECT_EQ(message.wheelset.position.x, 100);
+  EXPECT_NEAR(message.patches[0].pose.position.x, 100.01, 1e-12);
+}
+
+TEST(Conversions, GridIsLeftOutWhenNobodyWantsIt)
+{
+  const WheelsetContactMsg message = toMessage(exampleResult(), 0, false);
+  EXPECT_EQ(message.patches[0].grid.nx, 0U);
+  EXPECT_TRUE(message.patches[0].grid.pressure.empty());
+  EXPECT_EQ(message.patches[0].max_pressure, 980e6);
+  EXPECT_NO_THROW(fromMessage(message));
+}
+
+TEST(Conversions, CellsStandInRowsAcrossAndXRunsFastest)
+{
+  const PatchResult patch = examplePatch(Side::left);
+  const PressureGrid message = toMessage(patch.grid, patch.pressure);
+  EXPECT_EQ(message.nx, 4U);
+  EXPECT_EQ(message.ny, 3U);
+  EXPECT_DOUBLE_EQ(message.x0, -0.003);
+  EXPECT_DOUBLE_EQ(message.y0, -0.0015);
+  for (std::size_t iy = 0; iy < 3; ++iy)
+  {
+    for (std::size_t ix = 0; ix < 4; ++ix)
+    {
+      EXPECT_EQ(message.pressure[iy * 4 + ix],
+                static_cast<float>(patch.pressure(static_cast<int>(ix), static_cast<int>(iy))));
+    }
+  }
+}
+
+TEST(Conversions, PatchNormalIsTheThirdAxisOfItsPose)
+{
+  const auto pose = toMessage(PatchPose{0, 0.75, 0, 0.1}, 0);
+  const Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
+  EXPECT_TRUE((q * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d(0, -std::sin(0.1), std::cos(0.1)), 1e-15));
+}
+
+TEST(Conversions, WrongSizesAreRefusedBeforeMemoryIsTouched)
+{
+  PatchResult patch = examplePatch(Side::left);
+  EXPECT_THROW(toMessage(patch.grid, Eigen::ArrayXXd::Zero(3, 4)), std::invalid_argument);
+  patch.grid.symmetric = true;
+  EXPECT_THROW(toMessage(patch.grid, patch.pressure), std::invalid_argument);
+
+  const ContactPatch good = toMessage(examplePatch(Side::left), 0, true);
+  Grid grid;
+  Eigen::ArrayXXd pressure;
+  PressureGrid bad = good.grid;
+  bad.pressure.pop_back();
+  EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
+  bad = good.grid;
+  bad.nx = bad.ny = 1U << 16U;  // their product is 0 in 32 bits
+  bad.pressure.clear();
+  EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
+  bad = good.grid;
+  bad.x0 = 0;
+  EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
+}
+
+TEST(Conversions, UnknownConstantsAreRefused)
+{
+  ContactPatch patch = toMessage(examplePatch(Side::right), 0, true);
+  patch.side = 7;
+  EXPECT_THROW(fromMessage(patch, 0), std::invalid_argument);
+  patch = toMessage(examplePatch(Side::right), 0, true);
+  patch.method = "magic";
+  EXPECT_THROW(fromMessage(patch, 0), std::invalid_argument);
+  EXPECT_THROW(statusFromMessage(200), std::invalid_argument);
+  EXPECT_EQ(statusFromMessage(WheelsetContactMsg::NO_TRANSFORM), ContactStatus::invalid_input);
+}
+
+TEST(Conversions, EveryStatusHasItsConstant)
+{
+  EXPECT_EQ(toMessage(ContactStatus::ok), WheelsetContactMsg::OK);
+  EXPECT_EQ(toMessage(ContactStatus::lift_off), WheelsetContactMsg::LIFT_OFF);
+  EXPECT_EQ(toMessage(ContactStatus::off_profile), WheelsetContactMsg::OFF_PROFILE);
+  EXPECT_EQ(toMessage(ContactStatus::not_converged), WheelsetContactMsg::NOT_CONVERGED);
+  EXPECT_EQ(toMessage(ContactStatus::invalid_input), WheelsetContactMsg::INVALID_INPUT);
+}

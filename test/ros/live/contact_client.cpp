@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact_client.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::uint32_t queue_size = 1000;
+}
+
+ContactClient::ContactClient(const std::string& inputs, const std::string& node) : nh_(inputs)
+{
+  pose_publisher_ = nh_.advertise<geometry_msgs::PoseStamped>("wheelset/pose", queue_size);
+  load_publisher_ = nh_.advertise<geometry_msgs::WrenchStamped>("wheelset/load", queue_size);
+  const auto connected = [this]
+  { return pose_publisher_.getNumSubscribers() > 0 && load_publisher_.getNumSubscribers() > 0; };
+  bool ready = spinUntil(connected);
+  if (!node.empty())
+  {
+    subscriber_ = nh_.subscribe<WheelsetContactMsg>(
+        node + "/contact", queue_size, [this](const WheelsetContactMsg::ConstPtr& m) { answers_.push_back(*m); });
+    ready = ready && spinUntil([this] { return subscriber_.getNumPublishers() > 0; });
+  }
+  if (!ready)
+  {
+    throw std::runtime_error("nobody at " + inputs + " and " + node);
+  }
+  // The node learns of its new listener a moment later than the listener of the node.
+  spinUntil([] { return false; }, 0.1);
+}
+
+ros::Time ContactClient::nextStamp()
+{
+  static ros::Time stamp(1000, 0);
+  stamp += ros::Duration(0.02);
+  return stamp;
+}
+
+geometry_msgs::PoseStamped ContactClient::pose(double y, const ros::Time& stamp)
+{
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = "track";
+  message.header.stamp = stamp;
+  message.pose.position.y = y;
+  message.pose.orientation.w = 1;
+  return message;
+}
+
+geometry_msgs::WrenchStamped ContactClient::load(double fz, const ros::Time& stamp)
+{
+  geometry_msgs::WrenchStamped message;
+  message.header.frame_id = "track";
+  message.header.stamp = stamp;
+  message.wrench.force.z = fz;
+  return message;
+}
+
+std::optional<WheelsetContactMsg> ContactClient::ask(const geometry_msgs::PoseStamped& pose,
+                                                     const geometry_msgs::WrenchStamped& load)
+{
+  const std::size_t before = answers_.size();
+  send(pose);
+  send(load);
+  if (!waitForAnswers(before + 1))
+  {
+    return std::nullopt;
+  }
+  return answers_.back();
+}
+
+std::optional<WheelsetContactMsg> ContactClient::ask(double y)
+{
+  const ros::Time stamp = nextStamp();
+  return ask(pose(y, stamp), load(-200e3, stamp));
+}
+
+bool ContactClient::waitForAnswers(std::size_t count)
+{
+  return spinUntil([this, count] { return answers_.size() >= count; });
+}
+
+Report nextReport(const std::string& node)
+{
+  Report report;
+  ros::NodeHandle nh;
+  int count = 0;
+  const auto receive = [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& message)
+  {
+    for (const auto& status : message->status)
+    {
+      if ("/" + status.name == node + ": wheel-rail contact")
+      {
+        ++count;
+        report.level = status.level;
+        report.message = status.message;
+        for (const auto& value : status.values)
+        {
+          report.values[value.key] = value.value;
+        }
+      }
+    }
+  };
+  const auto subscriber = nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", queue_size, receive);
+  spinUntil([&count] { return count > 0; });
+  return report;
+}
+}  // namespace wheel_rail_contact

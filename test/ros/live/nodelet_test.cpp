@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "contact_client.h"
+
+using namespace wheel_rail_contact;
+
+TEST(LiveNodelet, AnswersTheSameAsTheNodeToTheLastBit)
+{
+  ContactClient node("/", "/contact_node");
+  ContactClient nodelet("/", "/contact_nodelet");
+  constexpr std::size_t count = 40;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const ros::Time stamp = ContactClient::nextStamp();
+    auto pose = ContactClient::pose(-2e-4 * static_cast<double>(i), stamp);
+    if (i == 20)
+    {
+      pose.header.frame_id = "nowhere";
+    }
+    node.send(pose);
+    node.send(ContactClient::load(-200e3, stamp));
+  }
+  ASSERT_TRUE(node.waitForAnswers(count));
+  ASSERT_TRUE(nodelet.waitForAnswers(count));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    WheelsetContactMsg a = node.answers()[i], b = nodelet.answers()[i];
+    a.solve_time = b.solve_time = 0;
+    a.header.seq = b.header.seq = 0;
+    EXPECT_EQ(a, b) << "answer " << i;
+  }
+  EXPECT_EQ(node.answers()[20].status, WheelsetContactMsg::NO_TRANSFORM);
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <cmath>
+
+#include "contact_client.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+geometry_msgs::TransformStamped shifted(const std::string& frame, double y, const ros::Time& stamp)
+{
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "track";
+  transform.header.stamp = stamp;
+  transform.child_frame_id = frame;
+  transform.transform.translation.y = y;
+  transform.transform.rotation.w = 1;
+  return transform;
+}
+
+std::uint64_t number(const Report& report, const std::string& key)
+{
+  const auto value = report.values.find(key);
+  return value == report.values.end() ? 0 : std::stoull(value->second);
+}
+}  // namespace
+
+TEST(LiveNode, PoseInAnotherFrameIsBroughtToTheTrack)
+{
+  ContactClient client;
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  const ros::Time stamp = ContactClient::nextStamp();
+  broadcaster.sendTransform(shifted("vehicle", 0.001, stamp));
+  auto pose = ContactClient::pose(0.002, stamp);
+  pose.header.frame_id = "vehicle";
+  std::optional<WheelsetContactMsg> answer;
+  for (int i = 0; i < 20 && !(answer && answer->status == WheelsetContactMsg::OK); ++i)
+  {
+    pose.header.stamp = ContactClient::nextStamp();
+    answer = client.ask(pose, ContactClient::load(-200e3, pose.header.stamp));
+  }
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, WheelsetContactMsg::OK) << answer->status_text;
+  EXPECT_NEAR(answer->wheelset.position.y, 0.003, 1e-12);
+}
+
+TEST(LiveNode, LateTransformIsWaitedForAndAMissingOneHoldsUpNothing)
+{
+  ContactClient client;
+  tf2_ros::TransformBroadcaster broadcaster;
+  spinUntil([] { return false; }, 0.5);  // until the node has heard of the broadcaster
+  const ros::Time early = ContactClient::nextStamp();
+  broadcaster.sendTransform(shifted("bogie", 0.001, early));
+
+  const ros::Time late = ContactClient::nextStamp();
+  auto pose = ContactClient::pose(0, late);
+  pose.header.frame_id = "bogie";
+  const std::size_t before = client.answers().size();
+  client.send(pose);
+  client.send(ContactClient::load(-200e3, late));
+  spinUntil([] { return false; }, 0.02);
+  broadcaster.sendTransform(shifted("bogie", 0.002, late));
+  ASSERT_TRUE(client.waitForAnswers(before + 1));
+  EXPECT_EQ(client.answers().back().status, WheelsetContactMsg::OK) << client.answers().back().status_text;
+  EXPECT_NEAR(client.answers().back().wheelset.position.y, 0.002, 1e-12);
+
+  // Fifty poses without their transform are refused together, not one patience after the other.
+  const ros::WallTime start = ros::WallTime::now();
+  for (int i = 0; i < 50; ++i)
+  {
+    pose.header.stamp = ContactClient::nextStamp();
+    client.send(pose);
+    client.send(ContactClient::load(-200e3, pose.header.stamp));
+  }
+  ASSERT_TRUE(client.waitForAnswers(before + 51));
+  EXPECT_LT((ros::WallTime::now() - start).toSec(), 3) << "50 times the patience of 0.1 s would be 5 s";
+  EXPECT_EQ(client.answers().back().status, WheelsetContactMsg::NO_TRANSFORM);
+}
+
+TEST(LiveNode, BagLoopIsAnsweredAgain)
+{
+  ContactClient client;
+  const ros::Time begin = ContactClient::nextStamp();
+  for (int loop = 0; loop < 3; ++loop)
+  {
+    for (int i = 0; i < 10; ++i)
+    {
+      const ros::Time stamp = begin + ros::Duration(0.001 * i);
+      ASSERT_TRUE(client.ask(ContactClient::pose(0, stamp), ContactClient::load(-200e3, stamp)));
+      EXPECT_EQ(client.answers().back().header.stamp, stamp);
+    }
+  }
+  EXPECT_EQ(client.answers().size(), 30U);
+}
+
+TEST(LiveNode, EveryMessageIsAnsweredOrCountedAsDropped)
+{
+  ContactClient client;
+  const Report before = nextReport("/contact_node");
+  const std::size_t answers = client.answers().size();
+  const ros::Time first = ContactClient::nextStamp(), second = ContactClient::nextStamp();
+  client.send(ContactClient::pose(0, first));  // without load
+  client.send(ContactClient::pose(0, second));
+  client.send(ContactClient::pose(0, second));  // twice
+  client.send(ContactClient::load(-200e3, second));
+  client.send(ContactClient::load(-200e3, first - ros::Duration(5)));  // time goes back, no pose
+  ASSERT_TRUE(client.waitForAnswers(answers + 1));
+  Report after;
+  for (int i = 0; i < 5 && number(after, "messages received") != number(before, "messages received") + 5; ++i)
+  {
+    after = nextReport("/contact_node");
+  }
+  const auto change = [&](const std::string& key) { return number(after, key) - number(before, key); };
+  EXPECT_EQ(change("messages received"), 5U);
+  EXPECT_EQ(change("answers"), 1U);
+  EXPECT_EQ(change("messages dropped: no partner of near enough stamp"), 1U);
+  EXPECT_EQ(change("messages dropped: stamp given twice"), 1U);
+  EXPECT_EQ(number(after, "messages waiting for a partner"), 1U);
+  EXPECT_TRUE(client.ask(0.0)) << "the node goes on";
+}
+
+TEST(LiveNode, SlopPairsStampsThatAreNearOnly)
+{
+  ContactClient client("/loose", "/loose/contact_node");
+  const ros::Time stamp = ContactClient::nextStamp();
+  const auto answer =
+      client.ask(ContactClient::pose(0, stamp), ContactClient::load(-200e3, stamp + ros::Duration(0.004)));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->header.stamp, stamp) << "the answer carries the pose's stamp";
+  const ros::Time later = ContactClient::nextStamp();
+  client.send(ContactClient::pose(0, later));
+  client.send(ContactClient::load(-200e3, later + ros::Duration(0.006)));
+  spinUntil([] { return false; }, 0.3);
+  EXPECT_EQ(client.answers().size(), 1U);
+}
+
+TEST(LiveNode, GivenHeightNeedsNoLoad)
+{
+  ros::NodeHandle nh;
+  const auto publisher = nh.advertise<geometry_msgs::PoseStamped>("/given/wheelset/pose", 10);
+  std::vector<WheelsetContactMsg> answers;
+  const auto subscriber = nh.subscribe<WheelsetContactMsg>(
+      "/given/contact_node/contact", 10, [&](const WheelsetContactMsg::ConstPtr& m) { answers.push_back(*m); });
+  EXPECT_TRUE(spinUntil([&] { return subscriber.getNumPublishers() > 0; }));
+  EXPECT_TRUE(spinUntil(
+      [&]
+      {
+        auto pose = ContactClient::pose(0, ContactClient::nextStamp());
+        pose.pose.position.z = 0.4597427;
+        publisher.publish(pose);
+        spinUntil([&] { return !answers.empty(); }, 0.2);
+        return !answers.empty();
+      }));
+  EXPECT_EQ(answers[0].status, WheelsetContactMsg::OK) << answers[0].status_text;
+  // 1e-6 m of the approach of 75e-6 m changes the force by about 2 %; the height above is known to 1e-7 m.
+  EXPECT_NEAR(answers[0].left_rail.vertical_force, 100e3, 3e3);
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "wheel_rail_contact/ros/color_map.h"
+#include "wheel_rail_contact/ros/contact_markers.h"
+#include "wheel_rail_contact/ros/marker_tools.h"
+#include "wheel_rail_contact/ros/track_markers.h"
+
+using namespace wheel_rail_contact;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+namespace
+{
+NodeConfig exampleConfig()
+{
+  return readNodeConfig(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: UIC60_manchester}}")), "",
+                        "");
+}
+
+/// An answer with one Hertz-like patch on either side, drawn without solving anything.
+class Picture : public testing::Test
+{
+ protected:
+  Picture()
+  {
+    result.status = ContactStatus::ok;
+    result.z = 0.46;
+    for (const Side side : {Side::left, Side::right})
+    {
+      result.patches.push_back(makePatch(side, 0.75));
+    }
+    answer.header.frame_id = "track";
+    answer.header.stamp = ros::Time(10);
+    answer.x = 3;
+    answer.result = &result;
+  }
+
+  static PatchResult makePatch(Side side, double distance)
+  {
+    const double sign = side == Side::left ? 1 : -1;
+    PatchResult patch;
+    patch.side = side;
+    patch.pose = {0, sign * distance, -1e-4, sign * 0.03};
+    patch.normal_force = 1e5;
+    patch.area = 192e-6;
+    patch.max_pressure = 982e6;
+    patch.grid.nx = 20;
+    patch.grid.ny = 10;
+    patch.grid.dx = patch.grid.dy = 1e-3;
+    patch.grid.y0 = -4.5e-3;
+    patch.pressure.resize(20, 10);
+    for (int i = 0; i < 20; ++i)
+    {
+      for (int j = 0; j < 10; ++j)
+      {
+        const double r = std::pow(patch.grid.x(i) / 8e-3, 2) + std::pow(patch.grid.y(j) / 4e-3, 2);
+        patch.pressure(i, j) = patch.max_pressure * std::sqrt(std::max(0.0, 1 - r));
+      }
+    }
+    return patch;
+  }
+
+  MarkerArray draw() const { return contactMarkers(answer, config); }
+
+  const NodeConfig config = exampleConfig();
+  WheelsetResult result;
+  ContactAnswer answer;
+};
+
+const Marker& find(const MarkerArray& markers, const std::string& ns, int id)
+{
+  const auto found = std::find_if(markers.markers.begin(), markers.markers.end(),
+                                  [&](const Marker& marker) { return marker.ns == ns && marker.id == id; });
+  if (found == markers.markers.end())
+  {
+    throw std::out_of_range("no marker " + ns + " " + std::to_string(id));
+  }
+  return *found;
+}
+
+double width(const Marker& marker)
+{
+  const auto ends = std::minmax_element(marker.points.begin(), marker.points.end(),
+                                        [](const auto& a, const auto& b) { return a.y < b.y; });
+  return ends.second->y - ends.first->y;
+}
+
+double highest(const Marker& marker)
+{
+  return std::max_element(marker.points.begin(), marker.points.end(),
+                          [](const auto& a, const auto& b) { return a.z < b.z; })
+      ->z;
+}
+
+void expectDrawable(const MarkerArray& markers)
+{
+  MarkerKeys keys;
+  for (const Marker& marker : markers.markers)
+  {
+    SCOPED_TRACE(marker.ns + " " + std::to_string(marker.id));
+    EXPECT_EQ(marker.header.frame_id, "track");
+    EXPECT_TRUE(keys.emplace(marker.ns, marker.id).second) << "namespace and number must be unique";
+    EXPECT_GT(marker.color.a, 0);
+    const auto& q = marker.pose.orientation;
+    EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1, 1e-12);
+    EXPECT_TRUE(marker.colors.empty() || marker.colors.size() == marker.points.size());
+    const std::size_t group = marker.type == Marker::TRIANGLE_LIST ? 3 : marker.type == Marker::LINE_LIST ? 2 : 1;
+    EXPECT_EQ(marker.points.size() % group, 0U);
+    for (const auto& p : marker.points)
+    {
+      EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    }
+  }
+}
+}  // namespace
+
+TEST_F(Picture, CanBeDrawn)
+{
+  expectDrawable(draw());
+  expectDrawable(profileMarkers(config));
+}
+
+TEST_F(Picture, PatchLiesAtItsPlaceInTrueSize)
+{
+  const Marker patch = find(draw(), "patch", 16);
+  EXPECT_NEAR(width(patch), 10e-3, 2.1e-3) << "8 mm wide, up to a cell more on either edge";
+  for (const auto& p : patch.points)
+  {
+    EXPECT_NEAR(p.x, 3, 0.010);
+    EXPECT_NEAR(p.y, -0.75, 0.006);
+    EXPECT_NEAR(p.z, 0, 1e-3);
+  }
+}
+
+TEST_F(Picture, MagnifiedPatchStandsAboveItsRail)
+{
+  const MarkerArray markers = draw();
+  const Marker& zoomed = find(markers, "zoom", 0);
+  EXPECT_NEAR(width(zoomed), config.markers.zoom * width(find(markers, "patch", 0)), 0.01);
+  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + config.markers.pressure_height * 982.0 / 1500.0, 0.005);
+}
+
+TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)
+{
+  result.patches.push_back(makePatch(Side::right, 0.72));
+  const MarkerArray markers = draw();
+  const auto right_end = [](const Marker& marker)
+  {
+    return std::min_element(marker.points.begin(), marker.points.end(),
+                            [](const auto& a, const auto& b) { return a.y < b.y; })
+        ->y;
+  };
+  const Marker &tread = find(markers, "zoom", 16), &flange = find(markers, "zoom", 17);
+  EXPECT_GT(right_end(flange), right_end(tread) + width(tread));
+}
+
+TEST_F(Picture, ColourFollowsThePressure)
+{
+  const Marker zoomed = find(draw(), "zoom", 0);
+  const auto top = std::max_element(zoomed.points.begin(), zoomed.points.end(),
+                                    [](const auto& a, const auto& b) { return a.z < b.z; });
+  const auto& color = zoomed.colors[static_cast<std::size_t>(top - zoomed.points.begin())];
+  const auto expected = colorOf(result.patches[0].pressure.maxCoeff() / config.markers.max_pressure);
+  EXPECT_NEAR(color.r, expected.r, 1e-6);
+  EXPECT_NEAR(color.g, expected.g, 1e-6);
+  EXPECT_NEAR(color.b, expected.b, 1e-6);
+}
+
+TEST_F(Picture, ArrowPressesIntoTheRailWithTheForcesLength)
+{
+  const Marker arrow = find(draw(), "force", 0);
+  const auto &tail = arrow.points[0], &head = arrow.points[1];
+  EXPECT_NEAR(std::hypot(head.y - tail.y, head.z - tail.z), config.markers.force_scale * 1e5, 1e-12);
+  EXPECT_LT(head.z, tail.z);
+  EXPECT_GT(head.y, tail.y) << "on the left the force of a tread pushes outward";
+}
+
+TEST_F(Picture, LabelTellsPressureAndArea)
+{
+  EXPECT_EQ(find(draw(), "label", 0).text, "982 MPa\n192 mm²");
+}
+
+TEST_F(Picture, RailIsDrawnDeflected)
+{
+  const MarkerArray before = draw();
+  result.rail[0].deflection = {0.01, 0.002, 0};
+  const MarkerArray after = draw();
+  EXPECT_NEAR(find(after, "rail", 0).points[0].y - find(before, "rail", 0).points[0].y, 0.01, 1e-12);
+  EXPECT_NEAR(find(after, "rail", 0).points[0].z - find(before, "rail", 0).points[0].z, 0.002, 1e-12);
+  EXPECT_EQ(find(after, "rail", 1).points[0].y, find(before, "rail", 1).points[0].y);
+}
+
+TEST_F(Picture, VanishedPatchIsDeleted)
+{
+  MarkerArray first = draw();
+  const MarkerKeys shown = appendDeletions({}, answer.header, first);
+  result.patches.pop_back();
+  MarkerArray second = draw();
+  const MarkerKeys now = appendDeletions(shown, answer.header, second);
+  for (const char* ns : {"patch", "zoom", "zoom_line", "force", "label"})
+  {
+    EXPECT_EQ(find(second, ns, 16).action, Marker::DELETE) << ns;
+    EXPECT_EQ(now.count({ns, 16}), 0U);
+    EXPECT_EQ(now.count({ns, 0}), 1U);
+  }
+  MarkerArray third = draw();
+  const std::size_t count = third.markers.size();
+  appendDeletions(now, answer.header, third);
+  EXPECT_EQ(third.markers.size(), count) << "deleted once only";
+}
+
+TEST_F(Picture, UnusableAnswerShowsItsReason)
+{
+  answer.result = nullptr;
+  answer.reason = "pose: position is not finite";
+  const MarkerArray markers = draw();
+  ASSERT_EQ(markers.markers.size(), 1U);
+  EXPECT_EQ(markers.markers[0].text, answer.reason);
+  expectDrawable(markers);
+}
+
+TEST_F(Picture, PartsCanBeSwitchedOff)
+{
+  NodeConfig plain = config;
+  plain.markers.zoom = 0;
+  plain.markers.force_scale = 0;
+  for (const Marker& marker : contactMarkers(answer, plain).markers)
+  {
+    EXPECT_TRUE(marker.ns != "zoom" && marker.ns != "zoom_line" && marker.ns != "force") << marker.ns;
+  }
+}
+
+TEST(ColorMap, GetsBrighterAllTheWay)
+{
+  const auto brightness = [](double t)
+  {
+    const auto c = colorOf(t);
+    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;  // relative luminance of ITU-R BT.709
+  };
+  for (double t = 0; t < 1; t += 0.01)
+  {
+    EXPECT_LT(brightness(t), brightness(t + 0.01)) << t;
+  }
+}
+
+TEST(ColorMap, ClampsWhatIsOutside)
+{
+  EXPECT_EQ(colorOf(-3).b, colorOf(0).b);
+  EXPECT_EQ(colorOf(7).r, colorOf(1).r);
+  EXPECT_EQ(colorOf(std::numeric_limits<double>::quiet_NaN()).g, colorOf(0).g);
+}

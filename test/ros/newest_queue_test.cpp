@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/newest_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+using wheel_rail_contact::NewestQueue;
+
+TEST(NewestQueue, KeepsTheNewestInOrderAndCountsTheRest)
+{
+  NewestQueue<int> queue(3);
+  for (int i = 1; i <= 5; ++i)
+  {
+    queue.push(i);
+  }
+  EXPECT_EQ(queue.pop(), 3);
+  EXPECT_EQ(queue.pop(), 4);
+  EXPECT_EQ(queue.pop(), 5);
+  EXPECT_EQ(queue.dropped(), 2U);
+}
+
+TEST(NewestQueue, CloseLetsAWaitingReaderGo)
+{
+  NewestQueue<int> queue(1);
+  std::thread reader([&queue] { EXPECT_EQ(queue.pop(), std::nullopt); });
+  queue.close();
+  reader.join();
+  queue.push(1);
+  EXPECT_EQ(queue.pop(), std::nullopt);
+}
+
+TEST(NewestQueue, EveryEntryIsDeliveredOrCounted)
+{
+  NewestQueue<int> queue(10);
+  constexpr int count = 20000;
+  int delivered = 0, last = -1;
+  std::thread reader(
+      [&]
+      {
+        while (last != count - 1)
+        {
+          const int entry = *queue.pop();
+          EXPECT_GT(entry, last);
+          last = entry;
+          ++delivered;
+        }
+      });
+  for (int i = 0; i < count; ++i)
+  {
+    queue.push(i);
+  }
+  reader.join();
+  EXPECT_EQ(static_cast<std::uint64_t>(delivered) + queue.dropped(), static_cast<std::uint64_t>(count));
+}

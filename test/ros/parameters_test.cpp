@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/parameters.h"
+
+#include <gtest/gtest.h>
+#include <ros/package.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+std::string packageFile(const std::string& name)
+{
+  return ros::package::getPath("wheel_rail_contact") + "/" + name;
+}
+
+ParameterTree defaults()
+{
+  return readParameterFile(packageFile("config/default.yaml"));
+}
+
+ParameterTree with(const std::string& yaml)
+{
+  return overlay(defaults(), parameterTree(YAML::Load(yaml)));
+}
+
+NodeConfig read(const ParameterTree& tree)
+{
+  return readNodeConfig(tree, "/contact_node/", testing::TempDir());
+}
+
+/// What the reader says of a tree that it must refuse.
+std::string refusal(const ParameterTree& tree)
+{
+  try
+  {
+    read(tree);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+struct Mistake
+{
+  const char* yaml;   ///< laid over config/default.yaml
+  const char* name;   ///< that the message must hold
+  const char* value;  ///< that the message must hold
+};
+}  // namespace
+
+TEST(Parameters, DefaultFileNamesExactlyTheKnownParameters)
+{
+  std::set<std::string> names;
+  for (const auto& entry : defaults())
+  {
+    names.insert(entry.first);
+  }
+  EXPECT_EQ(names, parameterNames());
+}
+
+TEST(Parameters, DefaultFileHoldsTheDefaultsOfTheCode)
+{
+  const NodeConfig file = read(defaults());
+  const NodeConfig code;
+  EXPECT_EQ(file.model.track.gauge, code.model.track.gauge);
+  EXPECT_EQ(file.model.track.gauge_depth, code.model.track.gauge_depth);
+  EXPECT_EQ(file.model.track.cant, code.model.track.cant);
+  EXPECT_EQ(file.track_frame, code.track_frame);
+  EXPECT_EQ(file.model.wheelset.rolling_radius, code.model.wheelset.rolling_radius);
+  EXPECT_EQ(file.model.wheelset.flange_back_distance, code.model.wheelset.flange_back_distance);
+  EXPECT_EQ(file.model.wheelset.tape_circle, code.model.wheelset.tape_circle);
+  EXPECT_EQ(file.model.wheelset.solve_height_and_roll, code.model.wheelset.solve_height_and_roll);
+  for (const auto material : {&ContactModelConfig::wheel_material, &ContactModelConfig::rail_material})
+  {
+    EXPECT_EQ((file.model.*material).young, (code.model.*material).young);
+    EXPECT_EQ((file.model.*material).poisson, (code.model.*material).poisson);
+  }
+  EXPECT_EQ(file.model.rail_bending.model, code.model.rail_bending.model);
+  EXPECT_EQ(file.model.rail_bending.lateral_force, code.model.rail_bending.lateral_force);
+  EXPECT_EQ(file.model.rail_bending.prescribed.lateral, code.model.rail_bending.prescribed.lateral);
+  EXPECT_EQ(file.model.rail_bending.prescribed.vertical, code.model.rail_bending.prescribed.vertical);
+  EXPECT_EQ(file.model.rail_bending.prescribed.roll, code.model.rail_bending.prescribed.roll);
+  EXPECT_EQ(file.model.contact.method, code.model.contact.method);
+  EXPECT_EQ(file.model.contact.tolerance, code.model.contact.tolerance);
+  EXPECT_EQ(file.model.contact.cells_along, code.model.contact.cells_along);
+  EXPECT_EQ(file.model.contact.cells_across, code.model.contact.cells_across);
+  EXPECT_EQ(file.slop, code.slop);
+  EXPECT_EQ(file.markers.rail_length, code.markers.rail_length);
+  EXPECT_EQ(file.markers.force_scale, code.markers.force_scale);
+  EXPECT_EQ(file.markers.max_pressure, code.markers.max_pressure);
+  EXPECT_EQ(file.markers.zoom, code.markers.zoom);
+  EXPECT_EQ(file.markers.zoom_height, code.markers.zoom_height);
+  EXPECT_EQ(file.markers.pressure_height, code.markers.pressure_height);
+  EXPECT_EQ(file.model.wheel_profile->name(), "S1002");
+  EXPECT_EQ(file.model.rail_profile->name(), "60E1");
+}
+
+TEST(Parameters, ProfilesAloneAreEnough)
+{
+  const NodeConfig config = read(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: 60E1}}")));
+  EXPECT_EQ(config.model.track.gauge, TrackConfig().gauge);
+}
+
+TEST(Parameters, NumbersMayBeWrittenAsStrings)
+{
+  for (const char* text : {"210e9", "2.1e11", "'210e9'", "210000000000", "+2.1E+11", "210000000000.0"})
+  {
+    EXPECT_EQ(read(with(std::string("material: {wheel: {young: ") + text + "}}")).model.wheel_material.young, 2.1e11)
+        << text;
+  }
+}
+
+TEST(Parameters, RailNamed60E1IsFoundWhereRosTakesItForANumber)
+{
+  XmlRpc::XmlRpcValue server;
+  server["wheel"]["profile"] = "S1002";
+  server["rail"]["profile"] = 60E1;
+  EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile->name(), "60E1");
+}
+
+TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
+{
+  const std::vector<Mistake> mistakes{
+      {"track: {gauge: wide}", "track/gauge", "wide"},
+      {"track: {gauge: .nan}", "track/gauge", "nan"},
+      {"track: {gauge: .inf}", "track/gauge", "inf"},
+      {"track: {gauge: -1.435}", "track/gauge", "-1.435"},
+      {"track: {gauge: 0}", "track/gauge", "0"},
+      {"track: {gauge: 1.435m}", "track/gauge", "1.435m"},
+      {"track: {gauge: '1.435 '}", "track/gauge", "1.435 "},
+      {"track: {gauge: 0x10}", "track/gauge", "0x10"},
+      {"track: {gauge: 1e400}", "track/gauge", "1e400"},
+      {"track: {gauge: ''}", "track/gauge", "\"\""},
+      {"track: {gauge: true}", "track/gauge", "true"},
+      {"track: {gauge: [1.435]}", "track/gauge", "[1.435]"},
+      {"track: {gauge: }", "track/gauge", "no value"},
+      {"track: {gauge_depth: -0.014}", "track/gauge_depth", "-0.014"},
+      {"track: {cant: 1.4}", "track/cant", "1.4"},
+      {"track: {frame: /track}", "track/frame", "/track"},
+      {"track: {frame: ''}", "track/frame", "\"\""},
+      {"track: {frame: [track]}", "track/frame", "[track]"},
+      {"track: {gage: 1.435}", "track/gage", "track/gauge"},
+      {"track: 1.435", "track", "unknown"},
+      {"wheelset: {rolling_radius: 0}", "wheelset/rolling_radius", "0"},
+      {"wheelset: {flange_back_distance: -1}", "wheelset/flange_back_distance", "-1"},
+      {"wheelset: {tape_circle: x}", "wheelset/tape_circle", "x"},
+      {"wheelset: {free: [z]}", "wheelset/free", "[z]"},
+      {"wheelset: {free: z}", "wheelset/free", "z"},
+      {"wheelset: {free: [z, roll, y]}", "wheelset/free", "[z, roll, y]"},
+      {"wheelset: {free: [[z], roll]}", "wheelset/free", "[[z], roll]"},
+      {"wheel: {profile: S1001}", "wheel/profile", "S1001"},
+      {"wheel: {profile: 60E1}", "wheel/profile", "60E1"},
+      {"wheel: {profile: ''}", "wheel/profile", ""},
+      {"wheel: {profile: [S1002]}", "wheel/profile", "[S1002]"},
+      {"wheel: {profile: missing.prw}", "wheel/profile", "missing.prw"},
+      {"rail: {profile: package://no_such_package/rail.prr}", "rail/profile", "no_such_package"},
+      {"rail: {profile: package://wheel_rail_contact/no.prr}", "rail/profile", "no.prr"},
+      {"rail: {profile: /nowhere/rail.prr}", "rail/profile", "/nowhere/rail.prr"},
+      {"material: {wheel: {young: -2.1e11}}", "material/wheel/young", "-2"},
+      {"material: {rail: {young: 0}}", "material/rail/young", "0"},
+      {"material: {rail: {poisson: 0.6}}", "material/rail/poisson", "0.6"},
+      {"material: {wheel: {poisson: -1}}", "material/wheel/poisson", "-1"},
+      {"material: {axle: {young: 1}}", "material/axle/young", "material/wheel/young"},
+      {"rail_bending: {model: beam}", "rail_bending/model", "beam"},
+      {"rail_bending: {model: 1}", "rail_bending/model", "1"},
+      {"rail_bending: {model: compliance}", "rail_bending/table", "file"},
+      {"rail_bending: {model: compliance, table: missing.yaml}", "rail_bending/table", "missing.yaml"},
+      {"rail_bending: {lateral_force: sometimes}", "rail_bending/lateral_force", "sometimes"},
+      {"rail_bending: {lateral_force: .inf}", "rail_bending/lateral_force", "inf"},
+      {"rail_bending: {lateral_force: [contact]}", "rail_bending/lateral_force", "[contact]"},
+      {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
+      {"rail_bending: {prescribed: {roll: 1}}", "rail_bending/prescribed/roll", "1"},
+      {"rail_bending: {prescribed: {vertical: up}}", "rail_bending/prescribed/vertical", "up"},
+      {"contact: {method: magic}", "contact/method", "conjugate_gradient, seidel, seidel_printed"},
+      {"contact: {tolerance: 0}", "contact/tolerance", "0"},
+      {"contact: {tolerance: 2}", "contact/tolerance", "2"},
+      {"contact: {grid: {along: 16}}", "contact/grid", "0"},
+      {"contact: {grid: {along: 16.5, across: 16}}", "contact/grid/along", "16.5"},
+      {"contact: {grid: {along: 16, across: -16}}", "contact/grid/across", "-16"},
+      {"contact: {grid: {along: 1e9, across: 16}}", "contact/grid/along", "1e9"},
+      {"sync: {slop: -0.001}", "sync/slop", "-0.001"},
+      {"sync: {slop: 1e9}", "sync/slop", "1e9"},
+      {"markers: {rail_length: 0}", "markers/rail_length", "0"},
+      {"markers: {force_scale: -1}", "markers/force_scale", "-1"},
+      {"markers: {max_pressure: 0}", "markers/max_pressure", "0"},
+      {"markers: {zoom: much}", "markers/zoom", "much"},
+      {"markers: {zoom_height: .nan}", "markers/zoom_height", "nan"},
+      {"markers: {pressure_height: -1}", "markers/pressure_height", "-1"},
+      {"gauge: 1.435", "gauge", "unknown"},
+  };
+  for (const Mistake& mistake : mistakes)
+  {
+    const std::string message = refusal(with(mistake.yaml));
+    EXPECT_TRUE(contains(message, std::string("/contact_node/") + mistake.name) && contains(message, mistake.value))
+        << mistake.yaml << "\n  gave: " << message;
+  }
+}
+
+TEST(Parameters, MissingRequiredValueIsRefused)
+{
+  const std::string prescribed =
+      "{rail_bending: {model: prescribed, prescribed: {lateral: 0.001, roll: 0}}, "
+      "wheel: {profile: S1002}, rail: {profile: 60E1}}";
+  EXPECT_TRUE(contains(refusal(parameterTree(YAML::Load(prescribed))), "rail_bending/prescribed/vertical is missing"));
+  EXPECT_TRUE(contains(refusal(parameterTree(YAML::Load("rail: {profile: 60E1}"))), "wheel/profile is missing"));
+  EXPECT_TRUE(contains(refusal({}), "wheel/profile is missing"));
+}
+
+TEST(Parameters, OverlayWinsAndKeepsTheRest)
+{
+  const NodeConfig config = read(with("{track: {cant: 0.05}, wheelset: {free: []}, sync: {slop: 0.004}}"));
+  EXPECT_EQ(config.model.track.cant, 0.05);
+  EXPECT_EQ(config.model.track.gauge, TrackConfig().gauge);
+  EXPECT_FALSE(config.model.wheelset.solve_height_and_roll);
+  EXPECT_EQ(config.slop, 0.004);
+}
+
+TEST(Parameters, LateralForceIsAWordOrANumber)
+{
+  using LateralForce = RailBendingConfig::LateralForce;
+  EXPECT_EQ(read(with("rail_bending: {lateral_force: topic}")).model.rail_bending.lateral_force, LateralForce::topic);
+  const RailBendingConfig bending = read(with("rail_bending: {lateral_force: 30e3}")).model.rail_bending;
+  EXPECT_EQ(bending.lateral_force, LateralForce::constant);
+  EXPECT_EQ(bending.lateral_force_value, 30000);
+}
+
+TEST(Parameters, TableIsFoundByPackageByDirectoryAndInThisPackage)
+{
+  std::ifstream source(packageFile("config/rails/pads_40_100.yaml"));
+  std::ofstream(testing::TempDir() + "own_table.yaml") << source.rdbuf();
+  for (const char* name : {"package://wheel_rail_contact/config/rails/pads_40_100.yaml", "own_table.yaml",
+                           "config/rails/pads_40_100.yaml"})
+  {
+    const NodeConfig config = read(with(std::string("rail_bending: {model: compliance, table: '") + name + "'}"));
+    EXPECT_GT(config.model.rail_bending.table.lateral_lateral, 0) << name;
+    EXPECT_EQ(config.linear_range, 0.6) << name;
+  }
+}
+
+TEST(Parameters, ServerAndFileGiveTheSameNumbersToTheLastBit)
+{
+  for (const double value : {0.1, 1.0 / 3.0, 1.435, 2.1e11, 6.05e-8, 1e22, 1e-300, 1.7976931348623157e308})
+  {
+    XmlRpc::XmlRpcValue server;
+    server["sync"]["slop"] = value;
+    const YAML::Node tree = toYaml(server);
+    EXPECT_EQ(std::stod(tree["sync"]["slop"].Scalar()), value);
+  }
+}
+
+TEST(Parameters, ParameterServerTypesBecomeYaml)
+{
+  XmlRpc::XmlRpcValue server;
+  server["a"] = 5;
+  server["b"] = "210e9";
+  server["c"] = true;
+  server["d"][0] = "z";
+  server["d"][1] = "roll";
+  server["e"].setSize(0);
+  const ParameterTree tree = parameterTree(toYaml(server));
+  EXPECT_EQ(tree.at("a").Scalar(), "5");
+  EXPECT_EQ(tree.at("b").Scalar(), "210e9");
+  EXPECT_EQ(tree.at("c").Scalar(), "true");
+  EXPECT_EQ(tree.at("d").size(), 2U);
+  EXPECT_TRUE(tree.at("e").IsSequence());
+  EXPECT_TRUE(parameterTree(toYaml(XmlRpc::XmlRpcValue())).empty());
+}
+
+TEST(Parameters, DocumentsThatAreNoParametersAreRefused)
+{
+  EXPECT_THROW(parameterTree(YAML::Load("[1, 2]")), std::invalid_argument);
+  EXPECT_THROW(parameterTree(YAML::Load("5")), std::invalid_argument);
+  EXPECT_THROW(parameterTree(YAML::Load("{[a]: 1}")), std::invalid_argument);
+  EXPECT_THROW(parameterTree(YAML::Load("{a/b: 1, a: {b: 2}}")), std::invalid_argument);
+  std::ofstream(testing::TempDir() + "broken.yaml") << "track: {gauge: 1.435";
+  EXPECT_THROW(readParameterFile(testing::TempDir() + "broken.yaml"), std::invalid_argument);
+  EXPECT_THROW(readParameterFile(testing::TempDir() + "none.yaml"), std::invalid_argument);
+}

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/stamp_pairing.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+#include <string>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+/// Samples are the milliseconds of their stamps.
+using Pairing = StampPairing<int>;
+using Sets = std::vector<std::vector<int>>;
+
+constexpr std::size_t plenty = 1000;
+
+ros::Time at(int milliseconds)
+{
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(milliseconds) * 1000000);
+}
+
+void add(Pairing& pairing, std::size_t channel, int milliseconds, Sets& sets)
+{
+  if (const auto set = pairing.add(channel, at(milliseconds), milliseconds))
+  {
+    sets.push_back(*set);
+  }
+}
+
+std::uint64_t dropped(const Pairing& pairing, DropReason reason)
+{
+  return pairing.counts().dropped[static_cast<std::size_t>(reason)];
+}
+
+void expectNothingLost(const Pairing& pairing)
+{
+  const PairingCounts& counts = pairing.counts();
+  EXPECT_EQ(counts.received, counts.paired + counts.waiting +
+                                 std::accumulate(counts.dropped.begin(), counts.dropped.end(), std::uint64_t{0}));
+}
+}  // namespace
+
+TEST(StampPairing, AnswersEqualStampsInOrderWhicheverChannelComesFirst)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  for (const int t : {1, 2, 3})
+  {
+    add(pairing, 0, t, sets);
+  }
+  for (const int t : {1, 2, 3})
+  {
+    add(pairing, 1, t, sets);
+  }
+  EXPECT_EQ(sets, (Sets{{1, 1}, {2, 2}, {3, 3}}));
+  EXPECT_EQ(pairing.counts().paired, 6U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, WithoutSlopOneNanosecondIsTooFar)
+{
+  Pairing pairing(2, 0, plenty);
+  EXPECT_FALSE(pairing.add(0, ros::Time(10, 0), 0));
+  EXPECT_FALSE(pairing.add(1, ros::Time(10, 1), 0));
+  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U) << "the older one can find no partner any more";
+}
+
+TEST(StampPairing, SampleWithoutPartnerIsDroppedAndCounted)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  for (const int t : {1, 2, 3})
+  {
+    add(pairing, 0, t, sets);
+  }
+  for (const int t : {1, 3})
+  {
+    add(pairing, 1, t, sets);
+  }
+  EXPECT_EQ(sets, (Sets{{1, 1}, {3, 3}}));
+  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, PairsWithinTheSlopAndNotBeyond)
+{
+  Pairing pairing(2, 0.003, plenty);
+  Sets sets;
+  for (const int t : {100, 200, 300})
+  {
+    add(pairing, 0, t, sets);
+  }
+  for (const int t : {97, 203, 304})
+  {
+    add(pairing, 1, t, sets);
+  }
+  EXPECT_EQ(sets, (Sets{{100, 97}, {200, 203}}));
+  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U);
+  EXPECT_EQ(pairing.counts().waiting, 1U);
+}
+
+TEST(StampPairing, FastChannelFindsTheSlowOnesPartners)
+{
+  Pairing pairing(2, 0.0004, plenty);
+  Sets sets;
+  for (int t = 0; t <= 100; ++t)
+  {
+    add(pairing, 0, t, sets);
+    if (t % 20 == 0)
+    {
+      add(pairing, 1, t, sets);
+    }
+  }
+  EXPECT_EQ(sets, (Sets{{0, 0}, {20, 20}, {40, 40}, {60, 60}, {80, 80}, {100, 100}}));
+  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 95U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, FourChannelsMustAllCome)
+{
+  Pairing pairing(4, 0, plenty);
+  Sets sets;
+  for (const std::size_t channel : {2U, 0U, 3U})
+  {
+    add(pairing, channel, 5, sets);
+  }
+  EXPECT_TRUE(sets.empty());
+  add(pairing, 1, 5, sets);
+  EXPECT_EQ(sets, (Sets{{5, 5, 5, 5}}));
+}
+
+TEST(StampPairing, OneChannelIsAnsweredAtOnce)
+{
+  Pairing pairing(1, 0, plenty);
+  Sets sets;
+  add(pairing, 0, 7, sets);
+  EXPECT_EQ(sets, (Sets{{7}}));
+}
+
+TEST(StampPairing, SetsDoNotDependOnHowTheChannelsInterleave)
+{
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::array<std::vector<int>, 2> stamps;
+  for (auto& channel : stamps)
+  {
+    for (int t = 0; t < 400; t += 1 + static_cast<int>(random() % 7))
+    {
+      channel.push_back(t);
+    }
+  }
+  Sets first;
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    Pairing pairing(2, 0.002, plenty);
+    Sets sets;
+    std::array<std::size_t, 2> next{};
+    while (next[0] < stamps[0].size() || next[1] < stamps[1].size())
+    {
+      const std::size_t wanted = random() % 2;
+      const std::size_t channel = next[wanted] < stamps[wanted].size() ? wanted : 1 - wanted;
+      add(pairing, channel, stamps[channel][next[channel]++], sets);
+    }
+    expectNothingLost(pairing);
+    if (trial == 0)
+    {
+      first = sets;
+    }
+    ASSERT_EQ(sets, first);
+  }
+  EXPECT_GT(first.size(), 50U);
+}
+
+TEST(StampPairing, SecondSampleOfAStampIsADuplicate)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  add(pairing, 0, 1, sets);
+  add(pairing, 0, 1, sets);
+  add(pairing, 1, 1, sets);
+  add(pairing, 1, 1, sets);
+  EXPECT_EQ(sets.size(), 1U);
+  EXPECT_EQ(dropped(pairing, DropReason::duplicate), 2U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, FullQueueKeepsTheNewest)
+{
+  Pairing pairing(2, 0, 3);
+  Sets sets;
+  for (const int t : {1, 2, 3, 4, 5})
+  {
+    add(pairing, 0, t, sets);
+  }
+  EXPECT_EQ(pairing.counts().waiting, 3U);
+  for (const int t : {3, 4, 5})
+  {
+    add(pairing, 1, t, sets);
+  }
+  EXPECT_EQ(sets, (Sets{{3, 3}, {4, 4}, {5, 5}}));
+  EXPECT_EQ(dropped(pairing, DropReason::queue_full), 2U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, BagLoopLosesOnlyWhatWasWaiting)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  for (int loop = 0; loop < 3; ++loop)
+  {
+    for (const int t : {1, 2, 3})
+    {
+      add(pairing, 0, t, sets);
+      add(pairing, 1, t, sets);
+    }
+    add(pairing, 1, 4, sets);  // its pose is missing in the bag
+  }
+  EXPECT_EQ(sets.size(), 9U);
+  EXPECT_EQ(dropped(pairing, DropReason::time_jump), 2U);
+  EXPECT_EQ(pairing.counts().waiting, 1U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, NewPosesWaitForLoadsThatGoBackLater)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  for (const int t : {1, 2, 3})
+  {
+    add(pairing, 0, t, sets);
+    add(pairing, 1, t, sets);
+  }
+  for (const int t : {1, 2, 3})
+  {
+    add(pairing, 0, t, sets);
+  }
+  for (const int t : {1, 2, 3})
+  {
+    add(pairing, 1, t, sets);
+  }
+  EXPECT_EQ(sets.size(), 6U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, LoadOfTheOldTimeDoesNotMeetAPoseOfTheNewOne)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  add(pairing, 0, 60, sets);
+  add(pairing, 1, 61, sets);
+  add(pairing, 0, 10, sets);  // time goes back: the load at 61 is of the old time
+  add(pairing, 0, 61, sets);
+  EXPECT_TRUE(sets.empty());
+  EXPECT_EQ(dropped(pairing, DropReason::time_jump), 1U);
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, OneSampleOutOfOrderDoesNotStopTheFollowing)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  for (const int t : {10, 20, 15, 30, 40, 50})
+  {
+    add(pairing, 0, t, sets);
+    add(pairing, 1, t == 15 ? 25 : t, sets);
+  }
+  EXPECT_EQ(sets, (Sets{{10, 10}, {20, 20}, {30, 30}, {40, 40}, {50, 50}}));
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, StampsAtTheEndsOfTimeDoNoHarm)
+{
+  Pairing pairing(2, 1.0, plenty);
+  const ros::Time last(std::numeric_limits<std::uint32_t>::max(), 999999999);
+  EXPECT_FALSE(pairing.add(0, ros::Time(), 0));
+  EXPECT_FALSE(pairing.add(1, last, 0));
+  EXPECT_TRUE(pairing.add(0, last, 0));
+  EXPECT_FALSE(pairing.add(0, ros::Time(5, 0), 0));
+  EXPECT_TRUE(pairing.add(1, ros::Time(5, 0), 0));
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, FinishCountsWhatStillWaits)
+{
+  Pairing pairing(2, 0, plenty);
+  Sets sets;
+  add(pairing, 0, 1, sets);
+  pairing.finish();
+  EXPECT_EQ(pairing.counts().waiting, 0U);
+  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U);
+  expectNothingLost(pairing);
+}
