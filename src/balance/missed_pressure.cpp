@@ -39,16 +39,16 @@ bool widenOverMissedPressure(const SolvedPatch& solved, const PlacedRail& rail, 
 {
   const Grid& grid = solved.grid;
   const double clearance = missed_clearance * grid.ny * grid.dy;
-  const double closing = (1 - missed_share) * solved.descent * std::cos(patch.plane.angle);
+  const double closing = (1 - missed_share) * solved.descent;
   bool missed = false;
   for (const Station& station : stations)
   {
     const PlanePoint point = rail.at(station.rail_u);
     const double t = placeOnPlane(patch.plane, point);
     const double local = std::atan2(point.dz, point.dy);
-    const double gap = station.separation * std::cos(local) / std::cos(local - patch.plane.angle);
+    const double overlap = (closing - station.separation) * std::cos(local) / std::cos(local - patch.plane.angle);
     const bool beyond = t < grid.y0 - clearance || t > grid.y(grid.ny - 1) + clearance;
-    if (beyond && closing - gap > displacementBeside(solved, patch.extent.half_length, t))
+    if (beyond && overlap > displacementBeside(solved, patch.extent.half_length, t))
     {
       missed = true;
       patch.extent.y_begin = std::min(patch.extent.y_begin, t);

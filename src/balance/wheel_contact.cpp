@@ -11,10 +11,24 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int most_boxes = 6;      ///< grids tried in one call
-constexpr int estimate_steps = 4;  ///< fixed-point steps of the descent's estimate
+constexpr int most_boxes = 6;                ///< grids tried in one call
+constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
+constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
+
+/// Leaves to the neighbouring patches what lies beyond the patch's stretch.
+void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
+{
+  for (std::size_t j = 0; j < patch.columns.size(); ++j)
+  {
+    const double u = patch.columns[j].rail_u;
+    if (u < patch.zone.u_least || u > patch.zone.u_most)
+    {
+      gap.col(static_cast<Eigen::Index>(j)).setConstant(no_body_gap);
+    }
+  }
+}
 
 double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
 {
@@ -103,9 +117,6 @@ WheelStatus WheelContact::solveDescent(const RigidTouch& touch, double descent, 
 
 WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
 {
-  WheelsetPose pose = wheel_->pose();
-  pose.z = touch.axle_height;
-  wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
   problem_.modulus = modulus_;
   for (int attempt = 0; attempt < most_boxes; ++attempt)
   {
@@ -123,6 +134,11 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     {
       reset();
       return WheelStatus::normal_failed;
+    }
+    if (!(std::abs(descentError()) < descent_error_limit))
+    {
+      solution_.approach = std::max(solution_.approach, 0.5 * boxed_descent_);
+      continue;
     }
     measure();
     widened_ = widened_ && attempt > 0;
@@ -163,6 +179,9 @@ PatchMemory& WheelContact::recall(const OverlapZone& zone)
 bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
 {
   boxed_descent_ = solution_.approach;
+  WheelsetPose pose = wheel_->pose();
+  pose.z = touch.axle_height - boxed_descent_;
+  wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
   search_.overlapZones(touch.contact.separation + boxed_descent_, zones_);
   problem_.patches.resize(zones_.size());
   patches_.resize(zones_.size());
@@ -180,6 +199,8 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     {
       return false;
     }
+    gap.gap += gap.weight * boxed_descent_;
+    clearBeyond(patch, gap.gap);
   }
   return !zones_.empty();
 }
@@ -253,6 +274,11 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
                                             return zone.u_begin < patch.zone.u_end && patch.zone.u_begin < zone.u_end;
                                           });
                      });
+}
+
+double WheelContact::descentError() const
+{
+  return solution_.approach / boxed_descent_ - 1;
 }
 
 WheelForces WheelContact::forces() const

@@ -10,7 +10,7 @@ namespace
 {
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
 constexpr GridSize first_grid{8, 24};  ///< of the first pass from cold, where planes and boxes are still rough
-constexpr int most_passes = 25;
+constexpr int most_passes = 40;
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;           ///< [rad]
 constexpr double roll_step_limit = 5e-3;     ///< [rad]
@@ -196,8 +196,10 @@ bool WheelsetBalance::layoutFits()
   for (const Side side : sides)
   {
     WheelContact& wheel = wheel_[index(side)];
-    const bool fits = !loaded_[index(side)] || (wheel.planeError() < plane_per_tolerance * config_.contact.tolerance &&
-                                                (wheel.boxFill() > least_fill || wheel.widened()));
+    const double tolerance = config_.contact.tolerance;
+    const bool fits = !loaded_[index(side)] ||
+                      (wheel.planeError() < plane_per_tolerance * tolerance &&
+                       std::abs(wheel.descentError()) < tolerance && (wheel.boxFill() > least_fill || wheel.widened()));
     if (!fits)
     {
       wheel.learn();
@@ -207,44 +209,77 @@ bool WheelsetBalance::layoutFits()
   return all;
 }
 
-ContactStatus WheelsetBalance::solve(const WheelsetState& state)
+/// Sets out from the last answer: wheel loads, and descents to be expected under them.
+bool WheelsetBalance::begin(const WheelsetState& state)
 {
   state_ = state;
-  const bool free = config_.wheelset.solve_height_and_roll;
-  const double moment_load = 0.5 * state.torque_x / config_.wheelset.halfBase();
-  load_ = {-0.5 * state.force_z - moment_load, -0.5 * state.force_z + moment_load};
-  roll_ = free ? roll_ : state.roll;
+  const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
+  load_ = {-0.5 * state.force_z - transfer, -0.5 * state.force_z + transfer};
   coupling_[0].reset();
   coupling_[1].reset();
+  secant_.reset();
+  if (!config_.wheelset.solve_height_and_roll)
+  {
+    roll_ = state.roll;
+    return true;
+  }
+  if (!warm_ && !touchBoth(roll_))
+  {
+    return false;
+  }
+  for (const Side side : sides)
+  {
+    const std::size_t k = index(side);
+    descent_[k] = load_[k] > 0 ? wheel_[k].estimateDescent(touch_[k], load_[k]) : 0;
+  }
+  return true;
+}
+
+/// Places the wheelset for the next pass.
+bool WheelsetBalance::place()
+{
+  if (!config_.wheelset.solve_height_and_roll)
+  {
+    return touchBoth(roll_);
+  }
+  if (secant_.takesOver())  // as long as planes and boxes do not fit, the roll stays
+  {
+    roll_ = secant_.roll();
+    return touchBoth(roll_);
+  }
+  return findRoll();
+}
+
+ContactStatus WheelsetBalance::solve(const WheelsetState& state)
+{
+  if (!begin(state))
+  {
+    return failed(WheelStatus::beside_rail);
+  }
   for (int pass = 0; pass < most_passes; ++pass)
   {
-    const bool cold = pass == 0 && !warm_;
-    if (cold && !touchBoth(roll_))
+    const bool first = pass == 0 && !warm_;
+    if (!place())
     {
       return failed(WheelStatus::beside_rail);
     }
-    for (const Side side : sides)
-    {
-      const std::size_t k = index(side);
-      descent_[k] = pass == 0 && load_[k] > 0 && free ? wheel_[k].estimateDescent(touch_[k], load_[k]) : descent_[k];
-    }
-    if (free ? !findRoll() : !touchBoth(roll_))
-    {
-      return failed(WheelStatus::beside_rail);
-    }
-    const WheelStatus status = solveWheels(cold ? first_grid : size_);
+    const WheelStatus status = solveWheels(first ? first_grid : size_);
     if (status != WheelStatus::solved)
     {
       return failed(status);
     }
-    const double roll_change = free ? heightDifference() / leverSum() : 0;
+    const double roll_change = config_.wheelset.solve_height_and_roll ? heightDifference() / leverSum() : 0;
     const double mismatch = moveRails();
     const bool fits = layoutFits();
     const bool level = std::abs(roll_change) < roll_per_tolerance * config_.contact.tolerance;
-    if (!cold && fits && level && mismatch < coupling_tolerance)
+    if (!first && fits && level && mismatch < coupling_tolerance)
     {
       finish(roll_change);
       return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
+    }
+    if (fits || !secant_.takesOver())
+    {
+      secant_.record(roll_, heightDifference());
     }
   }
   return fail(ContactStatus::not_converged, "height, roll and rail deflection found no common balance");

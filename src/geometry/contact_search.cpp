@@ -96,6 +96,17 @@ bool ContactSearch::isMinimum(std::size_t k) const
   return here < infinity && here <= before && here < after;
 }
 
+/// How far a minimum may lie below the lowest of its stations [m]: by the parabola through three stations, doubled, and
+/// the error of straight segments on a steep flank.
+double ContactSearch::depthBelowStation(std::size_t k) const
+{
+  if (k == 0 || k + 1 >= stations_.count)
+  {
+    return infinity;
+  }
+  return 0.25 * (separation_[k - 1] - 2 * separation_[k] + separation_[k + 1]) + 4 * station_error;
+}
+
 bool ContactSearch::railAt(double y, double& u) const
 {
   for (int i = 0; i < newton_iterations; ++i)
@@ -263,24 +274,59 @@ OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double sepa
   return zone;
 }
 
+double ContactSearch::railAngle(std::size_t k) const
+{
+  const PlanePoint rail = rail_->at(rail_outline_.u(k));
+  return std::atan2(rail.dz, rail.dy);
+}
+
+/// Adds the stretch of stations `first` to `last`, divided where it bends too much for one plane.
+void ContactSearch::addZones(std::size_t first, std::size_t last, double separation,
+                             std::vector<OverlapZone>& zones) const
+{
+  const std::size_t lowest = lowestStation(first, last + 1);
+  for (std::size_t k = first + 1; k < last; ++k)
+  {
+    if (k != lowest && isMinimum(k) && std::abs(railAngle(k) - railAngle(lowest)) > split_angle)
+    {
+      const auto at = [this](std::size_t i) { return separation_.begin() + static_cast<long>(i); };
+      const auto divide = static_cast<std::size_t>(std::max_element(at(std::min(k, lowest)), at(std::max(k, lowest))) -
+                                                   separation_.begin());
+      addZones(first, divide, separation, zones);
+      zones.back().u_most = zones.back().u_end = rail_outline_.u(divide);
+      const std::size_t behind = zones.size();
+      addZones(divide, last, separation, zones);
+      zones[behind].u_least = zones[behind].u_begin = rail_outline_.u(divide);
+      return;
+    }
+  }
+  zones.push_back(stretch(first, last, separation));
+  zones.back().contact = refined(lowest);
+}
+
 void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zones) const
 {
   zones.clear();
-  for (std::size_t k = 0; k < separation_.size(); ++k)
+  for (std::size_t k = 0; k < stations_.count; ++k)
   {
     const std::size_t first = k;
-    while (k < separation_.size() && separation_[k] < separation)
+    while (k < stations_.count && separation_[k] < separation)
     {
       ++k;
     }
-    const bool minimum = k == first && isMinimum(k) && separation_[k] < separation + station_error;
+    if (k - first >= fine_stations)
+    {
+      addZones(first, k - 1, separation, zones);
+      continue;
+    }
+    const bool minimum = k == first && isMinimum(k) && separation_[k] < separation + depthBelowStation(k);
     if (k == first && !minimum)
     {
       continue;
     }
     OverlapZone zone = minimum ? OverlapZone{} : stretch(first, k - 1, separation);
     zone.contact = refined(minimum ? k : lowestStation(first, k));
-    if (k - first >= fine_stations || narrow(separation, zone))
+    if (narrow(separation, zone))
     {
       zones.push_back(zone);
     }

@@ -39,8 +39,10 @@ enum class WheelStatus
   normal_failed   ///< the normal solution is not usable, see solution().status
 };
 
-/// Contact of one wheel with one rail in side axes: finds the stretches that overlap, lays a plane and a grid over
-/// each, and solves all of them at one descent of the wheel.
+/// Contact of one wheel with one rail in side axes. The gap is built with the wheel at its descent as far as it is
+/// known, so that the wheel's way along an inclined plane counts, and only the rest is left to the normal solution.
+/// Finds the stretches that overlap, lays a plane and a grid over each, and solves all of them at one descent of the
+/// wheel.
 ///
 /// Remembers, relative to the overlapping stretch, where in it the last contact lay and how its plane was turned.
 /// Memory changes only where learn() is called (or a box has cut the contact off): between, the solution is a smooth
@@ -76,6 +78,8 @@ class WheelContact
   double heightOverReference() const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;
+  /// Solved descent against the one that the gap was built for, relative [-].
+  double descentError() const;
   /// Smallest ratio of a pressure's length or width to those its grid was laid for [-].
   double boxFill() const { return box_fill_; }
   /// A box of the last call had to be widened for pressure that its first form missed, and may be loose now.

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "wheel_rail_contact/balance/fixed_point.h"
+#include "wheel_rail_contact/balance/roll_secant.h"
 #include "wheel_rail_contact/balance/wheel_contact.h"
 #include "wheel_rail_contact/wheelset_contact.h"
 
@@ -40,6 +41,8 @@ class WheelsetBalance
  private:
   ContactStatus fail(ContactStatus status, std::string_view reason);
   ContactStatus failed(WheelStatus status);
+  bool begin(const WheelsetState& state);
+  bool place();
   bool touchBoth(double roll);
   bool findRoll();
   double heightDifference() const;
@@ -62,6 +65,7 @@ class WheelsetBalance
   std::array<RigidTouch, 2> touch_;
   std::array<RailResult, 2> rail_;
   std::array<FixedPoint<3>, 2> coupling_;
+  RollSecant secant_;
   double height_ = 0;
   double roll_ = 0;
   bool warm_ = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,10 +25,12 @@ struct InitialContact
 /// A stretch across the track in which the separation is below a given value.
 struct OverlapZone
 {
-  double u_begin = 0;           ///< parameter of the rail's profile [m]
-  double u_end = 0;             ///< [m]
-  InitialContact contact;       ///< its deepest place
-  bool at_profile_end = false;  ///< the stretch is cut off by the end of a profile
+  double u_begin = 0;                                         ///< parameter of the rail's profile [m]
+  double u_end = 0;                                           ///< [m]
+  InitialContact contact;                                     ///< its deepest place
+  bool at_profile_end = false;                                ///< the stretch is cut off by the end of a profile
+  double u_least = -std::numeric_limits<double>::infinity();  ///< beyond these the next stretch begins [m]
+  double u_most = std::numeric_limits<double>::infinity();
 };
 
 /// Separation at one place across the track.
@@ -66,6 +69,9 @@ class ContactSearch
 
   /// Largest angle between the planes of two stretches that count as one [rad].
   static constexpr double merge_angle = 0.1;
+  /// Angle between two minima from which on a stretch that holds both is divided where the separation between them is
+  /// greatest [rad].
+  static constexpr double split_angle = 0.3;
 
   /// The stations between two parameters of the rail's profile, with their separation above `level` [m].
   void stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const;
@@ -76,6 +82,9 @@ class ContactSearch
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
   bool isMinimum(std::size_t k) const;
+  double depthBelowStation(std::size_t k) const;
+  double railAngle(std::size_t k) const;
+  void addZones(std::size_t first, std::size_t last, double separation, std::vector<OverlapZone>& zones) const;
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   InitialContact refined(std::size_t k) const;
   bool exact(double y, std::size_t k, InitialContact& contact, double& slope_difference) const;
