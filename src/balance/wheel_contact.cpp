@@ -11,9 +11,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int most_boxes = 6;                ///< grids tried in one call
+constexpr int most_boxes = 10;               ///< grids tried in one call
 constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
 constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
+constexpr double descent_step_limit = 1.5;   ///< factor by which the descent may change from one grid to the next [-]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
 
@@ -135,21 +136,22 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       reset();
       return WheelStatus::normal_failed;
     }
-    if (!(std::abs(descentError()) < descent_error_limit))
-    {
-      solution_.approach = std::max(solution_.approach, 0.5 * boxed_descent_);
-      continue;
-    }
     measure();
     widened_ = widened_ && attempt > 0;
-    if (boxesHold(touch))
+    const bool hold = boxesHold(touch);
+    if (hold && std::abs(descentError()) < descent_error_limit)
     {
       const bool on_profiles = std::all_of(patches_.begin(), patches_.end(),
                                            [this](const WheelPatch& patch)
                                            { return onProfiles(patch, *config_.wheel_profile, rail_->profile()); });
       return on_profiles ? WheelStatus::solved : WheelStatus::off_profile;
     }
-    learn();
+    if (!hold)
+    {
+      learn();
+    }
+    solution_.approach =
+        std::clamp(solution_.approach, boxed_descent_ / descent_step_limit, boxed_descent_ * descent_step_limit);
   }
   reset();
   return WheelStatus::box_not_found;
@@ -227,7 +229,8 @@ void WheelContact::measure()
 void WheelContact::learn()
 {
   memory_.clear();
-  const double grown = std::sqrt(solution_.approach / boxed_descent_);
+  const double grown =
+      std::sqrt(std::clamp(solution_.approach / boxed_descent_, 1 / descent_step_limit, descent_step_limit));
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     if (!patches_[k].extent.empty)
