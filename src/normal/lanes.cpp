@@ -40,21 +40,6 @@ constexpr const char* kName = "avx512";
 }  // namespace avx512
 #pragma GCC pop_options
 #endif
-
-const LaneKernels& widest()
-{
-#ifdef WHEEL_RAIL_CONTACT_WIDE_REGISTERS
-  if (__builtin_cpu_supports("avx512f"))
-  {
-    return avx512::kKernels;
-  }
-  if (__builtin_cpu_supports("avx") && __builtin_cpu_supports("fma"))
-  {
-    return avx::kKernels;
-  }
-#endif
-  return baseline::kKernels;
-}
 }  // namespace
 
 void LaneBuffer::resize(int size)
@@ -73,9 +58,26 @@ void LaneBuffer::resize(int size)
   std::fill_n(data_.get(), size, 0.0);
 }
 
+std::vector<const LaneKernels*> supportedLaneKernels()
+{
+  std::vector<const LaneKernels*> supported;
+#ifdef WHEEL_RAIL_CONTACT_WIDE_REGISTERS
+  if (__builtin_cpu_supports("avx512f"))
+  {
+    supported.push_back(&avx512::kKernels);
+  }
+  if (__builtin_cpu_supports("avx") && __builtin_cpu_supports("fma"))
+  {
+    supported.push_back(&avx::kKernels);
+  }
+#endif
+  supported.push_back(&baseline::kKernels);
+  return supported;
+}
+
 const LaneKernels& laneKernels()
 {
-  static const LaneKernels& kernels = widest();
+  static const LaneKernels& kernels = *supportedLaneKernels().front();
   return kernels;
 }
 }  // namespace wheel_rail_contact

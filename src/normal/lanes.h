@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <vector>
 
 namespace wheel_rail_contact
 {
@@ -119,6 +120,9 @@ struct LaneKernels
   StepSums (*step_sums)(int size, const double* p, const double* s, const double* q) = nullptr;
 };
 
-/// The kernels for the widest registers of this machine.
+/// The kernels this machine can run, widest registers first.
+std::vector<const LaneKernels*> supportedLaneKernels();
+
+/// The first of them.
 const LaneKernels& laneKernels();
 }  // namespace wheel_rail_contact

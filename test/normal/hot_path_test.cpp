@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+#include "problems.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/normal/seidel.h"
+
+// Every allocation of this program, operator new and Eigen's included, passes these.
+namespace
+{
+std::atomic<long> allocations{0};
+}
+
+extern "C"
+{
+  void* __libc_malloc(std::size_t size);
+  void* __libc_calloc(std::size_t count, std::size_t size);
+  void* __libc_realloc(void* memory, std::size_t size);
+  void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+  void* malloc(std::size_t size)
+  {
+    ++allocations;
+    return __libc_malloc(size);
+  }
+  void* calloc(std::size_t count, std::size_t size)
+  {
+    ++allocations;
+    return __libc_calloc(count, size);
+  }
+  void* realloc(void* memory, std::size_t size)
+  {
+    ++allocations;
+    return __libc_realloc(memory, size);
+  }
+  void* aligned_alloc(std::size_t alignment, std::size_t size)
+  {
+    ++allocations;
+    return __libc_memalign(alignment, size);
+  }
+  int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
+  {
+    ++allocations;
+    *memory = __libc_memalign(alignment, size);
+    return *memory ? 0 : ENOMEM;
+  }
+}
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using problems::hertzCase;
+
+/// Problems of one scene that change in load, place and cell size.
+std::vector<NormalProblem> messages()
+{
+  std::vector<NormalProblem> all;
+  for (int k = 0; k < 6; ++k)
+  {
+    NormalProblem problem = hertzCase(2, 16, 32, true, 1.1, 0.2 * k).problem;
+    problem.patches[0].grid.dx = 2 * problem.patches[0].grid.dy;
+    problem.patches.push_back(hertzCase(4, 8, 32, false, 1.2).problem.patches[0]);
+    problem.patches[1].grid.dx = 4 * problem.patches[1].grid.dy;
+    problem.patches[1].weight = 0.5;
+    problem.control = k < 4 ? NormalProblem::Control::load : NormalProblem::Control::approach;
+    problem.value = k < 4 ? 1e4 + 1e4 * k : 5e-5;
+    all.push_back(std::move(problem));
+  }
+  return all;
+}
+
+template <typename Solver>
+long allocationsAfterTheFirst(Solver& solver, const std::vector<NormalProblem>& problems)
+{
+  NormalSolution solution;
+  solver.solve(problems[0], false, solution);
+  const long before = allocations;
+  for (const NormalProblem& problem : problems)
+  {
+    for (const bool warm : {false, true})
+    {
+      solver.solve(problem, warm, solution);
+      EXPECT_TRUE(isUsable(solution.status));
+    }
+  }
+  return allocations - before;
+}
+
+TEST(HotPath, theCounterCounts)
+{
+  const long before = allocations;
+  const Eigen::ArrayXXd array = Eigen::ArrayXXd::Zero(8, 8);
+  const auto number = std::make_unique<int>(1);
+  EXPECT_GE(allocations - before, 2) << array.sum() + *number;
+}
+
+TEST(HotPath, conjugateGradientsAllocateNothingAfterTheFirstSolve)
+{
+  ConjugateGradients solver;
+  solver.prepare(16, 32, true);
+  solver.prepare(8, 32, false);
+  EXPECT_EQ(allocationsAfterTheFirst(solver, messages()), 0);
+}
+
+TEST(HotPath, seidelAllocatesNothingAfterTheFirstSolve)
+{
+  Seidel repaired;
+  EXPECT_EQ(allocationsAfterTheFirst(repaired, messages()), 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact
