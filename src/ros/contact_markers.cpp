@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -157,7 +158,9 @@ Marker label(const PatchPicture& picture, const NodeConfig& config, const std_ms
   char words[64];
   std::snprintf(words, sizeof words, "%.0f MPa\n%.0f mm²", picture.patch->max_pressure / 1e6,
                 picture.patch->area * 1e6);
-  const Vector3d above(0, 0, config.markers.pressure_height + 1.5 * label_height);
+  const double half_width = 0.5 * zoomedWidth(*picture.patch, config.markers.zoom);
+  const double rise = half_width * std::abs(std::sin(picture.patch->pose.angle));
+  const Vector3d above(0, 0, config.markers.pressure_height + rise + 1.5 * label_height);
   return makeText(header, "label", picture.id, picture.zoom_place + above, words);
 }
 

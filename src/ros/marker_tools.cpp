@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/ros/marker_tools.h"
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 namespace wheel_rail_contact
 {
 using Eigen::Vector3d;
 using visualization_msgs::Marker;
+
+namespace
+{
+/// Colour of a surface under light from above.
+std_msgs::ColorRGBA shaded(std_msgs::ColorRGBA color, const Vector3d& normal)
+{
+  constexpr double ambient = 0.4;
+  const auto light = static_cast<float>(ambient + (1 - ambient) * std::abs(normal.z()));
+  color.r *= light;
+  color.g *= light;
+  color.b *= light;
+  return color;
+}
+}  // namespace
 
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a)
 {
@@ -42,13 +59,14 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id,
 
 void addSurface(const SurfacePoints& points, bool flipped, Marker& marker)
 {
-  const std::vector<std_msgs::ColorRGBA> colors(4, marker.color);
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
     for (std::size_t j = 0; j + 1 < points[i].size(); ++j)
     {
       const Vector3d &along = flipped ? points[i][j + 1] : points[i + 1][j],
                      &across = flipped ? points[i + 1][j] : points[i][j + 1];
+      const Vector3d normal = (along - points[i][j]).cross(across - points[i][j]).normalized();
+      const std::vector<std_msgs::ColorRGBA> colors(4, shaded(marker.color, normal));
       addQuadrilateral({points[i][j], along, points[i + 1][j + 1], across}, colors, marker);
     }
   }

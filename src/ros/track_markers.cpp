@@ -29,11 +29,11 @@ const std::array<Side, 2> sides{Side::left, Side::right};
 
 std_msgs::ColorRGBA railColor()
 {
-  return makeColor(0.75, 0.77, 0.80);
+  return makeColor(0.62, 0.64, 0.67);
 }
 std_msgs::ColorRGBA wheelColor()
 {
-  return makeColor(0.55, 0.68, 0.85, 0.45);
+  return makeColor(0.50, 0.65, 0.85, 0.5);
 }
 std_msgs::ColorRGBA lineColor()
 {
@@ -163,7 +163,7 @@ Marker text(const std_msgs::Header& header, int id, const Vector3d& place, doubl
 /// A bar of the pressure colours between the rails, with figures in MPa.
 void addScale(const NodeConfig& config, const std_msgs::Header& header, MarkerArray& markers)
 {
-  constexpr int steps = 32, labels = 4;
+  constexpr int steps = 32, labels = 5;
   constexpr double bottom = 0.06, height = 0.30, width = 0.03, text_height = 0.035;  // [m]
   Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, textColor());
   for (int i = 0; i < steps; ++i)

@@ -143,7 +143,7 @@ TEST_F(Picture, MagnifiedPatchStandsAboveItsRail)
   const MarkerArray markers = draw();
   const Marker& zoomed = find(markers, "zoom", 0);
   EXPECT_NEAR(width(zoomed), config.markers.zoom * width(find(markers, "patch", 0)), 0.01);
-  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + config.markers.pressure_height * 982.0 / 1500.0, 0.005);
+  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + config.markers.pressure_height * 982.0 / 2000.0, 0.005);
 }
 
 TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)

@@ -21,9 +21,9 @@ visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std:
 /// Points of a surface, row by row; all rows are of equal length.
 using SurfacePoints = std::vector<std::vector<Eigen::Vector3d>>;
 
-/// Appends the triangles of a quadrilateral mesh to a TRIANGLE_LIST, each point with the marker's colour (rviz draws
-/// triangles without colours at their points too dark). They face to where the rows' direction crossed with the
-/// direction within a row points, or to the other side if `flipped`.
+/// Appends the triangles of a quadrilateral mesh to a TRIANGLE_LIST, its colour shaded as under light from above (rviz
+/// draws triangles without colours at their points too dark, and with them without shades). They face to where the
+/// rows' direction crossed with the direction within a row points, or to the other side if `flipped`.
 void addSurface(const SurfacePoints& points, bool flipped, visualization_msgs::Marker& marker);
 /// Appends two triangles with a colour at each of the four corners, which go round.
 void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::vector<std_msgs::ColorRGBA>& colors,

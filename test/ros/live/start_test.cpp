@@ -72,11 +72,3 @@ TEST(NodeStart, GoodParametersRunUntilAskedToStopAndEndAtOnceWithoutError)
   EXPECT_EQ(node.exit_code, 0) << node.output;
   EXPECT_LT((ros::WallTime::now() - start).toSec(), 4.0) << "must end within a second of the signal";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "start_test");
-  const ros::NodeHandle alive;
-  return RUN_ALL_TESTS();
-}

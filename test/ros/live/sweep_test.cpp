@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_client.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+constexpr std::size_t pairs = 201;
+
+double force(const WheelsetContactMsg& answer, std::uint8_t side)
+{
+  double vertical = 0;
+  for (const ContactPatch& patch : answer.patches)
+  {
+    if (patch.side == side)
+    {
+      vertical += patch.normal_force * std::cos(patch.contact_angle);
+    }
+  }
+  return vertical;
+}
+}  // namespace
+
+TEST(LiveSweep, EveryPairOfTheRecordingIsAnsweredAndBothWheelsCarryTheirLoad)
+{
+  ros::NodeHandle nh;
+  std::vector<WheelsetContactMsg> answers;
+  const auto subscriber = nh.subscribe<WheelsetContactMsg>(
+      "/contact_node/contact", 1000, [&](const WheelsetContactMsg::ConstPtr& m) { answers.push_back(*m); });
+  ASSERT_TRUE(spinUntil([&] { return answers.size() == pairs; }, 30)) << answers.size() << " answers";
+  for (std::size_t i = 0; i < pairs; ++i)
+  {
+    const WheelsetContactMsg& answer = answers[i];
+    SCOPED_TRACE("y = " + std::to_string(answer.wheelset.position.y));
+    EXPECT_EQ(answer.header.stamp, ros::Time(1, 0) + ros::Duration(0.02 * static_cast<double>(i)));
+    EXPECT_EQ(answer.status, WheelsetContactMsg::OK) << answer.status_text;
+    // The normal's mean direction over a patch is that of its plane to within 1 % of the load.
+    EXPECT_NEAR(force(answer, ContactPatch::LEFT), 100e3, 1e3);
+    EXPECT_NEAR(force(answer, ContactPatch::RIGHT), 100e3, 1e3);
+  }
+  // Pushed to the right until the flange carries, and back: the way back repeats the way there.
+  for (std::size_t i = 0; i < pairs / 2; ++i)
+  {
+    EXPECT_NEAR(answers[i].wheelset.position.z, answers[pairs - 1 - i].wheelset.position.z, 1e-6);
+  }
+  EXPECT_GT(answers[pairs / 2].right_rail.lateral_force, 50e3);
+}
