@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wheel_rail_contact/balance/method_ladder.h"
 #include "wheel_rail_contact/balance/wheelset_balance.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
 
 namespace wheel_rail_contact
 {
@@ -15,44 +15,6 @@ constexpr double angle_limit = 0.2;    ///< largest yaw and given roll that are 
 constexpr double lateral_limit = 0.1;  ///< largest lateral position that is answered [m]
 constexpr double height_limit = 1.0;   ///< largest given height over the running radius that is answered [m]
 constexpr double force_limit = 1e8;    ///< largest load that is answered [N], [N m]
-
-/// A grid and the relative error that it leaves in max pressure, area and approach (largest of the three; worst of the
-/// benchmark cases in test/normal).
-struct Rung
-{
-  double error;
-  GridSize size;
-};
-
-constexpr std::array<Rung, 6> ladder{
-    {{0.07, {4, 16}}, {0.053, {8, 32}}, {0.021, {16, 32}}, {0.0107, {16, 64}}, {0.003, {32, 64}}, {0.001, {64, 128}}}};
-
-GridSize gridFor(const ContactConfig& contact)
-{
-  if (contact.cells_along > 0)
-  {
-    return {contact.cells_along, contact.cells_across};
-  }
-  const auto rung =
-      std::find_if(ladder.begin(), ladder.end() - 1, [&](const Rung& r) { return r.error <= 1.1 * contact.tolerance; });
-  return rung->size;
-}
-
-/// Residual of the normal solution where rail deflection and contact forces have to agree closely [-].
-constexpr double coupled_residual = 1e-6;
-
-std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config)
-{
-  const GridSize size = gridFor(config.contact);
-  ConjugateGradientsOptions options;
-  if (config.rail_bending.model == RailBendingConfig::Model::compliance)
-  {
-    options.residual = coupled_residual;
-  }
-  auto solver = std::make_unique<ConjugateGradients>(options);
-  solver->prepare(size.along, size.across, true);
-  return solver;
-}
 
 /// A named reason why a state is not answered; empty if it is.
 std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
@@ -112,9 +74,7 @@ class WheelsetContact::Chain
 {
  public:
   explicit Chain(ContactModelConfig config)
-      : config_(checked(std::move(config))),
-        solver_(makeSolver(config_)),
-        balance_(config_, *solver_, gridFor(config_.contact))
+      : config_(checked(std::move(config))), ladder_(config_), balance_(config_, ladder_)
   {
   }
 
@@ -181,20 +141,21 @@ class WheelsetContact::Chain
     const PatchPressure& pressure = wheel.solution().patches[k];
     const double sign = sideSign(side);
     out.side = side;
-    out.method = solver_->name();
+    out.method = ladder_.solver().name();
     out.pose = {patch.plane.x, sign * patch.plane.y, patch.plane.z, sign * patch.plane.angle};
     out.contact_angle = std::abs(patch.plane.angle);
     out.normal_force = pressure.force;
     out.approach = (wheel.descent() - patch.touch_gap) / std::hypot(1, patch.zone.contact.slope);
     out.area = pressure.area;
     out.max_pressure = pressure.max_pressure;
+    out.error_estimate = ladder_.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
     out.iterations = wheel.solution().iterations;
     out.residual = wheel.solution().residual;
     spread(side, wheel.problem().patches[k].grid, pressure.pressure, out);
   }
 
   ContactModelConfig config_;
-  std::unique_ptr<NormalSolver> solver_;
+  MethodLadder ladder_;
   WheelsetBalance balance_;
   WheelsetResult result_;
   std::size_t patch_count_ = 0;

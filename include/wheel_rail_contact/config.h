@@ -36,15 +36,18 @@ struct WheelsetConfig
 
 enum class NormalMethod
 {
-  conjugate_gradient,
-  seidel,         ///< the paper's iteration, repaired: exact coefficients, load inside
-  seidel_printed  ///< the paper's iteration as printed: point forces, load steps
+  automatic,           ///< conjugate gradients on the coarsest grid whose estimated error meets the tolerance
+  hertz,               ///< closed form with the local curvatures
+  kik_piotrowski,      ///< strips over the virtual penetration
+  seidel,              ///< the paper's iteration, repaired: exact coefficients, load inside
+  seidel_printed,      ///< the paper's iteration as printed: point forces, load steps
+  conjugate_gradient,  ///< on one grid
 };
 
 struct ContactConfig
 {
-  NormalMethod method = NormalMethod::conjugate_gradient;
-  double tolerance = 0.01;  ///< wanted relative error of max pressure, area and approach [-]; chooses the grid
+  NormalMethod method = NormalMethod::automatic;
+  double tolerance = 0.01;  ///< wanted relative error of max pressure, area and approach [-]; in (0, 1)
   int cells_along = 0;      ///< grid given by hand; 0: from the tolerance
   int cells_across = 0;     ///< both or none
 };

@@ -279,6 +279,16 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
                      });
 }
 
+double WheelContact::errorEstimate() const
+{
+  double error = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    error = std::max(error, solver_.estimateError(problem_, solution_, k).largest());
+  }
+  return error;
+}
+
 double WheelContact::descentError() const
 {
   return solution_.approach / boxed_descent_ - 1;

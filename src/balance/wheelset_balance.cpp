@@ -9,7 +9,6 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
-constexpr GridSize first_grid{8, 24};  ///< of the first pass from cold, where planes and boxes are still rough
 constexpr int most_passes = 40;
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;           ///< [rad]
@@ -27,11 +26,12 @@ std::size_t index(Side side)
 }
 }  // namespace
 
-WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, NormalSolver& solver, const GridSize& size)
+WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodLadder& ladder)
     : config_(config),
-      size_(size),
-      wheel_{WheelContact(config, solver), WheelContact(config, solver)},
-      undeflected_(config.rail_profile, config.track)
+      ladder_(ladder),
+      wheel_{WheelContact(config, ladder.solver()), WheelContact(config, ladder.solver())},
+      undeflected_(config.rail_profile, config.track),
+      choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)}
 {
   reset();
 }
@@ -68,7 +68,7 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
     case WheelStatus::box_not_found:
       return fail(ContactStatus::not_converged, "no grid was found that holds all of the contact");
     default:
-      return fail(ContactStatus::not_converged, "the normal solution did not converge");
+      return fail(ContactStatus::not_converged, toString(normal_status_));
   }
 }
 
@@ -112,12 +112,13 @@ bool WheelsetBalance::findRoll()
   return false;
 }
 
-WheelStatus WheelsetBalance::solveWheels(const GridSize& size)
+WheelStatus WheelsetBalance::solveWheels(bool rough)
 {
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
     WheelContact& wheel = wheel_[k];
+    const GridSize& size = rough ? ladder_.rough().size : choice_[k].rung().size;
     WheelStatus status = WheelStatus::no_contact;
     if (!config_.wheelset.solve_height_and_roll)
     {
@@ -131,6 +132,7 @@ WheelStatus WheelsetBalance::solveWheels(const GridSize& size)
     descent_[k] = loaded_[k] ? wheel.descent() : 0;
     if (!loaded_[k] && status != WheelStatus::no_contact)
     {
+      normal_status_ = wheel.solution().status;
       return status;
     }
   }
@@ -209,6 +211,28 @@ bool WheelsetBalance::layoutFits()
   return all;
 }
 
+/// True if the estimated errors meet the tolerance or cannot be made smaller; otherwise finer grids are chosen.
+bool WheelsetBalance::fineEnough()
+{
+  bool enough = true;
+  for (const Side side : sides)
+  {
+    const std::size_t k = index(side);
+    error_[k] = loaded_[k] ? wheel_[k].errorEstimate() : 0;
+    enough = !choice_[k].climb(error_[k]) && enough;
+  }
+  return enough;
+}
+
+/// Chooses the first grids after the rough pass.
+void WheelsetBalance::chooseGrids()
+{
+  for (const Side side : sides)
+  {
+    choice_[index(side)].start(loaded_[index(side)] ? wheel_[index(side)].errorEstimate() : 0);
+  }
+}
+
 /// Sets out from the last answer: wheel loads, and descents to be expected under them.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
@@ -263,7 +287,7 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
     {
       return failed(WheelStatus::beside_rail);
     }
-    const WheelStatus status = solveWheels(first ? first_grid : size_);
+    const WheelStatus status = solveWheels(first);
     if (status != WheelStatus::solved)
     {
       return failed(status);
@@ -272,7 +296,12 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
     const double mismatch = moveRails();
     const bool fits = layoutFits();
     const bool level = std::abs(roll_change) < roll_per_tolerance * config_.contact.tolerance;
-    if (!first && fits && level && mismatch < coupling_tolerance)
+    const bool settled = fits && level && mismatch < coupling_tolerance;
+    if (first)
+    {
+      chooseGrids();
+    }
+    else if (settled && fineEnough())
     {
       finish(roll_change);
       return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
@@ -290,8 +319,11 @@ void WheelsetBalance::finish(double roll_change)
 {
   warm_ = true;
   reason_ = {};
-  wheel_[0].learn();
-  wheel_[1].learn();
+  for (const Side side : sides)
+  {
+    wheel_[index(side)].learn();
+    choice_[index(side)].descend(error_[index(side)]);
+  }
   if (!config_.wheelset.solve_height_and_roll)
   {
     height_ = state_.z;

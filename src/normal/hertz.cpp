@@ -4,39 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elliptic.h"
+
 namespace wheel_rail_contact
 {
 namespace
 {
 const double kPi = std::acos(-1.0);
-
-/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) / k².
-struct Elliptic
-{
-  double k = 0, d = 0;
-};
-
-/// By the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), arranged so that nothing cancels at kappa = 1.
-Elliptic elliptic(double kappa)
-{
-  double mean = 0.5 * (1 + kappa), root = std::sqrt(kappa);
-  double c = 0.5 * (1 - kappa);
-  double share = 1 + 0.5 * (1 - kappa) / (1 + kappa);  // sum of 2^n c_n² over c_0² = k²; c_1² /
-                                                       // k² = (1 - kappa) / (4 (1 + kappa))
-  const double modulus_squared = (1 - kappa) * (1 + kappa);
-  for (double power = 4; c * c > 1e-17 * mean * mean; power *= 2)
-  {
-    const double next = 0.5 * (mean + root);
-    root = std::sqrt(mean * root);
-    c = 0.25 * c * c / next;
-    mean = next;
-    share += modulus_squared > 0 ? power * c * c / modulus_squared : 0;
-  }
-  Elliptic result;
-  result.k = 0.5 * kPi / mean;
-  result.d = 0.5 * result.k * share;
-  return result;
-}
 
 /// Ratio of the axes b/a <= 1 of the ellipse for curvatures in the ratio A/B <= 1, A belonging to the longer axis.
 ///

@@ -42,6 +42,8 @@ const char* toString(SolveStatus status)
       return "stalled: the residual stopped falling above the tolerance";
     case SolveStatus::indefinite:
       return "the influence matrix has a negative direction";
+    case SolveStatus::no_positive_curvature:
+      return "the gap's curvature is not positive where the method needs it";
     case SolveStatus::invalid_problem:
       return "invalid problem: not a number in the gap, no load, or no cells";
   }

@@ -78,6 +78,8 @@ class WheelContact
   double heightOverReference() const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;
+  /// Estimated relative error of the last solution: the largest of its patches' [-].
+  double errorEstimate() const;
   /// Solved descent against the one that the gap was built for, relative [-].
   double descentError() const;
   /// Smallest ratio of a pressure's length or width to those its grid was laid for [-].

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "wheel_rail_contact/balance/fixed_point.h"
+#include "wheel_rail_contact/balance/method_ladder.h"
 #include "wheel_rail_contact/balance/roll_secant.h"
 #include "wheel_rail_contact/balance/wheel_contact.h"
 #include "wheel_rail_contact/wheelset_contact.h"
@@ -20,8 +21,8 @@ namespace wheel_rail_contact
 class WheelsetBalance
 {
  public:
-  /// Refers to `config` and `solver`, which must outlive it. `size` is the grid of every patch.
-  WheelsetBalance(const ContactModelConfig& config, NormalSolver& solver, const GridSize& size);
+  /// Refers to `config` and `ladder`, which must outlive it.
+  WheelsetBalance(const ContactModelConfig& config, const MethodLadder& ladder);
 
   /// Solves a valid state. The reason stands in reason() where the status is not ok.
   ContactStatus solve(const WheelsetState& state);
@@ -48,14 +49,16 @@ class WheelsetBalance
   double heightDifference() const;
   double lever(Side side) const;
   double leverSum() const;
-  WheelStatus solveWheels(const GridSize& size);
+  WheelStatus solveWheels(bool rough);
   RailDeflection deflectionDue(Side side);
   double moveRails();
   bool layoutFits();
+  bool fineEnough();
+  void chooseGrids();
   void finish(double roll_change);
 
   const ContactModelConfig& config_;
-  GridSize size_;
+  const MethodLadder& ladder_;
   std::array<WheelContact, 2> wheel_;
   PlacedRail undeflected_;
   WheelsetState state_;
@@ -63,6 +66,9 @@ class WheelsetBalance
   std::array<bool, 2> loaded_{};
   std::array<double, 2> descent_{};  ///< known so far [m]
   std::array<RigidTouch, 2> touch_;
+  std::array<RungChoice, 2> choice_;
+  std::array<double, 2> error_{};                       ///< estimated, relative [-]
+  SolveStatus normal_status_ = SolveStatus::converged;  ///< of the last solution that failed
   std::array<RailResult, 2> rail_;
   std::array<FixedPoint<3>, 2> coupling_;
   RollSecant secant_;

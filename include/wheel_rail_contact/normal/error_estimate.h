@@ -25,12 +25,11 @@ struct ErrorEstimate
 struct ErrorTerms
 {
   /// Of max_pressure: bend of q at the crest, along plus across · third differences of q beside it, along plus across ·
-  /// square of the jumps of k, weighted by 1 / (distance from the crest + 1/2)², as a pressure over the maximum · one
-  /// cell of the area.
-  std::array<double, 4> max_pressure{};
-  /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded) over
-  /// the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over the
-  /// maximum, per cell of the area · variation of k over its mean and (cells across)² · residual.
+  /// square of the jumps of k, weighted by 1 / (distance from the crest + 1/2)², as a pressure over the maximum.
+  std::array<double, 3> max_pressure{};
+  /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded)
+  /// over the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over
+  /// the maximum, per cell of the area · variation of k over its mean and (cells across)² · residual.
   std::array<double, 6> area{};
   /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
   std::array<double, 3> approach{};
@@ -42,13 +41,25 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 /// Weights of the terms.
 struct ErrorWeights
 {
-  std::array<double, 4> max_pressure{};
+  std::array<double, 3> max_pressure{};
   std::array<double, 6> area{};
   std::array<double, 3> approach{};
 };
 
 /// The weights in use.
 const ErrorWeights& gridErrorWeights();
+
+/// For methods that know a gap by a paraboloid only: the estimate of each quantity is a sum of these, each times its
+/// weight. One · |logarithm of the ratio of volumes| below a level of the gap and of the paraboloid · the volume that
+/// is not common to both, over their mean · squared logarithm of the paraboloid's aspect.
+using ShapeTerms = std::array<double, 4>;
+
+struct ShapeWeights
+{
+  ShapeTerms max_pressure{};
+  ShapeTerms area{};
+  ShapeTerms approach{};
+};
 
 /// Errors that mesh and algebra leave in patch `patch` of a usable solution by any method that puts pressure on the
 /// grid's cells; zero for a patch without pressure.

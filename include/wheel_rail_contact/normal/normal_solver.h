@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "wheel_rail_contact/normal/error_estimate.h"
 #include "wheel_rail_contact/normal/problem.h"
 
 namespace wheel_rail_contact
@@ -18,5 +19,14 @@ class NormalSolver
   /// is the starting point. Neither allocates once the shapes have been seen. Never throws for numerical failure: the
   /// status tells.
   virtual void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) = 0;
+
+  /// Estimated errors of patch `patch` of a usable solution that this method found, against the exact answer; zero for
+  /// a patch without pressure. As it stands here: for methods that put pressure on the grid's cells
+  /// (estimateGridError).
+  virtual ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
+                                      std::size_t patch) const
+  {
+    return estimateGridError(problem, solution, patch);
+  }
 };
 }  // namespace wheel_rail_contact

@@ -69,12 +69,13 @@ struct NormalProblem
 /// Why a solution ended, and whether it may be used.
 enum class SolveStatus
 {
-  converged,        ///< usable
-  no_contact,       ///< approach control: nothing touches; pressure zero, usable
-  iteration_limit,  ///< not usable
-  stalled,          ///< the residual stopped falling above the tolerance; not usable
-  indefinite,       ///< the influence matrix has a negative direction; not usable
-  invalid_problem   ///< NaN in the gap, no load, no cells; not usable
+  converged,              ///< usable
+  no_contact,             ///< approach control: nothing touches; pressure zero, usable
+  iteration_limit,        ///< not usable
+  stalled,                ///< the residual stopped falling above the tolerance; not usable
+  indefinite,             ///< the influence matrix has a negative direction; not usable
+  no_positive_curvature,  ///< the gap is no bowl where the method needs one; not usable
+  invalid_problem         ///< NaN in the gap, no load, no cells; not usable
 };
 
 /// Text of a status for people.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "wheel_rail_contact/balance/wheel_patch.h"
+#include "wheel_rail_contact/config.h"
+#include "wheel_rail_contact/normal/normal_solver.h"
+
+namespace wheel_rail_contact
+{
+/// A grid and the error it leaves in an ordinary scene: relative, the largest of max pressure, area and approach [-].
+struct Rung
+{
+  GridSize size;
+  double ordinary_error;
+};
+
+/// The normal method in use and the grids it may be used on, from coarse to fine. `method: auto` has conjugate
+/// gradients on all of them; any other method has one, given by hand or by the tolerance.
+class MethodLadder
+{
+ public:
+  explicit MethodLadder(const ContactModelConfig& config);
+
+  NormalSolver& solver() const { return *solver_; }
+  std::size_t count() const { return rungs_.size(); }
+  const Rung& at(std::size_t rung) const { return rungs_[rung]; }
+  /// For the first pass from cold, where planes and boxes are still rough.
+  const Rung& rough() const { return rough_; }
+
+ private:
+  std::unique_ptr<NormalSolver> solver_;
+  std::vector<Rung> rungs_;
+  Rung rough_;
+};
+
+/// The rung that one wheel is on, kept from answer to answer.
+class RungChoice
+{
+ public:
+  /// @param tolerance  wanted relative error [-]
+  RungChoice(const MethodLadder& ladder, double tolerance) : ladder_(&ladder), tolerance_(tolerance) {}
+
+  const Rung& rung() const { return ladder_->at(rung_); }
+
+  /// Sets out from cold, by the error estimated on the rough grid: the rung that is promised to do, at most the one
+  /// that does in ordinary scenes.
+  void start(double rough_error);
+  /// Climbs if the estimated error is above the tolerance. @return true if there is a finer rung to solve on.
+  bool climb(double error);
+  /// Takes a coarser rung for the next answer if that promises to do. After it had to climb back it waits, longer each
+  /// time.
+  void descend(double error);
+
+ private:
+  const MethodLadder* ladder_;
+  double tolerance_;
+  std::size_t rung_ = 0;
+  bool descended_ = false;  ///< for the present answer
+  int wait_ = 0;            ///< answers before the next try to descend
+  int next_wait_ = first_wait;
+
+  static constexpr int first_wait = 2;
+  static constexpr int longest_wait = 64;
+  static constexpr std::size_t longest_climb = 2;  ///< rungs at a time
+  static constexpr double descend_reserve = 0.8;   ///< promised error over the tolerance when descending [-]
+};
+}  // namespace wheel_rail_contact

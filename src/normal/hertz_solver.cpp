@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/normal/hertz_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "overlap_shape.h"
+#include "patch_errors.h"
+#include "patch_fields.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using Eigen::Index;
+
+/// As printed by test/calibration/calibrate_error_estimate.cpp.
+constexpr ShapeWeights error_weights{{0.002, 1, 0.5, 0}, {0.002, 1, 0.5, 0}, {0.001, 1, 0.5, 0}};
+
+/// The lowest cell of a gap (if it lies on the border: the next one inside) and the eight around it, with the mirror
+/// image beyond x = 0 of a symmetric grid, whose first row is taken as the lowest.
+class LowestCells
+{
+ public:
+  explicit LowestCells(const PatchGap& gap) : gap_(gap.gap)
+  {
+    if (gap.grid.symmetric)
+    {
+      gap_.row(0).minCoeff(&column_);
+    }
+    else
+    {
+      gap_.minCoeff(&row_, &column_);
+      row_ = std::clamp<Index>(row_, 1, gap_.rows() - 2);
+    }
+    column_ = std::clamp<Index>(column_, 1, gap_.cols() - 2);
+  }
+
+  int row() const { return static_cast<int>(row_); }
+  int column() const { return static_cast<int>(column_); }
+  double at(Index along, Index across) const
+  {
+    const Index row = row_ + along;
+    return gap_(row < 0 ? -1 - row : row, column_ + across);
+  }
+
+ private:
+  const Eigen::ArrayXXd& gap_;
+  Index row_ = 0, column_ = 0;
+};
+
+bool isLargeEnough(const PatchGap& patch)
+{
+  return patch.grid.rows() >= (patch.grid.symmetric ? 2 : 3) && patch.grid.ny >= 3;
+}
+
+/// Principal directions and curvatures of the second derivatives xx, xy, yy [1/m]; the gap's coefficients are half of
+/// them.
+void setPrincipal(double xx, double xy, double yy, GapMinimum& minimum)
+{
+  const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy), radius = std::hypot(half, xy);
+  const bool along_x = half >= 0;  // the first direction is the one nearer to x
+  minimum.angle = radius > 0 ? 0.5 * std::atan2(along_x ? xy : -xy, std::abs(half)) : 0;
+  minimum.curvature.a = 0.5 * (along_x ? mean + radius : mean - radius);
+  minimum.curvature.b = 0.5 * (along_x ? mean - radius : mean + radius);
+}
+
+/// Ellipsoidal pressure at the cells' centres; zero for a contact without area.
+void fillEllipsoid(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
+{
+  const double cosine = std::cos(minimum.angle), sine = std::sin(minimum.angle);
+  pressure.setZero(grid.rows(), grid.ny);
+  for (int j = 0; contact.area > 0 && j < grid.ny; ++j)
+  {
+    const double y = grid.y(j) - minimum.y;
+    for (int i = 0; i < grid.rows(); ++i)
+    {
+      const double x = grid.x(i) - minimum.x;
+      const double first = (cosine * x + sine * y) / contact.semi_axis_x;
+      const double second = (cosine * y - sine * x) / contact.semi_axis_y;
+      pressure(i, j) = contact.max_pressure * std::sqrt(std::max(1 - first * first - second * second, 0.0));
+    }
+  }
+}
+
+bool isCut(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid)
+{
+  const double cosine = std::cos(minimum.angle), sine = std::sin(minimum.angle);
+  const double half_x = std::hypot(cosine * contact.semi_axis_x, sine * contact.semi_axis_y);
+  const double half_y = std::hypot(sine * contact.semi_axis_x, cosine * contact.semi_axis_y);
+  const double end_x = 0.5 * grid.nx * grid.dx;
+  return std::abs(minimum.x) + half_x > end_x || minimum.y - half_y < grid.y(0) - 0.5 * grid.dy ||
+         minimum.y + half_y > grid.y(grid.ny - 1) + 0.5 * grid.dy;
+}
+
+/// The contact at another approach: lengths and pressure grow with its root.
+HertzContact scaled(const HertzContact& unit, double approach)
+{
+  const double root = std::sqrt(approach);
+  HertzContact contact = unit;
+  contact.semi_axis_x *= root;
+  contact.semi_axis_y *= root;
+  contact.max_pressure *= root;
+  contact.approach = approach;
+  contact.force *= approach * root;
+  contact.area *= approach;
+  return contact;
+}
+}  // namespace
+
+GapMinimum fitMinimum(const PatchGap& gap)
+{
+  const Grid& grid = gap.grid;
+  const LowestCells cells(gap);
+  const double gx = (cells.at(1, 0) - cells.at(-1, 0)) / (2 * grid.dx);
+  const double gy = (cells.at(0, 1) - cells.at(0, -1)) / (2 * grid.dy);
+  const double xx = (cells.at(1, 0) - 2 * cells.at(0, 0) + cells.at(-1, 0)) / (grid.dx * grid.dx);
+  const double yy = (cells.at(0, 1) - 2 * cells.at(0, 0) + cells.at(0, -1)) / (grid.dy * grid.dy);
+  const double xy = (cells.at(1, 1) - cells.at(1, -1) - cells.at(-1, 1) + cells.at(-1, -1)) / (4 * grid.dx * grid.dy);
+  GapMinimum minimum;
+  setPrincipal(xx, xy, yy, minimum);
+  const double determinant = xx * yy - xy * xy;
+  double sx = 0, sy = 0;
+  if (minimum.isPositive())
+  {
+    sx = std::clamp((xy * gy - yy * gx) / determinant, -grid.dx, grid.dx);
+    sy = std::clamp((xy * gx - xx * gy) / determinant, -grid.dy, grid.dy);
+  }
+  minimum.gap = cells.at(0, 0) + gx * sx + gy * sy + 0.5 * (xx * sx * sx + 2 * xy * sx * sy + yy * sy * sy);
+  minimum.x = grid.symmetric ? 0 : grid.x(cells.row()) + sx;
+  minimum.y = grid.y(cells.column()) + sy;
+  return minimum;
+}
+
+void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolution& solution)
+{
+  solution.patches.resize(problem.patches.size());
+  solution.iterations = 0;
+  solution.residual = 0;
+  solution.status = isValid(problem) ? fit(problem) : SolveStatus::invalid_problem;
+  if (solution.status != SolveStatus::converged)
+  {
+    return;
+  }
+  solution.approach = problem.control == NormalProblem::Control::load ? approachForLoad(problem) : problem.value;
+  bool touches = false;
+  for (std::size_t k = 0; k < ellipses_.size(); ++k)
+  {
+    const PatchGap& gap = problem.patches[k];
+    const GapMinimum& minimum = ellipses_[k].minimum;
+    const double own = std::max(gap.weight * solution.approach - minimum.gap, 0.0);
+    const HertzContact contact = scaled(ellipses_[k].unit, own);
+    PatchPressure& patch = solution.patches[k];
+    patch.grid = gap.grid;
+    patch.force = contact.force;
+    patch.max_pressure = contact.max_pressure;
+    patch.area = contact.area;
+    patch.touches_border = own > 0 && isCut(minimum, contact, gap.grid);
+    fillEllipsoid(minimum, contact, gap.grid, patch.pressure);
+    touches = touches || own > 0;
+  }
+  solution.status = touches ? SolveStatus::converged : SolveStatus::no_contact;
+}
+
+/// Fits all patches; no_positive_curvature where one is no bowl.
+SolveStatus HertzSolver::fit(const NormalProblem& problem)
+{
+  ellipses_.resize(problem.patches.size());
+  for (std::size_t k = 0; k < ellipses_.size(); ++k)
+  {
+    if (!isLargeEnough(problem.patches[k]))
+    {
+      return SolveStatus::invalid_problem;
+    }
+    Ellipse& ellipse = ellipses_[k];
+    ellipse.minimum = fitMinimum(problem.patches[k]);
+    if (!ellipse.minimum.isPositive())
+    {
+      return SolveStatus::no_positive_curvature;
+    }
+    ellipse.unit = hertzForApproach(ellipse.minimum.curvature, problem.modulus, 1);
+  }
+  return SolveStatus::converged;
+}
+
+/// The common approach that carries the load. The sum of the patches' forces is convex in it, so Newton's method falls
+/// on the root from above; it starts where the first patch alone would carry all.
+double HertzSolver::approachForLoad(const NormalProblem& problem) const
+{
+  constexpr int most_steps = 50;
+  double approach = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < ellipses_.size(); ++k)
+  {
+    const double weight = problem.patches[k].weight;
+    const double alone = std::cbrt(std::pow(problem.value / (weight * ellipses_[k].unit.force), 2));
+    approach = std::min(approach, (ellipses_[k].minimum.gap + alone) / weight);
+  }
+  for (int step = 0; step < most_steps; ++step)
+  {
+    double load = 0, stiffness = 0;
+    for (std::size_t k = 0; k < ellipses_.size(); ++k)
+    {
+      const double weight = problem.patches[k].weight;
+      const double own = std::max(weight * approach - ellipses_[k].minimum.gap, 0.0);
+      const double root = weight * ellipses_[k].unit.force * std::sqrt(own);
+      load += root * own;
+      stiffness += 1.5 * weight * root;
+    }
+    const double change = (problem.value - load) / stiffness;
+    approach += change;
+    if (!(std::abs(load - problem.value) > 1e-12 * problem.value))
+    {
+      break;
+    }
+  }
+  return approach;
+}
+
+ShapeTerms HertzSolver::errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch)
+{
+  const PatchGap& gap = problem.patches[patch];
+  const GapMinimum minimum = fitMinimum(gap);
+  const double approach = gap.weight * solution.approach - minimum.gap;
+  const OverlapMismatch mismatch = compareOverlap(gap, minimum, minimum.gap + 0.5 * approach);
+  return {1, mismatch.volume, mismatch.shape, 0};
+}
+
+ErrorEstimate HertzSolver::estimateError(const NormalProblem& problem, const NormalSolution& solution,
+                                         std::size_t patch) const
+{
+  const auto alone = [&](std::size_t k) {
+    return solution.patches[k].force > 0 ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate();
+  };
+  return inCommon(problem, solution, patch, alone);
+}
+}  // namespace wheel_rail_contact

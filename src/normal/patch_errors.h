@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "wheel_rail_contact/normal/error_estimate.h"
+
+namespace wheel_rail_contact
+{
+/// A patch's own approach, from its first touch on [m].
+double ownApproach(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
+
+template <std::size_t N>
+double weighted(const std::array<double, N>& weights, const std::array<double, N>& terms)
+{
+  return std::inner_product(weights.begin(), weights.end(), terms.begin(), 0.0);
+}
+
+inline ErrorEstimate weighted(const ShapeWeights& weights, const ShapeTerms& terms)
+{
+  return {weighted(weights.max_pressure, terms), weighted(weights.area, terms), weighted(weights.approach, terms)};
+}
+
+/// Errors of a patch among others, from `alone(k)`, the errors of each patch as if it carried its load alone. The
+/// common approach is off by as much as the patch whose own approach is worst known; with Hertz's laws (maximum ~
+/// approach^1/2, area ~ approach) that adds to all of them.
+template <typename Alone>
+ErrorEstimate inCommon(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch, Alone alone)
+{
+  const ErrorEstimate own = alone(patch);
+  if (own.largest() <= 0 || problem.patches.size() == 1)
+  {
+    return own;
+  }
+  double shift = 0;
+  for (std::size_t k = 0; k < problem.patches.size(); ++k)
+  {
+    shift = std::max(shift, alone(k).approach * ownApproach(problem, solution, k));
+  }
+  const double relative = shift / ownApproach(problem, solution, patch);
+  return {own.max_pressure + 0.5 * relative, own.area + relative, relative};
+}
+}  // namespace wheel_rail_contact
