@@ -18,7 +18,8 @@ constexpr std::array<std::uint8_t, 5> status_constants{
     WheelsetContactMsg::NOT_CONVERGED, WheelsetContactMsg::INVALID_INPUT};
 
 /// Names of normal methods as they stand in messages, alive as long as the program.
-constexpr std::array<std::string_view, 3> method_names{"conjugate_gradient", "seidel", "seidel_printed"};
+constexpr std::array<std::string_view, 5> method_names{"hertz", "kik_piotrowski", "seidel", "seidel_printed",
+                                                       "conjugate_gradient"};
 
 std::string_view methodNamed(const std::string& name)
 {

@@ -102,9 +102,12 @@ void readRailBending(ParameterReader& reader, RailBendingConfig& bending, FileNa
 void readContact(ParameterReader& reader, ContactConfig& contact)
 {
   reader.read("contact/method",
-              {{"conjugate_gradient", NormalMethod::conjugate_gradient},
+              {{"auto", NormalMethod::automatic},
+               {"hertz", NormalMethod::hertz},
+               {"kik_piotrowski", NormalMethod::kik_piotrowski},
                {"seidel", NormalMethod::seidel},
-               {"seidel_printed", NormalMethod::seidel_printed}},
+               {"seidel_printed", NormalMethod::seidel_printed},
+               {"conjugate_gradient", NormalMethod::conjugate_gradient}},
               contact.method);
   reader.read("contact/tolerance", rules::finite, contact.tolerance);
   reader.read("contact/grid/along", rules::whole, contact.cells_along);

@@ -182,7 +182,7 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
       {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
       {"rail_bending: {prescribed: {roll: 1}}", "rail_bending/prescribed/roll", "1"},
       {"rail_bending: {prescribed: {vertical: up}}", "rail_bending/prescribed/vertical", "up"},
-      {"contact: {method: magic}", "contact/method", "conjugate_gradient, seidel, seidel_printed"},
+      {"contact: {method: magic}", "contact/method", "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
       {"contact: {tolerance: 0}", "contact/tolerance", "0"},
       {"contact: {tolerance: 2}", "contact/tolerance", "2"},
       {"contact: {grid: {along: 16}}", "contact/grid", "0"},
