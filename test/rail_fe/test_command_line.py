@@ -53,7 +53,8 @@ class Misuse(unittest.TestCase):
     def test_missing_program_is_one_sentence(self):
         with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, PATH=empty):
             status, _, err = run("--supports", "foot_clamped", "--out", "never_written.yaml")
-            self.assertEqual((status, err), (1, "rail_compliance: gmsh is not installed; on Debian: apt install gmsh\n"))
+            self.assertEqual((status, err), (1, "rail_compliance: gmsh is not installed; on Debian: "
+                                                "apt install gmsh\n"))
             gmsh = Path(empty) / "gmsh"
             gmsh.write_text("#!/bin/sh\n", encoding="ascii")
             gmsh.chmod(0o755)
@@ -68,9 +69,10 @@ class WholeRun(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             place = Path(directory)
             table_path, picture, deck = place / "soft.yaml", place / "soft.png", place / "deck"
-            status, out, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8", "--bays", "4",
-                                   "--neighbours", "0.9", "--mesh-size", "0.03", "--force-height", "0.1624", "--out",
-                                   str(table_path), "--picture", str(picture), "--keep-deck", str(deck))
+            status, out, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8",
+                                   "--bays", "4", "--neighbours", "0.9", "--mesh-size", "0.03",
+                                   "--force-height", "0.1624", "--out", str(table_path), "--picture", str(picture),
+                                   "--keep-deck", str(deck))
             self.assertEqual(status, 0, err)
             table = yaml.safe_load(table_path.read_text(encoding="utf-8"))
             for name in ("rail.geo", "rail.msh", "rail.inp", "rail.frd"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The shipped tables, and the finite-element figures of 60E1 they were checked against."""
+"""The shipped tables: their form, their reproduction on coarse meshes, and figures of a separate study."""
 import math
 import re
 import unittest
@@ -20,11 +20,11 @@ def shipped(name):
     return yaml.safe_load((CONFIG / f"{name}.yaml").read_text(encoding="utf-8"))
 
 
-def track(name, bays, size, neighbours=(1.8, 2.5)):
+def track(name, bays, size):
     """Study of 60E1 on the pads of a shipped table."""
     lateral, vertical = PADS[name]
     return Study(rail_60e1(), "seats", Pads(lateral, vertical, bays=bays), length=0.6 * bays, mesh_size=size,
-                 neighbours=neighbours)
+                 neighbours=(1.8, 2.5))
 
 
 class ShippedFiles(unittest.TestCase):
@@ -60,11 +60,12 @@ class ShippedFiles(unittest.TestCase):
 @needs_programs
 class Reproduced(unittest.TestCase):
     def test_pads_on_a_coarse_mesh(self):
-        # 3 %: the elements are three times as large as those of the shipped tables
+        # 3 %: the elements are twice as large as those of the shipped tables
         for name in PADS:
-            solution = solved(track(name, 20, 0.04))
+            solution = solved(track(name, 20, 0.03))
             for key in COMPLIANCES:
-                self.assertAlmostEqual(solution.compliance[key] / shipped(name)[key], 1, delta=0.03, msg=f"{name} {key}")
+                ratio = solution.compliance[key] / shipped(name)[key]
+                self.assertAlmostEqual(ratio, 1, delta=0.03, msg=f"{name} {key}")
             for found, table in zip(solution.neighbours, shipped(name)["neighbours"]):
                 difference = (found["lateral_lateral"] - table["lateral_lateral"]) / shipped(name)["lateral_lateral"]
                 self.assertAlmostEqual(difference, 0, delta=0.005, msg=f"{name} {table['distance']}")
@@ -75,52 +76,31 @@ class Reproduced(unittest.TestCase):
             self.assertAlmostEqual(solution.compliance[key] / shipped("paper")[key], 1, delta=0.02, msg=key)
 
 
-@needs_programs
-class OneMetreRail(unittest.TestCase):
-    """Crown displacement [mm] and head roll [mrad] of 1 m of 60E1 under 30 kN on the gauge face.
-
-    Reference figures: a separate finite-element study of the same rail (CalculiX, gmsh; converged to 0.5 %).
-    """
-
-    def check(self, study, crown, roll, within):
-        solution = solved(study)
-        self.assertAlmostEqual(1e3 * solution.check_crown / crown, 1, delta=within)
-        if roll:
-            self.assertAlmostEqual(1e3 * solution.check_roll / roll, 1, delta=within)
-
-    def test_lateral_displacement_of_the_paper(self):
-        # Golubenko et al. 2011: 0.2435 mm at the top of the middle section; met with the foot and the ends clamped and
-        # the force 162.4 mm up. 1 %: the discretisation error is 0.5 % on this mesh.
-        self.check(Study(rail_60e1(), "foot_and_ends_clamped", force_height=0.1624), 0.2435, None, 0.01)
-
-    def test_clamped_and_hinged_supports(self):
-        for kind, crown, roll in (("foot_clamped", 0.344, 3.05), ("ends_clamped", 0.451, 2.14),
-                                  ("ends_hinged", 1.032, 3.21), ("foot_and_ends_clamped", 0.2323, 1.93)):
-            with self.subTest(kind):
-                self.check(Study(rail_60e1(), kind, mesh_size=0.018), crown, roll, 0.02)
-
-    def test_two_seats(self):
-        stiff, soft = Pads(1e12, 1e12, bays=2), Pads(40e6, 100e6, bays=2)
-        self.check(Study(rail_60e1(), "seats", stiff, mesh_size=0.018), 0.502, 3.65, 0.02)
-        self.check(Study(rail_60e1(), "seats", soft, mesh_size=0.018), 3.33, 17.4, 0.02)
+# Compliance of track of 60E1 after a separate finite-element study (7.2 m, load between two seats; the same programs,
+# converged to 0.5 %): um/kN, urad/kN, urad/(kN mm), and shares of the displacement that the same force causes 1.8 and
+# 2.5 m away.
+STUDIED_TRACK = {"pads_10_25": ((138, 626, 4.68), (0.30, 0.20)), "pads_20_60": ((84.0, 389, 3.18), (0.16, 0.09)),
+                 "pads_40_100": ((60.5, 303, 2.63), (0.11, 0.05)), "pads_100_500": ((30.2, 161, 1.75), (0.02, 0.006))}
 
 
-@needs_programs
 class Track(unittest.TestCase):
-    """Compliance of 7.2 m of track (12 bays) against the same separate study: um/kN, urad/kN, urad/(kN mm), shares of the
-    neighbour's force at 1.8 and 2.5 m in the lateral displacement."""
+    def check(self, name, compliance):
+        for key, scale, figure in zip(COMPLIANCES, (1e9, 1e9, 1e6), STUDIED_TRACK[name][0]):
+            self.assertAlmostEqual(scale * compliance[key] / figure, 1, delta=0.02, msg=f"{name} {key}")
 
-    def test_compliance_and_neighbours(self):
-        for name, figures, shares in (("pads_10_25", (138, 626, 4.68), (0.30, 0.20)),
-                                      ("pads_20_60", (84.0, 389, 3.18), (0.16, 0.09)),
-                                      ("pads_40_100", (60.5, 303, 2.63), (0.11, 0.05)),
-                                      ("pads_100_500", (30.2, 161, 1.75), (0.02, 0.006))):
+    def test_shipped_tables_of_common_pads(self):
+        for name in ("pads_20_60", "pads_40_100", "pads_100_500"):
+            self.check(name, shipped(name))
+
+    @needs_programs
+    def test_soft_pads_and_neighbours_on_the_studied_length(self):
+        # on soft pads 7.2 m are too short: the shipped tables, of 12 m, are up to 2 % stiffer and fade faster
+        for name in ("pads_10_25", "pads_20_60"):
             solution = solved(track(name, 12, 0.03))
-            for key, scale, figure in zip(COMPLIANCES, (1e9, 1e9, 1e6), figures):
-                self.assertAlmostEqual(scale * solution.compliance[key] / figure, 1, delta=0.02, msg=f"{name} {key}")
-            for found, share in zip(solution.neighbours, shares):
-                # half a unit of the last digit of the reference
-                self.assertAlmostEqual(found["lateral_lateral"] / solution.compliance["lateral_lateral"], share,
+            self.check(name, solution.compliance)
+            for neighbour, share in zip(solution.neighbours, STUDIED_TRACK[name][1]):
+                # the reference is printed to whole per cents
+                self.assertAlmostEqual(neighbour["lateral_lateral"] / solution.compliance["lateral_lateral"], share,
                                        delta=0.0075, msg=name)
 
 

@@ -70,8 +70,8 @@ def _check_what_is_needed(options):
 def _report(study, fine, coarse):
     print("  ".join(f"{name} {value:.4e}" for name, value in fine.compliance.items()) + "  (SI)")
     print(f"estimated discretisation error {100 * estimated_error(fine, coarse):.2g} %")
-    print(f"{study.force / 1e3:g} kN outward at {1e3 * study.check_height:g} mm: crown {1e3 * fine.check_crown:.4f} mm, "
-          f"head rolls {1e3 * fine.check_roll:.3f} mrad")
+    print(f"{study.force / 1e3:g} kN outward at {1e3 * study.check_height:g} mm: "
+          f"crown {1e3 * fine.check_crown:.4f} mm, head rolls {1e3 * fine.check_roll:.3f} mrad")
 
 
 def _study(options):
