@@ -32,6 +32,11 @@ double closedForm(double x, double y, double dx, double dy)
   return (corner(x2, y2) - corner(x1, y2)) - (corner(x2, y1) - corner(x1, y1));
 }
 
+double inverseDistance(double x, double y)
+{
+  return 1 / std::sqrt(x * x + y * y);
+}
+
 double quadrature(double x, double y, double dx, double dy)
 {
   double sum = 0;
@@ -40,8 +45,8 @@ double quadrature(double x, double y, double dx, double dy)
     for (std::size_t j = 0; j < kNodes.size(); ++j)
     {
       const double a = 0.5 * dx * kNodes[i], b = 0.5 * dy * kNodes[j];
-      const double near = 1 / std::hypot(x - a, y - b) + 1 / std::hypot(x - a, y + b);
-      const double far = 1 / std::hypot(x + a, y - b) + 1 / std::hypot(x + a, y + b);
+      const double near = inverseDistance(x - a, y - b) + inverseDistance(x - a, y + b);
+      const double far = inverseDistance(x + a, y - b) + inverseDistance(x + a, y + b);
       sum += kWeights[i] * kWeights[j] * (near + far);
     }
   }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cosine_modes.h"
+#include "half_transform.h"
 #include "lanes.h"
 
 namespace wheel_rail_contact
@@ -101,8 +101,9 @@ double modeWeight(int mode, int length)
 
 struct InfluenceOperator::Workspace::Buffers
 {
-  LaneBuffer folded, across, both;
-  int folded_size = 0, across_size = 0, both_size = 0;
+  LaneBuffer folded;                ///< values
+  LaneBuffer first, second, third;  ///< modes and values on the way
+  int folded_size = 0, modes_size = 0;
 };
 
 InfluenceOperator::Workspace::Workspace() : buffers_(std::make_unique<Buffers>()) {}
@@ -112,59 +113,58 @@ InfluenceOperator::Workspace& InfluenceOperator::Workspace::operator=(Workspace&
 
 struct InfluenceOperator::Tables
 {
-  /// Modes kept of both directions and their factors: [parity x][mode x][parity y][mode y, padded].
+  /// Factors of the modes kept: all of the doubled period, or the even ones, those of the grid's own period.
   struct Diagonal
   {
-    int modes_x = 0, modes_y = 0;
-    int line = 0;  ///< doubles of one row's modes across, both parities
-    LaneBuffer factors;
+    bool all = true;
+    int line = 0;        ///< doubles of one row's modes across, both parities
+    LaneBuffer factors;  ///< [parity x][mode x][parity y][mode y]
   };
 
-  explicit Tables(const OperatorShape& wanted);
+  Tables(const OperatorShape& wanted, const Tables* sibling);
 
   std::vector<double> coefficients() const;
-  void fill(Diagonal& diagonal, const Spectrum& spectrum, bool inverted) const;
+  Diagonal diagonal(const Spectrum& spectrum, bool all) const;
   void apply(const Diagonal& diagonal, const double* in, double* out, Workspace::Buffers& buffers) const;
-  void toModesAcross(const Diagonal& diagonal, const double* folded, double* out) const;
-  void scaleModesAlong(const Diagonal& diagonal, int parity, double* across, double* scratch) const;
-  void fromModesAcross(const Diagonal& diagonal, const double* in, double* folded) const;
 
-  int rows() const { return x_parts * x.half; }
-  int fieldSize() const { return rows() * 2 * y.value_stride; }
+  int rows() const { return x_parts * x->half(); }
+  int fieldSize() const { return rows() * 2 * y->valueStride(1); }
+  int modesSize() const { return 2 * rows() * product.line; }
 
   OperatorShape shape;
   int x_parts;  ///< stored halves along: 1 on a symmetric grid, else 2
-  CosineModes x, y;
+  std::shared_ptr<const HalfTransform> x, y;
   LaneBuffer sign_along;  ///< (-1)^row over half the field
   Diagonal product, inverse;
-  LaneBuffer probe,
-      probe_product;  ///< uneven weights of the cells, and the product with them
+  LaneBuffer probe;          ///< uneven weights of the cells
+  LaneBuffer probe_product;  ///< and the product with them
 };
 
-InfluenceOperator::Tables::Tables(const OperatorShape& wanted)
-    : shape(wanted), x_parts(wanted.symmetric ? 1 : 2), x((wanted.nx + 1) / 2), y((wanted.ny + 1) / 2)
+InfluenceOperator::Tables::Tables(const OperatorShape& wanted, const Tables* sibling)
+    : shape(wanted),
+      x_parts(wanted.symmetric ? 1 : 2),
+      x(sibling ? sibling->x : std::make_shared<const HalfTransform>((wanted.nx + 1) / 2)),
+      y(sibling ? sibling->y : std::make_shared<const HalfTransform>((wanted.ny + 1) / 2))
 {
-  sign_along.resize(x.half * 2 * y.value_stride);
-  for (int i = 0; i < x.half; ++i)
+  const int line = 2 * y->valueStride(1);
+  sign_along.resize(x->half() * line);
+  for (int i = 0; i < x->half(); ++i)
   {
-    std::fill_n(sign_along.data() + i * 2 * y.value_stride, 2 * y.value_stride, x.sign[i]);
+    std::fill_n(sign_along.data() + i * line, line, x->sign()[i]);
   }
   const std::vector<double> kernel = coefficients();
-  product.modes_x = x.count;
-  product.modes_y = y.count;
-  fill(product, Spectrum(kernel, x.count + 1, x.count, y.count), false);
-  inverse.modes_x = x.half;
-  inverse.modes_y = y.half;
-  fill(inverse, Spectrum(kernel, x.count + 1, x.half, y.half), true);
+  const int stride = 2 * x->half() + 1;
+  product = diagonal(Spectrum(kernel, stride, 2 * x->half(), 2 * y->half()), true);
+  inverse = diagonal(Spectrum(kernel, stride, x->half(), y->half()), false);
 }
 
 std::vector<double> InfluenceOperator::Tables::coefficients() const
 {
   std::vector<double> kernel;
-  kernel.reserve(static_cast<std::size_t>((x.count + 1) * (y.count + 1)));
-  for (int n = 0; n <= y.count; ++n)
+  kernel.reserve(static_cast<std::size_t>((2 * x->half() + 1) * (2 * y->half() + 1)));
+  for (int n = 0; n <= 2 * y->half(); ++n)
   {
-    for (int m = 0; m <= x.count; ++m)
+    for (int m = 0; m <= 2 * x->half(); ++m)
     {
       kernel.push_back(influence(shape.kernel, m * shape.aspect, n, shape.aspect, 1));
     }
@@ -172,143 +172,84 @@ std::vector<double> InfluenceOperator::Tables::coefficients() const
   return kernel;
 }
 
-void InfluenceOperator::Tables::fill(Diagonal& diagonal, const Spectrum& spectrum, bool inverted) const
+/// Of the whole spectrum, or the inverse of that of the grid's own period.
+InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::diagonal(const Spectrum& spectrum, bool all) const
 {
-  const int step = x.count / diagonal.modes_x;  // of the doubled period's modes: 1, or 2 for
-                                                // the grid's own period
-  const int stride = roundUpToLanes(diagonal.modes_y);
-  diagonal.line = 2 * stride;
-  diagonal.factors.resize(x_parts * diagonal.modes_x * diagonal.line);
-  double* factor = diagonal.factors.data();
+  const int modes_x = all ? 2 * x->half() : x->half(), modes_y = all ? 2 * y->half() : y->half();
+  const int step = all ? 1 : 2;  // of the doubled period's modes
+  const int stride = roundUpToLanes(modes_y);
+  Diagonal result;
+  result.all = all;
+  result.line = 2 * stride;
+  result.factors.resize(x_parts * modes_x * result.line);
+  double* factor = result.factors.data();
   for (int px = 0; px < x_parts; ++px)
   {
-    for (int a = 0; a < diagonal.modes_x; ++a)
+    for (int a = 0; a < modes_x; ++a)
     {
       for (int py = 0; py < 2; ++py, factor += stride)
       {
-        for (int b = 0; b < diagonal.modes_y; ++b)
+        for (int b = 0; b < modes_y; ++b)
         {
-          const int mode_x = x.number(px, a) / step, mode_y = y.number(py, b) / step;
-          const double weight = modeWeight(mode_x, diagonal.modes_x) * modeWeight(mode_y, diagonal.modes_y);
+          const int mode_x = x->number(px, a) / step, mode_y = y->number(py, b) / step;
+          const double weight = modeWeight(mode_x, modes_x) * modeWeight(mode_y, modes_y);
           const double value = spectrum(mode_x, mode_y);
-          factor[b] = (shape.symmetric ? 2 : 1) * weight * (inverted ? 1 / value : value);
+          factor[b] = (shape.symmetric ? 2 : 1) * weight * (all ? value : 1 / value);
         }
       }
     }
   }
+  return result;
 }
 
 void InfluenceOperator::Tables::apply(const Diagonal& diagonal, const double* in, double* out,
                                       Workspace::Buffers& buffers) const
 {
   const LaneKernels& kernels = laneKernels();
-  double* folded = buffers.folded.data();
-  kernels.fold(rows(), y.value_stride, y.sign.data(), in, folded);
+  double *folded = buffers.folded.data(), *first = buffers.first.data(), *second = buffers.second.data();
+  const HalfTransform::Lines across{2 * rows(), 1, diagonal.all}, along{x_parts, diagonal.line, diagonal.all};
+
+  kernels.fold(rows(), y->valueStride(1), y->sign(), in, folded);
   if (x_parts == 2)
   {
     kernels.fold(1, fieldSize() / 2, sign_along.data(), folded, folded);
   }
-  toModesAcross(diagonal, folded, buffers.across.data());
-  for (int px = 0; px < x_parts; ++px)
-  {
-    scaleModesAlong(diagonal, px, buffers.across.data(), buffers.both.data());
-  }
-  fromModesAcross(diagonal, buffers.across.data(), folded);
+  y->forward(across, folded, nullptr, second, first);
+  x->forward(along, first, diagonal.factors.data(), buffers.third.data(), second);
+  x->backward(along, second, buffers.third.data(), first);
+  y->backward(across, first, second, folded);
   if (x_parts == 2)
   {
     kernels.unfold(1, fieldSize() / 2, sign_along.data(), folded, folded);
   }
-  kernels.unfold(rows(), y.value_stride, y.sign.data(), folded, out);
-}
-
-void InfluenceOperator::Tables::toModesAcross(const Diagonal& diagonal, const double* folded, double* out) const
-{
-  LaneProduct sums;
-  sums.lanes = diagonal.line / 2;
-  sums.inner = y.half;
-  sums.columns = 2 * rows();
-  sums.a = y.by_mode.data();
-  sums.a_stride = y.mode_stride;
-  sums.b = folded;
-  sums.b_inner = 1;
-  sums.b_column = y.value_stride;
-  sums.out = out;
-  sums.out_stride = diagonal.line / 2;
-  laneKernels().multiply(sums);
-}
-
-void InfluenceOperator::Tables::scaleModesAlong(const Diagonal& diagonal, int parity, double* across,
-                                                double* scratch) const
-{
-  LaneProduct there;
-  there.lanes = diagonal.line;
-  there.inner = x.half;
-  there.columns = diagonal.modes_x;
-  there.a = across + parity * x.half * diagonal.line;
-  there.a_stride = diagonal.line;
-  there.b = x.by_mode.data();
-  there.b_inner = x.mode_stride;
-  there.b_column = 1;
-  there.out = scratch;
-  there.out_stride = diagonal.line;
-  there.scale = diagonal.factors.data() + parity * diagonal.modes_x * diagonal.line;
-  laneKernels().multiply(there);
-
-  LaneProduct back;
-  back.lanes = diagonal.line;
-  back.inner = diagonal.modes_x;
-  back.columns = x.half;
-  back.a = scratch;
-  back.a_stride = diagonal.line;
-  back.b = x.by_value.data();
-  back.b_inner = x.value_stride;
-  back.b_column = 1;
-  back.out = across + parity * x.half * diagonal.line;
-  back.out_stride = diagonal.line;
-  laneKernels().multiply(back);
-}
-
-void InfluenceOperator::Tables::fromModesAcross(const Diagonal& diagonal, const double* in, double* folded) const
-{
-  LaneProduct sums;
-  sums.lanes = y.value_stride;
-  sums.inner = diagonal.modes_y;
-  sums.columns = 2 * rows();
-  sums.a = y.by_value.data();
-  sums.a_stride = y.value_stride;
-  sums.b = in;
-  sums.b_inner = 1;
-  sums.b_column = diagonal.line / 2;
-  sums.out = folded;
-  sums.out_stride = y.value_stride;
-  laneKernels().multiply(sums);
+  kernels.unfold(rows(), y->valueStride(1), y->sign(), folded, out);
 }
 
 void InfluenceOperator::Workspace::reserve(const InfluenceOperator& shape)
 {
-  const auto grow = [](LaneBuffer& buffer, int& size, int wanted)
-  {
-    if (wanted > size)
-    {
-      buffer.resize(wanted);
-      size = wanted;
-    }
-  };
   const Tables& tables = *shape.tables_;
-  grow(buffers_->folded, buffers_->folded_size, tables.fieldSize());
-  grow(buffers_->across, buffers_->across_size, tables.rows() * tables.product.line);
-  grow(buffers_->both, buffers_->both_size, tables.product.modes_x * tables.product.line);
+  Buffers& buffers = *buffers_;
+  if (tables.fieldSize() > buffers.folded_size)
+  {
+    buffers.folded_size = tables.fieldSize();
+    buffers.folded.resize(buffers.folded_size);
+  }
+  if (tables.modesSize() > buffers.modes_size)
+  {
+    buffers.modes_size = tables.modesSize();
+    for (LaneBuffer* buffer : {&buffers.first, &buffers.second, &buffers.third})
+    {
+      buffer->resize(buffers.modes_size);
+    }
+  }
 }
 
-InfluenceOperator::InfluenceOperator(const OperatorShape& shape)
+InfluenceOperator::InfluenceOperator(const OperatorShape& shape, const InfluenceOperator* sibling)
 {
   check(shape);
-  tables_ = std::make_unique<Tables>(shape);
-  symmetric_ = shape.symmetric;
-  half_rows_ = tables_->x.half;
-  middle_row_ = shape.symmetric ? 0 : half_rows_;
-  half_columns_ = tables_->y.half;
-  line_ = 2 * tables_->y.value_stride;
+  const bool same_size = sibling && sibling->shape().nx == shape.nx && sibling->shape().ny == shape.ny;
+  tables_ = std::make_unique<Tables>(shape, same_size ? sibling->tables_.get() : nullptr);
+  fillOffsets();
   fillProbe();
 }
 InfluenceOperator::~InfluenceOperator() = default;
@@ -330,6 +271,24 @@ void InfluenceOperator::multiply(const double* pressure, double* displacement, W
   tables_->apply(tables_->product, pressure, displacement, *workspace.buffers_);
 }
 
+void InfluenceOperator::fillOffsets()
+{
+  const OperatorShape& shape = tables_->shape;
+  const HalfTransform &x = *tables_->x, &y = *tables_->y;
+  const int line = 2 * y.valueStride(1);
+  const int middle_row = shape.symmetric ? 0 : x.half();
+  for (int row = 0; row < (shape.symmetric ? shape.nx / 2 : shape.nx); ++row)
+  {
+    const int place = row >= middle_row ? x.place(row - middle_row) : x.half() + x.place(middle_row - 1 - row);
+    row_offsets_.push_back(place * line);
+  }
+  for (int column = 0; column < shape.ny; ++column)
+  {
+    const bool upper = column >= y.half();
+    column_offsets_.push_back(upper ? y.place(column - y.half()) : line / 2 + y.place(y.half() - 1 - column));
+  }
+}
+
 void InfluenceOperator::fillProbe()
 {
   constexpr double kGoldenRatio = 0.6180339887498949;
@@ -337,7 +296,7 @@ void InfluenceOperator::fillProbe()
   tables.probe.resize(tables.fieldSize());
   tables.probe_product.resize(tables.fieldSize());
   int cell = 0;
-  for (int row = 0; row < (symmetric_ ? tables.shape.nx / 2 : tables.shape.nx); ++row)
+  for (int row = 0; row < static_cast<int>(row_offsets_.size()); ++row)
   {
     for (int column = 0; column < tables.shape.ny; ++column, ++cell)
     {

@@ -13,7 +13,6 @@ namespace baseline
 constexpr int kWidth = 2;
 constexpr const char* kName = "baseline";
 #include "lanes_body.h"
-#include "solver_loops_body.h"
 }  // namespace baseline
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -25,7 +24,6 @@ namespace avx
 constexpr int kWidth = 4;
 constexpr const char* kName = "avx";
 #include "lanes_body.h"
-#include "solver_loops_body.h"
 }  // namespace avx
 #pragma GCC pop_options
 
@@ -36,7 +34,6 @@ namespace avx512
 constexpr int kWidth = 8;
 constexpr const char* kName = "avx512";
 #include "lanes_body.h"
-#include "solver_loops_body.h"
 }  // namespace avx512
 #pragma GCC pop_options
 #endif

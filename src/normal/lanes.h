@@ -52,6 +52,23 @@ struct LaneProduct
   const double* scale = nullptr;  ///< shaped like out, or null for ones
 };
 
+/// Pairs of neighbouring blocks of values in lines of memory.
+struct BlockLines
+{
+  int lines = 1;
+  int stride = 0;  ///< doubles from line to line
+  int count = 0;   ///< values in each block
+  int unit = 1;    ///< doubles in a value: 1 (count is then a multiple of kLanes), or a multiple of kLanes
+};
+
+/// How two blocks P and Q are combined, see HalfTransform; the first value apart (in brackets).
+enum class Combination
+{
+  forwards,             ///< (P + Q, P - Q), [P, -Q]; its own transpose
+  backwards,            ///< (P - Q, P + Q), [-Q, P]
+  backwards_transposed  ///< (P + Q, Q - P), [Q, -P]
+};
+
 /// Sum over some cells, and how many they are.
 struct CellSum
 {
@@ -96,6 +113,19 @@ struct LaneKernels
   void (*fold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
   /// Its transpose: out = (e + sign o, e - sign o).
   void (*unfold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
+
+  /// (a, b) = (a + b, a - b).
+  void (*butterfly)(const BlockLines& blocks, double* data) = nullptr;
+  /// (a, b) = (c a + s b, c' b - s' a) with the table c, s, c', s' of the values, each padded to kLanes; and
+  /// transposed.
+  void (*turn)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
+  void (*turn_back)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
+  /// Butterfly of `in`, and then, unless `turns` is null, its turn; and transposed. The stride is that of four blocks.
+  void (*split)(const BlockLines& blocks, const double* turns, const double* in, int in_stride, double* out) = nullptr;
+  void (*join)(const BlockLines& blocks, const double* turns, const double* in, double* out, int out_stride) = nullptr;
+  void (*combine)(const BlockLines& blocks, Combination combination, double* data) = nullptr;
+  /// values = values * factors.
+  void (*multiply_by)(int size, const double* factors, double* values) = nullptr;
 
   double (*sum)(int size, const double* values) = nullptr;
   void (*scale)(int size, double factor, double* values) = nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth. No include guard.
+// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth and kName. No include
+// guard.
 
 using Register = double __attribute__((vector_size(kWidth * sizeof(double))));
 using Memory = double __attribute__((vector_size(kWidth * sizeof(double)), aligned(sizeof(double))));
@@ -122,3 +123,10 @@ void unfold(int pairs, int block, const double* sign, const double* in, double* 
     }
   }
 }
+
+#include "solver_loops_body.h"
+#include "transform_loops_body.h"
+
+constexpr LaneKernels kKernels = {kName,   multiply, fold,       unfold, butterfly, turn,    turnBack,   split,
+                                  join,    combine,  multiplyBy, sum,    scale,     dot,     countBelow, rootDepth,
+                                  advance, residual, maskedSums, trial,  chord,     stepSums};

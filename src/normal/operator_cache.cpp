@@ -59,7 +59,8 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
     Entry added;
     added.on_ladder = std::abs(rung - aspect) <= kSameAspect * aspect;
     shape.aspect = added.on_ladder ? rung : aspect;
-    added.influence = std::make_shared<InfluenceOperator>(shape);
+    const InfluenceOperator* sibling = entries.empty() ? nullptr : entries.front().influence.get();
+    added.influence = std::make_shared<InfluenceOperator>(shape, sibling);
     at = entries.insert(at, std::move(added));
   }
   at->last_use = ++uses_;

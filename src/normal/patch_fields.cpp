@@ -62,19 +62,13 @@ void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& val
     Eigen::Map<Eigen::ArrayXXd>(field.data() + patch.begin, rows, columns) = factor * values;
     return;
   }
-  const int middle = patch.influence->middleColumn();
   for (int row = 0; row < rows; ++row)
   {
     const double* from = values.data() + row;
     double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
-    double* lower = line + patch.influence->columnOffset(0);
-    for (int column = 0; column < middle; ++column)
+    for (int column = 0; column < columns; ++column)
     {
-      lower[-column] = factor * from[column * rows];
-    }
-    for (int column = middle; column < columns; ++column)
-    {
-      line[column - middle] = factor * from[column * rows];
+      line[patch.influence->columnOffset(column)] = factor * from[column * rows];
     }
   }
 }
@@ -88,19 +82,13 @@ void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field,
     return;
   }
   values.resize(rows, columns);
-  const int middle = patch.influence->middleColumn();
   for (int row = 0; row < rows; ++row)
   {
     double* to = values.data() + row;
     const double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
-    const double* lower = line + patch.influence->columnOffset(0);
-    for (int column = 0; column < middle; ++column)
+    for (int column = 0; column < columns; ++column)
     {
-      to[column * rows] = factor * lower[-column];
-    }
-    for (int column = middle; column < columns; ++column)
-    {
-      to[column * rows] = factor * line[column - middle];
+      to[column * rows] = factor * line[patch.influence->columnOffset(column)];
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, after lanes_body.h. No include guard.
+// Included by lanes_body.h. No include guard.
 
 double sum(int size, const double* values)
 {
@@ -16,6 +16,14 @@ void scale(int size, double factor, double* values)
   for (int i = 0; i < size; i += kWidth)
   {
     store(values + i, factor * load(values + i));
+  }
+}
+
+void multiplyBy(int size, const double* factors, double* values)
+{
+  for (int i = 0; i < size; i += kWidth)
+  {
+    store(values + i, load(factors + i) * load(values + i));
   }
 }
 
@@ -146,6 +154,3 @@ StepSums stepSums(int size, const double* p, const double* s, const double* q)
   }
   return {sumOf(s_q), maxOf(fall)};
 }
-
-constexpr LaneKernels kKernels = {kName,     multiply, fold,     unfold,     sum,   scale, dot,     countBelow,
-                                  rootDepth, advance,  residual, maskedSums, trial, chord, stepSums};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "wheel_rail_contact/normal/influence.h"
 
@@ -23,8 +24,7 @@ struct OperatorShape
 /// into parts even and odd about the grid's centre, each mode is a sum over a quarter of the doubled grid. At the sizes
 /// of a contact patch these sums are fastest as matrix products with precomputed cosines.
 ///
-/// Fields are stored folded about the grid's centre; fieldSize() doubles, padding included. Odd nx and ny are rounded
-/// up by a column that must hold no pressure.
+/// Fields are stored in an order of cells that suits the sums, see rowOffset(); fieldSize() doubles, padding included.
 class InfluenceOperator
 {
  public:
@@ -45,8 +45,9 @@ class InfluenceOperator
     std::unique_ptr<Buffers> buffers_;
   };
 
+  /// Shares what does not depend on the aspect with `sibling`, if that has the same nx and ny.
   /// @throw std::invalid_argument for sizes below 2, an odd nx with symmetry, or an aspect that is not positive.
-  explicit InfluenceOperator(const OperatorShape& shape);
+  explicit InfluenceOperator(const OperatorShape& shape, const InfluenceOperator* sibling = nullptr);
   ~InfluenceOperator();
   InfluenceOperator(InfluenceOperator&&) noexcept;
   InfluenceOperator& operator=(InfluenceOperator&&) noexcept;
@@ -57,16 +58,8 @@ class InfluenceOperator
   int fieldSize() const;
 
   /// Place in a field of a stored cell (row and column counted as in Grid): the sum of these two.
-  int rowOffset(int row) const
-  {
-    return (symmetric_ || row >= half_rows_ ? row - middle_row_ : half_rows_ + middle_row_ - 1 - row) * line_;
-  }
-  /// Columns from the middle one on lie one after another from offset zero; those before it backwards.
-  int middleColumn() const { return half_columns_; }
-  int columnOffset(int column) const
-  {
-    return column >= half_columns_ ? column - half_columns_ : line_ / 2 + half_columns_ - 1 - column;
-  }
+  int rowOffset(int row) const { return row_offsets_[static_cast<std::size_t>(row)]; }
+  int columnOffset(int column) const { return column_offsets_[static_cast<std::size_t>(column)]; }
 
   /// displacement = A pressure. Padding of `pressure` must be zero; that of `displacement` is then zero too.
   void multiply(const double* pressure, double* displacement, Workspace& workspace) const;
@@ -79,13 +72,11 @@ class InfluenceOperator
   void precondition(const double* residual, double* direction, Workspace& workspace) const;
 
  private:
+  void fillOffsets();
   void fillProbe();
 
   struct Tables;
   std::unique_ptr<Tables> tables_;
-  bool symmetric_ = false;
-  int half_rows_ = 0, half_columns_ = 0;
-  int middle_row_ = 0;  ///< the row stored at offset zero
-  int line_ = 0;        ///< doubles of one row
+  std::vector<int> row_offsets_, column_offsets_;
 };
 }  // namespace wheel_rail_contact
