@@ -35,6 +35,11 @@ std::vector<ContactSearch::Sample> ContactSearch::sample(const Profile& profile)
 ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
     : wheel_samples_(sample(wheel)), rail_samples_(sample(rail))
 {
+  // A rail is never wider than its profile is long: room for any place of it.
+  const Stations most{0, spacing, static_cast<std::size_t>(rail.length() / spacing) + 2};
+  wheel_outline_.start(most);
+  rail_outline_.start(most);
+  separation_.reserve(most.count);
 }
 
 void ContactSearch::setRail(const PlacedRail& rail)
