@@ -16,7 +16,8 @@ namespace
 using Eigen::Index;
 
 /// As printed by test/calibration/calibrate_error_estimate.cpp.
-constexpr ShapeWeights error_weights{{0.002, 1, 0.5, 0}, {0.002, 1, 0.5, 0}, {0.001, 1, 0.5, 0}};
+constexpr ShapeWeights error_weights{
+    {0.000423, 1.42, 0.0962, 0}, {0.00359, 3.44, 0.100, 0}, {0.000289, 1.01, 0.0166, 0}};
 
 /// The lowest cell of a gap (if it lies on the border: the next one inside) and the eight around it, with the mirror
 /// image beyond x = 0 of a symmetric grid, whose first row is taken as the lowest.

@@ -18,7 +18,8 @@ constexpr double kLoadTolerance = 1e-10;  ///< of the load, relative
 constexpr int kMostEvaluations = 60;
 
 /// As printed by test/calibration/calibrate_error_estimate.cpp.
-constexpr ShapeWeights error_weights{{0.07, 0.5, 0.5, 0.005}, {0.07, 0.5, 0.5, 0.005}, {0.035, 0.5, 0.5, 0.005}};
+constexpr ShapeWeights error_weights{
+    {0.0902, 0, 0.699, 0.00669}, {0.0826, 0.0425, 0.0167, 0.00846}, {0.0489, 0, 0.0596, 0.00469}};
 }  // namespace
 
 struct KikPiotrowski::Workshop

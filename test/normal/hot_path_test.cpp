@@ -7,6 +7,8 @@
 
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/normal/hertz_solver.h"
+#include "wheel_rail_contact/normal/kik_piotrowski.h"
 #include "wheel_rail_contact/normal/seidel.h"
 
 // Every allocation of this program, operator new and Eigen's included, passes these.
@@ -111,6 +113,32 @@ TEST(HotPath, seidelAllocatesNothingAfterTheFirstSolve)
 {
   Seidel repaired;
   EXPECT_EQ(allocationsAfterTheFirst(repaired, messages()), 0);
+}
+
+TEST(HotPath, closedFormsAllocateNothingAfterTheFirstSolve)
+{
+  HertzSolver hertz;
+  EXPECT_EQ(allocationsAfterTheFirst(hertz, messages()), 0);
+  KikPiotrowski kik_piotrowski;
+  EXPECT_EQ(allocationsAfterTheFirst(kik_piotrowski, messages()), 0);
+}
+
+TEST(HotPath, errorEstimatesAllocateNothing)
+{
+  ConjugateGradients grid;
+  HertzSolver hertz;
+  KikPiotrowski kik_piotrowski;
+  const NormalProblem problem = messages()[0];
+  for (NormalSolver* solver : {static_cast<NormalSolver*>(&grid), static_cast<NormalSolver*>(&hertz),
+                               static_cast<NormalSolver*>(&kik_piotrowski)})
+  {
+    NormalSolution solution;
+    solver->solve(problem, false, solution);
+    const long before = allocations;
+    EXPECT_GT(solver->estimateError(problem, solution, 0).largest(), 0);
+    EXPECT_GT(solver->estimateError(problem, solution, 1).largest(), 0);
+    EXPECT_EQ(allocations - before, 0) << solver->name();
+  }
 }
 }  // namespace
 }  // namespace wheel_rail_contact
