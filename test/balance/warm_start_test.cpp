@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "wheelset_scene.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+void expectSameBits(const PatchResult& a, const PatchResult& b)
+{
+  EXPECT_EQ(a.side, b.side);
+  EXPECT_EQ(a.pose.y, b.pose.y);
+  EXPECT_EQ(a.pose.z, b.pose.z);
+  EXPECT_EQ(a.pose.angle, b.pose.angle);
+  EXPECT_EQ(a.normal_force, b.normal_force);
+  EXPECT_EQ(a.max_pressure, b.max_pressure);
+  EXPECT_EQ(a.area, b.area);
+  EXPECT_EQ(a.approach, b.approach);
+  EXPECT_EQ(a.error_estimate, b.error_estimate);
+  ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
+  ASSERT_EQ(a.pressure.cols(), b.pressure.cols());
+  EXPECT_TRUE((a.pressure == b.pressure).all());
+}
+
+void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
+{
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.z, b.z);
+  EXPECT_EQ(a.roll, b.roll);
+  ASSERT_EQ(a.patches.size(), b.patches.size());
+  for (std::size_t k = 0; k < a.patches.size(); ++k)
+  {
+    expectSameBits(a.patches[k], b.patches[k]);
+  }
+}
+
+/// States as different as a run can meet.
+const WheelsetState varied_states[] = {stateAt(0, 1e5), stateAt(3e-3, 2e4), stateAt(-5.2e-3, 1e5, 0.005),
+                                       stateAt(7e-3, 8e4), stateAt(-1e-3, 1e3)};
+
+class WarmStartTest : public testing::Test
+{
+ protected:
+  /// Largest relative differences of warm and cold answers along a sweep.
+  struct Difference
+  {
+    double max_pressure = 0, area = 0, height = 0;
+  };
+
+  Difference sweep(double amplitude)
+  {
+    WheelsetContact warm(scene_);
+    WheelsetContact cold(scene_);
+    Difference worst;
+    for (int i = 0; i <= 120; ++i)
+    {
+      const WheelsetState state = stateAt(amplitude * (1 - std::abs(i / 60.0 - 1)), 1e5);
+      cold.reset();
+      const WheelsetResult& a = warm.evaluate(state);
+      const WheelsetResult& b = cold.evaluate(state);
+      EXPECT_EQ(a.status, ContactStatus::ok) << a.reason << " warm at y " << state.y;
+      EXPECT_EQ(b.status, ContactStatus::ok) << b.reason << " cold at y " << state.y;
+      worst.height = std::max(worst.height, std::abs(a.z - b.z));
+      for (const Side side : {Side::left, Side::right})
+      {
+        const WheelTotal from_warm = wheelTotal(a, side);
+        const WheelTotal from_cold = wheelTotal(b, side);
+        worst.max_pressure =
+            std::max(worst.max_pressure, std::abs(from_warm.max_pressure / from_cold.max_pressure - 1));
+        worst.area = std::max(worst.area, std::abs(from_warm.area / from_cold.area - 1));
+      }
+    }
+    return worst;
+  }
+
+  ContactModelConfig scene_ = manchesterScene();
+};
+}  // namespace
+
+// Steps of 0.05 to 0.1 mm, both ways: each answer is within the tolerance, so two of them within twice of it.
+TEST_F(WarmStartTest, WarmAnswersEqualColdAnswersWithinTheTolerance)
+{
+  for (const double amplitude : {3e-3, 6e-3})
+  {
+    for (const double tolerance : {0.01, 0.003})
+    {
+      scene_.contact.tolerance = tolerance;
+      const Difference worst = sweep(amplitude);
+      std::printf("sweep of %g mm at tolerance %g: warm against cold max pressure %.2g, area %.2g, height %.2g um\n",
+                  amplitude * 1e3, tolerance, worst.max_pressure, worst.area, worst.height * 1e6);
+      EXPECT_LT(worst.max_pressure, 2 * tolerance);
+      EXPECT_LT(worst.area, 2 * tolerance);
+      EXPECT_LT(worst.height, 2 * tolerance * 1e-4);  // of a descent of 100 um
+    }
+  }
+}
+
+TEST_F(WarmStartTest, SameMessagesGiveTheSameBits)
+{
+  WheelsetContact first(scene_);
+  WheelsetContact second(scene_);
+  for (const WheelsetState& state : varied_states)
+  {
+    expectSameBits(first.evaluate(state), second.evaluate(state));
+  }
+}
+
+// A message repeated: the answer does not creep.
+TEST_F(WarmStartTest, SteadySceneIsSteady)
+{
+  WheelsetContact contact(scene_);
+  for (const WheelsetState& state : varied_states)
+  {
+    contact.reset();
+    const WheelsetResult first = contact.evaluate(state);
+    double low = 1e20;
+    double high = 0;
+    for (int i = 0; i < 50; ++i)
+    {
+      const WheelTotal total = wheelTotal(contact.evaluate(state), Side::left);
+      low = std::min(low, total.max_pressure);
+      high = std::max(high, total.max_pressure);
+    }
+    EXPECT_LT(high / low - 1, 2 * scene_.contact.tolerance) << "at y " << state.y;
+    EXPECT_NEAR(contact.evaluate(state).z, first.z, 2 * scene_.contact.tolerance * 1e-4);
+  }
+}
+
+// An unusable message in between must not disturb what follows.
+TEST_F(WarmStartTest, GoodAnswerFollowsABadMessage)
+{
+  WheelsetContact contact(scene_);
+  WheelsetContact undisturbed(scene_);
+  contact.evaluate(stateAt(1e-3, 1e5));
+  undisturbed.evaluate(stateAt(1e-3, 1e5));
+  EXPECT_EQ(contact.evaluate(stateAt(std::nan(""), 1e5)).status, ContactStatus::invalid_input);
+  expectSameBits(contact.evaluate(stateAt(1.05e-3, 1e5)), undisturbed.evaluate(stateAt(1.05e-3, 1e5)));
+}
