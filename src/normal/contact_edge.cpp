@@ -17,64 +17,64 @@ double straightEdge(double p1, double p2)
   return (1.07425 * outer - 0.17475 * p2) / (p2 - 0.42487 * outer);
 }
 
-/// The square between four neighbouring cell centres; `p` points to the one at its lowest row and column.
-class Square
+/// Distances of the edge on the four sides of a square between neighbouring cell centres, from the loaded end of each.
+struct Sides
 {
- public:
-  Square(const double* p, std::ptrdiff_t column) : p_(p), column_(column) {}
-
-  int loadedCorners() const { return loaded(0, 0) + loaded(1, 0) + loaded(0, 1) + loaded(1, 1); }
-
-  /// Loaded share of the square if one, two or three corners are loaded.
-  double cutShare() const
-  {
-    const int corners = loadedCorners();
-    if (corners == 1 || (corners == 2 && loaded(0, 0) == loaded(1, 1)))
-    {
-      return corner(0, 0) + corner(1, 0) + corner(0, 1) + corner(1, 1);
-    }
-    if (corners == 3)
-    {
-      return withoutCorner(loaded(0, 0) && loaded(0, 1) ? 1 : 0, loaded(0, 0) && loaded(1, 0) ? 1 : 0);
-    }
-    return loaded(0, 0) == loaded(1, 0) ? strip(0, 1, loaded(0, 0) ? 0 : 1) : strip(1, 0, loaded(0, 0) ? 0 : 1);
-  }
-
- private:
-  const double* at(int i, int j) const { return p_ + i + j * column_; }
-  bool loaded(int i, int j) const { return *at(i, j) > 0; }
-
-  /// Edge's distance from corner (i, j) along x (towards the other row) or along y.
-  double reach(int i, int j, bool along_x) const
-  {
-    const std::ptrdiff_t inward = along_x ? (i == 0 ? -1 : 1) : (j == 0 ? -column_ : column_);
-    const double* p = at(i, j);
-    return std::min(edgeDistance(p[0], p[inward], p[2 * inward]), 1.0);
-  }
-
-  /// Triangle at a corner, zero if it is not loaded.
-  double corner(int i, int j) const
-  {
-    return loaded(i, j) ? 0.5 * std::max(reach(i, j, true), 0.0) * std::max(reach(i, j, false), 0.0) : 0;
-  }
-
-  /// All but the triangle at corner (i, j), which is not loaded.
-  double withoutCorner(int i, int j) const
-  {
-    return 1 - 0.5 * (1 - reach(1 - i, j, true)) * (1 - reach(i, 1 - j, false));
-  }
-
-  /// Two loaded neighbours: (0, side) and (1, side) with the edge along x, or (side, 0) and (side, 1) along y.
-  double strip(int di, int dj, int side) const
-  {
-    const bool edge_along_x = dj == 1;
-    const int i = edge_along_x ? 0 : side, j = edge_along_x ? side : 0;
-    return 0.5 * (reach(i, j, !edge_along_x) + reach(i + dj, j + di, !edge_along_x));
-  }
-
-  const double* p_;
-  std::ptrdiff_t column_;
+  double lower = 0, upper = 0;  ///< along x, at the first and second column
+  double left = 0, right = 0;   ///< along y, at the first and second row
 };
+
+double triangle(double a, double b)
+{
+  return 0.5 * std::max(a, 0.0) * std::max(b, 0.0);
+}
+
+double withoutTriangle(double a, double b)
+{
+  return 1 - 0.5 * (1 - a) * (1 - b);
+}
+
+/// Loaded share of a square; bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
+double loadedShare(unsigned corners, const Sides& s)
+{
+  switch (corners)
+  {
+    case 1:
+      return triangle(s.lower, s.left);
+    case 2:
+      return triangle(s.lower, s.right);
+    case 4:
+      return triangle(s.upper, s.left);
+    case 8:
+      return triangle(s.upper, s.right);
+    case 1 + 8:
+      return triangle(s.lower, s.left) + triangle(s.upper, s.right);
+    case 2 + 4:
+      return triangle(s.lower, s.right) + triangle(s.upper, s.left);
+    case 1 + 2:
+    case 4 + 8:
+      return 0.5 * (s.left + s.right);
+    case 1 + 4:
+    case 2 + 8:
+      return 0.5 * (s.lower + s.upper);
+    case 15 - 1:
+      return withoutTriangle(s.lower, s.left);
+    case 15 - 2:
+      return withoutTriangle(s.lower, s.right);
+    case 15 - 4:
+      return withoutTriangle(s.upper, s.left);
+    default:
+      return withoutTriangle(s.upper, s.right);
+  }
+}
+
+/// Edge's distance from the loaded one of two neighbouring cells, `p` and the one `step` further.
+double reach(const double* p, std::ptrdiff_t step)
+{
+  const double* loaded = p[0] > 0 ? p : p + step;
+  const std::ptrdiff_t inward = p[0] > 0 ? -step : step;
+  return std::min(edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]), 1.0);
+}
 }  // namespace
 
 double edgeDistance(double p1, double p2, double p3)
@@ -90,20 +90,53 @@ double edgeDistance(double p1, double p2, double p3)
   return straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2));
 }
 
-double contactCells(const Eigen::ArrayXXd& framed, bool mirrored)
+void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 {
-  const Eigen::Index stride = framed.rows(), last_row = framed.rows() - kFrame, last_column = framed.cols() - kFrame;
-  double cells = 0;
-  for (Eigen::Index j = kFrame - 1; j < last_column; ++j)
+  rows_ = pressure.rows();
+  columns_ = pressure.cols();
+  stride_ = rows_ + 2 * kFrame;
+  mirrored_ = mirrored;
+  framed_.assign(static_cast<std::size_t>(stride_ * (columns_ + 2 * kFrame)), 0.0);
+  for (Eigen::Index j = 0; j < columns_; ++j)
   {
-    for (Eigen::Index i = kFrame - 1; i < last_row; ++i)
+    double* column = framed_.data() + kFrame + (j + kFrame) * stride_;
+    std::copy_n(pressure.data() + j * rows_, rows_, column);
+    for (Eigen::Index i = 0; mirrored && i < std::min<Eigen::Index>(kFrame, rows_); ++i)
     {
-      const Square square(framed.data() + i + j * stride, stride);
-      const int corners = square.loadedCorners();
-      const double share = corners == 0 || corners == 4 ? 0.25 * corners : square.cutShare();
-      cells += mirrored && i == kFrame - 1 ? 0.5 * share : share;
+      column[-1 - i] = column[i];
     }
   }
-  return cells;
+}
+
+double EdgePolygon::cells()
+{
+  along_.resize(static_cast<std::size_t>(stride_));
+  double whole = 0, middle = 0;
+  for (Eigen::Index j = -1; j < columns_; ++j)
+  {
+    const double *p = at(-1, j), *q = p + stride_;
+    unsigned corners = (p[0] > 0 ? 2U : 0U) | (q[0] > 0 ? 8U : 0U);
+    Sides sides;
+    sides.right = corners == 2 || corners == 8 ? reach(p, stride_) : 0;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(rows_); ++i, ++p, ++q)
+    {
+      // Half of this square's corners and two of its sides are its neighbours', of the row and the column before.
+      corners = (corners >> 1 & 5U) | (p[1] > 0 ? 2U : 0U) | (q[1] > 0 ? 8U : 0U);
+      double share = corners == 15 ? 1 : 0;
+      if (corners != 0 && corners != 15)
+      {
+        const unsigned second_row = corners & 10U, second_column = corners & 12U;
+        sides.left = sides.right;
+        sides.right = second_row == 2 || second_row == 8 ? reach(p + 1, stride_) : 0;
+        sides.lower = along_[i];
+        sides.upper = second_column == 4 || second_column == 8 ? reach(q, 1) : 0;
+        along_[i] = sides.upper;
+        share = loadedShare(corners, sides);
+      }
+      whole += share;
+      middle += i == 0 ? share : 0;
+    }
+  }
+  return mirrored_ ? whole - 0.5 * middle : whole;
 }
 }  // namespace wheel_rail_contact

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 namespace wheel_rail_contact
 {
@@ -23,8 +25,27 @@ constexpr int kFrame = 3;
 double edgeDistance(double p1, double p2, double p3);
 
 /// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres.
-///
-/// `framed` is the pressure with kFrame cells of zeros around it. With `mirrored` the rows before the first are its
-/// mirror image instead and the area is that of the stored half.
-double contactCells(const Eigen::ArrayXXd& framed, bool mirrored);
+class EdgePolygon
+{
+ public:
+  /// Copies a pressure (rows × columns) into a frame of kFrame zeros; with `mirrored` the rows before the first are its
+  /// mirror image instead. Allocates only for larger arrays than before.
+  void frame(const Eigen::ArrayXXd& pressure, bool mirrored);
+
+  /// Area of what was framed, of a mirrored one that of the stored half.
+  double cells();
+
+  /// Framed pressure around a cell; the next row is one further, the next column stride().
+  const double* at(Eigen::Index row, Eigen::Index column) const
+  {
+    return framed_.data() + (row + kFrame) + (column + kFrame) * stride_;
+  }
+  std::ptrdiff_t stride() const { return stride_; }
+
+ private:
+  std::vector<double> framed_, along_;  ///< pressure; edge's distances along x at the last column, where it crosses
+  Eigen::Index rows_ = 0, columns_ = 0;
+  std::ptrdiff_t stride_ = 0;
+  bool mirrored_ = false;
+};
 }  // namespace wheel_rail_contact

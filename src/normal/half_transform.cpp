@@ -116,12 +116,6 @@ int HalfTransform::number(int parity, int place) const
   return parity == 0 ? a : 2 * half_ - a;
 }
 
-int HalfTransform::modeStride(const Lines& lines) const
-{
-  const int modes = lines.all ? 2 * half_ : half_;
-  return lines.unit == 1 ? roundUpToLanes(modes) : modes * lines.unit;
-}
-
 std::vector<int> HalfTransform::storageOrder(int size, int depth)
 {
   std::vector<int> order(static_cast<std::size_t>(size));
@@ -183,12 +177,18 @@ LaneBuffer HalfTransform::turnTable(int size, int depth)
   return table;
 }
 
-/// All blocks of a step, of the lines it runs on.
+/// Doubles of the modes of one line.
+int HalfTransform::modesSize(const Lines& lines) const
+{
+  return lines.unit == 1 ? modeStride(lines.all) : (lines.all ? 2 : 1) * half_ * lines.unit;
+}
+
+/// All pairs of blocks of a step.
 BlockLines HalfTransform::blocks(const Lines& lines, int count) const
 {
   BlockLines blocks;
   blocks.lines = lines.count;
-  blocks.stride = modeStride(lines);
+  blocks.stride = modesSize(lines);
   blocks.count = count;
   blocks.unit = lines.unit;
   return blocks;
@@ -204,7 +204,7 @@ void HalfTransform::forward(const Lines& lines, const double* values, const doub
   }
   const LaneKernels& kernels = laneKernels();
   const double* turns = lines.all ? turns_.front().data() : nullptr;
-  kernels.split(blocks(lines, half_ / 2), turns, values, valueStride(lines.unit), work);
+  kernels.split(blocks(lines, half_ / 2), turns, {valueStride(), lines.pitch}, values, work);
   for (const Step& step : before_)
   {
     apply(lines, step, false, work);
@@ -216,7 +216,7 @@ void HalfTransform::forward(const Lines& lines, const double* values, const doub
   }
   if (scale)
   {
-    kernels.multiply_by(lines.count * modeStride(lines), scale, modes);
+    kernels.multiply_by(lines.count * modesSize(lines), scale, modes);
   }
 }
 
@@ -231,7 +231,7 @@ void HalfTransform::backward(const Lines& lines, double* modes, double* work, do
   products(lines, modes, work, nullptr, true);
   std::for_each(before_.rbegin(), before_.rend(), [&](const Step& step) { apply(lines, step, true, work); });
   const double* turns = lines.all ? turns_.front().data() : nullptr;
-  laneKernels().join(blocks(lines, half_ / 2), turns, work, values, valueStride(lines.unit));
+  laneKernels().join(blocks(lines, half_ / 2), turns, {valueStride(), lines.pitch}, work, values);
 }
 
 /// Runs a step, or its transpose, if it is among the modes wanted.
@@ -264,51 +264,54 @@ void HalfTransform::apply(const Lines& lines, const Step& step, bool back, doubl
 /// Matrix products of all leaves wanted.
 void HalfTransform::products(const Lines& lines, const double* in, double* out, const double* scale, bool back) const
 {
-  const int leaf = half_ >> depth_;
-  const int value_stride = depth_ == 0 ? valueStride(lines.unit) : modeStride(lines), mode_stride = modeStride(lines);
-  for (const Leaf& part : leaves_)
+  for (const Leaf& leaf : leaves_)
   {
-    if (!lines.all && part.at >= half_)
+    if (!lines.all && leaf.at >= half_)
     {
       continue;
     }
-    const Matrix& matrix = matrices_[static_cast<std::size_t>(part.kind)];
-    const int modes = depth_ > 0 || !lines.all ? leaf : 2 * leaf;
-    LaneProduct sums;
-    sums.inner = back ? modes : leaf;
-    const int in_stride = back ? mode_stride : value_stride, out_stride = back ? value_stride : mode_stride;
-    const LaneBuffer& table = back ? matrix.by_value : matrix.by_mode;
-    const int table_stride = back ? matrix.value_stride : matrix.mode_stride;
-    const std::ptrdiff_t at = part.at * lines.unit;
-    if (lines.unit == 1)
-    {
-      sums.lanes = roundUpToLanes(back ? leaf : modes);
-      sums.columns = lines.count;
-      sums.a = table.data();
-      sums.a_stride = table_stride;
-      sums.b = in + at;
-      sums.b_inner = 1;
-      sums.b_column = in_stride;
-      sums.out = out + at;
-      sums.out_stride = out_stride;
-      sums.scale = scale ? scale + at : nullptr;
-      laneKernels().multiply(sums);
-      continue;
-    }
+    LaneProduct sums = product(lines, leaf, back);
+    const int at = leaf.at * lines.unit;
+    (lines.unit == 1 ? sums.b : sums.a) = in + at;
+    sums.out = out + at;
+    sums.scale = scale ? scale + at : nullptr;
+    laneKernels().multiply(sums);
+  }
+}
+
+/// Product of one leaf but for where its values and modes lie. Of single numbers the matrix stands on the left, its
+/// modes (back: its values) being lanes; of vectors on the right, the vectors being lanes.
+LaneProduct HalfTransform::product(const Lines& lines, const Leaf& leaf, bool back) const
+{
+  const Matrix& matrix = matrices_[static_cast<std::size_t>(leaf.kind)];
+  const LaneBuffer& table = back ? matrix.by_value : matrix.by_mode;
+  const int table_stride = back ? matrix.value_stride : matrix.mode_stride;
+  const int values = half_ >> depth_, modes = depth_ == 0 && lines.all ? 2 * values : values;
+  const bool whole = depth_ == 0;  // values are the transform's own, not those of a step
+  LaneProduct sums;
+  sums.inner = back ? modes : values;
+  if (lines.unit == 1)
+  {
+    const int value_stride = whole ? valueStride() : modesSize(lines), mode_stride = modesSize(lines);
+    sums.lanes = roundUpToLanes(back ? values : modes);
+    sums.columns = lines.count;
+    sums.a = table.data();
+    sums.a_stride = table_stride;
+    sums.b_inner = 1;
+    sums.b_column = back ? mode_stride : value_stride;
+    sums.out_stride = back ? value_stride : mode_stride;
+  }
+  else
+  {
+    const int value_pitch = whole ? lines.pitch : lines.unit;
     sums.lanes = lines.unit;
-    sums.columns = back ? leaf : modes;
-    sums.a_stride = lines.unit;
+    sums.columns = back ? values : modes;
+    sums.a_stride = back ? lines.unit : value_pitch;
     sums.b = table.data();
     sums.b_inner = table_stride;
     sums.b_column = 1;
-    sums.out_stride = lines.unit;
-    for (int line = 0; line < lines.count; ++line)
-    {
-      sums.a = in + at + static_cast<std::ptrdiff_t>(line) * in_stride;
-      sums.out = out + at + static_cast<std::ptrdiff_t>(line) * out_stride;
-      sums.scale = scale ? scale + at + static_cast<std::ptrdiff_t>(line) * out_stride : nullptr;
-      laneKernels().multiply(sums);
-    }
+    sums.out_stride = back ? value_pitch : lines.unit;
   }
+  return sums;
 }
 }  // namespace wheel_rail_contact

@@ -23,11 +23,12 @@ namespace wheel_rail_contact
 class HalfTransform
 {
  public:
-  /// What the values and modes of one call look like.
+  /// What the values and modes of one call look like: many lines of single numbers, or one line of vectors.
   struct Lines
   {
     int count = 1;    ///< lines, one after another
-    int unit = 1;     ///< doubles of a value: 1, or a multiple of kLanes
+    int unit = 1;     ///< doubles of a value: 1, or, in a single line, a multiple of kLanes
+    int pitch = 1;    ///< doubles from value to value, at least `unit`; modes lie close together
     bool all = true;  ///< all modes, or those of even number only
   };
 
@@ -38,9 +39,9 @@ class HalfTransform
   int place(int k) const { return place_[static_cast<std::size_t>(k)]; }
   /// (-1)^k by place, padded to lanes.
   const double* sign() const { return sign_.data(); }
-  /// Doubles of a line of values and of modes.
-  int valueStride(int unit) const { return unit == 1 ? roundUpToLanes(half_) : half_ * unit; }
-  int modeStride(const Lines& lines) const;
+  /// Doubles from line to line, of values and of modes, if these are single numbers.
+  int valueStride() const { return roundUpToLanes(half_); }
+  int modeStride(bool all) const { return roundUpToLanes(all ? 2 * half_ : half_); }
   /// Number of the mode at a place in memory, for the even part (0) and the odd part (1).
   int number(int parity, int place) const;
 
@@ -88,9 +89,11 @@ class HalfTransform
   static Matrix matrix(const std::vector<int>& modes, int values);
   static LaneBuffer turnTable(int size, int depth);
   void addSteps(Kind kind, int level, int at);
+  int modesSize(const Lines& lines) const;
   BlockLines blocks(const Lines& lines, int count) const;
   void apply(const Lines& lines, const Step& step, bool back, double* data) const;
   void products(const Lines& lines, const double* in, double* out, const double* scale, bool back) const;
+  LaneProduct product(const Lines& lines, const Leaf& leaf, bool back) const;
 
   int half_ = 0, depth_ = 0;
   std::vector<int> place_, modes_;

@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/normal/influence_operator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,9 @@ namespace wheel_rail_contact
 namespace
 {
 const double kPi = std::acos(-1.0);
+
+/// Doubles of a part of the modes transformed at a time: two of them fill the fastest cache (32 KiB).
+constexpr int kPart = 2048;
 
 void check(const OperatorShape& shape)
 {
@@ -101,9 +105,10 @@ double modeWeight(int mode, int length)
 
 struct InfluenceOperator::Workspace::Buffers
 {
-  LaneBuffer folded;                ///< values
-  LaneBuffer first, second, third;  ///< modes and values on the way
-  int folded_size = 0, modes_size = 0;
+  LaneBuffer folded;       ///< even and odd parts of a field
+  LaneBuffer across;       ///< their modes across
+  LaneBuffer modes, work;  ///< of one part
+  std::array<int, 3> sizes{};
 };
 
 InfluenceOperator::Workspace::Workspace() : buffers_(std::make_unique<Buffers>()) {}
@@ -113,12 +118,23 @@ InfluenceOperator::Workspace& InfluenceOperator::Workspace::operator=(Workspace&
 
 struct InfluenceOperator::Tables
 {
-  /// Factors of the modes kept: all of the doubled period, or the even ones, those of the grid's own period.
+  /// Factors of the modes kept: all of the doubled period, or the even ones, those of the grid's own period. Memory is
+  /// gone through in parts that stay in the fastest cache.
   struct Diagonal
   {
     bool all = true;
-    int line = 0;        ///< doubles of one row's modes across, both parities
-    LaneBuffer factors;  ///< [parity x][mode x][parity y][mode y]
+    int modes_x = 0, modes_y = 0;
+    int line = 0;   ///< doubles of one row's modes across, both parities
+    int lines = 0;  ///< transformed across at a time
+    int lanes = 0;  ///< transformed along at a time
+    LaneBuffer factors;
+
+    /// Place of a factor: [parity x][part of the lanes][mode x][lane].
+    int place(int px, int mode_x, int lane) const
+    {
+      const int begin = lane / lanes * lanes, width = std::min(lanes, line - begin);
+      return (px * line + begin) * modes_x + mode_x * width + lane - begin;
+    }
   };
 
   Tables(const OperatorShape& wanted, const Tables* sibling);
@@ -128,8 +144,13 @@ struct InfluenceOperator::Tables
   void apply(const Diagonal& diagonal, const double* in, double* out, Workspace::Buffers& buffers) const;
 
   int rows() const { return x_parts * x->half(); }
-  int fieldSize() const { return rows() * 2 * y->valueStride(1); }
-  int modesSize() const { return 2 * rows() * product.line; }
+  int fieldSize() const { return rows() * 2 * y->valueStride(); }
+  HalfTransform::Lines linesFrom(const Diagonal& diagonal, int line) const
+  {
+    return {std::min(diagonal.lines, 2 * rows() - line), 1, 1, diagonal.all};
+  }
+  /// Doubles that a transform of one part needs.
+  int partSize() const { return std::max(product.modes_x * product.lanes, product.lines * y->modeStride(true)); }
 
   OperatorShape shape;
   int x_parts;  ///< stored halves along: 1 on a symmetric grid, else 2
@@ -146,7 +167,7 @@ InfluenceOperator::Tables::Tables(const OperatorShape& wanted, const Tables* sib
       x(sibling ? sibling->x : std::make_shared<const HalfTransform>((wanted.nx + 1) / 2)),
       y(sibling ? sibling->y : std::make_shared<const HalfTransform>((wanted.ny + 1) / 2))
 {
-  const int line = 2 * y->valueStride(1);
+  const int line = 2 * y->valueStride();
   sign_along.resize(x->half() * line);
   for (int i = 0; i < x->half(); ++i)
   {
@@ -175,26 +196,28 @@ std::vector<double> InfluenceOperator::Tables::coefficients() const
 /// Of the whole spectrum, or the inverse of that of the grid's own period.
 InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::diagonal(const Spectrum& spectrum, bool all) const
 {
-  const int modes_x = all ? 2 * x->half() : x->half(), modes_y = all ? 2 * y->half() : y->half();
-  const int step = all ? 1 : 2;  // of the doubled period's modes
-  const int stride = roundUpToLanes(modes_y);
   Diagonal result;
   result.all = all;
-  result.line = 2 * stride;
-  result.factors.resize(x_parts * modes_x * result.line);
-  double* factor = result.factors.data();
+  result.modes_x = all ? 2 * x->half() : x->half();
+  result.modes_y = all ? 2 * y->half() : y->half();
+  result.line = 2 * y->modeStride(all);
+  result.lanes = std::min(result.line, std::max(2 * kLanes, roundUpToLanes(kPart / (2 * x->half()))));
+  result.lines = std::max(kLanes, kPart / (2 * y->half()));
+  result.factors.resize(x_parts * result.modes_x * result.line);
   for (int px = 0; px < x_parts; ++px)
   {
-    for (int a = 0; a < modes_x; ++a)
+    for (int a = 0; a < result.modes_x; ++a)
     {
-      for (int py = 0; py < 2; ++py, factor += stride)
+      for (int py = 0; py < 2; ++py)
       {
-        for (int b = 0; b < modes_y; ++b)
+        for (int b = 0; b < result.modes_y; ++b)
         {
+          const int step = all ? 1 : 2;  // of the doubled period's modes
           const int mode_x = x->number(px, a) / step, mode_y = y->number(py, b) / step;
-          const double weight = modeWeight(mode_x, modes_x) * modeWeight(mode_y, modes_y);
+          const double weight = modeWeight(mode_x, result.modes_x) * modeWeight(mode_y, result.modes_y);
           const double value = spectrum(mode_x, mode_y);
-          factor[b] = (shape.symmetric ? 2 : 1) * weight * (all ? value : 1 / value);
+          const int at = result.place(px, a, py * y->modeStride(all) + b);
+          result.factors[at] = (shape.symmetric ? 2 : 1) * weight * (all ? value : 1 / value);
         }
       }
     }
@@ -206,42 +229,53 @@ void InfluenceOperator::Tables::apply(const Diagonal& diagonal, const double* in
                                       Workspace::Buffers& buffers) const
 {
   const LaneKernels& kernels = laneKernels();
-  double *folded = buffers.folded.data(), *first = buffers.first.data(), *second = buffers.second.data();
-  const HalfTransform::Lines across{2 * rows(), 1, diagonal.all}, along{x_parts, diagonal.line, diagonal.all};
-
-  kernels.fold(rows(), y->valueStride(1), y->sign(), in, folded);
+  double *folded = buffers.folded.data(), *across = buffers.across.data();
+  double *modes = buffers.modes.data(), *work = buffers.work.data();
+  kernels.fold(rows(), y->valueStride(), y->sign(), in, folded);
   if (x_parts == 2)
   {
     kernels.fold(1, fieldSize() / 2, sign_along.data(), folded, folded);
   }
-  y->forward(across, folded, nullptr, second, first);
-  x->forward(along, first, diagonal.factors.data(), buffers.third.data(), second);
-  x->backward(along, second, buffers.third.data(), first);
-  y->backward(across, first, second, folded);
+  for (int line = 0; line < 2 * rows(); line += diagonal.lines)
+  {
+    y->forward(linesFrom(diagonal, line), folded + line * y->valueStride(), nullptr, work,
+               across + line * y->modeStride(diagonal.all));
+  }
+  for (int px = 0; px < x_parts; ++px)
+  {
+    for (int lane = 0; lane < diagonal.line; lane += diagonal.lanes)
+    {
+      const HalfTransform::Lines lanes{1, std::min(diagonal.lanes, diagonal.line - lane), diagonal.line, diagonal.all};
+      double* values = across + px * x->half() * diagonal.line + lane;
+      x->forward(lanes, values, diagonal.factors.data() + diagonal.place(px, 0, lane), work, modes);
+      x->backward(lanes, modes, work, values);
+    }
+  }
+  for (int line = 0; line < 2 * rows(); line += diagonal.lines)
+  {
+    y->backward(linesFrom(diagonal, line), across + line * y->modeStride(diagonal.all), work,
+                folded + line * y->valueStride());
+  }
   if (x_parts == 2)
   {
     kernels.unfold(1, fieldSize() / 2, sign_along.data(), folded, folded);
   }
-  kernels.unfold(rows(), y->valueStride(1), y->sign(), folded, out);
+  kernels.unfold(rows(), y->valueStride(), y->sign(), folded, out);
 }
 
 void InfluenceOperator::Workspace::reserve(const InfluenceOperator& shape)
 {
   const Tables& tables = *shape.tables_;
   Buffers& buffers = *buffers_;
-  if (tables.fieldSize() > buffers.folded_size)
+  const std::array<int, 3> wanted = {tables.fieldSize(), tables.rows() * tables.product.line, tables.partSize()};
+  for (std::size_t k = 0; k < wanted.size(); ++k)
   {
-    buffers.folded_size = tables.fieldSize();
-    buffers.folded.resize(buffers.folded_size);
+    buffers.sizes[k] = std::max(buffers.sizes[k], wanted[k]);
   }
-  if (tables.modesSize() > buffers.modes_size)
-  {
-    buffers.modes_size = tables.modesSize();
-    for (LaneBuffer* buffer : {&buffers.first, &buffers.second, &buffers.third})
-    {
-      buffer->resize(buffers.modes_size);
-    }
-  }
+  buffers.folded.resize(buffers.sizes[0]);
+  buffers.across.resize(buffers.sizes[1]);
+  buffers.modes.resize(buffers.sizes[2]);
+  buffers.work.resize(buffers.sizes[2]);
 }
 
 InfluenceOperator::InfluenceOperator(const OperatorShape& shape, const InfluenceOperator* sibling)
@@ -275,7 +309,7 @@ void InfluenceOperator::fillOffsets()
 {
   const OperatorShape& shape = tables_->shape;
   const HalfTransform &x = *tables_->x, &y = *tables_->y;
-  const int line = 2 * y.valueStride(1);
+  const int line = 2 * y.valueStride();
   const int middle_row = shape.symmetric ? 0 : x.half();
   for (int row = 0; row < (shape.symmetric ? shape.nx / 2 : shape.nx); ++row)
   {

@@ -61,6 +61,13 @@ struct BlockLines
   int unit = 1;    ///< doubles in a value: 1 (count is then a multiple of kLanes), or a multiple of kLanes
 };
 
+/// Values in memory with gaps.
+struct Spread
+{
+  int stride = 0;  ///< doubles from line to line
+  int pitch = 1;   ///< doubles from value to value
+};
+
 /// How two blocks P and Q are combined, see HalfTransform; the first value apart (in brackets).
 enum class Combination
 {
@@ -120,9 +127,12 @@ struct LaneKernels
   /// transposed.
   void (*turn)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
   void (*turn_back)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
-  /// Butterfly of `in`, and then, unless `turns` is null, its turn; and transposed. The stride is that of four blocks.
-  void (*split)(const BlockLines& blocks, const double* turns, const double* in, int in_stride, double* out) = nullptr;
-  void (*join)(const BlockLines& blocks, const double* turns, const double* in, double* out, int out_stride) = nullptr;
+  /// Butterfly of `in` into two blocks of `out`, and then, unless `turns` is null, its turn into two more; and
+  /// transposed. `blocks` describes `out`; the values of `in` (in join, of `out`) lie in `spread`.
+  void (*split)(const BlockLines& blocks, const double* turns, const Spread& spread, const double* in,
+                double* out) = nullptr;
+  void (*join)(const BlockLines& blocks, const double* turns, const Spread& spread, const double* in,
+               double* out) = nullptr;
   void (*combine)(const BlockLines& blocks, Combination combination, double* data) = nullptr;
   /// values = values * factors.
   void (*multiply_by)(int size, const double* factors, double* values) = nullptr;

@@ -71,31 +71,36 @@ inline void tile(const LaneProduct& product, int lane, int column)
   }
 }
 
-template <int C>
-inline void tileColumn(const LaneProduct& product, int column)
+/// Tiles of R registers from a lane on, as long as they fit; returns the lane after them.
+template <int R, int C>
+inline int tileLanes(const LaneProduct& product, int lane, int column)
 {
-  int lane = 0;
-  for (; lane + 2 * kWidth <= product.lanes; lane += 2 * kWidth)
+  for (; lane + R * kWidth <= product.lanes; lane += R * kWidth)
   {
-    tile<2, C>(product, lane, column);
+    tile<R, C>(product, lane, column);
   }
-  for (; lane < product.lanes; lane += kWidth)
+  return lane;
+}
+
+/// Tiles of C columns from a column on, as long as they fit; returns the column after them.
+template <int R, int C>
+inline int tileColumns(const LaneProduct& product, int column)
+{
+  for (; column + C <= product.columns; column += C)
   {
-    tile<1, C>(product, lane, column);
+    tileLanes<1, C>(product, tileLanes<R, C>(product, 0, column), column);
   }
+  return column;
 }
 
 void multiply(const LaneProduct& product)
 {
   int column = 0;
-  for (; column + 4 <= product.columns; column += 4)
+  if constexpr (kWidth == 8)  // 32 registers: 16 of them for the sums
   {
-    tileColumn<4>(product, column);
+    column = product.lanes % (4 * kWidth) == 0 ? tileColumns<4, 4>(product, 0) : tileColumns<2, 8>(product, 0);
   }
-  for (; column < product.columns; ++column)
-  {
-    tileColumn<1>(product, column);
-  }
+  tileColumns<2, 1>(product, tileColumns<2, 4>(product, column));
 }
 
 void fold(int pairs, int block, const double* sign, const double* in, double* out)

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact_edge.h"
-
 namespace wheel_rail_contact
 {
 namespace
@@ -17,35 +15,20 @@ double rise(double before, double top, double after)
   const double bend = 2 * top * top - before * before - after * after;
   return bend > 0 && before > 0 && after > 0 ? slope * slope / (8 * bend) : 0;
 }
-
-void frame(const Grid& grid, const Eigen::ArrayXXd& pressure, Eigen::ArrayXXd& framed)
-{
-  const Eigen::Index rows = pressure.rows(), columns = pressure.cols();
-  framed.resize(rows + 2 * kFrame, columns + 2 * kFrame);
-  framed.leftCols<kFrame>().setZero();
-  framed.rightCols<kFrame>().setZero();
-  framed.topRows<kFrame>().setZero();
-  framed.bottomRows<kFrame>().setZero();
-  framed.block(kFrame, kFrame, rows, columns) = pressure;
-  for (Eigen::Index i = 0; grid.symmetric && i < std::min<Eigen::Index>(kFrame, rows); ++i)
-  {
-    framed.row(kFrame - 1 - i) = framed.row(kFrame + i);
-  }
-}
 }  // namespace
 
 void PressureMeasures::measure(PatchPressure& patch)
 {
   const Grid& grid = patch.grid;
   const Eigen::ArrayXXd& p = patch.pressure;
-  frame(grid, p, framed_);
+  polygon_.frame(p, grid.symmetric);
   patch.force = p.sum() * grid.cellArea();
-  patch.area = contactCells(framed_, grid.symmetric) * grid.cellArea();
+  patch.area = polygon_.cells() * grid.cellArea();
 
   Eigen::Index i = 0, j = 0;
   const double top = p.maxCoeff(&i, &j);
-  const double* peak = framed_.data() + (i + kFrame) + (j + kFrame) * framed_.rows();
-  const Eigen::Index column = framed_.rows();
+  const double* peak = polygon_.at(i, j);
+  const std::ptrdiff_t column = polygon_.stride();
   patch.max_pressure = std::sqrt(top * top + rise(peak[-1], top, peak[1]) + rise(peak[-column], top, peak[column]));
 
   const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact_edge.h"
 #include "wheel_rail_contact/normal/problem.h"
 
 namespace wheel_rail_contact
@@ -21,6 +22,6 @@ class PressureMeasures
   void measure(PatchPressure& patch);
 
  private:
-  Eigen::ArrayXXd framed_;  ///< pressure with a frame of zeros, or of mirrored cells at x = 0 of a symmetric grid
+  EdgePolygon polygon_;
 };
 }  // namespace wheel_rail_contact

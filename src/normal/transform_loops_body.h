@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Included by lanes_body.h. No include guard.
 
-/// Calls body(offset, c, s, c_alternating, s_alternating) for all registers of a block, with the turns of its values.
+/// Calls body(offset, offset in spread values) for all registers of a block.
 template <typename Body>
-inline void forEachTurn(const BlockLines& blocks, const double* turns, const Body& body)
+inline void forEach(const BlockLines& blocks, int pitch, const Body& body)
+{
+  const int run = blocks.unit == pitch ? blocks.count * blocks.unit : blocks.unit;
+  for (int at = 0, spread = 0; at < blocks.count * blocks.unit; at += run, spread += pitch)
+  {
+    for (int i = 0; i < run; i += kWidth)
+    {
+      body(at + i, spread + i);
+    }
+  }
+}
+
+/// The same with the turns c, s, c', s' of the values.
+template <typename Body>
+inline void forEachTurn(const BlockLines& blocks, int pitch, const double* turns, const Body& body)
 {
   const int table = roundUpToLanes(blocks.count);
   if (blocks.unit == 1)
@@ -11,7 +25,7 @@ inline void forEachTurn(const BlockLines& blocks, const double* turns, const Bod
     for (int n = 0; n < blocks.count; n += kWidth)
     {
       const double* t = turns + n;
-      body(n, load(t), load(t + table), load(t + 2 * table), load(t + 3 * table));
+      body(n, n, load(t), load(t + table), load(t + 2 * table), load(t + 3 * table));
     }
     return;
   }
@@ -20,9 +34,9 @@ inline void forEachTurn(const BlockLines& blocks, const double* turns, const Bod
   {
     const double* t = turns + n;
     const Register c = zero + t[0], s = zero + t[table], c_alt = zero + t[2 * table], s_alt = zero + t[3 * table];
-    for (int i = n * blocks.unit; i < (n + 1) * blocks.unit; i += kWidth)
+    for (int i = 0; i < blocks.unit; i += kWidth)
     {
-      body(i, c, s, c_alt, s_alt);
+      body(n * blocks.unit + i, n * pitch + i, c, s, c_alt, s_alt);
     }
   }
 }
@@ -46,8 +60,8 @@ void turn(const BlockLines& blocks, const double* turns, double* data)
   const int size = blocks.count * blocks.unit;
   for (int line = 0; line < blocks.lines; ++line, data += blocks.stride)
   {
-    forEachTurn(blocks, turns,
-                [=](int i, Register c, Register s, Register c_alt, Register s_alt)
+    forEachTurn(blocks, blocks.unit, turns,
+                [=](int i, int, Register c, Register s, Register c_alt, Register s_alt)
                 {
                   const Register a = load(data + i), b = load(data + size + i);
                   store(data + i, c * a + s * b);
@@ -61,8 +75,8 @@ void turnBack(const BlockLines& blocks, const double* turns, double* data)
   const int size = blocks.count * blocks.unit;
   for (int line = 0; line < blocks.lines; ++line, data += blocks.stride)
   {
-    forEachTurn(blocks, turns,
-                [=](int i, Register c, Register s, Register c_alt, Register s_alt)
+    forEachTurn(blocks, blocks.unit, turns,
+                [=](int i, int, Register c, Register s, Register c_alt, Register s_alt)
                 {
                   const Register u = load(data + i), v = load(data + size + i);
                   store(data + i, c * u - s_alt * v);
@@ -71,23 +85,24 @@ void turnBack(const BlockLines& blocks, const double* turns, double* data)
   }
 }
 
-void split(const BlockLines& blocks, const double* turns, const double* in, int in_stride, double* out)
+void split(const BlockLines& blocks, const double* turns, const Spread& spread, const double* in, double* out)
 {
-  const int size = blocks.count * blocks.unit;
-  for (int line = 0; line < blocks.lines; ++line, in += in_stride, out += blocks.stride)
+  const int size = blocks.count * blocks.unit, mirror = blocks.count * spread.pitch;
+  for (int line = 0; line < blocks.lines; ++line, in += spread.stride, out += blocks.stride)
   {
-    for (int i = 0; i < size; i += kWidth)
-    {
-      const Register a = load(in + i), b = load(in + size + i);
-      store(out + i, a + b);
-      store(out + size + i, a - b);
-    }
+    forEach(blocks, spread.pitch,
+            [=](int i, int from)
+            {
+              const Register a = load(in + from), b = load(in + mirror + from);
+              store(out + i, a + b);
+              store(out + size + i, a - b);
+            });
     if (turns)
     {
-      forEachTurn(blocks, turns,
-                  [=](int i, Register c, Register s, Register c_alt, Register s_alt)
+      forEachTurn(blocks, spread.pitch, turns,
+                  [=](int i, int from, Register c, Register s, Register c_alt, Register s_alt)
                   {
-                    const Register a = load(in + i), b = load(in + size + i);
+                    const Register a = load(in + from), b = load(in + mirror + from);
                     store(out + 2 * size + i, c * a + s * b);
                     store(out + 3 * size + i, c_alt * b - s_alt * a);
                   });
@@ -95,25 +110,26 @@ void split(const BlockLines& blocks, const double* turns, const double* in, int 
   }
 }
 
-void join(const BlockLines& blocks, const double* turns, const double* in, double* out, int out_stride)
+void join(const BlockLines& blocks, const double* turns, const Spread& spread, const double* in, double* out)
 {
-  const int size = blocks.count * blocks.unit;
-  for (int line = 0; line < blocks.lines; ++line, in += blocks.stride, out += out_stride)
+  const int size = blocks.count * blocks.unit, mirror = blocks.count * spread.pitch;
+  for (int line = 0; line < blocks.lines; ++line, in += blocks.stride, out += spread.stride)
   {
-    for (int i = 0; i < size; i += kWidth)
-    {
-      const Register s = load(in + i), t = load(in + size + i);
-      store(out + i, s + t);
-      store(out + size + i, s - t);
-    }
+    forEach(blocks, spread.pitch,
+            [=](int i, int to)
+            {
+              const Register s = load(in + i), t = load(in + size + i);
+              store(out + to, s + t);
+              store(out + mirror + to, s - t);
+            });
     if (turns)
     {
-      forEachTurn(blocks, turns,
-                  [=](int i, Register c, Register s, Register c_alt, Register s_alt)
+      forEachTurn(blocks, spread.pitch, turns,
+                  [=](int i, int to, Register c, Register s, Register c_alt, Register s_alt)
                   {
                     const Register u = load(in + 2 * size + i), v = load(in + 3 * size + i);
-                    store(out + i, load(out + i) + c * u - s_alt * v);
-                    store(out + size + i, load(out + size + i) + s * u + c_alt * v);
+                    store(out + to, load(out + to) + c * u - s_alt * v);
+                    store(out + mirror + to, load(out + mirror + to) + s * u + c_alt * v);
                   });
     }
   }
