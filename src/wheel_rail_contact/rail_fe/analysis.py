@@ -17,7 +17,7 @@ from .supports import Supports, supports
 
 ECCENTRICITY = 0.020        # of the vertical force that gives the moment [m]
 COARSER = 1.5               # mesh size of the second solution, over that of the first
-CONVERGENCE_ORDER = 2       # of the compliances with the mesh size, assumed by the error estimate
+CONVERGENCE_ORDER = 1.5     # of the compliances with the mesh size (seen: 1.5 to 1.8 on meshes of 36 to 7 mm)
 COMPLIANCES = ("lateral_lateral", "lateral_roll", "roll_roll", "vertical_vertical")
 
 
