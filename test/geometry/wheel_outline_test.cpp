@@ -54,7 +54,7 @@ class LowestOutline
 // normal; the flank (70 degrees) makes it three times as much in z.
 TEST(WheelOutlineTest, LocusIsTheLowestOutlineSeenAlongTheTrack)
 {
-  const unsigned seed = std::random_device()();
+  const unsigned seed = 20111U;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);

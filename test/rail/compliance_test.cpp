@@ -73,7 +73,7 @@ TEST(ComplianceTest, OutwardForceMovesAndTurnsTheHeadOutwardAndLoadPressesItDown
 // track axes.
 TEST(ComplianceTest, WorkIsReciprocal)
 {
-  const unsigned seed = std::random_device()();
+  const unsigned seed = 20111U;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);

@@ -142,7 +142,7 @@ TEST(StampPairing, OneChannelIsAnsweredAtOnce)
 
 TEST(StampPairing, SetsDoNotDependOnHowTheChannelsInterleave)
 {
-  const unsigned seed = std::random_device()();
+  const unsigned seed = 20111U;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
   std::array<std::vector<int>, 2> stamps;
