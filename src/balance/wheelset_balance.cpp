@@ -10,6 +10,8 @@ namespace
 {
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
 constexpr int most_passes = 40;
+constexpr int strict_passes = 16;    ///< after these, planes and roll may be left open by late_slack times as much
+constexpr double late_slack = 10.0;  ///< where contact jumps between tread and flange [-]
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;           ///< [rad]
 constexpr double roll_step_limit = 5e-3;     ///< [rad]
@@ -45,6 +47,7 @@ void WheelsetBalance::reset()
   for (const Side side : sides)
   {
     wheel_[index(side)].reset();
+    choice_[index(side)] = RungChoice(ladder_, config_.contact.tolerance);
     rail_[index(side)].deflection = prescribed ? config_.rail_bending.prescribed : RailDeflection();
     wheel_[index(side)].setRail(undeflected_.deflected(rail_[index(side)].deflection));
   }
@@ -83,7 +86,7 @@ bool WheelsetBalance::touchBoth(double roll)
 
 double WheelsetBalance::heightDifference() const
 {
-  return touch_[0].axle_height - descent_[0] - touch_[1].axle_height + descent_[1];
+  return (touch_[0].axle_height - descent_[0]) - (touch_[1].axle_height - descent_[1]);
 }
 
 /// The roll at which both axle ends agree, with the descents known so far: the height seen from the left falls with the
@@ -192,13 +195,13 @@ double WheelsetBalance::moveRails()
 }
 
 /// True if planes and boxes fit the pressure; otherwise they are laid anew in the next pass.
-bool WheelsetBalance::layoutFits()
+bool WheelsetBalance::layoutFits(double slack)
 {
   bool all = true;
   for (const Side side : sides)
   {
     WheelContact& wheel = wheel_[index(side)];
-    const double tolerance = config_.contact.tolerance;
+    const double tolerance = slack * config_.contact.tolerance;
     const bool fits = !loaded_[index(side)] ||
                       (wheel.planeError() < plane_per_tolerance * tolerance &&
                        std::abs(wheel.descentError()) < tolerance && (wheel.boxFill() > least_fill || wheel.widened()));
@@ -294,8 +297,9 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
     }
     const double roll_change = config_.wheelset.solve_height_and_roll ? heightDifference() / leverSum() : 0;
     const double mismatch = moveRails();
-    const bool fits = layoutFits();
-    const bool level = std::abs(roll_change) < roll_per_tolerance * config_.contact.tolerance;
+    const double slack = pass < strict_passes ? 1.0 : late_slack;
+    const bool fits = layoutFits(slack);
+    const bool level = std::abs(roll_change) < slack * roll_per_tolerance * config_.contact.tolerance;
     const bool settled = fits && level && mismatch < coupling_tolerance;
     if (first)
     {
@@ -330,7 +334,9 @@ void WheelsetBalance::finish(double roll_change)
     return;
   }
   roll_ += roll_change;
-  height_ = touch_[0].axle_height - descent_[0] - lever(Side::left) * roll_change;
+  const double left = (touch_[0].axle_height - descent_[0]) - lever(Side::left) * roll_change;
+  const double right = (touch_[1].axle_height - descent_[1]) + lever(Side::right) * roll_change;
+  height_ = 0.5 * (left + right);
 }
 
 double WheelsetBalance::lever(Side side) const

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int newton_iterations = 30;
 constexpr double newton_tolerance = 1e-11;  ///< [m]
 constexpr double root_tolerance = 1e-8;     ///< of a contact's place across the track [m]
-constexpr std::size_t fine_stations = 4;    ///< stretches of fewer stations are measured by their curvature
+constexpr std::size_t fine_stations = 8;    ///< stretches of fewer stations are measured by their curvature
 
 }  // namespace
 
@@ -203,12 +203,20 @@ InitialContact ContactSearch::refined(std::size_t k) const
 
 bool ContactSearch::nearest(InitialContact& contact) const
 {
-  const std::size_t lowest = lowestStation(0, separation_.size());
+  const std::size_t lowest = lowestStation(0, stations_.count);
   if (!(separation_[lowest] < infinity))
   {
     return false;
   }
   contact = refined(lowest);
+  for (std::size_t k = 0; k < stations_.count; ++k)
+  {
+    if (k != lowest && isMinimum(k) && separation_[k] - depthBelowStation(k) < contact.separation)
+    {
+      const InitialContact other = refined(k);
+      contact = other.separation < contact.separation ? other : contact;
+    }
+  }
   return true;
 }
 

@@ -52,7 +52,7 @@ class WheelsetBalance
   WheelStatus solveWheels(bool rough);
   RailDeflection deflectionDue(Side side);
   double moveRails();
-  bool layoutFits();
+  bool layoutFits(double slack);
   bool fineEnough();
   void chooseGrids();
   void finish(double roll_change);

@@ -77,7 +77,7 @@ class ContactSearch
   void stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const;
 
  private:
-  static constexpr double spacing = 5e-4;  ///< of stations, and of samples on the profiles [m]
+  static constexpr double spacing = 2.5e-4;  ///< of stations, and of samples on the profiles [m]
   /// Greatest error of the separation at stations from straight segments on radii of 10 mm: 2 * spacing² / (8 * 10 mm).
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
