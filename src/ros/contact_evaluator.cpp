@@ -25,9 +25,11 @@ ContactAnswer ContactEvaluator::answer(const ContactInput& input, const tf2::Buf
     answer.status = toMessage(result.status);
     answer.reason = result.reason;
     answer.x = placed.x;
+    answer.pose = {placed.state.y, placed.state.z, placed.state.yaw, placed.state.roll};
     if (isUsable(result.status))
     {
       answer.result = &result;
+      answer.pose = {result.y, result.z, result.yaw, result.roll};
       answer.beyond_linear_range = isBeyondLinearRange(result);
     }
   }
@@ -49,11 +51,11 @@ bool ContactEvaluator::isBeyondLinearRange(const WheelsetResult& result) const
 WheelsetContactMsg toMessage(const ContactAnswer& answer, bool with_grids, double solve_time)
 {
   WheelsetContactMsg message;
-  message.wheelset.orientation.w = 1;
   if (answer.result)
   {
     message = toMessage(*answer.result, answer.x, with_grids);
   }
+  message.wheelset = toMessage(answer.pose, answer.x);
   message.header = answer.header;
   message.status = answer.status;
   message.status_text = answer.reason;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "wheel_rail_contact/ros/messages.h"
+#include "wheel_rail_contact/ros/conversions.h"
 
 namespace wheel_rail_contact
 {
@@ -166,12 +166,12 @@ PlacedState toState(const ContactInput& input, const std::string& track_frame, c
 {
   PlacedState placed;
   const Eigen::Isometry3d pose = poseInTrack(*input.pose, track_frame, transforms);
-  const Eigen::Vector3d axle = pose.linear().col(1);
+  const WheelsetPose wheelset = toWheelsetPose(pose);
   placed.x = pose.translation().x();
-  placed.state.y = pose.translation().y();
-  placed.state.z = pose.translation().z();
-  placed.state.roll = std::asin(std::clamp(axle.z(), -1.0, 1.0));
-  placed.state.yaw = std::atan2(-axle.x(), axle.y());
+  placed.state.y = wheelset.y;
+  placed.state.z = wheelset.z;
+  placed.state.yaw = wheelset.yaw;
+  placed.state.roll = wheelset.roll;
   if (input.load)
   {
     setLoad(*input.load, track_frame, placed.state);

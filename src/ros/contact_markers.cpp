@@ -3,12 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
 #include "wheel_rail_contact/ros/color_map.h"
 #include "wheel_rail_contact/ros/marker_tools.h"
+#include "wheel_rail_contact/ros/pressure_surface.h"
 #include "wheel_rail_contact/ros/track_markers.h"
 
 namespace wheel_rail_contact
@@ -25,6 +27,7 @@ constexpr double arrow_shaft = 0.014;    ///< diameter [m]
 constexpr double arrow_head = 0.035;     ///< diameter and length [m]
 constexpr double line_width = 0.002;     ///< [m]
 constexpr double label_height = 0.045;   ///< of letters [m]
+constexpr int zoomed_points = 36;        ///< least number of points of a magnified surface in either direction
 constexpr double zoom_spacing = 0.05;    ///< between magnified patches [m]
 
 /// A patch and where its magnified picture stands.
@@ -80,25 +83,23 @@ std::vector<PatchPicture> arrange(const ContactAnswer& answer, const NodeConfig&
   return pictures;
 }
 
-/// Surface over the grid's cell centres, magnified about the middle of the grid: height and colour by pressure.
-/// Only cells with a corner under pressure are drawn.
-void addPressure(const PatchResult& patch, double zoom, double height, double max_pressure,
+/// Surface magnified about the patch frame's origin: height and colour by pressure. Only quadrilaterals with a corner
+/// under pressure are drawn.
+void addPressure(const PressureSurface& surface, double zoom, double height, double max_pressure,
                  const Eigen::Isometry3d& to_track, Marker& marker)
 {
+  const auto share = [&](int i, int j) { return std::min(surface.pressure(i, j) / max_pressure, 1.0); };
   const auto corner = [&](int i, int j)
+  { return Vector3d(to_track * Vector3d(zoom * surface.x(i), zoom * surface.y(j), height * share(i, j))); };
+  for (int i = 0; i + 1 < surface.rows(); ++i)
   {
-    const double share = patch.pressure(i, j) / max_pressure;
-    return Vector3d(to_track * Vector3d(zoom * patch.grid.x(i), zoom * patch.grid.y(j), height * std::min(share, 1.0)));
-  };
-  const auto color = [&](int i, int j) { return colorOf(patch.pressure(i, j) / max_pressure); };
-  for (int i = 0; i + 1 < patch.pressure.rows(); ++i)
-  {
-    for (int j = 0; j + 1 < patch.pressure.cols(); ++j)
+    for (int j = 0; j + 1 < surface.columns(); ++j)
     {
-      if (patch.pressure.block<2, 2>(i, j).maxCoeff() > 0)
+      const std::array<double, 4> shares{share(i, j), share(i + 1, j), share(i + 1, j + 1), share(i, j + 1)};
+      if (*std::max_element(shares.begin(), shares.end()) > 0)
       {
         addQuadrilateral({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)},
-                         {color(i, j), color(i + 1, j), color(i + 1, j + 1), color(i, j + 1)}, marker);
+                         {colorOf(shares[0]), colorOf(shares[1]), colorOf(shares[2]), colorOf(shares[3])}, marker);
       }
     }
   }
@@ -108,7 +109,7 @@ Marker surface(const PatchPicture& picture, const NodeConfig& config, const std_
 {
   Marker marker = makeMarker(header, "patch", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
   const Eigen::Isometry3d lifted = picture.to_track * Eigen::Translation3d(0, 0, true_size_lift);
-  addPressure(*picture.patch, 1, 0, config.markers.max_pressure, lifted, marker);
+  addPressure({picture.patch->grid, picture.patch->pressure, 1}, 1, 0, config.markers.max_pressure, lifted, marker);
   return marker;
 }
 
@@ -119,7 +120,8 @@ Marker zoomedSurface(const PatchPicture& picture, const NodeConfig& config, cons
   const Vector3d middle(0, config.markers.zoom * 0.5 * (grid.y(0) + grid.y(grid.ny - 1)), 0);
   Eigen::Isometry3d placed = picture.to_track * Eigen::Translation3d(-middle);
   placed.translation() += picture.zoom_place - picture.to_track.translation();
-  addPressure(*picture.patch, config.markers.zoom, config.markers.pressure_height, config.markers.max_pressure, placed,
+  const PressureSurface pressure(grid, picture.patch->pressure, zoomed_points);
+  addPressure(pressure, config.markers.zoom, config.markers.pressure_height, config.markers.max_pressure, placed,
               marker);
   return marker;
 }
@@ -160,7 +162,8 @@ Marker label(const PatchPicture& picture, const NodeConfig& config, const std_ms
                 picture.patch->area * 1e6);
   const double half_width = 0.5 * zoomedWidth(*picture.patch, config.markers.zoom);
   const double rise = half_width * std::abs(std::sin(picture.patch->pose.angle));
-  const Vector3d above(0, 0, config.markers.pressure_height + rise + 1.5 * label_height);
+  const double share = std::min(picture.patch->max_pressure / config.markers.max_pressure, 1.0);
+  const Vector3d above(0, 0, config.markers.pressure_height * share + rise + 2 * label_height);
   return makeText(header, "label", picture.id, picture.zoom_place + above, words);
 }
 
@@ -192,7 +195,7 @@ MarkerArray contactMarkers(const ContactAnswer& answer, const NodeConfig& config
   }
   const WheelsetResult& result = *answer.result;
   addRails(config, header, answer.x, {result.rail[0].deflection, result.rail[1].deflection}, markers);
-  addWheelset(config, header, answer.x, {result.y, result.z, result.yaw, result.roll}, markers);
+  addWheelset(config, header, answer.x, answer.pose, markers);
   for (const Side side : {Side::left, Side::right})
   {
     for (const PatchPicture& picture : arrange(answer, config, side))

@@ -142,7 +142,7 @@ void ContactServer::answer(const ContactInput& input)
   const ContactAnswer answer = evaluator_.answer(input, transforms_);
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
-  const bool wants_markers = marker_publisher_.getNumSubscribers() > 0;
+  const bool wants_markers = marker_publisher_.getNumSubscribers() > 0 && start >= next_picture_;
   if (wants_message)
   {
     contact_publisher_.publish(toMessage(answer, true, solve_time));
@@ -150,6 +150,7 @@ void ContactServer::answer(const ContactInput& input)
   if (wants_markers)
   {
     publishMarkers(answer);
+    next_picture_ = start + ros::WallDuration(1 / config_.markers.rate);
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   statistics_.count(answer, solve_time);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/ros/conversions.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -42,17 +42,6 @@ geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
   message.w = q.w();
   return message;
 }
-
-geometry_msgs::Pose wheelsetPose(const WheelsetResult& result, double x)
-{
-  geometry_msgs::Pose pose;
-  pose.position.x = x;
-  pose.position.y = result.y;
-  pose.position.z = result.z;
-  pose.orientation = toMessage(Eigen::AngleAxisd(result.yaw, Eigen::Vector3d::UnitZ()) *
-                               Eigen::AngleAxisd(result.roll, Eigen::Vector3d::UnitX()));
-  return pose;
-}
 }  // namespace
 
 std::uint8_t toMessage(ContactStatus status)
@@ -74,6 +63,24 @@ ContactStatus statusFromMessage(std::uint8_t status)
     }
   }
   throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
+}
+
+WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose)
+{
+  const Eigen::Vector3d axle = pose.linear().col(1);
+  return {pose.translation().y(), pose.translation().z(), std::atan2(-axle.x(), axle.y()),
+          std::asin(std::clamp(axle.z(), -1.0, 1.0))};
+}
+
+geometry_msgs::Pose toMessage(const WheelsetPose& pose, double x)
+{
+  geometry_msgs::Pose message;
+  message.position.x = x;
+  message.position.y = pose.y;
+  message.position.z = pose.z;
+  message.orientation = toMessage(Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX()));
+  return message;
 }
 
 geometry_msgs::Pose toMessage(const PatchPose& pose, double x)
@@ -208,7 +215,7 @@ WheelsetContactMsg toMessage(const WheelsetResult& result, double x, bool with_g
   WheelsetContactMsg message;
   message.status = toMessage(result.status);
   message.status_text = result.reason;
-  message.wheelset = wheelsetPose(result, x);
+  message.wheelset = toMessage(WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
   message.left_rail = toMessage(result.rail[0]);
   message.right_rail = toMessage(result.rail[1]);
   message.patches.reserve(result.patches.size());
@@ -224,16 +231,18 @@ WheelsetResult fromMessage(const WheelsetContactMsg& message)
   WheelsetResult result;
   result.status = statusFromMessage(message.status);
   result.reason = message.status_text;
-  result.y = message.wheelset.position.y;
-  result.z = message.wheelset.position.z;
+  const auto& p = message.wheelset.position;
   const auto& o = message.wheelset.orientation;
-  const Eigen::Matrix3d rotation = Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized().toRotationMatrix();
-  result.yaw = std::atan2(rotation(1, 0), rotation(0, 0));
-  result.roll = std::atan2(rotation(2, 1), rotation(2, 2));
+  const WheelsetPose pose =
+      toWheelsetPose(Eigen::Translation3d(p.x, p.y, p.z) * Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized());
+  result.y = pose.y;
+  result.z = pose.z;
+  result.yaw = pose.yaw;
+  result.roll = pose.roll;
   result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
   for (const ContactPatch& patch : message.patches)
   {
-    result.patches.push_back(fromMessage(patch, message.wheelset.position.x));
+    result.patches.push_back(fromMessage(patch, p.x));
   }
   return result;
 }

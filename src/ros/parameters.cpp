@@ -116,6 +116,7 @@ void readContact(ParameterReader& reader, ContactConfig& contact)
 
 void readMarkers(ParameterReader& reader, MarkerConfig& markers)
 {
+  reader.read("markers/rate", rules::positive, markers.rate);
   reader.read("markers/rail_length", rules::positive, markers.rail_length);
   reader.read("markers/force_scale", rules::not_negative, markers.force_scale);
   reader.read("markers/max_pressure", rules::positive, markers.max_pressure);

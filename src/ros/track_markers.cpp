@@ -17,8 +17,8 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-constexpr int profile_points = 80;    ///< drawn points of a profile
-constexpr int tread_rows = 17;        ///< rows of points round the drawn part of a tread
+constexpr int profile_points = 60;    ///< drawn points of a profile
+constexpr int tread_rows = 9;         ///< rows of points round the drawn part of a tread
 constexpr double tread_angle = 0.30;  ///< half the drawn part of a tread, about the axle [rad]
 constexpr int circle_points = 96;
 constexpr double line_width = 0.002;   ///< [m]

@@ -30,7 +30,7 @@ class Picture : public testing::Test
   Picture()
   {
     result.status = ContactStatus::ok;
-    result.z = 0.46;
+    answer.pose.z = 0.46;
     for (const Side side : {Side::left, Side::right})
     {
       result.patches.push_back(makePatch(side, 0.75));
@@ -142,8 +142,12 @@ TEST_F(Picture, MagnifiedPatchStandsAboveItsRail)
 {
   const MarkerArray markers = draw();
   const Marker& zoomed = find(markers, "zoom", 0);
-  EXPECT_NEAR(width(zoomed), config.markers.zoom * width(find(markers, "patch", 0)), 0.01);
-  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + config.markers.pressure_height * 982.0 / 2000.0, 0.005);
+  // The patch is 8 mm wide; the drawn edge lies up to a quarter of a cell of 1 mm outside on either side.
+  EXPECT_NEAR(width(zoomed), config.markers.zoom * 8e-3, config.markers.zoom * 0.5e-3);
+  // 0.005 m: half the magnified width of 8 mm * 30, inclined by 0.03, and the cells beside the patch's middle.
+  const double height =
+      config.markers.pressure_height * result.patches[0].pressure.maxCoeff() / config.markers.max_pressure;
+  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + height, 0.005);
 }
 
 TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)

@@ -96,6 +96,7 @@ TEST(Parameters, DefaultFileHoldsTheDefaultsOfTheCode)
   EXPECT_EQ(file.model.contact.cells_along, code.model.contact.cells_along);
   EXPECT_EQ(file.model.contact.cells_across, code.model.contact.cells_across);
   EXPECT_EQ(file.slop, code.slop);
+  EXPECT_EQ(file.markers.rate, code.markers.rate);
   EXPECT_EQ(file.markers.rail_length, code.markers.rail_length);
   EXPECT_EQ(file.markers.force_scale, code.markers.force_scale);
   EXPECT_EQ(file.markers.max_pressure, code.markers.max_pressure);
@@ -182,7 +183,8 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
       {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
       {"rail_bending: {prescribed: {roll: 1}}", "rail_bending/prescribed/roll", "1"},
       {"rail_bending: {prescribed: {vertical: up}}", "rail_bending/prescribed/vertical", "up"},
-      {"contact: {method: magic}", "contact/method", "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
+      {"contact: {method: magic}", "contact/method",
+       "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
       {"contact: {tolerance: 0}", "contact/tolerance", "0"},
       {"contact: {tolerance: 2}", "contact/tolerance", "2"},
       {"contact: {grid: {along: 16}}", "contact/grid", "0"},
@@ -191,6 +193,7 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
       {"contact: {grid: {along: 1e9, across: 16}}", "contact/grid/along", "1e9"},
       {"sync: {slop: -0.001}", "sync/slop", "-0.001"},
       {"sync: {slop: 1e9}", "sync/slop", "1e9"},
+      {"markers: {rate: 0}", "markers/rate", "0"},
       {"markers: {rail_length: 0}", "markers/rail_length", "0"},
       {"markers: {force_scale: -1}", "markers/force_scale", "-1"},
       {"markers: {max_pressure: 0}", "markers/max_pressure", "0"},

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "wheel_rail_contact/geometry/placement.h"
 #include "wheel_rail_contact/ros/contact_input.h"
 #include "wheel_rail_contact/ros/messages.h"
 #include "wheel_rail_contact/wheelset_contact.h"
@@ -20,6 +21,7 @@ struct ContactAnswer
   std::uint8_t status = WheelsetContactMsg::INVALID_INPUT;
   std::string reason;                      ///< one sentence, empty when OK
   double x = 0;                            ///< axle centre along the track [m]
+  WheelsetPose pose;                       ///< solved if usable, otherwise as given; zero if the input was unusable
   const WheelsetResult* result = nullptr;  ///< null unless usable; valid until the next evaluation
   bool beyond_linear_range = false;        ///< a rail's |Y|/Q is greater than its compliance table allows
 };

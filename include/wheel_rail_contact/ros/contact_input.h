@@ -86,9 +86,7 @@ bool isFrameName(const std::string& name);
 /// Brings an input to the track frame and to the core's terms.
 ///
 /// Pose: in the track frame, or in a frame from which tf leads there at the pose's stamp. A quaternion within 1e-3 of
-/// unit length is normalised. The wheels are bodies of revolution, so only the axle's direction counts: with the axle
-/// pointing to (ax, ay, az), roll = asin(az) and yaw = atan2(-ax, ay), the fixed-axis roll and yaw of an orientation
-/// Rz(yaw) Rx(roll) Ry(any rotation about the axle).
+/// unit length is normalised; rotation about the axle does not count (toWheelsetPose()).
 ///
 /// Load: force and moment on the axle centre in track axes; its frame_id must be empty or the track frame.
 /// Rail forces: force.y is Y, positive outward on either rail (axes of its own side, so the frame_id is not used).

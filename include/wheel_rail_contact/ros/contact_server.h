@@ -74,7 +74,8 @@ class ContactServer
 
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
-  MarkerKeys shown_markers_;  ///< by the last array published, worker only
+  MarkerKeys shown_markers_;    ///< by the last array published, worker only
+  ros::WallTime next_picture_;  ///< worker only
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::thread worker_;

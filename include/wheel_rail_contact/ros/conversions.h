@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 
+#include "wheel_rail_contact/geometry/placement.h"
 #include "wheel_rail_contact/ros/messages.h"
 #include "wheel_rail_contact/wheelset_contact.h"
 
@@ -15,6 +17,12 @@ std::uint8_t toMessage(ContactStatus status);
 /// NO_TRANSFORM, of which the core knows nothing, becomes invalid_input.
 /// @throw std::invalid_argument for a number that is no status.
 ContactStatus statusFromMessage(std::uint8_t status);
+
+/// Track axes. Wheels are bodies of revolution, so only the axle's direction (ax, ay, az) counts: roll = asin(az) and
+/// yaw = atan2(-ax, ay), the fixed-axis roll and yaw of an orientation Rz(yaw) Rx(roll) Ry(any rotation about the
+/// axle).
+WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
+geometry_msgs::Pose toMessage(const WheelsetPose& pose, double x);
 
 geometry_msgs::Pose toMessage(const PatchPose& pose, double x);
 PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x);

@@ -38,7 +38,7 @@ struct NodeConfig
 ///   contact/tolerance                           relative
 ///   contact/grid/{along, across}                cells; 0: chosen from the tolerance
 ///   sync/slop                                   [s]
-///   markers/{rail_length, force_scale, max_pressure, zoom, zoom_height, pressure_height}
+///   markers/{rate, rail_length, force_scale, max_pressure, zoom, zoom_height, pressure_height}
 ///
 /// Files: `package://name/...`, absolute, or relative to `directory` or else to this package.
 /// @param prefix is written before each name in messages (the node's namespace with '/')

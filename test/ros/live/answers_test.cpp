@@ -122,6 +122,7 @@ TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
   const auto beside = askBadly(client, [](Pose& pose, Load&) { pose.pose.position.y = 0.09; });
   EXPECT_TRUE(beside.status != WheelsetContactMsg::OK && beside.patches.empty()) << "9 cm beside the track";
   EXPECT_NE(beside.status_text, "");
+  EXPECT_EQ(beside.wheelset.position.y, 0.09) << "the pose as it was given";
 }
 
 TEST(LiveNode, RefusesFramesThatDoNotLeadToTheTrack)

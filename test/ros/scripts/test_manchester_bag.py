@@ -25,7 +25,8 @@ class ManchesterBag(unittest.TestCase):
         with rosbag.Bag(str(SHIPPED)) as bag:
             poses = [message for _, message, _ in bag.read_messages("wheelset/pose")]
             loads = [message for _, message, _ in bag.read_messages("wheelset/load")]
-        self.assertEqual([m.header for m in poses], [m.header for m in loads])
+        self.assertEqual([(m.header.stamp, m.header.frame_id) for m in poses],
+                         [(m.header.stamp, m.header.frame_id) for m in loads])
         self.assertEqual({m.wrench.force.z for m in loads}, {-200e3})
         lateral = [m.pose.position.y for m in poses]
         self.assertEqual((lateral[0], min(lateral), max(lateral), lateral[-1]), (0, -0.010, 0, 0))

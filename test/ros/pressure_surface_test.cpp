@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/pressure_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+constexpr double a = 8e-3, b = 5e-3, peak = 1e9;  // semi-axes [m], pressure [Pa]
+
+double hertz(double x, double y)
+{
+  return peak * std::sqrt(std::max(0.0, 1 - x * x / (a * a) - y * y / (b * b)));
+}
+
+Grid coarseGrid()
+{
+  Grid grid;
+  grid.nx = 10;
+  grid.ny = 16;
+  grid.dx = 2e-3;
+  grid.dy = 0.75e-3;
+  grid.y0 = -0.5 * (grid.ny - 1) * grid.dy;
+  return grid;
+}
+
+Eigen::ArrayXXd hertzOn(const Grid& grid)
+{
+  Eigen::ArrayXXd pressure(grid.nx, grid.ny);
+  for (int i = 0; i < grid.nx; ++i)
+  {
+    for (int j = 0; j < grid.ny; ++j)
+    {
+      pressure(i, j) = hertz(grid.x(i), grid.y(j));
+    }
+  }
+  return pressure;
+}
+}  // namespace
+
+TEST(PressureSurface, FollowsHertzAndItsEdgeBetweenCoarseCells)
+{
+  const Grid grid = coarseGrid();
+  const PressureSurface surface(grid, hertzOn(grid), 40);
+  double largest = 0;
+  for (int i = 0; i < surface.rows(); ++i)
+  {
+    for (int j = 0; j < surface.columns(); ++j)
+    {
+      const double x = surface.x(i), y = surface.y(j);
+      largest = std::max(largest, std::abs(surface.pressure(i, j) - hertz(x, y)));
+      // A third of a cell: the edge is continued linearly while the square of Hertz's pressure is a parabola.
+      const double scale = 1 + 0.33 * grid.dx / a;
+      EXPECT_TRUE(surface.pressure(i, j) == 0 || hertz(x / scale, y / scale) > 0) << x << " " << y;
+    }
+  }
+  EXPECT_LT(largest, 0.25 * peak) << "the error is largest where the pressure rises steeply from its edge";
+}
+
+TEST(PressureSurface, CellCentresKeepTheirPressure)
+{
+  const Grid grid = coarseGrid();
+  const Eigen::ArrayXXd pressure = hertzOn(grid);
+  const PressureSurface surface(grid, pressure, 40);
+  int found = 0;
+  for (int i = 0; i < surface.rows(); ++i)
+  {
+    for (int j = 0; j < surface.columns(); ++j)
+    {
+      const double row = (surface.x(i) - grid.x(0)) / grid.dx, column = (surface.y(j) - grid.y0) / grid.dy;
+      const bool inside = row > -0.5 && row < grid.nx - 0.5 && column > -0.5 && column < grid.ny - 0.5;
+      if (inside && std::abs(row - std::round(row)) < 1e-9 && std::abs(column - std::round(column)) < 1e-9)
+      {
+        const double expected = pressure(std::lround(row), std::lround(column));
+        EXPECT_NEAR(surface.pressure(i, j), expected, 1e-9 * peak);
+        ++found;
+      }
+    }
+  }
+  EXPECT_EQ(found, grid.nx * grid.ny);
+}
+
+TEST(PressureSurface, IsClosedWherePressureReachesTheGridsBorder)
+{
+  const Grid grid = coarseGrid();
+  const PressureSurface surface(grid, Eigen::ArrayXXd::Constant(grid.nx, grid.ny, peak), 1);
+  for (int i = 0; i < surface.rows(); ++i)
+  {
+    EXPECT_EQ(surface.pressure(i, 0), 0);
+    EXPECT_EQ(surface.pressure(i, surface.columns() - 1), 0);
+  }
+  for (int j = 0; j < surface.columns(); ++j)
+  {
+    EXPECT_EQ(surface.pressure(0, j), 0);
+    EXPECT_EQ(surface.pressure(surface.rows() - 1, j), 0);
+  }
+}
+
+TEST(PressureSurface, OneLoadedCellIsASmallHill)
+{
+  const Grid grid = coarseGrid();
+  Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(grid.nx, grid.ny);
+  pressure(4, 7) = peak;
+  const PressureSurface surface(grid, pressure, 40);
+  for (int i = 0; i < surface.rows(); ++i)
+  {
+    for (int j = 0; j < surface.columns(); ++j)
+    {
+      if (surface.pressure(i, j) > 0)
+      {
+        EXPECT_LT(std::abs(surface.x(i) - grid.x(4)), grid.dx);
+        EXPECT_LT(std::abs(surface.y(j) - grid.y(7)), grid.dy);
+      }
+    }
+  }
+}
