@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -9,17 +10,27 @@
 #include "wheel_rail_contact/balance/wheelset_balance.h"
 #include "wheel_rail_contact/geometry/standard_profiles.h"
 #include "wheel_rail_contact/normal/error_estimate.h"
+#include "wheel_rail_contact/normal/hertz_solver.h"
+#include "wheel_rail_contact/normal/kik_piotrowski.h"
 
 /// Solutions of random scenes with their true errors: the same scene on a grid four times finer each way.
 namespace wheel_rail_contact::scenes
 {
+enum class Method
+{
+  grid,  ///< conjugate gradients
+  hertz,
+  kik_piotrowski
+};
+
 /// One patch.
 struct ErrorSample
 {
   const char* kind = "";
   GridSize size;
   bool alone = false;  ///< the only patch of its problem
-  ErrorTerms terms;
+  ErrorTerms terms;    ///< of Method::grid
+  ShapeTerms shape{};  ///< of the others
   ErrorEstimate estimate;
   ErrorEstimate error;  ///< true
 };
@@ -38,17 +49,40 @@ inline ConjugateGradientsOptions strictOptions()
   return options;
 }
 
+inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
+{
+  if (method == Method::grid)
+  {
+    ConjugateGradientsOptions options;
+    options.residual = residual;
+    return std::make_unique<ConjugateGradients>(options);
+  }
+  return method == Method::hertz ? std::unique_ptr<NormalSolver>(std::make_unique<HertzSolver>())
+                                 : std::make_unique<KikPiotrowski>();
+}
+
 /// Fills terms and estimate. `own_approach` is the patch's own [m].
-inline ErrorSample describe(const char* kind, const NormalProblem& problem, const NormalSolution& solution,
-                            std::size_t patch, double own_approach)
+inline ErrorSample describe(const char* kind, Method method, const NormalSolver& solver, const NormalProblem& problem,
+                            const NormalSolution& solution, std::size_t patch, double own_approach)
 {
   ErrorSample sample;
   sample.kind = kind;
   sample.size = {problem.patches[patch].grid.nx, problem.patches[patch].grid.ny};
   sample.alone = problem.patches.size() == 1;
   const double residual = solution.residual * (sample.alone ? 1 : solution.approach / own_approach);
-  sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
-  sample.estimate = estimateGridError(problem, solution, patch);
+  switch (method)
+  {
+    case Method::grid:
+      sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
+      break;
+    case Method::hertz:
+      sample.shape = HertzSolver::errorTerms(problem, solution, patch);
+      break;
+    case Method::kik_piotrowski:
+      sample.shape = KikPiotrowski::errorTerms(problem, solution, patch);
+      break;
+  }
+  sample.estimate = solver.estimateError(problem, solution, patch);
   return sample;
 }
 
@@ -63,10 +97,10 @@ inline ErrorEstimate relativeErrors(const PatchPressure& found, double found_app
 class GapSampler
 {
  public:
-  GapSampler() : truth_(strictOptions()) {}
-
-  /// Adds a sample for every patch; false if the scene has no usable truth (a patch without pressure, or no box found).
-  bool sample(const GapScene& scene, const GridSize& size, Random& random, std::vector<ErrorSample>& samples)
+  /// Adds a sample for every patch; false if the scene has no usable truth (a patch without pressure, or no box found),
+  /// or the method has no answer.
+  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
+              std::vector<ErrorSample>& samples)
   {
     problem_.modulus = modulus;
     problem_.value = scene.load;
@@ -79,24 +113,23 @@ class GapSampler
     {
       return false;
     }
-    ConjugateGradientsOptions options;
-    options.residual = spread(random, 1e-5, 1e-3);
-    ConjugateGradients solver(options);
+    const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
     for (PatchGap& patch : problem_.patches)
     {
       patch.grid = looser(random, patch.grid, size);
     }
     fill(scene);
-    solver.solve(problem_, false, found_);
+    solver->solve(problem_, false, found_);
     const NormalProblem coarse = problem_;
     for (PatchGap& patch : problem_.patches)
     {
       patch.grid = refined(patch.grid, finer);
     }
     fill(scene);
-    truth_.solve(problem_, false, true_);
+    ConjugateGradients strict(strictOptions());
+    strict.solve(problem_, false, true_);
     return found_.status == SolveStatus::converged && true_.status == SolveStatus::converged &&
-           add(scene, coarse, samples);
+           add(scene.kind, method, *solver, coarse, samples);
   }
 
  private:
@@ -166,7 +199,8 @@ class GapSampler
     return covering(tight, length, tight.y0 + 0.5 * (tight.ny - 1) * tight.dy + shift, width, size);
   }
 
-  bool add(const GapScene& scene, const NormalProblem& coarse, std::vector<ErrorSample>& samples) const
+  bool add(const char* kind, Method method, const NormalSolver& solver, const NormalProblem& coarse,
+           std::vector<ErrorSample>& samples) const
   {
     for (const PatchPressure& patch : true_.patches)
     {
@@ -183,14 +217,14 @@ class GapSampler
       {
         return false;
       }
-      ErrorSample sample = describe(scene.kind, coarse, found_, k, found_approach);
+      ErrorSample sample = describe(kind, method, solver, coarse, found_, k, found_approach);
       sample.error = relativeErrors(found_.patches[k], found_approach, true_.patches[k], true_approach);
       samples.push_back(sample);
     }
     return true;
   }
 
-  ConjugateGradients boxer_, truth_;
+  ConjugateGradients boxer_;
   NormalProblem problem_;
   NormalSolution found_, true_;
 };
@@ -218,36 +252,68 @@ inline WheelsetScene randomWheelsetScene(Random& random)
   return scene;
 }
 
-/// Adds a sample for every patch of both wheels; false if the scene has no solution or other patches in its truth.
-inline bool sampleWheelset(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
+/// Solves wheelset scenes by the whole chain. Keeps the solvers, whose preparation costs more than a solution.
+class WheelsetSampler
 {
-  ContactModelConfig strict = scene.config;
-  strict.contact.tolerance = 1e-4;
-  ConjugateGradients solver;
-  static ConjugateGradients strict_solver(strictOptions());
-  WheelsetBalance balance(scene.config, solver, size);
-  WheelsetBalance truth(strict, strict_solver, {finer * size.along, finer * size.across});
-  if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
+ public:
+  explicit WheelsetSampler(Method method) : method_(method) {}
+
+  /// Adds a sample for every patch of both wheels; false if the scene has no solution, or other patches in its truth.
+  bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
   {
-    return false;
-  }
-  for (const Side side : {Side::left, Side::right})
-  {
-    const WheelContact &found = balance.wheel(side), &fine = truth.wheel(side);
-    for (std::size_t k = 0; k < found.patches().size() && found.patches().size() == fine.patches().size(); ++k)
+    ContactModelConfig strict = scene.config;
+    strict.contact.tolerance = 1e-4;
+    const MethodLadder& ladder = ladderFor(method_, size);
+    WheelsetBalance balance(scene.config, ladder);
+    WheelsetBalance truth(strict, ladderFor(Method::grid, {finer * size.along, finer * size.across}));
+    if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
     {
-      const PatchPressure &pressure = found.solution().patches[k], &fine_pressure = fine.solution().patches[k];
+      return false;
+    }
+    const std::size_t before = samples.size();
+    for (const Side side : {Side::left, Side::right})
+    {
+      add(ladder.solver(), balance.wheel(side), truth.wheel(side), samples);
+    }
+    return samples.size() > before;
+  }
+
+ private:
+  const MethodLadder& ladderFor(Method method, const GridSize& size)
+  {
+    std::unique_ptr<MethodLadder>& ladder = ladders_[{static_cast<int>(method), size.along, size.across}];
+    if (!ladder)
+    {
+      ContactModelConfig config;
+      config.contact.method = method == Method::grid    ? NormalMethod::conjugate_gradient
+                              : method == Method::hertz ? NormalMethod::hertz
+                                                        : NormalMethod::kik_piotrowski;
+      config.contact.cells_along = size.along;
+      config.contact.cells_across = size.across;
+      ladder = std::make_unique<MethodLadder>(config);
+    }
+    return *ladder;
+  }
+
+  void add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
+           std::vector<ErrorSample>& samples) const
+  {
+    for (std::size_t k = 0; k < found.patches().size() && found.patches().size() == truth.patches().size(); ++k)
+    {
+      const PatchPressure &pressure = found.solution().patches[k], &fine = truth.solution().patches[k];
       const double weight = found.problem().patches[k].weight;
       const double approach = weight * (found.descent() - found.patches()[k].touch_gap);
-      const double fine_approach = weight * (fine.descent() - fine.patches()[k].touch_gap);
-      if (pressure.force > 0 && fine_pressure.force > 0)
+      const double fine_approach = weight * (truth.descent() - truth.patches()[k].touch_gap);
+      if (pressure.force > 0 && fine.force > 0)
       {
-        ErrorSample sample = describe("wheelset", found.problem(), found.solution(), k, approach);
-        sample.error = relativeErrors(pressure, approach, fine_pressure, fine_approach);
+        ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
+        sample.error = relativeErrors(pressure, approach, fine, fine_approach);
         samples.push_back(sample);
       }
     }
   }
-  return true;
-}
+
+  Method method_;
+  std::map<std::array<int, 3>, std::unique_ptr<MethodLadder>> ladders_;
+};
 }  // namespace wheel_rail_contact::scenes

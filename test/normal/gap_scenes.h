@@ -93,15 +93,16 @@ class ArcCurve
 inline Gap jointGap(Random& random)
 {
   const double contact = uniform(random, 0, 0.030), wheel_joint = uniform(random, -6e-3, 6e-3);
-  const double wheel =
-      oneIn(random, 3) ? -1 / uniform(random, 0.310, 2) : uniform(random, -1 / 0.400, 1 / 0.350);
+  const double wheel = oneIn(random, 3) ? -1 / uniform(random, 0.310, 2) : uniform(random, -1 / 0.400, 1 / 0.350);
   const double wheel_beyond = oneIn(random, 2) ? uniform(random, -1 / 0.090, 1 / 0.100) : wheel;
   std::vector<double> joints{-0.01023 - contact, 0.01023 - contact, 0.02603 - contact, wheel_joint};
   std::sort(joints.begin(), joints.end());
   std::vector<double> curvatures;
   for (std::size_t i = 0; i <= joints.size(); ++i)
   {
-    const double y = i == joints.size() ? joints.back() + 1e-3 : i == 0 ? joints[0] - 1e-3 : 0.5 * (joints[i - 1] + joints[i]);
+    const double y = i == joints.size() ? joints.back() + 1e-3
+                     : i == 0           ? joints[0] - 1e-3
+                                        : 0.5 * (joints[i - 1] + joints[i]);
     const double from_crown = std::abs(contact + y);
     const double rail = from_crown < 0.01023 ? 1 / 0.300 : from_crown < 0.02603 ? 1 / 0.080 : 1 / 0.013;
     curvatures.push_back(std::max(rail + (y > wheel_joint ? wheel_beyond : wheel), 0.3));

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calibrates the error estimates of grid solutions, Hertz and Kik–Piotrowski, and checks them on scenes of another
+// seed.
+//
+//   calibrate_error_estimate [scenes of each set, default 4000] [seed of the fit, default 1] [of the check, default 2]
+//
+// Half of the scenes are wheelsets (the whole chain), half random gaps; each is solved on a random grid of those in
+// use, and by conjugate gradients on one four times finer each way, whose answer counts as true. Weights of the terms
+// are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as their mean;
+// then all are scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
+// patches. Prints the weights as they stand in error_estimate.cpp, hertz_solver.cpp and kik_piotrowski.cpp, and for
+// each grid and kind of scene the share of patches whose true error is within the estimate, and estimate over true
+// error (median, and what 5 and 1 % of the patches stay below), once with the built-in weights (all patches) and once
+// with those just found. Takes about a quarter of an hour; not part of the test run, in which
+// normal/error_estimate_test.cpp checks the built-in weights.
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "../normal/error_samples.h"
+
+namespace
+{
+using namespace wheel_rail_contact;
+using scenes::ErrorSample;
+
+constexpr double coverage = 0.975;
+
+std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long seed)
+{
+  scenes::Random seeds(seed);
+  scenes::GapSampler gaps;
+  scenes::WheelsetSampler wheelsets(method);
+  std::vector<ErrorSample> samples;
+  int left_out = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    scenes::Random random(seeds());
+    const GridSize& size = scenes::grids[random() % scenes::grids.size()];
+    const bool done = i % 2 == 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
+                                 : gaps.sample(method, scenes::randomGapScene(random), size, random, samples);
+    left_out += done ? 0 : 1;
+    if ((i + 1) % 20 == 0)
+    {
+      std::fprintf(stderr, "\rseed %lu: %d of %d scenes", seed, i + 1, count);
+    }
+  }
+  std::fprintf(stderr, "\n");
+  std::printf("seed %lu: %d scenes, %zu patches; %d scenes without solution, or with other patches on the fine grid\n",
+              seed, count, samples.size(), left_out);
+  return samples;
+}
+
+/// Weights w >= 0 that maximise the likelihood of errors e ~ Laplace(mean |e| = w . terms): the multiplicative steps
+/// minimise mean(log(w . t) + e / (w . t)), each lowers it (Itakura–Saito divergence; Févotte and Idier 2011).
+/// `terms(sample)` gives a sample's terms.
+template <typename Terms>
+auto fit(const std::vector<ErrorSample>& samples, Terms terms, double ErrorEstimate::*error)
+{
+  constexpr int steps = 3000;
+  constexpr double least_error = 1e-6;  // below it the truth itself is in doubt
+  auto weights = terms(samples.front());
+  weights.fill(0.01);
+  for (int step = 0; step < steps; ++step)
+  {
+    auto up = weights, down = weights;
+    up.fill(0);
+    down.fill(0);
+    for (const ErrorSample& sample : samples)
+    {
+      const auto t = terms(sample);
+      const double sum = std::inner_product(t.begin(), t.end(), weights.begin(), 1e-12);
+      const double ratio = (sample.error.*error + least_error) / sum;
+      for (std::size_t i = 0; i < t.size(); ++i)
+      {
+        up[i] += t[i] * ratio / sum;
+        down[i] += t[i] / sum;
+      }
+    }
+    for (std::size_t i = 0; i < weights.size(); ++i)
+    {
+      weights[i] *= down[i] > 0 ? std::sqrt(up[i] / down[i]) : 0;
+    }
+  }
+  return weights;
+}
+
+double quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return 0;
+  }
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
+}
+
+template <std::size_t N>
+double sumOf(const std::array<double, N>& weights, const std::array<double, N>& terms)
+{
+  return std::inner_product(weights.begin(), weights.end(), terms.begin(), 0.0);
+}
+
+ErrorEstimate estimateWith(const ErrorWeights& weights, const ErrorSample& s)
+{
+  return {sumOf(weights.max_pressure, s.terms.max_pressure), sumOf(weights.area, s.terms.area),
+          sumOf(weights.approach, s.terms.approach)};
+}
+
+ErrorEstimate estimateWith(const ShapeWeights& weights, const ErrorSample& s)
+{
+  return {sumOf(weights.max_pressure, s.shape), sumOf(weights.area, s.shape), sumOf(weights.approach, s.shape)};
+}
+
+template <std::size_t N>
+void print(const char* name, const std::array<double, N>& list)
+{
+  std::printf("  %-13s", name);
+  for (const double value : list)
+  {
+    std::printf(" %.3g", value);
+  }
+  std::printf("\n");
+}
+
+/// Scales the weights of all quantities alike so that the largest estimate covers, and prints them.
+template <typename Weights>
+void scaleToCover(const std::vector<ErrorSample>& samples, Weights& weights)
+{
+  std::vector<double> ratios;
+  for (const ErrorSample& s : samples)
+  {
+    ratios.push_back(s.error.largest() / estimateWith(weights, s).largest());
+  }
+  const double scale = quantile(ratios, coverage);
+  const auto multiply = [scale](auto& list)
+  {
+    for (double& weight : list)
+    {
+      weight *= scale;
+    }
+  };
+  multiply(weights.max_pressure);
+  multiply(weights.area);
+  multiply(weights.approach);
+  std::printf("weights, scaled by %.2f for %.1f %% within the estimate\n", scale, 100 * coverage);
+  print("max_pressure", weights.max_pressure);
+  print("area", weights.area);
+  print("approach", weights.approach);
+}
+
+ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples)
+{
+  return {fit(
+              samples, [](const ErrorSample& s) { return s.terms.max_pressure; }, &ErrorEstimate::max_pressure),
+          fit(
+              samples, [](const ErrorSample& s) { return s.terms.area; }, &ErrorEstimate::area),
+          fit(
+              samples, [](const ErrorSample& s) { return s.terms.approach; }, &ErrorEstimate::approach)};
+}
+
+ShapeWeights fitShapeWeights(const std::vector<ErrorSample>& samples)
+{
+  const auto terms = [](const ErrorSample& s) { return s.shape; };
+  return {fit(samples, terms, &ErrorEstimate::max_pressure), fit(samples, terms, &ErrorEstimate::area),
+          fit(samples, terms, &ErrorEstimate::approach)};
+}
+
+/// Rows of the table: how often the estimate holds, and by how much it is above.
+void tabulate(const std::vector<ErrorSample>& samples)
+{
+  struct Row
+  {
+    std::vector<double> error, over, pressure, area, approach;
+  };
+  std::map<std::string, Row> rows;
+  for (const ErrorSample& s : samples)
+  {
+    char grid[32];
+    std::snprintf(grid, sizeof grid, "%3d x %3d", s.size.along, s.size.across);
+    for (const std::string& name : {std::string(grid), std::string(s.kind), std::string("~ all")})
+    {
+      Row& row = rows[name];
+      row.error.push_back(s.error.largest());
+      row.over.push_back(s.estimate.largest() / s.error.largest());
+      row.pressure.push_back(s.error.max_pressure);
+      row.area.push_back(s.error.area);
+      row.approach.push_back(s.error.approach);
+    }
+  }
+  std::printf("%-18s %7s | %8s | %9s %9s %9s | %23s | %s\n", "", "patches", "held", "median", "5 %", "1 %",
+              "true error, %: median", "95 %   (max pressure, area, approach: median)");
+  for (const auto& [name, row] : rows)
+  {
+    const auto held = std::count_if(row.over.begin(), row.over.end(), [](double over) { return over >= 1; });
+    std::printf("%-18s %7zu | %6.1f %% | %9.2f %9.2f %9.2f | %23.3f | %.3f   (%.3f, %.3f, %.3f)\n", name.c_str(),
+                row.over.size(), 100.0 * static_cast<double>(held) / static_cast<double>(row.over.size()),
+                quantile(row.over, 0.5), quantile(row.over, 0.05), quantile(row.over, 0.01),
+                100 * quantile(row.error, 0.5), 100 * quantile(row.error, 0.95), 100 * quantile(row.pressure, 0.5),
+                100 * quantile(row.area, 0.5), 100 * quantile(row.approach, 0.5));
+  }
+}
+std::vector<ErrorSample> alone(const std::vector<ErrorSample>& all)
+{
+  std::vector<ErrorSample> samples;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(samples), [](const ErrorSample& s) { return s.alone; });
+  return samples;
+}
+
+struct Sets
+{
+  int count;
+  unsigned long fit_seed, check_seed;
+};
+
+template <typename FitWeights>
+void calibrate(const char* name, scenes::Method method, const Sets& sets, FitWeights fit_weights)
+{
+  std::printf("\n== %s ==\n", name);
+  const std::vector<ErrorSample> samples = alone(collect(method, sets.count, sets.fit_seed));
+  auto weights = fit_weights(samples);
+  scaleToCover(samples, weights);
+  const std::vector<ErrorSample> check = collect(method, sets.count, sets.check_seed);
+  std::printf("weights built in:\n");
+  tabulate(check);
+  std::vector<ErrorSample> check_alone = alone(check);
+  for (ErrorSample& sample : check_alone)
+  {
+    sample.estimate = estimateWith(weights, sample);
+  }
+  std::printf("weights just found, single patches:\n");
+  tabulate(check_alone);
+  std::fflush(stdout);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  const Sets sets{argc > 1 ? std::atoi(argv[1]) : 4000, argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1,
+                  argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 2};
+  calibrate("Hertz", scenes::Method::hertz, sets, fitShapeWeights);
+  calibrate("Kik-Piotrowski", scenes::Method::kik_piotrowski, sets, fitShapeWeights);
+  calibrate("grid", scenes::Method::grid, sets, fitGridWeights);
+  return 0;
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/normal/error_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "error_samples.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using scenes::ErrorSample;
+using scenes::Method;
+
+/// Fresh random scenes, half wheelsets (whole chain), half gaps, on grids up to 16 × 64; calibration has used seeds 1
+/// and 2.
+std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long seed)
+{
+  std::cout << "seed " << seed << ", " << count << " scenes\n";
+  constexpr std::size_t used_grids = 7;
+  scenes::Random seeds(seed);
+  scenes::GapSampler gaps;
+  scenes::WheelsetSampler wheelsets(method);
+  std::vector<ErrorSample> samples;
+  for (int i = 0; i < count; ++i)
+  {
+    scenes::Random random(seeds());
+    const GridSize& size = scenes::grids[random() % used_grids];
+    i % 2 == 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
+               : gaps.sample(method, scenes::randomGapScene(random), size, random, samples);
+  }
+  return samples;
+}
+
+/// The two demands on an estimate: it holds in 95 of 100 cases, and it is no more than four times the truth in the
+/// median. Truth: the same scene on a grid four times finer each way.
+void expectCalibrated(const std::vector<ErrorSample>& samples)
+{
+  ASSERT_GT(samples.size(), 100U);
+  int held = 0;
+  std::vector<double> ratios;
+  for (const ErrorSample& sample : samples)
+  {
+    held += sample.error.largest() <= sample.estimate.largest() ? 1 : 0;
+    ratios.push_back(sample.estimate.largest() / sample.error.largest());
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+  const double share = static_cast<double>(held) / static_cast<double>(samples.size());
+  const double median = ratios[ratios.size() / 2];
+  std::cout << samples.size() << " patches: true error within the estimate in " << 100 * share
+            << " %, estimate over true error " << median << " in the median\n";
+  EXPECT_GE(share, 0.95);
+  EXPECT_LE(median, 4);
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedOnGrids)
+{
+  expectCalibrated(freshSamples(Method::grid, 260, 11));
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedByHertz)
+{
+  expectCalibrated(freshSamples(Method::hertz, 180, 12));
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedByKikPiotrowski)
+{
+  expectCalibrated(freshSamples(Method::kik_piotrowski, 180, 13));
+}
+
+NormalProblem paraboloid(const GridSize& size, double along, double across)
+{
+  NormalProblem problem;
+  problem.modulus = 1.14e11;
+  problem.value = 5e4;
+  const HertzContact contact = hertzForForce({along, across}, problem.modulus, problem.value);
+  const aspect_ladder::Cell cell =
+      aspect_ladder::coveringCell(2.2 * contact.semi_axis_x, 2.2 * contact.semi_axis_y, size.along, size.across);
+  PatchGap patch;
+  patch.grid = {size.along, size.across, cell.dx, cell.dy, -0.5 * (size.across - 1) * cell.dy, true};
+  scenes::sample([=](double x, double y) { return along * x * x + across * y * y; }, patch);
+  problem.patches.push_back(patch);
+  return problem;
+}
+
+TEST(ErrorEstimate, fallsWithTheCells)
+{
+  ConjugateGradients solver;
+  NormalSolution solution;
+  double before = 1;
+  for (const GridSize& size : {GridSize{4, 16}, GridSize{8, 24}, GridSize{16, 48}, GridSize{32, 96}})
+  {
+    const NormalProblem problem = paraboloid(size, 1.1, 2.0);
+    solver.solve(problem, false, solution);
+    ASSERT_EQ(solution.status, SolveStatus::converged);
+    const double estimate = solver.estimateError(problem, solution, 0).largest();
+    EXPECT_GT(estimate, 0);
+    EXPECT_LT(estimate, 0.6 * before);
+    before = estimate;
+  }
+}
+
+TEST(ErrorEstimate, isTheSameWithAndWithoutSymmetry)
+{
+  NormalProblem half = paraboloid({16, 32}, 1.1, 2.0), whole = half;
+  PatchGap& patch = whole.patches[0];
+  patch.grid.symmetric = false;
+  scenes::sample([](double x, double y) { return 1.1 * x * x + 2.0 * y * y; }, patch);
+  ConjugateGradientsOptions strict;
+  strict.residual = 1e-9;
+  ConjugateGradients solver(strict);
+  NormalSolution from_half, from_whole;
+  solver.solve(half, false, from_half);
+  solver.solve(whole, false, from_whole);
+  const ErrorEstimate a = solver.estimateError(half, from_half, 0), b = solver.estimateError(whole, from_whole, 0);
+  EXPECT_NEAR(a.max_pressure, b.max_pressure, 1e-4 * a.max_pressure);
+  EXPECT_NEAR(a.area, b.area, 1e-4 * a.area);
+  EXPECT_NEAR(a.approach, b.approach, 1e-4 * a.approach);
+}
+
+TEST(ErrorEstimate, seesACurvatureJumpUnderTheCrest)
+{
+  NormalProblem smooth = paraboloid({16, 32}, 1.1, 2.0), jump = smooth;
+  PatchGap& patch = jump.patches[0];
+  scenes::sample([](double x, double y) { return 1.1 * x * x + (y < 0 ? 1 : 20) * y * y; }, patch);
+  ConjugateGradients solver;
+  NormalSolution solution;
+  solver.solve(smooth, false, solution);
+  const double without = solver.estimateError(smooth, solution, 0).max_pressure;
+  solver.solve(jump, false, solution);
+  EXPECT_GT(solver.estimateError(jump, solution, 0).max_pressure, 4 * without);
+}
+
+TEST(ErrorEstimate, isZeroForAPatchWithoutPressure)
+{
+  NormalProblem problem = paraboloid({16, 32}, 1.1, 2.0);
+  problem.patches.push_back(problem.patches[0]);
+  problem.patches[1].gap += 1e-3;
+  ConjugateGradients solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  ASSERT_EQ(solution.status, SolveStatus::converged);
+  EXPECT_EQ(solver.estimateError(problem, solution, 1).largest(), 0);
+  EXPECT_GT(solver.estimateError(problem, solution, 0).largest(), 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact
