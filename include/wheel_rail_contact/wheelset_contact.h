@@ -7,33 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "wheel_rail_contact/balance/wheelset_state.h"
 #include "wheel_rail_contact/config.h"
 #include "wheel_rail_contact/normal/problem.h"
 #include "wheel_rail_contact/rail/compliance.h"
 
 namespace wheel_rail_contact
 {
-/// What is known of a wheelset at one instant; track frame (x forward, y left, z up).
-struct WheelsetState
-{
-  double y = 0;                                ///< axle centre, to the left [m]
-  double z = 0;                                ///< axle centre, up [m]; used only if height and roll are given
-  double yaw = 0;                              ///< about z [rad]
-  double roll = 0;                             ///< about x [rad]; used only if height and roll are given
-  double force_z = 0;                          ///< vehicle's force on the axle centre, up [N]; negative presses down
-  double torque_x = 0;                         ///< vehicle's moment on the axle centre about x [N m]
-  std::array<double, 2> rail_lateral_force{};  ///< outward force on the rail by Side [N], for LateralForce::topic
-};
-
-enum class ContactStatus
-{
-  ok,             ///< every loaded wheel in contact, usable
-  lift_off,       ///< at least one wheel carries nothing, the rest is solved; usable
-  off_profile,    ///< contact would lie beyond the end of a profile
-  not_converged,  ///< normal solution, balance or coupling did not converge
-  invalid_input   ///< NaN or infinite input, or angles out of range
-};
-
 /// Pose of a patch frame: origin at the reference point on the rail, x forward, y left in the tangent plane, z the
 /// common normal out of the rail. The frame is turned about x only.
 struct PatchPose
@@ -59,13 +39,6 @@ struct PatchResult
   Eigen::ArrayXXd pressure;  ///< nx × ny [Pa]
 };
 
-struct RailResult
-{
-  RailDeflection deflection;
-  double lateral_force = 0;   ///< that bends the rail, outward [N]
-  double vertical_force = 0;  ///< down [N]
-};
-
 struct WheelsetResult
 {
   ContactStatus status = ContactStatus::invalid_input;
@@ -74,12 +47,6 @@ struct WheelsetResult
   std::array<RailResult, 2> rail;          ///< by Side
   std::vector<PatchResult> patches;        ///< empty unless usable
 };
-
-/// True if the answer's pressures may be used.
-inline bool isUsable(ContactStatus status)
-{
-  return status == ContactStatus::ok || status == ContactStatus::lift_off;
-}
 
 /// The whole chain: pose and load -> placement -> search -> gap -> normal solution -> balance.
 ///

@@ -54,6 +54,7 @@ void WheelContact::setRail(const PlacedRail& rail)
 void WheelContact::reset()
 {
   memory_.clear();
+  patches_.clear();
   solution_ = NormalSolution();
   load_ = 0;
 }

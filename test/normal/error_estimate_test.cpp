@@ -65,11 +65,6 @@ TEST(ErrorEstimate, holdsOnFreshScenesSolvedByHertz)
   expectCalibrated(freshSamples(Method::hertz, 180, 12));
 }
 
-TEST(ErrorEstimate, holdsOnFreshScenesSolvedByKikPiotrowski)
-{
-  expectCalibrated(freshSamples(Method::kik_piotrowski, 180, 13));
-}
-
 NormalProblem paraboloid(const GridSize& size, double along, double across)
 {
   NormalProblem problem;

@@ -8,7 +8,7 @@
 #include "wheel_rail_contact/balance/method_ladder.h"
 #include "wheel_rail_contact/balance/roll_secant.h"
 #include "wheel_rail_contact/balance/wheel_contact.h"
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "wheel_rail_contact/balance/wheelset_state.h"
 
 namespace wheel_rail_contact
 {

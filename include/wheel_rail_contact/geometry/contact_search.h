@@ -71,7 +71,7 @@ class ContactSearch
   static constexpr double merge_angle = 0.1;
   /// Angle between two minima from which on a stretch that holds both is divided where the separation between them is
   /// greatest [rad].
-  static constexpr double split_angle = 0.3;
+  static constexpr double split_angle = 1.0;
 
   /// The stations between two parameters of the rail's profile, with their separation above `level` [m].
   void stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const;
