@@ -190,9 +190,9 @@ InitialContact ContactSearch::refined(std::size_t k) const
                          exact(stations_.y(before), before, trial, low) &&
                          exact(stations_.y(after), after, trial, high) && low < 0 && high > 0;
   double difference = 0;
-  const auto slopeDifference = [&](double y) { return exact(y, k, trial, difference) ? difference : 0.0; };
+  const auto slope_difference_at = [&](double y) { return exact(y, k, trial, difference) ? difference : 0.0; };
   const double y =
-      bracketed ? bracketedRoot(slopeDifference, stations_.y(before), low, stations_.y(after), high, root_tolerance)
+      bracketed ? bracketedRoot(slope_difference_at, stations_.y(before), low, stations_.y(after), high, root_tolerance)
                 : stations_.y(k);
   if (exact(y, k, trial, difference))
   {
