@@ -20,7 +20,7 @@ enum class DropReason
 {
   no_partner,  ///< no sample of another channel had a stamp near enough
   duplicate,   ///< its channel had a sample of that stamp already
-  time_jump,   ///< it waited for its partner when time went back
+  time_jump,   ///< time went back while it waited for its partner, or it came out of order
   queue_full   ///< newer samples of its channel pushed it out while it waited
 };
 
@@ -46,9 +46,12 @@ struct PairingCounts
 /// message_filters cannot be used for this: it works on subscribers and callbacks only, its approximate policy depends
 /// on the order of arrival, and neither policy tells what it dropped.
 ///
-/// Within a channel stamps must rise. A stamp going back means that time has been set back (a bag loop, a simulation
-/// restarted): what waits in that channel, and in those that have not gone back themselves since the last set, is
-/// dropped.
+/// Within a channel stamps must rise. A stamp going back means that time has been set back (a bag loops, a simulation
+/// is restarted). Channels learn of that one after the other: what comes from one that has gone back waits apart until
+/// all others have, while the others go on to be paired with what it left waiting. So no set is lost at the seam of a
+/// loop, and none is made of samples before and after it. A channel that has not been beyond the stamp to which another
+/// went back counts as gone with it. A channel that gets beyond where it went back from before the others followed had
+/// only a sample out of order.
 ///
 /// @tparam Sample cheap to move, such as a pointer to a message
 template <typename Sample>
@@ -76,14 +79,19 @@ class StampPairing
     }
     if (own.last && time < *own.last)
     {
-      goBack(channel);
+      goBack(own, time);
+    }
+    else if (own.gone_back && time > own.left_at)
+    {
+      rejoin(own);
     }
     own.last = time;
-    if (own.waiting.size() == capacity_)
+    Queue& queue = own.gone_back ? own.after : own.waiting;
+    if (queue.size() == capacity_)
     {
-      dropOldest(own, DropReason::queue_full);
+      dropOldest(queue, DropReason::queue_full);
     }
-    own.waiting.emplace_back(time, std::move(sample));
+    queue.push_back({time, counts_.received, std::move(sample)});
     ++counts_.waiting;
     return merge();
   }
@@ -93,69 +101,107 @@ class StampPairing
   {
     for (Channel& channel : channels_)
     {
-      dropAll(channel, DropReason::no_partner);
+      dropAll(channel.waiting, DropReason::no_partner);
+      dropAll(channel.after, DropReason::no_partner);
     }
   }
 
   const PairingCounts& counts() const { return counts_; }
 
  private:
+  struct Entry
+  {
+    std::int64_t stamp;     ///< [ns]
+    std::uint64_t arrival;  ///< number among all samples received
+    Sample sample;
+  };
+  using Queue = std::deque<Entry>;  ///< stamps rising
+
   struct Channel
   {
-    std::deque<std::pair<std::int64_t, Sample>> waiting;  ///< stamps [ns], rising
-    std::optional<std::int64_t> last;                     ///< newest stamp [ns]
-    bool went_back = false;                               ///< since the last set
+    Queue waiting;
+    Queue after;                       ///< what came since it went back, as long as others have not followed
+    std::optional<std::int64_t> last;  ///< newest stamp [ns]
+    bool gone_back = false;            ///< while others have not followed
+    std::int64_t left_at = 0;          ///< the stamp from which it went back [ns]
+    std::uint64_t went_at = 0;         ///< the arrival with which it went back
   };
 
   std::uint64_t& dropped(DropReason reason) { return counts_.dropped[static_cast<std::size_t>(reason)]; }
 
-  void dropOldest(Channel& channel, DropReason reason)
+  void dropOldest(Queue& queue, DropReason reason)
   {
-    channel.waiting.pop_front();
+    queue.pop_front();
     --counts_.waiting;
     ++dropped(reason);
   }
 
-  void dropAll(Channel& channel, DropReason reason)
+  void dropAll(Queue& queue, DropReason reason)
   {
-    while (!channel.waiting.empty())
+    while (!queue.empty())
     {
-      dropOldest(channel, reason);
+      dropOldest(queue, reason);
     }
   }
 
-  void goBack(std::size_t channel)
+  /// A channel goes back to a stamp [ns]. With the last one the new time begins for all.
+  void goBack(Channel& own, std::int64_t stamp)
   {
-    const bool again = channels_[channel].went_back;
-    for (Channel& other : channels_)
+    dropAll(own.after, DropReason::time_jump);
+    const std::int64_t left_at = own.gone_back ? own.left_at : *own.last;
+    for (Channel& channel : channels_)
     {
-      if (again)
+      if (!channel.gone_back && (&channel == &own || !channel.last || *channel.last <= stamp))
       {
-        other.went_back = false;
-      }
-      if (!other.went_back)
-      {
-        dropAll(other, DropReason::time_jump);
+        channel.gone_back = true;
+        channel.left_at = left_at;
+        channel.went_at = counts_.received;
       }
     }
-    dropAll(channels_[channel], DropReason::time_jump);
-    channels_[channel].went_back = true;
+    if (std::all_of(channels_.begin(), channels_.end(), [](const Channel& channel) { return channel.gone_back; }))
+    {
+      beginAnew();
+    }
+  }
+
+  void beginAnew()
+  {
+    for (Channel& channel : channels_)
+    {
+      dropAll(channel.waiting, DropReason::time_jump);
+      std::swap(channel.waiting, channel.after);
+      channel.gone_back = false;
+    }
+  }
+
+  /// Time has not been set back after all. What waited in other channels when it seemed so is not trusted.
+  void rejoin(Channel& own)
+  {
+    dropAll(own.after, DropReason::time_jump);
+    own.gone_back = false;
+    for (Channel& other : channels_)
+    {
+      while (&other != &own && !other.waiting.empty() && other.waiting.front().arrival < own.went_at)
+      {
+        dropOldest(other.waiting, DropReason::time_jump);
+      }
+    }
   }
 
   /// Only the channel just added to can have been empty before, so at most one set comes of it.
   std::optional<std::vector<Sample>> merge()
   {
     const auto earlier = [](const Channel& a, const Channel& b)
-    { return a.waiting.front().first < b.waiting.front().first; };
+    { return a.waiting.front().stamp < b.waiting.front().stamp; };
     const auto is_empty = [](const Channel& channel) { return channel.waiting.empty(); };
     while (std::none_of(channels_.begin(), channels_.end(), is_empty))
     {
       const auto ends = std::minmax_element(channels_.begin(), channels_.end(), earlier);
-      if (ends.second->waiting.front().first - ends.first->waiting.front().first <= slop_)
+      if (ends.second->waiting.front().stamp - ends.first->waiting.front().stamp <= slop_)
       {
         return takeSet();
       }
-      dropOldest(*ends.first, DropReason::no_partner);
+      dropOldest(ends.first->waiting, DropReason::no_partner);
     }
     return std::nullopt;
   }
@@ -165,9 +211,8 @@ class StampPairing
     std::vector<Sample> set;
     for (Channel& channel : channels_)
     {
-      set.push_back(std::move(channel.waiting.front().second));
+      set.push_back(std::move(channel.waiting.front().sample));
       channel.waiting.pop_front();
-      channel.went_back = false;
     }
     counts_.waiting -= channels_.size();
     counts_.paired += channels_.size();

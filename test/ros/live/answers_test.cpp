@@ -107,6 +107,17 @@ TEST(LiveNode, RefusesNumbersThatAreNone)
   expectRefused(askBadly(client, [](Pose&, Load& load) { load.wrench.torque.x = -infinity; }), invalid, "torque");
 }
 
+TEST(LiveNode, AnswerToAnUnreadableInputHoldsNoPose)
+{
+  ContactClient client;
+  const auto answer = askBadly(client, [](Pose& pose, Load&) { pose.pose.position.x = not_a_number; });
+  geometry_msgs::Pose nowhere;
+  nowhere.orientation.w = 1;
+  EXPECT_EQ(answer.wheelset, nowhere);
+  EXPECT_EQ(answer.left_rail, RailDeflectionMsg());
+  EXPECT_EQ(answer.right_rail, RailDeflectionMsg());
+}
+
 TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
 {
   ContactClient client;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "contact_client.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+/// A vehicle simulation that knows the lateral forces on both rails.
+class Simulation
+{
+ public:
+  Simulation()
+      : left_(nh_.advertise<geometry_msgs::WrenchStamped>("/forces/wheelset/left_rail_force", 10)),
+        right_(nh_.advertise<geometry_msgs::WrenchStamped>("/forces/wheelset/right_rail_force", 10))
+  {
+    EXPECT_TRUE(spinUntil([this] { return left_.getNumSubscribers() > 0 && right_.getNumSubscribers() > 0; }));
+  }
+
+  /// Wheelset in the middle of the track, 100 kN on each wheel, a lateral force on either rail [N].
+  WheelsetContactMsg ask(double left, double right)
+  {
+    const ros::Time stamp = ContactClient::nextStamp();
+    const std::size_t before = client_.answers().size();
+    client_.send(ContactClient::pose(0, stamp));
+    client_.send(ContactClient::load(-200e3, stamp));
+    left_.publish(force(left, stamp));
+    spinUntil([] { return false; }, 0.1);
+    EXPECT_EQ(client_.answers().size(), before) << "answered without the right rail's force";
+    right_.publish(force(right, stamp));
+    EXPECT_TRUE(client_.waitForAnswers(before + 1));
+    return client_.answers().size() > before ? client_.answers().back() : WheelsetContactMsg();
+  }
+
+ private:
+  static geometry_msgs::WrenchStamped force(double y, const ros::Time& stamp)
+  {
+    geometry_msgs::WrenchStamped message;
+    message.header.stamp = stamp;
+    message.wrench.force.y = y;
+    return message;
+  }
+
+  ros::NodeHandle nh_;
+  ContactClient client_{"/forces", "/forces/contact_node"};
+  ros::Publisher left_, right_;
+};
+}  // namespace
+
+TEST(LiveNode, RailForcesPushBothRailsOutward)
+{
+  Simulation simulation;
+  const auto rest = simulation.ask(0, 0);
+  const auto both = simulation.ask(30e3, 30e3);
+  ASSERT_EQ(both.status, WheelsetContactMsg::OK) << both.status_text;
+  EXPECT_EQ(both.left_rail.lateral_force, 30e3);
+  EXPECT_EQ(both.right_rail.lateral_force, 30e3);
+  // The table's lateral compliance alone moves a rail 30 kN * 60.6 nm/N = 1.8 mm; both forces' moments add to it or
+  // take away from it less than half.
+  EXPECT_NEAR(both.left_rail.lateral - rest.left_rail.lateral, 1.8e-3, 0.9e-3);
+  EXPECT_NEAR(both.right_rail.lateral, both.left_rail.lateral, 1e-9) << "mirror image";
+  EXPECT_GT(both.left_rail.roll, rest.left_rail.roll);
+}
+
+TEST(LiveNode, EachRailFollowsItsOwnForce)
+{
+  Simulation simulation;
+  const auto rest = simulation.ask(0, 0);
+  const auto bent = simulation.ask(-10e3, 20e3);
+  ASSERT_EQ(bent.status, WheelsetContactMsg::OK) << bent.status_text;
+  EXPECT_EQ(bent.left_rail.lateral_force, -10e3);
+  EXPECT_EQ(bent.right_rail.lateral_force, 20e3);
+  EXPECT_LT(bent.left_rail.lateral, rest.left_rail.lateral) << "pulled towards the track's centre";
+  EXPECT_GT(bent.right_rail.lateral, rest.right_rail.lateral);
+}
+
+TEST(LiveNode, RailForceThatIsNoneIsRefused)
+{
+  Simulation simulation;
+  const auto answer = simulation.ask(0, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(answer.status, WheelsetContactMsg::INVALID_INPUT);
+  EXPECT_NE(answer.status_text.find("right rail force"), std::string::npos) << answer.status_text;
+  EXPECT_EQ(simulation.ask(0, 0).status, WheelsetContactMsg::OK);
+}
