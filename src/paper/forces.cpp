@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forces.h"
+
+#include <cmath>
+
+#include "one_wheel.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/wheelset_contact.h"
+
+namespace wheel_rail_contact::paper
+{
+namespace
+{
+constexpr GridSize force_grid{32, 64};
+
+/// Deflection of the upright rail's table, seen from the track, under a lateral force at the crown's height and, if
+/// asked for, its displacement across the track alone.
+RailDeflection givenDeflection(const ComplianceTable& table, DeflectionShare share, double force, double cant)
+{
+  const double moment = force * ComplianceTable::reference_depth;
+  RailDeflection moved = deflectionInTrack(table, {force, printed_wheel_load, moment}, cant);
+  if (share == DeflectionShare::shift_only)
+  {
+    moved = deflectionInTrack(table, {force, 0, moment}, cant);
+    moved.vertical = 0;
+    moved.roll = 0;
+  }
+  return moved;
+}
+
+/// Whole table: the wheelset's own coupled balance.
+std::vector<ForceRow> coupled(const ContactModelConfig& config, const NamedTable& table,
+                              const std::vector<double>& positions, const std::vector<double>& forces)
+{
+  ContactModelConfig bending = config;
+  bending.rail_bending.model = RailBendingConfig::Model::compliance;
+  bending.rail_bending.table = table.table;
+  bending.rail_bending.lateral_force = RailBendingConfig::LateralForce::topic;
+  bending.contact = {NormalMethod::conjugate_gradient, config.contact.tolerance, force_grid.along, force_grid.across};
+  WheelsetContact contact(bending);
+  std::vector<ForceRow> rows;
+  for (const double y : positions)
+  {
+    for (const double force : forces)
+    {
+      WheelsetState state;
+      state.y = y;
+      state.force_z = -2 * printed_wheel_load;
+      state.rail_lateral_force = {force, force};
+      contact.reset();
+      const WheelsetResult& result = contact.evaluate(state);
+      const bool in_range = std::abs(force) <= table.linear_range * printed_wheel_load;
+      ForceRow row{table.name, DeflectionShare::whole, y, force, in_range, result.rail[0].deflection, {0, 0}};
+      for (const PatchResult& patch : result.patches)
+      {
+        const bool left = patch.side == Side::left;
+        row.figures.max_pressure = std::max(row.figures.max_pressure, left ? patch.max_pressure : 0);
+        row.figures.area += left ? patch.area : 0;
+      }
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// A share of the table: deflections known beforehand.
+std::vector<ForceRow> given(const ContactModelConfig& config, const NamedTable& table, DeflectionShare share,
+                            const std::vector<double>& positions, const std::vector<double>& forces)
+{
+  ConjugateGradients solver;
+  OneWheel left(config, solver, force_grid);
+  OneWheel right(config, solver, force_grid);
+  const PlacedRail undeflected(config.rail_profile, config.track);
+  std::vector<ForceRow> rows;
+  for (const double y : positions)
+  {
+    for (const double force : forces)
+    {
+      const RailDeflection moved = givenDeflection(table.table, share, force, config.track.cant);
+      left.setRail(undeflected.deflected(moved));
+      right.setRail(undeflected.deflected(moved));
+      double roll = 0;
+      const bool solved = rollToBalance(left, right, y, printed_wheel_load, roll);
+      const bool in_range = std::abs(force) <= table.linear_range * printed_wheel_load;
+      rows.push_back({table.name, share, y, force, in_range, moved, solved ? left.figures() : Figures{0, 0}});
+    }
+  }
+  return rows;
+}
+}  // namespace
+
+const char* toString(DeflectionShare share)
+{
+  switch (share)
+  {
+    case DeflectionShare::whole:
+      return "whole";
+    case DeflectionShare::without_moment:
+      return "without_moment";
+    default:
+      return "shift_only";
+  }
+}
+
+std::vector<ForceRow> underForces(const ContactModelConfig& config, const NamedTable& table, DeflectionShare share,
+                                  const std::vector<double>& positions, const std::vector<double>& forces)
+{
+  return share == DeflectionShare::whole ? coupled(config, table, positions, forces)
+                                         : given(config, table, share, positions, forces);
+}
+}  // namespace wheel_rail_contact::paper

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "one_wheel.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/normal/seidel.h"
+
+namespace wheel_rail_contact::paper
+{
+namespace
+{
+constexpr GridSize accurate_grid{64, 128};
+constexpr double accurate_residual = 1e-5;
+constexpr double late_stop = 1e-4;
+
+MethodRow row(const ContactModelConfig& config, const RailDeflection& deflection, NormalSolver& solver,
+              const GridSize& size, double stop)
+{
+  OneWheel wheel(config, solver, size);
+  wheel.setRail(PlacedRail(config.rail_profile, config.track).deflected(deflection));
+  MethodRow row{solver.name(), size, 0, 0, stop, 0, {0, 0}, 0};
+  if (wheel.solve(case_position, 0, printed_wheel_load))
+  {
+    const Grid& grid = wheel.contact().problem().patches.front().grid;
+    row.cell_along = grid.dx;
+    row.cell_across = grid.dy;
+    row.iterations = wheel.contact().solution().iterations;
+    row.figures = wheel.figures();
+    row.counted_area = wheel.countedArea();
+  }
+  return row;
+}
+
+/// A grid of nearly square cells over the same patch.
+GridSize squares(const MethodRow& accurate, int across)
+{
+  const double length = accurate.cell_along * accurate.size.along;
+  const double width = accurate.cell_across * accurate.size.across;
+  return {2 * static_cast<int>(std::lround(0.5 * across * length / width)), across};
+}
+
+MethodRow printedRow(const ContactModelConfig& config, const RailDeflection& deflection, const GridSize& size,
+                     double change)
+{
+  SeidelOptions options;
+  options.form = SeidelOptions::Form::printed;
+  options.change = change;
+  options.load_error = std::max(options.load_error, change);
+  Seidel solver(options);
+  return row(config, deflection, solver, size, change);
+}
+}  // namespace
+
+std::vector<MethodRow> compareMethods(const ContactModelConfig& config, const RailDeflection& deflection)
+{
+  ConjugateGradientsOptions fine;
+  fine.residual = accurate_residual;
+  ConjugateGradients conjugate_gradients(fine);
+  std::vector<MethodRow> rows{row(config, deflection, conjugate_gradients, accurate_grid, accurate_residual)};
+  const MethodRow accurate = rows.front();
+  if (accurate.figures.area == 0)
+  {
+    throw std::runtime_error("the accurate solution of the paper's case failed");
+  }
+  SeidelOptions repaired;
+  repaired.residual = late_stop;
+  Seidel seidel(repaired);
+  rows.push_back(row(config, deflection, seidel, squares(accurate, 24), late_stop));
+  for (const int across : {8, 12, 16, 24, 32})
+  {
+    rows.push_back(printedRow(config, deflection, squares(accurate, across), late_stop));
+  }
+  for (const double change : {1e-1, 3e-2, 1e-2, 1e-3})
+  {
+    rows.push_back(printedRow(config, deflection, squares(accurate, 24), change));
+  }
+  return rows;
+}
+}  // namespace wheel_rail_contact::paper

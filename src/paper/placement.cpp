@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "placement.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "one_wheel.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+
+namespace wheel_rail_contact::paper
+{
+namespace
+{
+constexpr const char* own_rail = "own_rail";
+constexpr GridSize accurate_grid{64, 128};
+constexpr double drawing_step = 2e-4;  ///< along a profile [m]
+
+Figures leftFigures(const WheelsetResult& result)
+{
+  Figures sum{0, 0};
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == Side::left)
+    {
+      sum.max_pressure = std::max(sum.max_pressure, patch.max_pressure);
+      sum.area += patch.area;
+    }
+  }
+  return sum;
+}
+
+ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
+{
+  ContactModelConfig changed = config;
+  if (of.name != own_rail)
+  {
+    changed.rail_bending.model = RailBendingConfig::Model::prescribed;
+    changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.cant);
+  }
+  return changed;
+}
+
+Figures solveLevel(const ContactModelConfig& config, const PlacedRail& rail)
+{
+  ConjugateGradients solver;
+  OneWheel wheel(config, solver, accurate_grid);
+  wheel.setRail(rail);
+  return wheel.solve(case_position, 0, printed_wheel_load) ? wheel.figures() : Figures{0, 0};
+}
+
+void addOutlines(const ContactModelConfig& config, const PlacedRail& rail, Placement& placement)
+{
+  ConjugateGradients solver;
+  WheelContact contact(config, solver);
+  contact.setRail(rail);
+  WheelsetPose pose{case_position, 0, 0, placement.roll};
+  const RigidTouch touch = contact.touch(pose);
+  placement.initial_contact = rail.at(touch.contact.rail_u);
+  pose.z = touch.axle_height;
+  const PlacedWheel wheel(*config.wheel_profile, config.wheelset, pose);
+  for (double u = 0; u <= config.rail_profile->length(); u += drawing_step)
+  {
+    placement.rail.push_back(rail.at(u));
+  }
+  for (double u = 0; u <= config.wheel_profile->length(); u += drawing_step)
+  {
+    PlanePoint point{};
+    if (wheel.section(config.wheel_profile->at(u), 0, point))
+    {
+      placement.wheel.push_back(point);
+    }
+  }
+}
+}  // namespace
+
+std::vector<Case> paperCases()
+{
+  return {{"without", {}, printed_without_bending, Figures{1175.0e6, 187.2e-6}},
+          {"shifted", {printed_displacement, 0, 0}, printed_with_bending, Figures{1097e6, 190e-6}},
+          {"turned", {printed_displacement, 0, case_turn}, printed_with_bending, Figures{1347e6, 129.6e-6}},
+          {own_rail, {}, printed_with_bending, std::nullopt}};
+}
+
+Placement solveCase(const ContactModelConfig& config, const Case& of)
+{
+  WheelsetContact contact(configOf(config, of));
+  WheelsetState state;
+  state.y = case_position;
+  state.force_z = -2 * printed_wheel_load;
+  const WheelsetResult& result = contact.evaluate(state);
+  if (result.status != ContactStatus::ok)
+  {
+    throw std::runtime_error("case " + of.name + ": " + result.reason);
+  }
+  Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, {}, {}};
+  std::copy_if(result.patches.begin(), result.patches.end(), std::back_inserter(placement.patches),
+               [](const PatchResult& patch) { return patch.side == Side::left; });
+  const PlacedRail rail = PlacedRail(config.rail_profile, config.track).deflected(placement.deflection);
+  placement.level = solveLevel(config, rail);
+  addOutlines(config, rail, placement);
+  return placement;
+}
+}  // namespace wheel_rail_contact::paper

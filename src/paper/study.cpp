@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study.h"
+
+#include <utility>
+
+#include "csv.h"
+#include "methods.h"
+#include "placement.h"
+#include "scan.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+
+namespace wheel_rail_contact::paper
+{
+namespace
+{
+constexpr double near_start = 0.03;  ///< deviation from the figures without bending at which pairs are looked for [-]
+constexpr Range chart_forces{0, 80e3, 20};           ///< [N]
+constexpr Range search_forces{0, 60e3, 12};          ///< [N]
+constexpr Range search_positions{-2e-3, 8e-3, 40};   ///< [m]
+constexpr const char* parted_table = "pads_40_100";  ///< whose deflection is taken apart
+
+std::vector<double> values(const Range& range)
+{
+  std::vector<double> all;
+  for (int i = 0; i <= range.steps; ++i)
+  {
+    all.push_back(range.at(i));
+  }
+  return all;
+}
+
+void writeFigures(const std::vector<Placement>& placements, const std::filesystem::path& folder)
+{
+  Csv csv(folder / "figures.csv",
+          "case,max_pressure,area,level_max_pressure,level_area,reference_max_pressure,reference_area,"
+          "printed_max_pressure,printed_area,deviation,wheelset_roll,rail_lateral,rail_vertical,rail_roll");
+  for (const Placement& at : placements)
+  {
+    const Figures reference = at.of.reference.value_or(Figures{0, 0});
+    csv.row(at.of.name, at.balanced.max_pressure, at.balanced.area, at.level.max_pressure, at.level.area,
+            reference.max_pressure, reference.area, at.of.printed.max_pressure, at.of.printed.area,
+            deviation(at.balanced, at.of.printed), at.roll, at.deflection.lateral, at.deflection.vertical,
+            at.deflection.roll);
+  }
+}
+
+void writeOutlines(const std::vector<Placement>& placements, const std::filesystem::path& folder)
+{
+  Csv profiles(folder / "profiles.csv", "case,body,y,z");
+  Csv contacts(folder / "contacts.csv", "case,y,z");
+  for (const Placement& at : placements)
+  {
+    contacts.row(at.of.name, at.initial_contact.y, at.initial_contact.z);
+    for (const auto& [body, outline] : {std::pair{"rail", &at.rail}, std::pair{"wheel", &at.wheel}})
+    {
+      for (const PlanePoint& point : *outline)
+      {
+        profiles.row(at.of.name, body, point.y, point.z);
+      }
+    }
+  }
+}
+
+void writePatches(const std::vector<Placement>& placements, const std::filesystem::path& folder)
+{
+  Csv csv(folder / "patches.csv", "case,patch,x,y,pressure");
+  for (const Placement& at : placements)
+  {
+    for (std::size_t k = 0; k < at.patches.size(); ++k)
+    {
+      const PatchResult& patch = at.patches[k];
+      for (int column = 0; column < patch.grid.ny; ++column)
+      {
+        for (int row = 0; row < patch.grid.nx; ++row)
+        {
+          csv.row(at.of.name, k, patch.grid.x(row), patch.grid.y(column), patch.pressure(row, column));
+        }
+      }
+    }
+  }
+}
+
+void writeForceRows(Csv& csv, const std::vector<ForceRow>& rows)
+{
+  for (const ForceRow& row : rows)
+  {
+    csv.row(row.table, toString(row.share), row.y, row.lateral_force, row.in_range ? 1 : 0, row.deflection.lateral,
+            row.deflection.vertical, row.deflection.roll, row.figures.max_pressure, row.figures.area,
+            deviation(row.figures, printed_with_bending));
+  }
+}
+
+constexpr const char* force_columns =
+    "table,share,y,lateral_force,in_range,rail_lateral,rail_vertical,rail_roll,max_pressure,area,deviation_with";
+
+void writeScanRows(Csv& csv, const std::vector<ScanRow>& rows)
+{
+  for (const ScanRow& row : rows)
+  {
+    csv.row(row.part, row.rail, row.cant, row.load, row.y, row.roll, row.crown.lateral, row.crown.vertical,
+            row.crown.roll, row.other_crown.lateral, row.other_crown.vertical, row.without.max_pressure,
+            row.without.area, row.figures.max_pressure, row.figures.area,
+            deviation(row.figures, printed_without_bending), deviation(row.figures, printed_with_bending),
+            row.pairDeviation());
+  }
+}
+}  // namespace
+
+void writeCases(const ContactModelConfig& config, const std::filesystem::path& folder, const Progress& progress)
+{
+  std::vector<Placement> placements;
+  Csv methods(folder / "methods.csv",
+              "case,method,cells_along,cells_across,cell_along,cell_across,stop,iterations,max_pressure,area,"
+              "counted_area");
+  for (const Case& of : paperCases())
+  {
+    progress("case " + of.name);
+    placements.push_back(solveCase(config, of));
+    for (const MethodRow& row : compareMethods(config, placements.back().deflection))
+    {
+      methods.row(of.name, row.method, row.size.along, row.size.across, row.cell_along, row.cell_across, row.stop,
+                  row.iterations, row.figures.max_pressure, row.figures.area, row.counted_area);
+    }
+  }
+  writeFigures(placements, folder);
+  writeOutlines(placements, folder);
+  writePatches(placements, folder);
+}
+
+void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
+                 const std::filesystem::path& folder, const Progress& progress)
+{
+  Csv csv(folder / "forces.csv", force_columns);
+  for (const NamedTable& table : tables)
+  {
+    progress("lateral forces on " + table.name);
+    writeForceRows(csv, underForces(config, table, DeflectionShare::whole, {case_position}, values(chart_forces)));
+    for (const DeflectionShare share : {DeflectionShare::without_moment, DeflectionShare::shift_only})
+    {
+      if (table.name == parted_table)
+      {
+        writeForceRows(csv, underForces(config, table, share, {case_position}, values(chart_forces)));
+      }
+    }
+  }
+}
+
+void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
+               const std::filesystem::path& folder, const Progress& progress)
+{
+  ConjugateGradients solver;
+  const Scan scan(config, solver, {});
+  Csv csv(folder / "scan.csv",
+          "part,rail,cant,load,y,wheelset_roll,crown_lateral,crown_vertical,rail_turn,other_crown_lateral,"
+          "other_crown_vertical,without_max_pressure,without_area,max_pressure,area,deviation_without,deviation_with,"
+          "deviation_pair");
+  progress("scan: where the figures without bending come from");
+  const std::vector<ScanRow> starts = scan.start();
+  writeScanRows(csv, starts);
+  for (const ScanRow& start : scan.nearestStarts(starts, near_start))
+  {
+    progress("scan: pairs from " + start.rail);
+    writeScanRows(csv, {start});
+    writeScanRows(csv, scan.shift(start));
+    writeScanRows(csv, scan.pair(start));
+    writeScanRows(csv, scan.roll(start));
+    writeScanRows(csv, scan.rails(start));
+  }
+  for (const char* rail : {"UIC60_manchester", "60E1"})
+  {
+    progress(std::string("scan: other inclinations of ") + rail);
+    writeScanRows(csv, scan.alone(rail));
+    writeScanRows(csv, scan.inclination(rail));
+  }
+  Csv search(folder / "search.csv", force_columns);
+  for (const NamedTable& table : tables)
+  {
+    progress("scan: positions and lateral forces on " + table.name);
+    writeForceRows(search,
+                   underForces(config, table, DeflectionShare::whole, values(search_positions), values(search_forces)));
+  }
+}
+}  // namespace wheel_rail_contact::paper

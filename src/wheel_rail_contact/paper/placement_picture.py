@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The paper's Figure 3 from our results: both placements, initial contact points, pressures on one scale."""
+import numpy as np
+
+from .pictures import BLACK, BLUE, RED
+
+SHOWN = ("without", "shifted", "turned", "own_rail")
+TITLES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "and 13 mrad inward",
+          "own_rail": "paper's rail, 30 kN, coupled"}
+WINDOW = (714, 778, -19, 3)  # of the profiles: y, z [mm]
+PATCH_WINDOW = (-13, 14, -8, 8)  # across, along [mm]
+
+
+def figure(folder, plot, read):
+    """Profiles above, pressures below."""
+    drawn = plot.figure(figsize=(11, 5.4))
+    grid = drawn.add_gridspec(2, 4, height_ratios=(1.1, 1), left=0.06, right=0.91, top=0.94, bottom=0.09, wspace=0.14,
+                              hspace=0.45)
+    profiles, contacts = read(folder / "profiles.csv"), read(folder / "contacts.csv")
+    for column, case in ((0, "shifted"), (2, "turned")):
+        axes = drawn.add_subplot(grid[0, column:column + 2])
+        _placements(axes, profiles, contacts, case)
+        axes.set_ylabel("z, up [mm]" if column == 0 else "")
+    figures = {row["case"]: row for row in read(folder / "figures.csv")}
+    patches = read(folder / "patches.csv")
+    top = max(row["pressure"] for row in patches if row["case"] in SHOWN)
+    for column, case in enumerate(SHOWN):
+        axes = drawn.add_subplot(grid[1, column])
+        mesh = _pressure(axes, [row for row in patches if row["case"] == case], top)
+        _caption(axes, case, figures[case])
+        if column:
+            axes.set_yticklabels([])
+        else:
+            axes.set_ylabel("along the track [mm]")
+    drawn.colorbar(mesh, cax=drawn.add_axes([0.93, 0.1, 0.013, 0.33]), label="pressure [MPa]")
+    return drawn
+
+
+def _placements(axes, profiles, contacts, case):
+    for which, style, marker, fill in (("without", "-", "o", True), (case, "--", "D", False)):
+        bent = ", without bending" if fill else ", bent"
+        for body, colour in (("wheel", RED), ("rail", BLUE)):
+            points = np.array([(row["y"], row["z"]) for row in profiles
+                               if (row["case"], row["body"]) == (which, body)])
+            axes.plot(*(1e3 * points.T), style, color=colour, linewidth=1.3, label=body + bent)
+        contact = next(row for row in contacts if row["case"] == which)
+        axes.plot(1e3 * contact["y"], 1e3 * contact["z"], marker, color=BLACK, markersize=8,
+                  markerfacecolor=BLACK if fill else "none", label="initial contact" + bent, zorder=5)
+    axes.set(aspect="equal", xlim=WINDOW[:2], ylim=WINDOW[2:], xlabel="y, to the field side [mm]")
+    axes.legend(fontsize=7.5, loc="lower right", frameon=False, ncol=2)
+    axes.set_title("dashed: 0.2435 mm outward" + (" and 13 mrad inward" if case == "turned" else ""), fontsize=10)
+
+
+def _pressure(axes, rows, top):
+    mesh = None
+    for patch in sorted({row["patch"] for row in rows}):
+        cells = [row for row in rows if row["patch"] == patch]
+        across, along = sorted({row["y"] for row in cells}), sorted({row["x"] for row in cells})
+        pressure = np.array([row["pressure"] for row in cells]).reshape(len(across), len(along)).T
+        mesh = axes.pcolormesh(1e3 * np.array(across), 1e3 * np.array(along),
+                               np.ma.masked_less_equal(1e-6 * pressure, 0), vmin=0, vmax=1e-6 * top, cmap="viridis",
+                               shading="nearest", rasterized=True)
+    axes.set(aspect="equal", xlim=PATCH_WINDOW[:2], ylim=PATCH_WINDOW[2:], xlabel="across, to the field side [mm]")
+    return mesh
+
+
+def _caption(axes, case, figures):
+    def text(prefix):
+        return f"{1e-6 * figures[prefix + 'max_pressure']:.0f} MPa, {1e6 * figures[prefix + 'area']:.0f} mm²"
+
+    axes.set_title(f"{TITLES[case]}\nours {text('')}\n(paper {text('printed_')})", fontsize=9)

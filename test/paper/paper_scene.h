@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/package.h>
+
+#include <string>
+
+#include "wheel_rail_contact/ros/parameters.h"
+
+namespace wheel_rail_contact::paper
+{
+inline std::string shipped(const std::string& name)
+{
+  return ros::package::getPath("wheel_rail_contact") + "/config/" + name;
+}
+
+/// config/paper.yaml laid over config/default.yaml, as contact.launch does.
+inline NodeConfig paperConfig()
+{
+  return readNodeConfig(overlay(readParameterFile(shipped("default.yaml")), readParameterFile(shipped("paper.yaml"))),
+                        "/contact_node/", "/");
+}
+}  // namespace wheel_rail_contact::paper

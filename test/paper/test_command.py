@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from wheel_rail_contact.paper.command_line import main
+
+PICTURES = ("figure_3.png", "scan.png", "forces.png")
+TABLES = ("figures.csv", "methods.csv", "profiles.csv", "contacts.csv", "patches.csv", "forces.csv", "scan.csv",
+          "search.csv")
+
+
+def run(*arguments):
+    """Exit status, standard output and standard error of the command."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        status = main(list(arguments))
+    return status, out.getvalue(), err.getvalue()
+
+
+class Command(unittest.TestCase):
+    def test_prints_both_figures_and_draws(self):
+        from matplotlib import image
+        with tempfile.TemporaryDirectory() as folder:
+            status, out, err = run("--out", str(Path(folder, "new")))
+            self.assertEqual(status, 0, err)
+            self.assertRegex(out, r"without bending +1175 / 185\.0 +11\d\d / 18\d\.\d")
+            self.assertRegex(out, r"the same, 13 mrad inward +1330 / 127\.0 +13\d\d / 1[23]\d\.\d")
+            for name in TABLES:
+                self.assertGreater(len(Path(folder, "new", name).read_text(encoding="ascii").splitlines()), 1, name)
+            for name in PICTURES:
+                pixels = image.imread(Path(folder, "new", name))[:, :, :3]
+                # A blank sheet has no spread; thin lines on white have 0.1, patches of colour more.
+                self.assertGreater(pixels.std(), 0.05, name)
+                self.assertGreater(len({tuple(row) for row in pixels.reshape(-1, 3)[::7]}), 50, name)
+
+    def test_unbuilt_workspace_is_one_sentence(self):
+        with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=""):
+            status, out, err = run("--out", "never_made")
+        self.assertEqual((status, out), (1, ""))
+        self.assertEqual(err, "paper_study: paper_study_runner was not found; source the workspace's setup.bash first\n")
+        self.assertFalse(Path("never_made").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
