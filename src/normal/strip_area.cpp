@@ -71,10 +71,10 @@ double regularInfluence(double l, double y)
 double compliance(const StripGap& gap, const StripArea& area)
 {
   const auto place = [&](double column) { return area.across * (gap.y0 + column * gap.dy - gap.y); };
-  const auto regularAt = [&](double squared, double y)
+  const auto regular_at = [&](double squared, double y)
   { return squared > 0 ? regularInfluence(area.along * std::sqrt(squared), y) : 2 * std::log(std::abs(y)); };
   double sum = 0, squared = squaredLength(gap.strips[0], area.level);
-  double regular = squared > 0 ? regularAt(squared, place(0)) : 0;
+  double regular = squared > 0 ? regular_at(squared, place(0)) : 0;
   for (std::size_t j = 0; j + 1 < gap.strips.size(); ++j)
   {
     const double next = squaredLength(gap.strips[j + 1], area.level);
@@ -83,8 +83,8 @@ double compliance(const StripGap& gap, const StripArea& area)
     {
       const auto column = static_cast<double>(j);
       const double begin = place(column + interval.begin), end = place(column + interval.end);
-      const double regular_begin = squared > 0 ? regular : regularAt(0, begin);
-      regular = regularAt(next, end);
+      const double regular_begin = squared > 0 ? regular : regular_at(0, begin);
+      regular = regular_at(next, end);
       sum += interval.lengths * (0.5 * (regular_begin + regular) - 2 * meanLogarithm(begin, end));
     }
     squared = next;
@@ -211,7 +211,7 @@ void fillPressure(const Grid& grid, const StripGap& gap, const StripArea& area, 
   for (int j = 0; j < grid.ny && factor > 0; ++j)
   {
     const double column = (gap.y + (grid.y(j) - gap.y) / area.across - gap.y0) / gap.dy;
-    const double last = static_cast<double>(gap.strips.size() - 1);
+    const auto last = static_cast<double>(gap.strips.size() - 1);
     if (!(column >= 0 && column <= last))
     {
       continue;

@@ -28,7 +28,7 @@ struct StripGap
 /// Fits the columns: parabolas through three of their cells (two on a symmetric grid). Beyond the grid the gap goes on
 /// with the curvature it has at its edge, for the overlap may be wider than the contact; it is closed off where it
 /// would fall or bend downwards. Needs 3 × 3 cells (symmetric: 2 stored rows); false if there are fewer.
-bool fitStrips(const PatchGap& gap, StripGap& strips);
+bool fitStrips(const PatchGap& patch, StripGap& gap);
 
 /// Contact area and pressure by Kik and Piotrowski, see kik_piotrowski.h.
 struct StripArea

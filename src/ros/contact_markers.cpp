@@ -25,8 +25,7 @@ constexpr int ids_per_side = 16;
 constexpr double true_size_lift = 2e-4;  ///< of the patch over the rail, so that both can be seen [m]
 constexpr double arrow_shaft = 0.014;    ///< diameter [m]
 constexpr double arrow_head = 0.035;     ///< diameter and length [m]
-constexpr double line_width = 0.002;     ///< [m]
-constexpr double label_height = 0.045;   ///< of letters [m]
+constexpr double label_height = 0.052;   ///< of letters [m]
 constexpr int zoomed_points = 36;        ///< least number of points of a magnified surface in either direction
 constexpr double zoom_spacing = 0.05;    ///< between magnified patches [m]
 
@@ -163,7 +162,7 @@ Marker label(const PatchPicture& picture, const NodeConfig& config, const std_ms
   const double half_width = 0.5 * zoomedWidth(*picture.patch, config.markers.zoom);
   const double rise = half_width * std::abs(std::sin(picture.patch->pose.angle));
   const double share = std::min(picture.patch->max_pressure / config.markers.max_pressure, 1.0);
-  const Vector3d above(0, 0, config.markers.pressure_height * share + rise + 2 * label_height);
+  const Vector3d above(0, 0, config.markers.pressure_height * share + rise + 1.8 * label_height);
   return makeText(header, "label", picture.id, picture.zoom_place + above, words);
 }
 

@@ -21,8 +21,8 @@ constexpr int profile_points = 60;    ///< drawn points of a profile
 constexpr int tread_rows = 9;         ///< rows of points round the drawn part of a tread
 constexpr double tread_angle = 0.30;  ///< half the drawn part of a tread, about the axle [rad]
 constexpr int circle_points = 96;
-constexpr double line_width = 0.002;   ///< [m]
-constexpr double axle_radius = 0.008;  ///< drawn much thinner than it is, so that it hides nothing [m]
+constexpr double profile_line_width = 0.004;  ///< [m]
+constexpr double axle_radius = 0.008;         ///< drawn much thinner than it is, so that it hides nothing [m]
 constexpr double pi = 3.14159265358979323846;
 
 const std::array<Side, 2> sides{Side::left, Side::right};
@@ -38,6 +38,10 @@ std_msgs::ColorRGBA wheelColor()
 std_msgs::ColorRGBA lineColor()
 {
   return makeColor(0.62, 0.70, 0.80, 0.35);
+}
+std_msgs::ColorRGBA profileColor()
+{
+  return makeColor(0.45, 0.80, 1.0);
 }
 std_msgs::ColorRGBA textColor()
 {
@@ -90,6 +94,21 @@ Marker tread(const NodeConfig& config, const std_msgs::Header& header, Side side
     }
   }
   addSurface(points, side == Side::left, marker);
+  return marker;
+}
+
+/// The wheel's profile where its drawn part begins, behind the contact.
+Marker wheelProfile(const NodeConfig& config, const std_msgs::Header& header, Side side,
+                    const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, profileColor());
+  marker.scale.x = profile_line_width;
+  const Profile& profile = *config.model.wheel_profile;
+  for (int i = 0; i < profile_points; ++i)
+  {
+    const CurvePoint p = profile.at(parameterAt(profile, i));
+    marker.points.push_back(toPoint(to_track * wheelPoint(config.model.wheelset, side, p, -tread_angle)));
+  }
   return marker;
 }
 
@@ -181,7 +200,7 @@ void addScale(const NodeConfig& config, const std_msgs::Header& header, MarkerAr
     std::snprintf(words, sizeof words, i + 1 == labels ? "%.0f MPa" : "%.0f",
                   share * config.markers.max_pressure / 1e6);
     markers.markers.push_back(
-        text(header, i + 1, {0, -width - 2.2 * text_height, bottom + height * share}, text_height, words));
+        text(header, i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, words));
   }
 }
 }  // namespace
@@ -208,6 +227,7 @@ void addWheelset(const NodeConfig& config, const std_msgs::Header& header, doubl
   for (const Side side : sides)
   {
     markers.markers.push_back(tread(config, header, side, to_track));
+    markers.markers.push_back(wheelProfile(config, header, side, to_track));
     markers.markers.push_back(circles(config, header, side, to_track));
   }
   markers.markers.push_back(axle(config, header, to_track));

@@ -11,6 +11,8 @@
 
 namespace wheel_rail_contact
 {
+constexpr double line_width = 0.002;  ///< of lines in the picture [m]
+
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 

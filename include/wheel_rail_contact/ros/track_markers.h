@@ -14,8 +14,8 @@ namespace wheel_rail_contact
 void addRails(const NodeConfig& config, const std_msgs::Header& header, double x,
               const std::array<RailDeflection, 2>& deflection, visualization_msgs::MarkerArray& markers);
 
-/// The wheelset: the part of each tread that is near the rail as surface, circles of each wheel and the axle as lines:
-/// markers "wheel", "wheel_lines".
+/// The wheelset: the part of each tread that is near the rail as surface, with the profile along its rear end; circles
+/// of each wheel and the axle as lines: markers "wheel", "wheel_profile", "wheel_lines".
 void addWheelset(const NodeConfig& config, const std_msgs::Header& header, double x, const WheelsetPose& pose,
                  visualization_msgs::MarkerArray& markers);
 
