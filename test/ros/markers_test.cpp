@@ -120,6 +120,29 @@ void expectDrawable(const MarkerArray& markers)
 }
 }  // namespace
 
+TEST_F(Picture, BothWheelProfilesLieOnTheirWheels)
+{
+  const WheelsetConfig& wheelset = config.model.wheelset;
+  const MarkerArray markers = draw();
+  for (const int side : {0, 1})
+  {
+    const Marker& line = find(markers, "wheel_profile", side);
+    double tread = 0, tip = 0;
+    for (const auto& p : line.points)
+    {
+      EXPECT_EQ(p.y > 0, side == 0);
+      const double radius = std::hypot(p.x - answer.x, p.z - answer.pose.z);
+      tip = std::max(tip, radius);
+      if (std::abs(std::abs(p.y) - wheelset.halfBase()) < 2e-3)
+      {
+        tread = radius;
+      }
+    }
+    EXPECT_NEAR(tread, wheelset.rolling_radius, 2e-4) << "within 2 mm of the running circle, on a slope of 1:40 or so";
+    EXPECT_NEAR(tip, wheelset.rolling_radius + 0.028, 2e-4) << "S1002's flange is 28 mm high";
+  }
+}
+
 TEST_F(Picture, CanBeDrawn)
 {
   expectDrawable(draw());

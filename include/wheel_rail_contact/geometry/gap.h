@@ -44,8 +44,8 @@ constexpr double no_body_gap = 0.1;  ///< gap where one of the bodies has nothin
 /// through them gives the cells. Over a patch of half-length l on a wheel of radius R it is off by the order of
 /// l (l/R)^5, less than 1e-8 m for l = 20 mm, where a column stays on one section of the profile. Yaw takes it over
 /// l tan(yaw) of the profile; a joint there, at which the curvature jumps by k, makes it off by up to
-/// k (l tan(yaw))²/2, measured a quarter of that at most: 5e-7 m where the flank's straight part meets the root's arc of
-/// 13 mm, at 20 mrad and l = 10 mm. Without yaw the circles' own slant does so on the flank, 3e-7 m at l = 20 mm.
+/// k (l tan(yaw))²/2, measured a quarter of that at most: 5e-7 m where the flank's straight part meets the root's arc
+/// of 13 mm, at 20 mrad and l = 10 mm. Without yaw the circles' own slant does so on the flank, 3e-7 m at l = 20 mm.
 /// @return false if no column has both bodies.
 bool buildGap(const PlacedWheel& wheel, const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,
               Eigen::ArrayXXd& gap, std::vector<GapColumn>& columns);
