@@ -16,7 +16,7 @@ namespace
 constexpr double near_start = 0.03;  ///< deviation from the figures without bending at which pairs are looked for [-]
 constexpr Range chart_forces{0, 80e3, 20};           ///< [N]
 constexpr Range search_forces{0, 60e3, 12};          ///< [N]
-constexpr Range search_positions{-2e-3, 8e-3, 40};   ///< [m]
+constexpr Range search_positions{2e-3, 8e-3, 24};    ///< [m]
 constexpr const char* parted_table = "pads_40_100";  ///< whose deflection is taken apart
 
 std::vector<double> values(const Range& range)

@@ -69,6 +69,7 @@ TEST(PaperFigures, AreThoseOfTheReferenceProgram)
   for (const Reference& wanted : {Reference{{}, case_position, 1175.0e6, 187.2e-6},
                                   {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
                                   {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
+                                  {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
                                   {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
   {
     const Figures found = levelFigures(wanted.crown, wanted.y);

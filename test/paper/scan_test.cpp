@@ -93,8 +93,8 @@ TEST_F(ScanTest, RailTurnedInwardLeadsThereAndTurnedOutwardDoesNot)
   }
 }
 
-// An inclination of 1:21 near the flange: there, and only there, an outward turn leads from near one pair to near the
-// other (2.7 % were found, at 7 mrad).
+// An inclination of 1:21 near the flange: there an outward turn leads from near the one to near the other (2.7 % were
+// found, at 7 mrad).
 TEST_F(ScanTest, NearTheFlangeAtOneInTwentyOneAnOutwardTurnLeadsNear)
 {
   ScanRanges ranges = coarse();

@@ -56,7 +56,7 @@ def _nearest(title, row, key):
 
 def _search(folder):
     rows = read(folder / "search.csv")
-    yield "Figures with bending on rails that give way to a lateral force, any position: nearest for each table"
+    yield "Figures with bending on rails that give way to a lateral force, y = 2 to 8 mm: nearest for each table"
     yield f"{'rail':17}{'y, mm':>8}{'Y, kN':>8}{'shift, mm':>10}{'turn, mrad':>11}{'MPa / mm2':>15}{'off, %':>8}"
     for table in dict.fromkeys(row["table"] for row in rows):
         row = min((row for row in rows if row["table"] == table), key=lambda row: row["deviation_with"])
