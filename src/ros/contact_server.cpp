@@ -142,20 +142,27 @@ void ContactServer::answer(const ContactInput& input)
   const ContactAnswer answer = evaluator_.answer(input, transforms_);
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
-  const bool wants_markers = marker_publisher_.getNumSubscribers() > 0 && start >= next_picture_;
   if (wants_message)
   {
     contact_publisher_.publish(toMessage(answer, true, solve_time));
   }
-  if (wants_markers)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    statistics_.count(answer, solve_time);
+    statistics_.messages_built += wants_message ? 1U : 0U;
+  }
+  if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
   {
     publishMarkers(answer);
-    next_picture_ = start + ros::WallDuration(1 / config_.markers.rate);
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  statistics_.count(answer, solve_time);
-  statistics_.messages_built += wants_message ? 1U : 0U;
-  statistics_.marker_arrays_built += wants_markers ? 1U : 0U;
+}
+
+/// At the wanted rate, and for the last answer before a pause: it is drawn when its time comes, unless a newer input
+/// does.
+bool ContactServer::pictureIsDue()
+{
+  const double left = (next_picture_ - ros::WallTime::now()).toSec();
+  return left <= 0 || !jobs_.waitForEntry(left);
 }
 
 void ContactServer::publishMarkers(const ContactAnswer& answer)
@@ -163,6 +170,9 @@ void ContactServer::publishMarkers(const ContactAnswer& answer)
   visualization_msgs::MarkerArray markers = contactMarkers(answer, config_);
   shown_markers_ = appendDeletions(shown_markers_, answer.header, markers);
   marker_publisher_.publish(markers);
+  next_picture_ = ros::WallTime::now() + ros::WallDuration(1 / config_.markers.rate);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++statistics_.marker_arrays_built;
 }
 
 void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)

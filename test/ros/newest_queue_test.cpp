@@ -20,6 +20,18 @@ TEST(NewestQueue, KeepsTheNewestInOrderAndCountsTheRest)
   EXPECT_EQ(queue.dropped(), 2U);
 }
 
+TEST(NewestQueue, WaitingForAnEntryEndsWithIt)
+{
+  NewestQueue<int> queue(1);
+  EXPECT_FALSE(queue.waitForEntry(0.001));
+  std::thread writer([&queue] { queue.push(1); });
+  EXPECT_TRUE(queue.waitForEntry(60));
+  writer.join();
+  EXPECT_EQ(queue.pop(), 1) << "it is still there";
+  queue.close();
+  EXPECT_TRUE(queue.waitForEntry(60));
+}
+
 TEST(NewestQueue, CloseLetsAWaitingReaderGo)
 {
   NewestQueue<int> queue(1);

@@ -57,6 +57,7 @@ class ContactServer
   void work();
   void waitForTransform(const Job& job) const;
   void answer(const ContactInput& input);
+  bool pictureIsDue();
   void publishMarkers(const ContactAnswer& answer);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,14 @@ class NewestQueue
     std::optional<Entry> entry(std::move(entries_.front()));
     entries_.pop_front();
     return entry;
+  }
+
+  /// Waits for at most so long [s]. @return true as soon as there is an entry, or the queue is closed.
+  bool waitForEntry(double seconds)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return wake_.wait_for(lock, std::chrono::duration<double>(seconds),
+                          [this] { return closed_ || !entries_.empty(); });
   }
 
   /// Lets go whoever waits; what is left in the queue is not delivered any more.

@@ -34,7 +34,8 @@ struct NodeConfig
 ///   rail_bending/table                          file, required with model compliance
 ///   rail_bending/lateral_force                  contact, topic, or a constant [N], outward positive
 ///   rail_bending/prescribed/{lateral, vertical, roll}   [m, m, rad], required with model prescribed
-///   contact/method                              conjugate_gradient, seidel or seidel_printed
+///   contact/method                              auto, conjugate_gradient, hertz, kik_piotrowski, seidel
+///                                               or seidel_printed
 ///   contact/tolerance                           relative
 ///   contact/grid/{along, across}                cells; 0: chosen from the tolerance
 ///   sync/slop                                   [s]

@@ -180,6 +180,30 @@ TEST(LiveNode, MarkersComeWhenSomeoneLooks)
   }
 }
 
+TEST(LiveNode, LastAnswerBeforeAPauseIsDrawn)
+{
+  ContactClient client;
+  ros::NodeHandle nh;
+  ros::Time shown;
+  const auto markers = nh.subscribe<visualization_msgs::MarkerArray>(
+      "/contact_node/markers", 10,
+      [&](const visualization_msgs::MarkerArray::ConstPtr& m) { shown = m->markers.at(0).header.stamp; });
+  EXPECT_TRUE(spinUntil(
+      [&]
+      {
+        client.ask(0.002);
+        return !shown.isZero();
+      }));
+  ros::Time last;
+  for (int i = 0; i < 5; ++i)
+  {
+    last = ContactClient::nextStamp();
+    client.send(ContactClient::pose(1e-4 * i, last));
+    client.send(ContactClient::load(-200e3, last));
+  }
+  EXPECT_TRUE(spinUntil([&] { return shown == last; }));
+}
+
 TEST(LiveNode, BuildsNothingWhenNobodyListens)
 {
   ContactClient client("/unheard", "");
