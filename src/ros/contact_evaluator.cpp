@@ -13,30 +13,32 @@ ContactEvaluator::ContactEvaluator(const NodeConfig& config)
 {
 }
 
-ContactAnswer ContactEvaluator::answer(const ContactInput& input, const tf2::BufferCore& transforms)
+ContactAnswer ContactEvaluator::answer(const PreparedInput& input)
 {
-  ContactAnswer answer;
-  answer.header.stamp = input.pose->header.stamp;
-  answer.header.frame_id = track_frame_;
-  try
+  if (input.starts_anew)
   {
-    const PlacedState placed = toState(input, track_frame_, transforms);
-    const WheelsetResult& result = contact_.evaluate(placed.state);
-    answer.status = toMessage(result.status);
-    answer.reason = result.reason;
-    answer.x = placed.x;
-    answer.pose = {placed.state.y, placed.state.z, placed.state.yaw, placed.state.roll};
-    if (isUsable(result.status))
-    {
-      answer.result = &result;
-      answer.pose = {result.y, result.z, result.yaw, result.roll};
-      answer.beyond_linear_range = isBeyondLinearRange(result);
-    }
+    contact_.reset();
   }
-  catch (const UnusableInput& error)
+  ContactAnswer answer;
+  answer.header.stamp = input.stamp;
+  answer.header.frame_id = track_frame_;
+  answer.status = input.status;
+  answer.reason = input.reason;
+  if (input.status != WheelsetContactMsg::OK)
   {
-    answer.status = error.status();
-    answer.reason = error.what();
+    return answer;
+  }
+  const WheelsetState& state = input.placed.state;
+  const WheelsetResult& result = contact_.evaluate(state);
+  answer.status = toMessage(result.status);
+  answer.reason = result.reason;
+  answer.x = input.placed.x;
+  answer.pose = {state.y, state.z, state.yaw, state.roll};
+  if (isUsable(result.status))
+  {
+    answer.result = &result;
+    answer.pose = {result.y, result.z, result.yaw, result.roll};
+    answer.beyond_linear_range = isBeyondLinearRange(result);
   }
   return answer;
 }

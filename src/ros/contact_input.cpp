@@ -186,4 +186,28 @@ PlacedState toState(const ContactInput& input, const std::string& track_frame, c
   }
   return placed;
 }
+
+bool InputPreparation::isReady(const ContactInput& input, const tf2::BufferCore& transforms) const
+{
+  const std_msgs::Header& header = input.pose->header;
+  return header.frame_id == track_frame_ || !isFrameName(header.frame_id) ||
+         transforms.canTransform(track_frame_, header.frame_id, header.stamp);
+}
+
+PreparedInput InputPreparation::prepare(const ContactInput& input, const tf2::BufferCore& transforms)
+{
+  PreparedInput prepared;
+  prepared.stamp = input.pose->header.stamp;
+  prepared.starts_anew = fresh_start_.startsAnew(prepared.stamp);
+  try
+  {
+    prepared.placed = toState(input, track_frame_, transforms);
+  }
+  catch (const UnusableInput& error)
+  {
+    prepared.status = error.status();
+    prepared.reason = error.what();
+  }
+  return prepared;
+}
 }  // namespace wheel_rail_contact

@@ -23,6 +23,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       private_nh_(private_nh),
       config_(readNodeParameters(private_nh_)),
       pairing_(config_),
+      preparation_(config_),
       evaluator_(config_),
       listener_(transforms_, nh_),
       jobs_(input_capacity),
@@ -123,14 +124,8 @@ void ContactServer::work()
 /// The deadline counts from the job's arrival, so a transform that never comes delays answers but does not slow them.
 void ContactServer::waitForTransform(const Job& job) const
 {
-  const std_msgs::Header& header = job.input.pose->header;
-  if (header.frame_id == config_.track_frame || !isFrameName(header.frame_id))
-  {
-    return;
-  }
-  const ros::WallTime deadline = job.arrival + ros::WallDuration(transform_patience);
-  while (!transforms_.tf2::BufferCore::canTransform(config_.track_frame, header.frame_id, header.stamp) &&
-         ros::WallTime::now() < deadline && !jobs_.closed())
+  const ros::WallTime deadline = job.arrival + ros::WallDuration(InputPreparation::transform_patience);
+  while (!preparation_.isReady(job.input, transforms_) && ros::WallTime::now() < deadline && !jobs_.closed())
   {
     ros::WallDuration(transform_poll_period).sleep();
   }
@@ -139,7 +134,7 @@ void ContactServer::waitForTransform(const Job& job) const
 void ContactServer::answer(const ContactInput& input)
 {
   const ros::WallTime start = ros::WallTime::now();
-  const ContactAnswer answer = evaluator_.answer(input, transforms_);
+  const ContactAnswer answer = evaluator_.answer(preparation_.prepare(input, transforms_));
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
   if (wants_message)

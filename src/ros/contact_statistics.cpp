@@ -73,6 +73,16 @@ void addTimes(const ContactStatistics& now, const ContactStatistics& before,
 }
 }  // namespace
 
+const char* statusName(std::uint8_t status)
+{
+  return status_names.at(status);
+}
+
+const char* dropName(DropReason reason)
+{
+  return drop_names.at(static_cast<std::size_t>(reason));
+}
+
 void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
 {
   ++answers.at(answer.status);

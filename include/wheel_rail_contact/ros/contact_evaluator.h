@@ -2,7 +2,6 @@
 #pragma once
 
 #include <std_msgs/Header.h>
-#include <tf2/buffer_core.h>
 
 #include <cstdint>
 #include <string>
@@ -34,7 +33,7 @@ class ContactEvaluator
   explicit ContactEvaluator(const NodeConfig& config);
 
   /// Never throws for an unusable input: the answer's status tells.
-  ContactAnswer answer(const ContactInput& input, const tf2::BufferCore& transforms);
+  ContactAnswer answer(const PreparedInput& input);
 
  private:
   bool isBeyondLinearRange(const WheelsetResult& result) const;

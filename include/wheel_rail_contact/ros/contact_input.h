@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "wheel_rail_contact/ros/fresh_start.h"
+#include "wheel_rail_contact/ros/messages.h"
 #include "wheel_rail_contact/ros/parameters.h"
 #include "wheel_rail_contact/ros/stamp_pairing.h"
 #include "wheel_rail_contact/wheelset_contact.h"
@@ -94,4 +96,33 @@ bool isFrameName(const std::string& name);
 /// @throw UnusableInput with INVALID_INPUT for numbers that are not finite, a quaternion that is none, or a load in
 /// another frame; with NO_TRANSFORM if tf does not lead from the pose's frame to the track frame.
 PlacedState toState(const ContactInput& input, const std::string& track_frame, const tf2::BufferCore& transforms);
+
+/// An input in the core's terms, or the reason why it has none: all that an evaluation needs to know.
+struct PreparedInput
+{
+  ros::Time stamp;  ///< of the pose
+  PlacedState placed;
+  std::uint8_t status = WheelsetContactMsg::OK;  ///< INVALID_INPUT or NO_TRANSFORM: `placed` means nothing
+  std::string reason;                            ///< empty when OK
+  bool starts_anew = true;                       ///< forget the answers before (FreshStartRule)
+};
+
+/// Prepares the inputs of one wheelset in their order.
+class InputPreparation
+{
+ public:
+  /// An input that is not ready waits so long for its transform, counted from its arrival [s].
+  static constexpr double transform_patience = 0.1;
+
+  explicit InputPreparation(const NodeConfig& config) : track_frame_(config.track_frame) {}
+
+  /// True if nothing speaks against preparing the input at once: it needs no transform, or tf knows it already.
+  bool isReady(const ContactInput& input, const tf2::BufferCore& transforms) const;
+  /// Never throws for an unusable input: the status tells.
+  PreparedInput prepare(const ContactInput& input, const tf2::BufferCore& transforms);
+
+ private:
+  std::string track_frame_;
+  FreshStartRule fresh_start_;
+};
 }  // namespace wheel_rail_contact

@@ -29,9 +29,6 @@ class ContactServer
  public:
   /// Greatest number of complete inputs that wait for evaluation.
   static constexpr std::size_t input_capacity = 200;
-  /// A pose whose transform is not there yet waits so long for it, counted from its arrival [s].
-  static constexpr double transform_patience = 0.1;
-
   /// Reads the parameters, subscribes and starts.
   /// @throw std::invalid_argument for parameters that cannot be used (see readNodeConfig()).
   ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
@@ -63,8 +60,9 @@ class ContactServer
 
   ros::NodeHandle nh_, private_nh_;
   const NodeConfig config_;
-  InputPairing pairing_;        ///< callbacks only; its counts are copied under `mutex_`
-  ContactEvaluator evaluator_;  ///< worker only
+  InputPairing pairing_;          ///< callbacks only; its counts are copied under `mutex_`
+  InputPreparation preparation_;  ///< worker only
+  ContactEvaluator evaluator_;    ///< worker only
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
   NewestQueue<Job> jobs_;

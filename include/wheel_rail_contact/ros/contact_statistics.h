@@ -12,6 +12,11 @@
 
 namespace wheel_rail_contact
 {
+/// Name of a status constant of the message WheelsetContact, as it stands there.
+const char* statusName(std::uint8_t status);
+/// In words.
+const char* dropName(DropReason reason);
+
 /// What a server has done since it started. Nothing that comes in is lost without being counted here.
 struct ContactStatistics
 {

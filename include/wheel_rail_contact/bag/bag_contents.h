@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wheel_rail_contact/bag/bag_file.h"
+
+namespace wheel_rail_contact
+{
+/// Who published what on which topic.
+struct BagConnection
+{
+  std::string topic;
+  BagFields header;  ///< type, md5sum, message_definition, and what else the publisher said
+};
+
+/// Part of a bag that is read in one go.
+struct BagChunk
+{
+  std::uint64_t position = 0;  ///< of its record, or of the first of its loose records
+  std::uint64_t start = 0;     ///< earliest time of its messages [ns]
+  bool loose = false;          ///< records up to the end of the file that no chunk was closed around
+};
+
+/// What is in a bag, without its messages.
+struct BagContents
+{
+  std::map<std::uint32_t, BagConnection> connections;
+  std::map<std::uint32_t, std::uint64_t> messages;  ///< by connection
+  std::vector<BagChunk> chunks;                     ///< those with messages asked for, in the order of the file
+  std::string fault;                                ///< why the bag is not whole; empty if it is
+};
+
+/// True for the topics whose messages are asked for.
+using TopicFilter = std::function<bool(const std::string& topic)>;
+
+/// Reads a bag's index; where there is none (the recorder crashed, the file was cut off), looks through the whole file.
+/// Memory: 24 B for each chunk.
+BagContents readContents(const BagFile& file, const TopicFilter& wanted);
+
+/// The chunk's records as they stand there; of loose records all that are whole.
+/// @throw BagError if the data is damaged.
+std::string chunkRecords(const BagFile& file, const BagChunk& chunk);
+
+/// Connection described by a connection record.
+BagConnection connectionOf(const BagFields& record_header, std::string_view data);
+}  // namespace wheel_rail_contact

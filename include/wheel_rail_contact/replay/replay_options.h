@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "wheel_rail_contact/ros/parameters.h"
+
+namespace wheel_rail_contact
+{
+/// What contact_replay is told on its command line.
+struct ReplayOptions
+{
+  std::string input;                       ///< bag to read
+  std::string output;                      ///< bag to write
+  std::vector<std::string> configs;        ///< parameter files, each laid over those before
+  std::vector<std::string> wheelsets{""};  ///< namespaces, "" or "/name"
+  std::string csv;                         ///< table of patches to write; empty: none
+  std::string compression = "none";        ///< of the output: none or lz4
+  int threads = 1;                         ///< that evaluate, >= 1
+  bool grids = true;                       ///< false leaves the pressure grids empty
+  bool keep_topics = false;                ///< true copies the input's other messages
+  bool resume = false;                     ///< true goes on with an output that was broken off
+  bool help = false;                       ///< true: nothing but the usage is wanted
+};
+
+/// @throw std::invalid_argument naming the argument and the broken rule.
+ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments);
+
+void printReplayUsage(std::ostream& out);
+
+/// The parameters of a replay: those of config/default.yaml, and over them the files of the options.
+ParameterTree replayParameters(const ReplayOptions& options);
+
+/// Everything that decides what the answers are, as text: the output of one replay can only go on with the same.
+std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tf2/buffer_core.h>
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "wheel_rail_contact/bag/bag_stream.h"
+#include "wheel_rail_contact/ros/contact_input.h"
+
+namespace wheel_rail_contact
+{
+/// What comes next in a replay: an input to be answered, or a message to be kept.
+struct ReplayEvent
+{
+  std::uint64_t time = 0;               ///< recording time at which the input was ready, or of the message [ns]
+  std::optional<std::size_t> wheelset;  ///< whose input this is; nothing: a message
+  PreparedInput input;
+  std::uint32_t connection_id = 0;
+  const BagConnection* connection = nullptr;
+  std::string data;        ///< the message
+  std::uint64_t read = 0;  ///< messages read from the bag so far
+};
+
+/// Makes of a bag's messages the inputs that the live node would make of them: pairs them by their stamps, and brings
+/// them to the track frame by the bag's transforms, for which they wait as long as in the live node.
+class ReplaySource
+{
+ public:
+  /// @param wheelsets namespaces, "" or "/name"
+  /// @param keep true: all messages are delivered too, but for answers of an earlier run
+  /// @throw BagError if the bag cannot be read.
+  ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets, bool keep);
+
+  /// The next event, nothing at the end.
+  std::optional<ReplayEvent> next();
+
+  /// Number of messages that will be read.
+  std::uint64_t messages() const;
+  std::uint64_t fileSize() const { return stream_.fileSize(); }
+  const PairingCounts& counts(std::size_t wheelset) const { return wheelsets_[wheelset].pairing.counts(); }
+  /// What could not be read so far, in sentences.
+  std::vector<std::string> faults() const;
+
+ private:
+  enum class Role
+  {
+    pose,
+    load,
+    left_rail_force,
+    right_rail_force,
+    transform,
+    static_transform
+  };
+  struct Use
+  {
+    Role role;
+    std::size_t wheelset;
+  };
+  struct Waiting
+  {
+    ContactInput input;
+    std::uint64_t deadline;  ///< [ns]
+  };
+  struct Wheelset
+  {
+    InputPairing pairing;
+    InputPreparation preparation;
+    std::deque<Waiting> waiting;  ///< for their transforms
+  };
+
+  static std::map<std::string, Use> usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets);
+  bool wants(const std::string& topic) const;
+  void requireTopics() const;
+  void requireTypes() const;
+  std::string topicsOfType(const std::string& type) const;
+  void take(const BagMessage& message);
+  void use(const Use& use, const BagMessage& message);
+  std::optional<ContactInput> pair(const Use& use, const BagMessage& message);
+  void release(bool only_overdue);
+  void emit(std::size_t wheelset);
+  void finish();
+
+  std::map<std::string, Use> uses_;  ///< by topic
+  std::set<std::string> answers_;    ///< topics
+  bool keep_;
+  std::vector<Wheelset> wheelsets_;
+  tf2::BufferCore transforms_;
+  BagStream stream_;
+  std::deque<ReplayEvent> events_;
+  std::uint64_t now_ = 0;   ///< recording time of the last message [ns]
+  std::uint64_t read_ = 0;  ///< messages
+  std::uint64_t damaged_ = 0;
+  bool finished_ = false;
+};
+
+/// Topic of a wheelset's answers.
+std::string answerTopic(const std::string& wheelset);
+}  // namespace wheel_rail_contact

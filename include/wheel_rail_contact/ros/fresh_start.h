@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+namespace wheel_rail_contact
+{
+/// Tells at which inputs an evaluator forgets the answers before, and starts cold.
+///
+/// An answer depends, within the tolerance, on the one it was started from. So that a live node and a replay agree to
+/// the last bit, wherever either begins and however many threads share the work, both start anew by one rule that knows
+/// the stamps only: at every whole second, where time does not rise, and after `most_answers` at the latest. The inputs
+/// between two fresh starts are called a slice.
+class FreshStartRule
+{
+ public:
+  static constexpr int most_answers = 200;
+
+  /// Takes the stamps of the inputs in order.
+  bool startsAnew(const ros::Time& stamp)
+  {
+    const bool anew = count_ == 0 || count_ == most_answers || stamp.sec != last_.sec || stamp <= last_;
+    last_ = stamp;
+    count_ = anew ? 1 : count_ + 1;
+    return anew;
+  }
+
+ private:
+  ros::Time last_;
+  int count_ = 0;  ///< inputs since the last fresh start
+};
+}  // namespace wheel_rail_contact

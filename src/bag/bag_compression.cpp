@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/bag/bag_compression.h"
+
+#include <bzlib.h>
+#include <roslz4/lz4s.h>
+
+#include "wheel_rail_contact/bag/bag_record.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr int lz4_block_size = 6;               ///< 1 MiB, roslz4_blockSizeFromIndex()
+constexpr std::size_t largest_chunk = 1 << 30;  ///< [B] a damaged header shall not fill the memory
+
+/// Runs `work(content, length of the content)`, which must fill the content to its end.
+template <typename Work>
+std::string filled(std::size_t size, const Work& work)
+{
+  if (size > largest_chunk)
+  {
+    throw BagError("a chunk claims to be larger than 1 GiB");
+  }
+  std::string content(size, '\0');
+  auto length = static_cast<unsigned int>(size);
+  if (!work(content.data(), length) || length != size)
+  {
+    throw BagError("compressed data is damaged");
+  }
+  return content;
+}
+}  // namespace
+
+std::string decompressed(const std::string& compression, std::string_view data, std::size_t size)
+{
+  std::string input(data);  // both libraries ask for data they could change
+  const auto length = static_cast<unsigned int>(input.size());
+  if (compression == "none")
+  {
+    return input;
+  }
+  if (compression == "bz2")
+  {
+    return filled(size, [&](char* content, unsigned int& room)
+                  { return BZ2_bzBuffToBuffDecompress(content, &room, input.data(), length, 0, 0) == BZ_OK; });
+  }
+  if (compression == "lz4")
+  {
+    return filled(size, [&](char* content, unsigned int& room)
+                  { return roslz4_buffToBuffDecompress(input.data(), length, content, &room) == ROSLZ4_OK; });
+  }
+  throw BagError("unknown compression '" + compression + "'");
+}
+
+std::string compressed(const std::string& compression, std::string_view content)
+{
+  std::string input(content);
+  if (compression == "none")
+  {
+    return input;
+  }
+  if (compression != "lz4")
+  {
+    throw BagError("cannot compress by '" + compression + "'");
+  }
+  // Room for data that cannot be made smaller: block and frame headers.
+  std::string data(input.size() + input.size() / 100 + 1024, '\0');
+  auto length = static_cast<unsigned int>(data.size());
+  if (roslz4_buffToBuffCompress(input.data(), static_cast<unsigned int>(input.size()), data.data(), &length,
+                                lz4_block_size) != ROSLZ4_OK)
+  {
+    throw BagError("lz4 cannot compress a chunk");
+  }
+  data.resize(length);
+  return data;
+}
+}  // namespace wheel_rail_contact

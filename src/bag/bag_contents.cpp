@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/bag/bag_contents.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "wheel_rail_contact/bag/bag_compression.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::size_t pair_length = 8;  ///< (conn, number of messages) in a chunk info record
+
+bool isWanted(const BagContents& contents, std::uint32_t connection, const TopicFilter& wanted)
+{
+  const auto found = contents.connections.find(connection);
+  return found != contents.connections.end() && wanted(found->second.topic);
+}
+
+void addChunkInfo(const BagFields& header, std::string_view data, const TopicFilter& wanted, BagContents& contents)
+{
+  bool holds_wanted = false;
+  for (; data.size() >= pair_length; data.remove_prefix(pair_length))
+  {
+    const auto connection = numberAt<std::uint32_t>(data);
+    const auto count = numberAt<std::uint32_t>(data.substr(sizeof(connection)));
+    contents.messages[connection] += count;
+    holds_wanted = holds_wanted || (count > 0 && isWanted(contents, connection, wanted));
+  }
+  if (holds_wanted)
+  {
+    contents.chunks.push_back({header.number<std::uint64_t>("chunk_pos"), header.time("start_time"), false});
+  }
+}
+
+/// @throw BagError if the index is not whole.
+BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted)
+{
+  if (file.indexSection() == 0)
+  {
+    throw BagError("it was not closed");
+  }
+  BagContents contents;
+  for (std::uint64_t position = file.indexSection(); position < file.size();)
+  {
+    const BagFile::Place record = file.recordAt(position);
+    const std::string data = file.dataOf(record);
+    if (record.header.op() == BagOp::connection)
+    {
+      contents.connections[record.header.number<std::uint32_t>("conn")] = connectionOf(record.header, data);
+    }
+    else if (record.header.op() == BagOp::chunk_info)
+    {
+      addChunkInfo(record.header, data, wanted, contents);
+    }
+    position = record.end();
+  }
+  const BagFields& header = file.recordAt(bag_magic.size()).header;
+  if (contents.connections.size() != header.number<std::uint32_t>("conn_count"))
+  {
+    throw BagError("its index is not whole");
+  }
+  const auto earlier = [](const BagChunk& a, const BagChunk& b) { return a.position < b.position; };
+  std::sort(contents.chunks.begin(), contents.chunks.end(), earlier);
+  return contents;
+}
+
+/// Looks through a bag without index from its beginning to its end.
+class Scan
+{
+ public:
+  Scan(const BagFile& file, const TopicFilter& wanted) : file_(file), wanted_(wanted) {}
+
+  BagContents run(const std::string& fault)
+  {
+    contents_.fault = fault;
+    std::uint64_t position = file_.firstRecord();
+    try
+    {
+      while (position < file_.size())
+      {
+        position = take(position);
+      }
+    }
+    catch (const BagError&)
+    {
+      contents_.fault +=
+          "; nothing can be read from byte " + std::to_string(position) + " of " + std::to_string(file_.size()) + " on";
+    }
+    finishChunk();
+    return std::move(contents_);
+  }
+
+ private:
+  /// @return where the next record begins
+  std::uint64_t take(std::uint64_t position)
+  {
+    const BagFile::Place record = file_.recordAt(position);
+    switch (record.header.op())
+    {
+      case BagOp::chunk:
+        return takeChunk(position, record);
+      case BagOp::index:
+        takeIndex(record);
+        return record.end();
+      case BagOp::message:
+        return takeLoose(position);
+      case BagOp::connection:
+      {
+        const std::string data = file_.dataOf(record);
+        contents_.connections[record.header.number<std::uint32_t>("conn")] = connectionOf(record.header, data);
+        return record.end();
+      }
+      default:
+        return record.end();
+    }
+  }
+
+  std::uint64_t takeChunk(std::uint64_t position, const BagFile::Place& record)
+  {
+    finishChunk();
+    const bool unfinished = record.length == 0 || record.end() > file_.size();
+    if (!unfinished)
+    {
+      chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), false};
+      in_chunk_ = true;
+      return record.end();
+    }
+    if (record.header.text("compression") != "none")
+    {
+      throw BagError("an unfinished compressed chunk");
+    }
+    return takeLoose(record.data);
+  }
+
+  void takeIndex(const BagFile::Place& record)
+  {
+    const auto connection = record.header.number<std::uint32_t>("conn");
+    const std::string data = file_.dataOf(record);
+    if (contents_.connections.count(connection) == 0)
+    {
+      lookThrough(chunk_, false);
+    }
+    holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
+    std::string_view entries = data;
+    for (; entries.size() >= index_entry_length; entries.remove_prefix(index_entry_length))
+    {
+      chunk_.start = std::min(chunk_.start, timeAt(entries));
+      ++contents_.messages[connection];
+      indexed_ = true;
+    }
+  }
+
+  /// Ends at the end of the file.
+  std::uint64_t takeLoose(std::uint64_t position)
+  {
+    chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), true};
+    in_chunk_ = true;
+    finishChunk();
+    return file_.size();
+  }
+
+  void finishChunk()
+  {
+    try
+    {
+      if (in_chunk_ && !indexed_)
+      {
+        lookThrough(chunk_, true);
+      }
+      if (in_chunk_ && holds_wanted_)
+      {
+        contents_.chunks.push_back(chunk_);
+      }
+    }
+    catch (const BagError& error)
+    {
+      contents_.fault += "; the chunk at byte " + std::to_string(chunk_.position) + ": " + error.what();
+    }
+    in_chunk_ = indexed_ = holds_wanted_ = false;
+  }
+
+  /// Learns the chunk's connections, and where no index told it the times and numbers of its messages.
+  void lookThrough(BagChunk& chunk, bool with_messages)
+  {
+    const std::string records = chunkRecords(file_, chunk);
+    for (std::string_view rest = records; !rest.empty();)
+    {
+      const BagRecord record = recordAt(rest);
+      rest.remove_prefix(record.length);
+      const auto connection = record.header.number<std::uint32_t>("conn");
+      if (record.header.op() == BagOp::connection)
+      {
+        contents_.connections[connection] = connectionOf(record.header, record.data);
+      }
+      else if (record.header.op() == BagOp::message && with_messages)
+      {
+        chunk.start = std::min(chunk.start, record.header.time("time"));
+        ++contents_.messages[connection];
+        holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
+      }
+    }
+  }
+
+  const BagFile& file_;
+  const TopicFilter& wanted_;
+  BagContents contents_;
+  BagChunk chunk_;             ///< the one whose index is being read
+  bool in_chunk_ = false;      ///< `chunk_` means something
+  bool indexed_ = false;       ///< an index has told its times
+  bool holds_wanted_ = false;  ///< it holds messages that are asked for
+};
+
+/// The beginning of `bytes` that consists of whole records of the kinds that stand in chunks.
+std::string wholeRecords(std::string bytes)
+{
+  std::size_t length = 0;
+  try
+  {
+    while (length < bytes.size())
+    {
+      const BagRecord record = recordAt(std::string_view(bytes).substr(length));
+      if (record.header.op() != BagOp::message && record.header.op() != BagOp::connection)
+      {
+        break;
+      }
+      length += record.length;
+    }
+  }
+  catch (const BagError&)  // the rest is not whole
+  {
+  }
+  bytes.resize(length);
+  return bytes;
+}
+}  // namespace
+
+BagContents readContents(const BagFile& file, const TopicFilter& wanted)
+{
+  try
+  {
+    return readIndexSection(file, wanted);
+  }
+  catch (const BagError& error)
+  {
+    return Scan(file, wanted).run(std::string("the bag has no usable index: ") + error.what());
+  }
+}
+
+std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
+{
+  if (chunk.loose)
+  {
+    return wholeRecords(file.bytes(chunk.position, file.size() - chunk.position));
+  }
+  const BagFile::Place record = file.recordAt(chunk.position);
+  if (record.header.op() != BagOp::chunk)
+  {
+    throw BagError("there is no chunk at byte " + std::to_string(chunk.position));
+  }
+  return decompressed(record.header.text("compression"), file.dataOf(record),
+                      record.header.number<std::uint32_t>("size"));
+}
+
+BagConnection connectionOf(const BagFields& record_header, std::string_view data)
+{
+  BagConnection connection;
+  connection.topic = record_header.text("topic");
+  connection.header = BagFields(data);
+  return connection;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/bag/bag_stream.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::size_t most_faults = 20;           ///< that are told one by one
+constexpr std::size_t most_open_bytes = 1 << 27;  ///< [B] of chunks that overlap in time
+}  // namespace
+
+bool BagStream::Later::operator()(const std::unique_ptr<OpenChunk>& a, const std::unique_ptr<OpenChunk>& b) const
+{
+  const auto key = [](const OpenChunk& chunk)
+  { return std::make_pair(chunk.entries[chunk.next].time, chunk.position); };
+  return key(*a) > key(*b);
+}
+
+BagStream::BagStream(const std::string& path, TopicFilter wanted)
+    : wanted_(std::move(wanted)), file_(path), contents_(readContents(file_, wanted_))
+{
+  const auto earlier = [](const BagChunk& a, const BagChunk& b) { return a.start < b.start; };
+  std::stable_sort(contents_.chunks.begin(), contents_.chunks.end(), earlier);
+  if (!contents_.fault.empty())
+  {
+    report(contents_.fault);
+  }
+}
+
+std::optional<BagMessage> BagStream::next()
+{
+  if (!open_.empty() && open_.back()->next == open_.back()->entries.size())
+  {
+    open_.pop_back();
+  }
+  else if (!open_.empty())
+  {
+    std::push_heap(open_.begin(), open_.end(), Later());
+  }
+  openDueChunks();
+  if (open_.empty())
+  {
+    return std::nullopt;
+  }
+  std::pop_heap(open_.begin(), open_.end(), Later());
+  OpenChunk& chunk = *open_.back();
+  const Entry& entry = chunk.entries[chunk.next++];
+  return BagMessage{entry.connection, &contents_.connections.at(entry.connection), entry.time, entry.data};
+}
+
+/// Opens the chunks that may hold the next message.
+void BagStream::openDueChunks()
+{
+  const auto& chunks = contents_.chunks;
+  while (next_chunk_ < chunks.size() &&
+         (open_.empty() || chunks[next_chunk_].start <= open_.front()->entries[open_.front()->next].time))
+  {
+    open(chunks[next_chunk_++]);
+  }
+}
+
+void BagStream::open(const BagChunk& chunk)
+{
+  auto opened = std::make_unique<OpenChunk>();
+  opened->position = chunk.position;
+  try
+  {
+    opened->records = chunkRecords(file_, chunk);
+    listMessages(*opened);
+  }
+  catch (const BagError& error)
+  {
+    report("the chunk at byte " + std::to_string(chunk.position) + ": " + error.what());
+  }
+  if (opened->entries.empty())
+  {
+    return;
+  }
+  open_.push_back(std::move(opened));
+  std::push_heap(open_.begin(), open_.end(), Later());
+  std::size_t bytes = 0;
+  for (const auto& other : open_)
+  {
+    bytes += other->records.size();
+  }
+  if (open_.size() > 1 && bytes > most_open_bytes)
+  {
+    throw BagError(file_.path() + ": more than 128 MiB of chunks overlap in time; sort the bag first (rosbag filter)");
+  }
+}
+
+/// Keeps the messages before any damage.
+void BagStream::listMessages(OpenChunk& chunk)
+{
+  const auto sort = [&chunk]
+  {
+    const auto earlier = [](const Entry& a, const Entry& b) { return a.time < b.time; };
+    std::stable_sort(chunk.entries.begin(), chunk.entries.end(), earlier);
+  };
+  try
+  {
+    for (std::string_view rest = chunk.records; !rest.empty();)
+    {
+      const BagRecord record = recordAt(rest);
+      rest.remove_prefix(record.length);
+      const auto id = record.header.number<std::uint32_t>("conn");
+      if (record.header.op() == BagOp::connection)
+      {
+        contents_.connections.emplace(id, connectionOf(record.header, record.data));
+      }
+      else if (record.header.op() == BagOp::message && contents_.connections.count(id) > 0 &&
+               wanted_(contents_.connections.at(id).topic))
+      {
+        chunk.entries.push_back({record.header.time("time"), id, record.data});
+      }
+    }
+  }
+  catch (const BagError&)
+  {
+    sort();
+    throw;
+  }
+  sort();
+}
+
+void BagStream::report(const std::string& fault)
+{
+  if (faults_.size() < most_faults)
+  {
+    faults_.push_back(fault);
+  }
+  else if (faults_.size() == most_faults)
+  {
+    faults_.emplace_back("and more");
+  }
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <atomic>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "wheel_rail_contact/replay/replay.h"
+
+namespace
+{
+enum ExitStatus
+{
+  done = 0,
+  failed = 1,
+  misused = 2,
+  input_damaged = 3,
+  broken_off = 130
+};
+
+std::atomic<bool> interrupted{false};
+
+void interrupt(int signal)
+{
+  interrupted = true;
+  std::signal(signal, SIG_DFL);  // the second one ends the program at once
+}
+
+ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
+{
+  wheel_rail_contact::Replay replay(options);
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  replay.run(interrupted);
+  replay.printSummary(std::cout);
+  if (interrupted)
+  {
+    std::cerr << "contact_replay: broken off; the same command with --resume goes on\n";
+    return broken_off;
+  }
+  for (const std::string& fault : replay.faults())
+  {
+    std::cerr << "contact_replay: " << options.input << ": " << fault << '\n';
+  }
+  if (replay.answers() == 0)
+  {
+    std::cerr << "contact_replay: " << options.input << ": there was no pair to answer\n";
+    return failed;
+  }
+  return replay.faults().empty() ? done : input_damaged;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const auto options = wheel_rail_contact::parseReplayOptions({argv + 1, argv + argc});
+    if (options.help)
+    {
+      wheel_rail_contact::printReplayUsage(std::cout);
+      return done;
+    }
+    return run(options);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    std::cerr << "contact_replay: " << error.what() << "\n(contact_replay --help)\n";
+    return misused;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "contact_replay: " << error.what() << '\n';
+    return failed;
+  }
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/replay/csv_rows.h"
+
+#include <array>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "wheel_rail_contact/ros/contact_statistics.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// Columns of the answer, then of the patch.
+constexpr const char* header =
+    "answer [-],wheelset,stamp [s],status,reason,x [m],y [m],z [m],roll [rad],yaw [rad],"
+    "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
+    "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
+    "right_vertical_force [N],"
+    "side,patch_y [m],patch_z [m],contact_angle [rad],normal_force [N],approach [m],area [m^2],max_pressure [Pa],"
+    "error_estimate [-],iterations [-],residual [-],method\n";
+constexpr const char* no_patch = ",,,,,,,,,,,";
+
+/// Nine digits are more than any tolerance asks for.
+std::string cell(double value)
+{
+  std::array<char, 32> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%.9g,", value);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::string quoted(const std::string& text)
+{
+  std::string result = "\"";
+  for (const char c : text)
+  {
+    result += c == '"' ? "\"\"" : std::string(1, c == '\n' ? ' ' : c);
+  }
+  return result + '"';
+}
+
+std::string stamp(const ros::Time& time)
+{
+  std::array<char, 32> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%" PRIu32 ".%09" PRIu32, time.sec, time.nsec);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::string cells(const RailDeflectionMsg& rail)
+{
+  return cell(rail.lateral) + cell(rail.vertical) + cell(rail.roll) + cell(rail.lateral_force) +
+         cell(rail.vertical_force);
+}
+
+std::string cells(const ContactPatch& patch)
+{
+  return (patch.side == ContactPatch::LEFT ? "left," : "right,") + cell(patch.pose.position.y) +
+         cell(patch.pose.position.z) + cell(patch.contact_angle) + cell(patch.normal_force) + cell(patch.approach) +
+         cell(patch.area) + cell(patch.max_pressure) + cell(patch.error_estimate) + cell(patch.iterations) +
+         cell(patch.residual) + patch.method;
+}
+
+/// Roll and yaw of an orientation without pitch: Rz(yaw) Rx(roll).
+std::string angles(const geometry_msgs::Quaternion& q)
+{
+  return cell(2 * std::atan2(q.x, q.w)) + cell(2 * std::atan2(q.z, q.w));
+}
+}  // namespace
+
+std::string csvHeader()
+{
+  return header;
+}
+
+std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, const std::string& wheelset)
+{
+  const auto& position = answer.wheelset.position;
+  const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(answer.header.stamp) + "," +
+                            statusName(answer.status) + "," + quoted(answer.status_text) + "," + cell(position.x) +
+                            cell(position.y) + cell(position.z) + angles(answer.wheelset.orientation) +
+                            cells(answer.left_rail) + cells(answer.right_rail);
+  if (answer.patches.empty())
+  {
+    return start + no_patch + "\n";
+  }
+  std::string rows;
+  for (const ContactPatch& patch : answer.patches)
+  {
+    rows += start + cells(patch) + "\n";
+  }
+  return rows;
+}
+
+CsvFile::CsvFile(const std::string& path, bool resume) : path_(path)
+{
+  if (std::filesystem::exists(path) != resume)
+  {
+    throw std::runtime_error(path + (resume ? ": does not exist; resume with the table of the first run"
+                                            : ": exists already; it is not overwritten"));
+  }
+  if (!resume)
+  {
+    file_.open(path);
+    file_ << csvHeader();
+    flush();
+  }
+}
+
+void CsvFile::cut(std::uint64_t number)
+{
+  std::ifstream before(path_);
+  std::string line;
+  std::getline(before, line);
+  if (line + "\n" != csvHeader())
+  {
+    throw std::runtime_error(path_ + ": is not the table of a replay");
+  }
+  std::uint64_t length = line.size() + 1;
+  std::uint64_t answers = 0;
+  while (std::getline(before, line) && !before.eof() && std::stoull(line) < number)
+  {
+    length += line.size() + 1;
+    answers = std::stoull(line) + 1;
+  }
+  if (answers != number)
+  {
+    throw std::runtime_error(path_ + ": lacks rows of answers that are in the bag");
+  }
+  std::filesystem::resize_file(path_, length);
+  file_.open(path_, std::ios::app);
+}
+
+void CsvFile::flush()
+{
+  if (!file_.flush())
+  {
+    throw std::runtime_error(path_ + ": cannot be written");
+  }
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/replay/evaluation_pool.h"
+
+#include <ros/serialization.h>
+
+#include <exception>
+#include <utility>
+
+#include "wheel_rail_contact/replay/csv_rows.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+std::string serialized(const WheelsetContactMsg& message)
+{
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return {bytes.begin(), bytes.end()};
+}
+}  // namespace
+
+EvaluationPool::EvaluationPool(const NodeConfig& config, int threads, Format format, OutputQueue& output)
+    : config_(config), format_(std::move(format)), output_(output), open_(format_.wheelsets.size())
+{
+  for (int i = 0; i < threads; ++i)
+  {
+    threads_.emplace_back(&EvaluationPool::work, this);
+  }
+}
+
+EvaluationPool::~EvaluationPool()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopped_ = true;
+    wake_.notify_all();
+  }
+  for (std::thread& thread : threads_)
+  {
+    thread.join();
+  }
+}
+
+void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* item)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::shared_ptr<Slice>& slice = open_[wheelset];
+  if (!slice || input.starts_anew)
+  {
+    if (slice)
+    {
+      slice->closed = true;
+      offer(slice);
+    }
+    slice = std::make_shared<Slice>();
+    slice->number = slices_++;
+  }
+  slice->wanted = slice->wanted || item;
+  slice->waiting.push_back({std::move(input), item});
+  offer(slice);
+}
+
+/// A slice that is closed is offered a last time, to give its evaluator back.
+void EvaluationPool::offer(const std::shared_ptr<Slice>& slice)
+{
+  if (slice->wanted && !slice->taken && offered_.emplace(slice->number, slice).second)
+  {
+    wake_.notify_one();
+  }
+}
+
+void EvaluationPool::work()
+{
+  try
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (true)
+    {
+      wake_.wait(lock, [this] { return stopped_ || !offered_.empty(); });
+      if (stopped_)
+      {
+        return;
+      }
+      const std::shared_ptr<Slice> slice = offered_.begin()->second;
+      offered_.erase(offered_.begin());
+      run(*slice, lock);
+    }
+  }
+  catch (...)
+  {
+    output_.stop(std::current_exception());
+  }
+}
+
+/// Answers what waits in a slice, and what comes meanwhile. The mutex is held but for the evaluations.
+void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
+{
+  slice.taken = true;
+  if (!slice.evaluator && !idle_.empty())
+  {
+    slice.evaluator = std::move(idle_.back());
+    idle_.pop_back();
+  }
+  while (!slice.waiting.empty() && !stopped_)
+  {
+    const std::vector<Job> jobs = std::exchange(slice.waiting, {});
+    lock.unlock();
+    if (!slice.evaluator)
+    {
+      slice.evaluator = std::make_unique<ContactEvaluator>(config_);
+    }
+    for (const Job& job : jobs)
+    {
+      answer(*slice.evaluator, job);
+    }
+    lock.lock();
+  }
+  slice.taken = false;
+  if (slice.closed && slice.evaluator)
+  {
+    idle_.push_back(std::move(slice.evaluator));
+  }
+}
+
+void EvaluationPool::answer(ContactEvaluator& evaluator, const Job& job) const
+{
+  const ContactAnswer answer = evaluator.answer(job.input);
+  if (!job.item)
+  {
+    return;
+  }
+  WheelsetContactMsg message = toMessage(answer, format_.grids, 0);
+  message.header.seq = job.item->sequence;
+  std::string csv;
+  if (format_.csv)
+  {
+    csv = csvRows(message, job.item->answer, format_.wheelsets[*job.item->wheelset]);
+  }
+  output_.complete(*job.item, serialized(message), std::move(csv), message.status);
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/replay/output_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::size_t overhead = 1024;  ///< of an item and its input [B]
+constexpr std::chrono::milliseconds moment(100);
+}  // namespace
+
+void OutputQueue::charge(OutputItem& item)
+{
+  bytes_ -= item.charged;
+  item.charged = overhead + (item.ready ? item.data.size() + item.csv.size() : largest_answer_);
+  bytes_ += item.charged;
+}
+
+OutputItem* OutputQueue::append(OutputItem item)
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  room_.wait(lock, [this] { return stopped_ || items_.empty() || bytes_ < budget_; });
+  if (stopped_)
+  {
+    return nullptr;
+  }
+  items_.push_back(std::move(item));
+  charge(items_.back());
+  if (items_.front().ready)
+  {
+    front_ready_.notify_one();
+  }
+  return &items_.back();
+}
+
+void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (stopped_)
+  {
+    return;
+  }
+  item.data = std::move(data);
+  item.csv = std::move(csv);
+  item.status = status;
+  item.ready = true;
+  charge(item);
+  largest_answer_ = std::max(largest_answer_, item.data.size() + item.csv.size());
+  if (&item == &items_.front())
+  {
+    front_ready_.notify_one();
+  }
+}
+
+void OutputQueue::close()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  closed_ = true;
+  front_ready_.notify_one();
+}
+
+OutputQueue::State OutputQueue::pop(OutputItem& item)
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto is_ready = [this] { return !items_.empty() && items_.front().ready; };
+  front_ready_.wait_for(lock, moment, [&] { return stopped_ || is_ready() || (closed_ && items_.empty()); });
+  if (reason_)
+  {
+    std::rethrow_exception(reason_);
+  }
+  if (stopped_ || (closed_ && items_.empty()))
+  {
+    return State::end;
+  }
+  if (!is_ready())
+  {
+    return State::later;
+  }
+  item = std::move(items_.front());
+  items_.pop_front();
+  bytes_ -= item.charged;
+  if (bytes_ < budget_ / 4 * 3 || items_.empty())
+  {
+    room_.notify_one();
+  }
+  return State::item;
+}
+
+void OutputQueue::stop(std::exception_ptr reason)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stopped_ = true;
+  reason_ = reason_ ? reason_ : std::move(reason);
+  room_.notify_all();
+  front_ready_.notify_all();
+}
+}  // namespace wheel_rail_contact

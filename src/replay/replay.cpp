@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/replay/replay.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "wheel_rail_contact/replay/progress.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::size_t queue_budget = 96 << 20;               ///< [B]
+constexpr const char* description_field = "contact_replay";  ///< of the answers' connections
+
+BagConnection answerConnection(const std::string& wheelset, const std::string& description)
+{
+  BagConnection connection;
+  connection.topic = answerTopic(wheelset);
+  connection.header.set("topic", connection.topic)
+      .set("type", ros::message_traits::datatype<WheelsetContactMsg>())
+      .set("md5sum", ros::message_traits::md5sum<WheelsetContactMsg>())
+      .set("message_definition", ros::message_traits::definition<WheelsetContactMsg>())
+      .set("callerid", wheelset + "/contact_node")
+      .set(description_field, description);
+  return connection;
+}
+
+std::string percent(std::uint64_t part, std::uint64_t all)
+{
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
+  return text.data();
+}
+}  // namespace
+
+Replay::Replay(const ReplayOptions& options)
+    : options_(options),
+      parameters_(replayParameters(options_)),
+      config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
+      source_(options_.input, config_, options_.wheelsets, options_.keep_topics),
+      description_(replayDescription(options_, parameters_, source_.fileSize())),
+      queue_(queue_budget)
+{
+  const bool resume = options_.resume && std::filesystem::exists(options_.output);
+  if (resume)
+  {
+    bag_ = resumeOutput();
+  }
+  else if (std::filesystem::exists(options_.output))
+  {
+    throw std::runtime_error(options_.output + ": exists already; it is not overwritten (--resume goes on with it)");
+  }
+  if (!options_.csv.empty())
+  {
+    csv_ = std::make_unique<CsvFile>(options_.csv, resume);
+  }
+  if (!resume)
+  {
+    bag_ = std::make_unique<BagWriter>(options_.output, options_.compression);
+  }
+  bag_->onChunk(
+      [this]
+      {
+        if (csv_)
+        {
+          csv_->flush();
+        }
+      });
+  for (const std::string& wheelset : options_.wheelsets)
+  {
+    bag_->addConnection(answerConnection(wheelset, description_));
+  }
+}
+
+/// Only of a bag whose answers say that they were made from the same input in the same way.
+std::unique_ptr<BagWriter> Replay::resumeOutput()
+{
+  const BagFile file(options_.output);
+  const auto any_topic = [](const std::string&) { return true; };
+  const BagContents contents = readContents(file, any_topic);
+  const bool has_messages = !contents.chunks.empty();
+  bool is_same = !has_messages;
+  for (const auto& [number, connection] : contents.connections)
+  {
+    is_same = is_same ||
+              (connection.header.has(description_field) && connection.header.text(description_field) == description_);
+  }
+  if (!is_same)
+  {
+    throw std::runtime_error(options_.output +
+                             ": cannot be resumed, it holds no answers to this input with these "
+                             "parameters and options");
+  }
+  remains_ = remainsOf(file);
+  return std::make_unique<BagWriter>(options_.output, options_.compression, remains_);
+}
+
+void Replay::run(const std::atomic<bool>& interrupted)
+{
+  Progress progress(source_.messages());
+  {
+    EvaluationPool pool(config_, options_.threads, {options_.grids, csv_ != nullptr, options_.wheelsets}, queue_);
+    std::thread reader([this, &pool] { read(pool); });
+    try
+    {
+      OutputItem item;
+      for (auto state = OutputQueue::State::later; state != OutputQueue::State::end && !interrupted;)
+      {
+        state = queue_.pop(item);
+        if (state == OutputQueue::State::item)
+        {
+          write(item);
+        }
+        progress.show(last_read_, answers_ - answers_before_);
+      }
+    }
+    catch (...)
+    {
+      queue_.stop();
+      reader.join();
+      throw;
+    }
+    queue_.stop();
+    reader.join();
+  }
+  if (csv_ && written_ <= remains_.messages)
+  {
+    csv_->cut(answers_);
+  }
+  bag_->close();
+  seconds_ = progress.elapsed();
+  progress.finish(last_read_, answers_ - answers_before_);
+}
+
+/// Reads the input and hands out the work.
+void Replay::read(EvaluationPool& pool)
+{
+  try
+  {
+    std::uint64_t messages = 0, answers = 0;
+    std::vector<std::uint32_t> sequence(options_.wheelsets.size(), 0);
+    while (auto event = source_.next())
+    {
+      const bool wanted = messages++ >= remains_.messages;
+      OutputItem item;
+      item.wheelset = event->wheelset;
+      item.connection_id = event->connection_id;
+      item.connection = event->connection;
+      item.time = event->time;
+      item.read = event->read;
+      item.data = std::move(event->data);
+      item.ready = !event->wheelset || !wanted;
+      if (event->wheelset)
+      {
+        item.answer = answers++;
+        item.sequence = sequence[*event->wheelset]++;
+      }
+      OutputItem* const place = queue_.append(std::move(item));
+      if (!place)
+      {
+        return;
+      }
+      if (event->wheelset)
+      {
+        pool.add(*event->wheelset, std::move(event->input), wanted ? place : nullptr);
+      }
+    }
+    queue_.close();
+  }
+  catch (...)
+  {
+    queue_.stop(std::current_exception());
+  }
+}
+
+void Replay::write(const OutputItem& item)
+{
+  const bool is_there = written_++ < remains_.messages;
+  if (csv_ && !is_there && remains_.messages > 0 && written_ == remains_.messages + 1)
+  {
+    csv_->cut(answers_);
+  }
+  if (item.wheelset)
+  {
+    ++answers_;
+    answers_before_ += is_there ? 1U : 0U;
+    statuses_.at(item.status) += is_there ? 0U : 1U;
+  }
+  if (csv_ && !is_there)
+  {
+    csv_->write(item.csv);
+  }
+  last_read_ = item.read;
+  const auto number = item.wheelset ? static_cast<std::uint32_t>(*item.wheelset) : keptConnection(item);
+  bag_->write(number, item.time, item.data);
+}
+
+std::uint32_t Replay::keptConnection(const OutputItem& item)
+{
+  const auto found = kept_connections_.find(item.connection_id);
+  if (found != kept_connections_.end())
+  {
+    return found->second;
+  }
+  return kept_connections_[item.connection_id] = bag_->addConnection(*item.connection);
+}
+
+void Replay::printSummary(std::ostream& out) const
+{
+  const std::uint64_t evaluated = answers_ - answers_before_;
+  out << evaluated << " pairs answered in " << seconds_ << " s, "
+      << static_cast<std::uint64_t>(static_cast<double>(evaluated) / seconds_) << "/s";
+  if (answers_before_ > 0)
+  {
+    out << "; " << answers_before_ << " were there already";
+  }
+  out << "\n";
+  for (std::size_t status = 0; status < statuses_.size(); ++status)
+  {
+    if (statuses_[status] > 0)
+    {
+      out << "  " << statusName(static_cast<std::uint8_t>(status)) << ": " << statuses_[status] << " ("
+          << percent(statuses_[status], evaluated) << " %)\n";
+    }
+  }
+  for (std::size_t i = 0; i < options_.wheelsets.size(); ++i)
+  {
+    const PairingCounts& counts = source_.counts(i);
+    for (std::size_t reason = 0; reason < counts.dropped.size(); ++reason)
+    {
+      if (counts.dropped[reason] > 0)
+      {
+        out << "  " << options_.wheelsets[i] << "/wheelset: " << counts.dropped[reason]
+            << " messages dropped: " << dropName(static_cast<DropReason>(reason)) << "\n";
+      }
+    }
+  }
+}
+}  // namespace wheel_rail_contact

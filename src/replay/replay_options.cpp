@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/replay/replay_options.h"
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "wheel_rail_contact/ros/file_names.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+bool isOption(const std::string& argument)
+{
+  return argument.size() > 1 && argument[0] == '-';
+}
+
+/// Walks over the arguments.
+class Arguments
+{
+ public:
+  explicit Arguments(const std::vector<std::string>& all) : all_(all) {}
+
+  bool empty() const { return next_ == all_.size(); }
+  std::string take() { return all_[next_++]; }
+
+  /// The value of an option.
+  std::string valueOf(const std::string& option)
+  {
+    if (empty() || isOption(all_[next_]))
+    {
+      throw std::invalid_argument(option + " needs a value");
+    }
+    return take();
+  }
+
+  /// One or more values up to the next option.
+  std::vector<std::string> valuesOf(const std::string& option)
+  {
+    std::vector<std::string> values{valueOf(option)};
+    while (!empty() && !isOption(all_[next_]))
+    {
+      values.push_back(take());
+    }
+    return values;
+  }
+
+ private:
+  const std::vector<std::string>& all_;
+  std::size_t next_ = 0;
+};
+
+int threadCount(const std::string& text)
+{
+  constexpr int most = 1024;
+  std::size_t read = 0;
+  int count = 0;
+  try
+  {
+    count = std::stoi(text, &read);
+  }
+  catch (const std::exception&)  // no number: refused below
+  {
+  }
+  if (read != text.size() || count < 1 || count > most)
+  {
+    throw std::invalid_argument("--threads = " + text + ": must be a whole number from 1 to 1024");
+  }
+  return count;
+}
+
+/// "front", "/front/" and "/front" are the same; "/" is the namespace of a single wheelset.
+std::string asNamespace(const std::string& name)
+{
+  const auto first = name.find_first_not_of('/');
+  if (first == std::string::npos)
+  {
+    return "";
+  }
+  return "/" + name.substr(first, name.find_last_not_of('/') - first + 1);
+}
+
+std::vector<std::string> namespaces(const std::vector<std::string>& names)
+{
+  std::vector<std::string> result;
+  for (const std::string& name : names)
+  {
+    result.push_back(asNamespace(name));
+    if (std::count(result.begin(), result.end(), result.back()) > 1)
+    {
+      throw std::invalid_argument("--wheelset " + name + ": given twice");
+    }
+  }
+  return result;
+}
+
+void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& options,
+                std::vector<std::string>& wheelsets)
+{
+  if (option == "--config")
+  {
+    options.configs.push_back(arguments.valueOf(option));
+  }
+  else if (option == "--csv")
+  {
+    options.csv = arguments.valueOf(option);
+  }
+  else if (option == "--threads")
+  {
+    options.threads = threadCount(arguments.valueOf(option));
+  }
+  else if (option == "--wheelset")
+  {
+    const auto names = arguments.valuesOf(option);
+    wheelsets.insert(wheelsets.end(), names.begin(), names.end());
+  }
+  else if (option == "--keep-topics")
+  {
+    options.keep_topics = true;
+  }
+  else if (option == "--no-grids")
+  {
+    options.grids = false;
+  }
+  else if (option == "--lz4")
+  {
+    options.compression = "lz4";
+  }
+  else if (option == "--resume")
+  {
+    options.resume = true;
+  }
+  else if (option == "--help" || option == "-h")
+  {
+    options.help = true;
+  }
+  else
+  {
+    throw std::invalid_argument(option + ": there is no such option");
+  }
+}
+}  // namespace
+
+ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
+{
+  ReplayOptions options;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<std::string> files, wheelsets;
+  for (Arguments rest(arguments); !rest.empty();)
+  {
+    const std::string argument = rest.take();
+    if (isOption(argument))
+    {
+      takeOption(argument, rest, options, wheelsets);
+    }
+    else
+    {
+      files.push_back(argument);
+    }
+  }
+  if (options.help)
+  {
+    return options;
+  }
+  if (files.size() != 2)
+  {
+    throw std::invalid_argument("needs two bags, IN.bag and OUT.bag, before --wheelset");
+  }
+  options.input = files[0];
+  options.output = files[1];
+  if (!wheelsets.empty())
+  {
+    options.wheelsets = namespaces(wheelsets);
+  }
+  return options;
+}
+
+void printReplayUsage(std::ostream& out)
+{
+  out << "usage: contact_replay IN.bag OUT.bag [--config F.yaml]... [--threads N] [--csv F.csv] [--wheelset NAME...]\n"
+         "                      [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
+         "\n"
+         "Answers every pair of pose and load in a bag as the live node does, as fast as the cores allow. The same "
+         "bag\n"
+         "and parameters give the same file, to the last byte.\n"
+         "\n"
+         "  --config F.yaml     parameters, laid over config/default.yaml and the files given before\n"
+         "  --threads N         threads that evaluate (default: one for each core)\n"
+         "  --csv F.csv         also write a table, one row for each patch, units in its header\n"
+         "  --wheelset NAME...  namespaces: NAME/wheelset/pose is answered at NAME/contact_node/contact (default: /)\n"
+         "  --keep-topics       copy the bag's other messages too\n"
+         "  --no-grids          leave the pressure grids empty\n"
+         "  --lz4               compress OUT.bag\n"
+         "  --resume            go on with an OUT.bag that was broken off (Ctrl-C, a crash); same options as before\n"
+         "\n"
+         "Exit status: 0 done; 1 failed; 2 misused; 3 done, but parts of IN.bag could not be read; 130 broken off.\n";
+}
+
+ParameterTree replayParameters(const ReplayOptions& options)
+{
+  ParameterTree tree = readParameterFile(resolveFile("package://wheel_rail_contact/config/default.yaml", ""));
+  for (const std::string& file : options.configs)
+  {
+    tree = overlay(tree, readParameterFile(resolveFile(file, ".")));
+  }
+  return tree;
+}
+
+std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size)
+{
+  std::ostringstream text;
+  text << "input size: " << input_size << " B\n";
+  text << "options: grids " << options.grids << ", keep topics " << options.keep_topics << ", compression "
+       << options.compression << "\n";
+  for (const std::string& name : options.wheelsets)
+  {
+    text << "wheelset: " << name << "/wheelset\n";
+  }
+  for (const auto& [name, value] : parameters)
+  {
+    text << name << ": " << YAML::Dump(value) << "\n";
+  }
+  return text.str();
+}
+}  // namespace wheel_rail_contact

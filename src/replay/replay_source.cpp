@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/replay/replay_source.h"
+
+#include <ros/serialization.h>
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <utility>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// How long an input waits for its transform [ns].
+constexpr auto patience = static_cast<std::uint64_t>(InputPreparation::transform_patience * 1e9);
+
+}  // namespace
+
+std::string answerTopic(const std::string& wheelset)
+{
+  return wheelset + "/contact_node/contact";
+}
+
+namespace
+{
+/// A topic without a slash before it is played to one with it.
+std::string absolute(const std::string& topic)
+{
+  return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
+}
+
+/// @throw ros::serialization::StreamOverrunException if the message is cut off.
+template <typename Message>
+boost::shared_ptr<Message> parse(std::string_view data)
+{
+  std::vector<std::uint8_t> bytes(data.begin(), data.end());  // the stream asks for data it could change
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  const auto message = boost::make_shared<Message>();
+  ros::serialization::deserialize(stream, *message);
+  return message;
+}
+
+std::set<std::string> answerTopics(const std::vector<std::string>& wheelsets)
+{
+  std::set<std::string> topics;
+  for (const std::string& wheelset : wheelsets)
+  {
+    topics.insert(answerTopic(wheelset));
+  }
+  return topics;
+}
+
+template <typename Message>
+std::pair<std::string, std::string> typeAndSum()
+{
+  return {ros::message_traits::datatype<Message>(), ros::message_traits::md5sum<Message>()};
+}
+}  // namespace
+
+ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets,
+                           bool keep)
+    : uses_(usesOf(config, wheelsets)),
+      answers_(answerTopics(wheelsets)),
+      keep_(keep),
+      wheelsets_(wheelsets.size(), Wheelset{InputPairing(config), InputPreparation(config), {}}),
+      stream_(bag, [this](const std::string& topic) { return wants(topic); })
+{
+  requireTopics();
+  requireTypes();
+}
+
+std::map<std::string, ReplaySource::Use> ReplaySource::usesOf(const NodeConfig& config,
+                                                              const std::vector<std::string>& wheelsets)
+{
+  const InputPairing pairing(config);
+  std::map<std::string, Use> uses{{"/tf", {Role::transform, 0}}, {"/tf_static", {Role::static_transform, 0}}};
+  for (std::size_t i = 0; i < wheelsets.size(); ++i)
+  {
+    const std::string inputs = wheelsets[i] + "/wheelset/";
+    uses[inputs + "pose"] = {Role::pose, i};
+    if (pairing.usesLoad())
+    {
+      uses[inputs + "load"] = {Role::load, i};
+    }
+    if (pairing.usesRailForces())
+    {
+      uses[inputs + "left_rail_force"] = {Role::left_rail_force, i};
+      uses[inputs + "right_rail_force"] = {Role::right_rail_force, i};
+    }
+  }
+  return uses;
+}
+
+bool ReplaySource::wants(const std::string& topic) const
+{
+  const std::string name = absolute(topic);
+  return uses_.count(name) > 0 || (keep_ && answers_.count(name) == 0);
+}
+
+std::string ReplaySource::topicsOfType(const std::string& type) const
+{
+  std::string topics;
+  for (const auto& entry : stream_.contents().connections)
+  {
+    const BagConnection& connection = entry.second;
+    if (connection.header.has("type") && connection.header.text("type") == type)
+    {
+      topics += " " + connection.topic;
+    }
+  }
+  return topics.empty() ? " none" : topics;
+}
+
+void ReplaySource::requireTopics() const
+{
+  for (const auto& [topic, use] : uses_)
+  {
+    const auto& connections = stream_.contents().connections;
+    const bool is_there =
+        std::any_of(connections.begin(), connections.end(),
+                    [&name = topic](const auto& entry) { return absolute(entry.second.topic) == name; });
+    if (!is_there && use.role != Role::transform && use.role != Role::static_transform)
+    {
+      const std::string type = use.role == Role::pose ? "geometry_msgs/PoseStamped" : "geometry_msgs/WrenchStamped";
+      throw BagError("the bag has no topic " + topic + "; its topics of type " + type + ":" + topicsOfType(type));
+    }
+  }
+}
+
+void ReplaySource::requireTypes() const
+{
+  for (const auto& entry : stream_.contents().connections)
+  {
+    const BagConnection& connection = entry.second;
+    const auto use = uses_.find(absolute(connection.topic));
+    if (use == uses_.end())
+    {
+      continue;
+    }
+    const Role role = use->second.role;
+    const bool is_transform = role == Role::transform || role == Role::static_transform;
+    const auto wanted = is_transform         ? typeAndSum<tf2_msgs::TFMessage>()
+                        : role == Role::pose ? typeAndSum<geometry_msgs::PoseStamped>()
+                                             : typeAndSum<geometry_msgs::WrenchStamped>();
+    if (connection.header.text("md5sum") != wanted.second)
+    {
+      throw BagError("the bag's topic " + connection.topic + " is of type " + connection.header.text("type") +
+                     ", not of " + wanted.first);
+    }
+  }
+}
+
+std::uint64_t ReplaySource::messages() const
+{
+  std::uint64_t sum = 0;
+  for (const auto& [connection, count] : stream_.contents().messages)
+  {
+    const auto found = stream_.contents().connections.find(connection);
+    sum += found != stream_.contents().connections.end() && wants(found->second.topic) ? count : 0;
+  }
+  return sum;
+}
+
+std::vector<std::string> ReplaySource::faults() const
+{
+  std::vector<std::string> faults = stream_.faults();
+  if (damaged_ > 0)
+  {
+    faults.push_back(std::to_string(damaged_) + " messages are cut off");
+  }
+  return faults;
+}
+
+std::optional<ReplayEvent> ReplaySource::next()
+{
+  while (events_.empty() && !finished_)
+  {
+    const auto message = stream_.next();
+    if (message)
+    {
+      take(*message);
+    }
+    else
+    {
+      finish();
+    }
+  }
+  if (events_.empty())
+  {
+    return std::nullopt;
+  }
+  ReplayEvent event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+void ReplaySource::take(const BagMessage& message)
+{
+  ++read_;
+  now_ = std::max(now_, message.time);
+  release(true);
+  if (keep_)
+  {
+    ReplayEvent event;
+    event.time = now_;
+    event.connection_id = message.connection_id;
+    event.connection = message.connection;
+    event.data = message.data;
+    event.read = read_;
+    events_.push_back(std::move(event));
+  }
+  const auto found = uses_.find(absolute(message.connection->topic));
+  if (found == uses_.end())
+  {
+    return;
+  }
+  try
+  {
+    use(found->second, message);
+  }
+  catch (const ros::serialization::StreamOverrunException&)
+  {
+    ++damaged_;
+  }
+  release(false);
+}
+
+void ReplaySource::use(const Use& use, const BagMessage& message)
+{
+  if (use.role == Role::transform || use.role == Role::static_transform)
+  {
+    const auto transforms = parse<tf2_msgs::TFMessage>(message.data);
+    for (const auto& transform : transforms->transforms)
+    {
+      transforms_.setTransform(transform, "bag", use.role == Role::static_transform);
+    }
+    return;
+  }
+  auto input = pair(use, message);
+  if (input)
+  {
+    wheelsets_[use.wheelset].waiting.push_back({std::move(*input), now_ + patience});
+  }
+}
+
+std::optional<ContactInput> ReplaySource::pair(const Use& use, const BagMessage& message)
+{
+  InputPairing& pairing = wheelsets_[use.wheelset].pairing;
+  if (use.role == Role::pose)
+  {
+    return pairing.addPose(parse<geometry_msgs::PoseStamped>(message.data));
+  }
+  const auto wrench = parse<geometry_msgs::WrenchStamped>(message.data);
+  if (use.role == Role::load)
+  {
+    return pairing.addLoad(wrench);
+  }
+  return pairing.addRailForce(use.role == Role::left_rail_force ? Side::left : Side::right, wrench);
+}
+
+/// Lets go the inputs that wait no longer, in the order of each wheelset.
+void ReplaySource::release(bool only_overdue)
+{
+  for (std::size_t i = 0; i < wheelsets_.size(); ++i)
+  {
+    Wheelset& wheelset = wheelsets_[i];
+    while (!wheelset.waiting.empty() &&
+           (wheelset.waiting.front().deadline < now_ ||
+            (!only_overdue && wheelset.preparation.isReady(wheelset.waiting.front().input, transforms_))))
+    {
+      emit(i);
+    }
+  }
+}
+
+void ReplaySource::emit(std::size_t wheelset)
+{
+  Wheelset& own = wheelsets_[wheelset];
+  ReplayEvent event;
+  event.time = now_;
+  event.wheelset = wheelset;
+  event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
+  event.read = read_;
+  own.waiting.pop_front();
+  events_.push_back(std::move(event));
+}
+
+/// What waits at the end of the bag waits in vain.
+void ReplaySource::finish()
+{
+  for (std::size_t i = 0; i < wheelsets_.size(); ++i)
+  {
+    while (!wheelsets_[i].waiting.empty())
+    {
+      emit(i);
+    }
+    wheelsets_[i].pairing.finish();
+  }
+  finished_ = true;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of contact_replay share: bags of a wheelset that runs from side to side, and the program's run."""
+
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import genpy
+import rosbag
+from geometry_msgs.msg import PoseStamped, WrenchStamped
+
+PROGRAM = os.environ["CONTACT_REPLAY"]
+SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "bags" / "manchester_sweep.bag"
+ANSWERS = "/contact_node/contact"
+DAMAGED, MISUSED, BROKEN_OFF = 3, 2, 130
+
+
+def time(nanoseconds):
+    return genpy.Time(nanoseconds // 10**9, nanoseconds % 10**9)
+
+
+def stamp(i):
+    """1000 pairs per second from 1 s on."""
+    return time(10**9 + i * 10**6)
+
+
+def pose(i, frame="track"):
+    message = PoseStamped()
+    message.header.stamp = stamp(i)
+    message.header.frame_id = frame
+    message.pose.position.y = 5e-3 * math.sin(0.01 * i)
+    message.pose.orientation.w = 1
+    return message
+
+
+def load(i):
+    message = WrenchStamped()
+    message.header.stamp = stamp(i)
+    message.wrench.force.z = -200e3
+    return message
+
+
+def write_pairs(bag, count, inputs="/wheelset"):
+    for i in range(count):
+        bag.write(inputs + "/pose", pose(i), stamp(i))
+        bag.write(inputs + "/load", load(i), stamp(i))
+
+
+class ReplayCase(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def make_bag(self, count, name="in.bag", **options):
+        path = self.folder / name
+        with rosbag.Bag(str(path), "w", **options) as bag:
+            write_pairs(bag, count)
+        return path
+
+    def replay(self, bag, name="out.bag", *options, status=0):
+        """Runs the program. @return the bag of answers and what was printed."""
+        out = self.folder / name
+        run = subprocess.run([PROGRAM, bag, out, *map(str, options)], capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, status, run.stdout + run.stderr)
+        return out, run.stdout + run.stderr
+
+    def answers(self, bag, topic=ANSWERS):
+        with rosbag.Bag(str(bag)) as opened:
+            return [message for _, message, _ in opened.read_messages(topic)]
+
+    def assert_same_file(self, a, b):
+        # Not assertEqual, which would print them.
+        self.assertTrue(a.read_bytes() == b.read_bytes(), f"{a.name} differs from {b.name}")

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_replay on bags of a recorder that crashed, cut off files, and damaged ones: all that can be read is answered,
+the rest is told, and the program does not end with 0."""
+
+import shutil
+
+import rosbag
+
+from replay_case import DAMAGED, ReplayCase, write_pairs
+
+CHUNK = 20000  # bytes: about 30 pairs
+
+
+class DamagedBags(ReplayCase):
+    def setUp(self):
+        super().setUp()
+        whole = self.make_bag(250, "whole.bag", chunk_threshold=CHUNK)
+        self.whole = self.answers(self.replay(whole, "expected.bag", "--no-grids")[0])
+        self.assertEqual(len(self.whole), 250)
+
+    def expect_damaged(self, bag, complaint):
+        out, printed = self.replay(bag, "out.bag", "--no-grids", status=DAMAGED)
+        self.assertIn(complaint, printed)
+        return self.answers(out)
+
+    def test_bag_of_a_crashed_recorder_is_answered_up_to_its_last_message(self):
+        crashed = self.folder / "crashed.bag"
+        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=CHUNK) as bag:
+            write_pairs(bag, 250)
+            bag.flush()
+            bag._file.flush()
+            shutil.copy(self.folder / "recording.bag", crashed)
+        self.assertEqual(self.expect_damaged(crashed, "not closed"), self.whole)
+
+    def test_chunk_in_hand_of_a_crashed_recorder_is_read_as_far_as_it_goes(self):
+        crashed = self.folder / "crashed.bag"
+        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=10**7) as bag:
+            write_pairs(bag, 200)
+            bag._file.flush()
+            shutil.copy(self.folder / "recording.bag", crashed)
+        with open(crashed, "r+b") as file:
+            file.truncate(crashed.stat().st_size - 100)
+        self.assertEqual(self.expect_damaged(crashed, "not closed"), self.whole[:199])
+
+    def test_file_that_was_cut_off_is_answered_up_to_the_cut(self):
+        for compression in ("none", "bz2", "lz4"):
+            cut = self.make_bag(250, f"cut_{compression}.bag", chunk_threshold=CHUNK, compression=compression)
+            with open(cut, "r+b") as file:
+                file.truncate(int(0.6 * cut.stat().st_size))
+            out, printed = self.replay(cut, compression + ".bag", "--no-grids", status=DAMAGED)
+            answers = self.answers(out)
+            self.assertIn("no usable index", printed)
+            self.assertTrue(80 < len(answers) < 250, len(answers))
+            self.assertEqual(answers, self.whole[:len(answers)])
+
+    def test_damaged_chunk_is_left_out(self):
+        for compression in ("bz2", "lz4"):
+            bag = self.make_bag(250, f"{compression}.bag", chunk_threshold=CHUNK, compression=compression)
+            content = bytearray(bag.read_bytes())
+            middle = len(content) // 2
+            content[middle:middle + 50] = bytes(50)
+            bag.write_bytes(content)
+            out, printed = self.replay(bag, compression + "_out.bag", "--no-grids", status=DAMAGED)
+            self.assertIn("the chunk at byte", printed)
+            stamps = {a.header.stamp for a in self.answers(out)}
+            self.assertTrue(stamps < {a.header.stamp for a in self.whole})
+            self.assertGreater(len(stamps), 120)
+
+    def test_what_is_no_bag_is_refused(self):
+        for content in (b"", b"no bag", b"#ROSBAG V1.2\n"):
+            path = self.folder / "strange.bag"
+            path.write_bytes(content)
+            _, printed = self.replay(path, "out.bag", status=1)
+            self.assertIn("no bag of version 2.0", printed)
+        self.assertFalse((self.folder / "out.bag").exists())
+        self.assertIn("No such file", self.replay(self.folder / "absent.bag", "out.bag", status=1)[1])
+
+
+if __name__ == "__main__":
+    import unittest
+    unittest.main()
