@@ -145,7 +145,7 @@ class WheelsetContact::Chain
     out.pose = {patch.plane.x, sign * patch.plane.y, patch.plane.z, sign * patch.plane.angle};
     out.contact_angle = std::abs(patch.plane.angle);
     out.normal_force = pressure.force;
-    out.approach = (wheel.descent() - patch.touch_gap) / std::hypot(1, patch.zone.contact.slope);
+    out.approach = wheel.patchApproach(k);
     out.area = pressure.area;
     out.max_pressure = pressure.max_pressure;
     out.error_estimate = ladder_.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();

@@ -135,7 +135,9 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     ++solutions_;
     if (!isUsable(solution_.status))
     {
+      const SolveStatus reason = solution_.status;
       reset();
+      solution_.status = reason;
       return WheelStatus::normal_failed;
     }
     measure();
@@ -279,6 +281,12 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
                                             return zone.u_begin < patch.zone.u_end && patch.zone.u_begin < zone.u_end;
                                           });
                      });
+}
+
+double WheelContact::patchApproach(std::size_t patch) const
+{
+  const WheelPatch& p = patches_[patch];
+  return (descent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
 }
 
 double WheelContact::errorEstimate() const

@@ -100,6 +100,18 @@ TEST_F(WheelsetInputTest, RaisedWheelsetTouchesNothing)
   EXPECT_EQ(result.z, 0.47);
 }
 
+TEST_F(WheelsetInputTest, RefusalOfTheNormalMethodIsHandedOn)
+{
+  // Just before the flange the patch is long and narrow: on such cells the paper's point forces make no sound matrix.
+  scene_.contact.method = NormalMethod::seidel_printed;
+  scene_.contact.cells_along = 8;
+  scene_.contact.cells_across = 16;
+  WheelsetContact contact(scene_);
+  const WheelsetResult& result = contact.evaluate(stateAt(6.5e-3, 1e5));
+  expectUnusable(result, ContactStatus::not_converged);
+  EXPECT_EQ(result.reason, toString(SolveStatus::indefinite));
+}
+
 TEST_F(WheelsetInputTest, ImpossibleOptionsAreRefusedByName)
 {
   const double nan = std::nan("");

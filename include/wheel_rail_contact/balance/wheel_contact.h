@@ -76,6 +76,8 @@ class WheelContact
   WheelForces forces() const;
   /// Height of the forces' mean place over the rail head's reference point [m].
   double heightOverReference() const;
+  /// Approach of a patch along its normal, from its own first touch on [m].
+  double patchApproach(std::size_t patch) const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;
   /// Estimated relative error of the last solution: the largest of its patches' [-].
