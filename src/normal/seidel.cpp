@@ -10,6 +10,7 @@
 #include "patch_fields.h"
 #include "pressure_measures.h"
 #include "starting_pressure.h"
+#include "stripe_energy.h"
 
 namespace wheel_rail_contact
 {
@@ -58,6 +59,7 @@ class Seidel::Sweeps
   SolveStatus applyApproach(double approach);
   bool holdLoad();
   void updateResidual();
+  void lookForStripes();
 
   SeidelOptions options_;
   const NormalProblem* problem_ = nullptr;
@@ -285,8 +287,21 @@ void Seidel::Sweeps::updateResidual()
   residual_ = worst / depth;
 }
 
+/// The iteration may have come to rest in stripes without a sweep that gained energy.
+void Seidel::Sweeps::lookForStripes()
+{
+  for (const PatchLayout& patch : patches_)
+  {
+    indefinite_ = indefinite_ || stripeEnergy(patch.grid, p_.data() + patch.begin) < 0;
+  }
+}
+
 void Seidel::Sweeps::finish(SolveStatus status, NormalSolution& solution)
 {
+  if (isPrinted() && status == SolveStatus::converged)
+  {
+    lookForStripes();
+  }
   if (status != SolveStatus::no_contact)
   {
     updateResidual();

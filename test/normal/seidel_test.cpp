@@ -140,6 +140,18 @@ TEST(Seidel, printedFormTurnsToStripesOnLongCells)
   }
 }
 
+TEST(Seidel, printedFormIsRefusedWhereItComesToRestInStripes)
+{
+  // Cells ten times as long as wide: a cell acts more on its neighbour across than on itself. No sweep gains energy as
+  // a whole, yet the maximum is off by far.
+  const auto hertz = hertzCase(13.5, 32, 64, true);
+  ASSERT_GT(hertz.problem.patches[0].grid.dx, 9 * hertz.problem.patches[0].grid.dy);
+  NormalSolution solution;
+  printed().solve(hertz.problem, false, solution);
+  EXPECT_GT(solution.patches[0].max_pressure, 2 * hertz.exact.max_pressure);
+  EXPECT_EQ(solution.status, SolveStatus::indefinite);
+}
+
 TEST(Seidel, tellsWhyItEnds)
 {
   auto hertz = hertzCase(1, 16, 16, true);

@@ -37,7 +37,8 @@ struct SeidelOptions
 /// pressure, and a step ends when the pressure's root mean square change is small, which on fine grids comes before the
 /// error is small. The paper does not say how it meets a load; here the approach is found by secant steps. An earlier
 /// solution is not used. On cells longer than 4.70 times their width the matrix has negative directions: the status is
-/// then `indefinite` as soon as one has shown itself, though the iteration comes to its own end.
+/// then `indefinite` if one has shown itself, in a sweep or as stripes on the box around the pressure, though the
+/// iteration comes to its own end.
 ///
 /// Repaired: exact rectangle coefficients, positive definite on cells of any shape; after each sweep the pressure is
 /// scaled to the load and the approach follows from the loaded cells.
