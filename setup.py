@@ -5,4 +5,5 @@ from distutils.core import setup
 from catkin_pkg.python_setup import generate_distutils_setup
 
 setup(**generate_distutils_setup(
-    packages=["wheel_rail_contact", "wheel_rail_contact.paper", "wheel_rail_contact.rail_fe"], package_dir={"": "src"}))
+    packages=["wheel_rail_contact"] + [f"wheel_rail_contact.{room}" for room in ("chart", "paper", "rail_fe")],
+    package_dir={"": "src"}))

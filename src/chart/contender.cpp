@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contender.h"
+
+namespace wheel_rail_contact::chart
+{
+const char* methodName(NormalMethod method)
+{
+  switch (method)
+  {
+    case NormalMethod::hertz:
+      return "hertz";
+    case NormalMethod::kik_piotrowski:
+      return "kik_piotrowski";
+    case NormalMethod::seidel:
+      return "seidel";
+    case NormalMethod::seidel_printed:
+      return "seidel_printed";
+    case NormalMethod::conjugate_gradient:
+      return "conjugate_gradient";
+    default:
+      return "auto";
+  }
+}
+
+std::vector<Choice> allChoices()
+{
+  const ContactModelConfig automatic;
+  const MethodLadder ladder(automatic);
+  std::vector<Choice> choices;
+  for (const NormalMethod method : {NormalMethod::hertz, NormalMethod::kik_piotrowski, NormalMethod::seidel_printed,
+                                    NormalMethod::seidel, NormalMethod::conjugate_gradient})
+  {
+    for (std::size_t rung = 0; rung < ladder.count(); ++rung)
+    {
+      choices.push_back({method, ladder.at(rung).size, 0});
+    }
+  }
+  for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
+  {
+    choices.push_back({NormalMethod::automatic, {}, tolerance});
+  }
+  return choices;
+}
+
+ContactConfig contactConfig(const Choice& choice)
+{
+  ContactConfig contact;
+  contact.method = choice.method;
+  contact.cells_along = choice.grid.along;
+  contact.cells_across = choice.grid.across;
+  contact.tolerance = choice.isAutomatic() ? choice.tolerance : contact.tolerance;
+  return contact;
+}
+}  // namespace wheel_rail_contact::chart

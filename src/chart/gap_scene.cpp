@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gap_scene.h"
+
+#include <algorithm>
+
+#include "wheel_rail_contact/balance/pressure_extent.h"
+#include "wheel_rail_contact/normal/aspect_ladder.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+
+namespace wheel_rail_contact::chart
+{
+namespace
+{
+constexpr double margin = 1.1;            ///< grid over pressure, as wheels have it
+constexpr double true_residual = 1e-6;    ///< of the truth's solution [-]
+constexpr GridSize boxing_grid{32, 128};  ///< on which the box is found
+constexpr int boxings = 3;
+
+Grid covering(const Box& box, const GridSize& size)
+{
+  const double width = box.y_end - box.y_begin;
+  const aspect_ladder::Cell cell =
+      aspect_ladder::coveringCell(margin * box.length, margin * width, size.along, size.across);
+  const double first = 0.5 * (box.y_begin + box.y_end - (size.across - 1) * cell.dy);
+  return {size.along, size.across, cell.dx, cell.dy, first, true};
+}
+
+NormalSolution solveStrictly(const NormalProblem& problem)
+{
+  ConjugateGradientsOptions options;
+  options.residual = true_residual;
+  options.max_products = 1000;
+  NormalSolution solution;
+  ConjugateGradients(options).solve(problem, false, solution);
+  return solution;
+}
+
+Outcome outcomeOf(const GapScene& scene, const NormalProblem& problem, const NormalSolution& solution)
+{
+  Outcome outcome;
+  outcome.usable = isUsable(solution.status);
+  outcome.reason = outcome.usable ? "" : toString(solution.status);
+  for (std::size_t k = 0; outcome.usable && k < problem.patches.size(); ++k)
+  {
+    const Grid& grid = problem.patches[k].grid;
+    const PatchPressure& pressure = solution.patches[k];
+    outcome.grid = {grid.nx, grid.ny};
+    if (pressure.force > 0)
+    {
+      const GapPatch& patch = scene.patches()[k];
+      outcome.patches.push_back(
+          {0, pressure.max_pressure, pressure.area, patch.weight * solution.approach - patch.first_touch});
+    }
+  }
+  return outcome;
+}
+
+/// Answers like one wheel of the whole chain: from cold a rough solution chooses the grid, each answer carries its
+/// error estimate, and the grid is kept, refined or coarsened by it.
+class GapContender : public Contender
+{
+ public:
+  GapContender(const GapScene& scene, const MethodLadder& ladder, double tolerance)
+      : scene_(scene), ladder_(ladder), tolerance_(tolerance), choice_(ladder, tolerance)
+  {
+    for (std::size_t rung = 0; rung < ladder.count(); ++rung)
+    {
+      prepare(scene, ladder.at(rung).size);
+    }
+    prepare(scene, ladder.rough().size);
+  }
+
+  void answer(int offset) override
+  {
+    if (!warm_ && ladder_.count() > 1)
+    {
+      solveOn(ladder_.rough().size, offset);
+      choice_.start(estimate_);
+    }
+    do
+    {
+      solveOn(choice_.rung().size, offset);
+    } while (isUsable(solution_.status) && choice_.climb(estimate_));
+    choice_.descend(estimate_);
+  }
+
+  void forget() override
+  {
+    warm_ = false;
+    choice_ = RungChoice(ladder_, tolerance_);
+  }
+
+  Outcome outcome() const override
+  {
+    Outcome outcome = outcomeOf(scene_, *problem_, solution_);
+    outcome.estimate = estimate_;
+    return outcome;
+  }
+
+ private:
+  struct Prepared
+  {
+    GridSize size;
+    int offset;
+    NormalProblem problem;
+  };
+
+  void prepare(const GapScene& scene, const GridSize& size)
+  {
+    for (int offset = -1; offset <= 1; ++offset)
+    {
+      prepared_.push_back({size, offset, scene.problem(size, offset)});
+    }
+  }
+
+  void solveOn(const GridSize& size, int offset)
+  {
+    problem_ = &std::find_if(prepared_.begin(), prepared_.end(),
+                             [&](const Prepared& p) {
+                               return p.size.along == size.along && p.size.across == size.across && p.offset == offset;
+                             })
+                    ->problem;
+    NormalSolver& solver = ladder_.solver();
+    solver.solve(*problem_, warm_, solution_);
+    if (warm_ && !isUsable(solution_.status))
+    {
+      solver.solve(*problem_, false, solution_);
+    }
+    warm_ = isUsable(solution_.status);
+    estimate_ = 0;
+    for (std::size_t k = 0; warm_ && k < problem_->patches.size(); ++k)
+    {
+      estimate_ = std::max(estimate_, solver.estimateError(*problem_, solution_, k).largest());
+    }
+  }
+
+  const GapScene& scene_;
+  const MethodLadder& ladder_;
+  double tolerance_;
+  RungChoice choice_;
+  std::vector<Prepared> prepared_;
+  const NormalProblem* problem_ = nullptr;
+  NormalSolution solution_;
+  double estimate_ = 0;
+  bool warm_ = false;
+};
+}  // namespace
+
+GapScene::GapScene(std::string name, std::string title, std::shared_ptr<Ladders> ladders, std::vector<GapPatch> patches,
+                   double load)
+    : Scene(std::move(name), std::move(title)), ladders_(std::move(ladders)), patches_(std::move(patches)), load_(load)
+{
+  for (int i = 0; i < boxings; ++i)
+  {
+    tighten();
+  }
+}
+
+/// Lays the boxes over the pressure that is found in them.
+void GapScene::tighten()
+{
+  const NormalProblem wide = problem(boxing_grid, 0);
+  const NormalSolution solution = solveStrictly(wide);
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const PressureExtent extent = findExtent(wide.patches[k].grid, solution.patches[k].pressure);
+    patches_[k].box = {2 * extent.half_length, extent.y_begin, extent.y_end};
+  }
+}
+
+NormalProblem GapScene::problem(const GridSize& size, int offset) const
+{
+  NormalProblem problem;
+  problem.modulus = contactModulus(Material(), Material());
+  problem.value = load_;
+  for (const GapPatch& patch : patches_)
+  {
+    PatchGap sampled;
+    sampled.grid = covering(patch.box, size);
+    sampled.weight = patch.weight;
+    sampled.gap.resize(sampled.grid.rows(), sampled.grid.ny);
+    for (int j = 0; j < sampled.grid.ny; ++j)
+    {
+      for (int i = 0; i < sampled.grid.rows(); ++i)
+      {
+        sampled.gap(i, j) = patch.gap(sampled.grid.x(i), sampled.grid.y(j) - offset * step);
+      }
+    }
+    problem.patches.push_back(std::move(sampled));
+  }
+  return problem;
+}
+
+Outcome GapScene::truth(const GridSize& grid)
+{
+  const NormalProblem fine = problem(grid, 0);
+  return outcomeOf(*this, fine, solveStrictly(fine));
+}
+
+std::unique_ptr<Contender> GapScene::contender(const Choice& choice)
+{
+  return std::make_unique<GapContender>(*this, ladders_->find(choice), contactConfig(choice).tolerance);
+}
+}  // namespace wheel_rail_contact::chart

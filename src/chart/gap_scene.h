@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "contender.h"
+#include "ladders.h"
+
+namespace wheel_rail_contact::chart
+{
+/// Gap at (x, y) [m], even in x.
+using Gap = std::function<double(double, double)>;
+
+/// Where the pressure of a patch lies.
+struct Box
+{
+  double length = 0;              ///< along, about x = 0 [m]
+  double y_begin = 0, y_end = 0;  ///< across [m]
+};
+
+/// One patch of a scene.
+struct GapPatch
+{
+  Gap gap;
+  Box box;                 ///< in which all of its pressure lies; need not be tight
+  double first_touch = 0;  ///< least gap [m]
+  double weight = 1;       ///< as in PatchGap
+};
+
+/// A contact given by its gap: the normal problem alone, on a grid laid closely over the pressure.
+class GapScene : public Scene
+{
+ public:
+  /// @param load  [N]
+  GapScene(std::string name, std::string title, std::shared_ptr<Ladders> ladders, std::vector<GapPatch> patches,
+           double load);
+
+  const char* kind() const override { return "normal"; }
+  Outcome truth(const GridSize& grid) override;
+  std::unique_ptr<Contender> contender(const Choice& choice) override;
+
+  const std::vector<GapPatch>& patches() const { return patches_; }
+  /// The problem on a grid, the bodies moved by `offset` steps across the grid.
+  NormalProblem problem(const GridSize& grid, int offset) const;
+
+ private:
+  void tighten();
+
+  std::shared_ptr<Ladders> ladders_;
+  std::vector<GapPatch> patches_;
+  double load_;
+};
+
+/// Hertz 1:1 and 1:5, a curvature joint, two patches, merged lobes, nearly conformal.
+std::vector<std::unique_ptr<Scene>> gapScenes();
+}  // namespace wheel_rail_contact::chart

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contender.h"
+
+namespace wheel_rail_contact::chart
+{
+/// How much is measured.
+struct Plan
+{
+  int rounds = 4;              ///< in each of which every contender has its turn
+  double slowest = 0.1;        ///< what is expected to take longer is not run [s an answer]
+  GridSize truth{256, 512};    ///< errors are against conjugate gradients on this grid
+  GridSize coarser{128, 256};  ///< the truth's own error is its difference from this one
+};
+
+/// What was measured of one contender, all from cold or all from the answer before.
+struct Series
+{
+  enum class Status
+  {
+    answered,
+    refused,        ///< the method or the chain gave a reason instead of an answer
+    other_patches,  ///< the answer has not the patches of the truth: no error can be given
+    not_run         ///< expected to take too long
+  };
+  Status status = Status::answered;
+  std::string reason;         ///< empty if answered
+  std::vector<double> times;  ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
+  Errors errors;              ///< largest seen
+  Outcome outcome;            ///< last seen
+};
+
+const char* toString(Series::Status status);
+
+struct Entry
+{
+  Choice choice;
+  Series cold, warm;
+};
+
+struct Result
+{
+  std::vector<Entry> entries;
+  double truth_error = 0;  ///< the truth's own [-]
+};
+
+/// Runs all contenders on a scene, in turns, so that a disturbance hits all alike. From cold: each answer after
+/// forgetting the one before. Warm: messages to and fro about the scene, one step apart; errors are those at the scene.
+/// @param progress  called `stepsOf(plan)` times
+/// @throw std::runtime_error if the scene has no truth
+Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress);
+
+int stepsOf(const Plan& plan);
+}  // namespace wheel_rail_contact::chart

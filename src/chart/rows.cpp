@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rows.h"
+
+#include <algorithm>
+
+namespace wheel_rail_contact::chart
+{
+namespace
+{
+double quantile(std::vector<double> values, double share)
+{
+  const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
+  return values[place];
+}
+
+void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choice& choice, const char* start,
+              const Series& series)
+{
+  const bool run = series.status != Series::Status::not_run;
+  const bool known = series.status == Series::Status::answered;
+  const GridSize& grid = choice.isAutomatic() ? series.outcome.grid : choice.grid;
+  std::fprintf(out, "%s,\"%s\",%s,%s,%d,%d,%g,%s,%s,\"%s\",", scene.name().c_str(), scene.title().c_str(), scene.kind(),
+               methodName(choice.method), grid.along, grid.across, choice.tolerance, start, toString(series.status),
+               series.reason.c_str());
+  std::fprintf(out, "%.4g,%.4g,%.4g,%zu,", quantile(series.times, 0.5), quantile(series.times, 0.25),
+               quantile(series.times, 0.75), run ? series.times.size() : 0);
+  if (known)
+  {
+    const Errors& errors = series.errors;
+    std::fprintf(out, "%.4g,%.4g,%.4g,%.4g,%.4g,", errors.largest(), errors.max_pressure, errors.area, errors.approach,
+                 series.outcome.estimate);
+  }
+  else
+  {
+    std::fputs(",,,,,", out);
+  }
+  std::fprintf(out, "%.4g\n", truth_error);
+}
+}  // namespace
+
+void writeHeader(std::FILE* out)
+{
+  std::fputs(
+      "scene,title,kind,method,cells_along,cells_across,tolerance,start,status,reason,time,time_quartile_1,"
+      "time_quartile_3,samples,error,error_max_pressure,error_area,error_approach,error_estimate,truth_error\n",
+      out);
+}
+
+void writeRows(std::FILE* out, const Scene& scene, const Result& result)
+{
+  for (const Entry& entry : result.entries)
+  {
+    writeRow(out, scene, result.truth_error, entry.choice, "cold", entry.cold);
+    writeRow(out, scene, result.truth_error, entry.choice, "warm", entry.warm);
+  }
+}
+}  // namespace wheel_rail_contact::chart

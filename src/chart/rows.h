@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdio>
+
+#include "race.h"
+
+namespace wheel_rail_contact::chart
+{
+/// Writes the names of the columns.
+void writeHeader(std::FILE* out);
+
+/// Writes two rows, cold and warm, for every choice.
+void writeRows(std::FILE* out, const Scene& scene, const Result& result);
+}  // namespace wheel_rail_contact::chart

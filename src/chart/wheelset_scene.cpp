@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheelset_scene.h"
+
+#include <cstdio>
+
+#include "wheel_rail_contact/geometry/standard_profiles.h"
+
+namespace wheel_rail_contact::chart
+{
+namespace
+{
+constexpr double axle_load = 200e3;    ///< [N]
+constexpr double true_balance = 1e-4;  ///< tolerance of the truth, to which planes and roll are settled [-]
+
+class WheelsetContender : public Contender
+{
+ public:
+  WheelsetContender(WheelsetContact& wheelset, const WheelsetState& state) : wheelset_(wheelset), state_(state)
+  {
+    wheelset_.reset();
+  }
+
+  void answer(int offset) override
+  {
+    WheelsetState state = state_;
+    state.y += offset * step;
+    result_ = &wheelset_.evaluate(state);
+  }
+  void forget() override { wheelset_.reset(); }
+  Outcome outcome() const override { return outcomeOf(*result_); }
+
+ private:
+  WheelsetContact& wheelset_;
+  WheelsetState state_;
+  const WheelsetResult* result_ = nullptr;
+};
+
+/// Shackleton and Iwnicki 2008 (Vehicle System Dynamics 46): S1002 on UIC60, rails inclined 1:40, gauge 1435 mm,
+/// flange backs 1360 mm apart, rolling radius 460 mm.
+ContactModelConfig manchester()
+{
+  ContactModelConfig config;
+  config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
+  config.rail_profile = std::make_shared<Profile>(railUic60Manchester());
+  return config;
+}
+
+/// The same wheelset with both rails bent outward as in Golubenko et al. 2011 (TEKA XI, 78–84).
+ContactModelConfig paper()
+{
+  ContactModelConfig config = manchester();
+  config.rail_bending.model = RailBendingConfig::Model::prescribed;
+  config.rail_bending.prescribed.lateral = 0.2435e-3;
+  return config;
+}
+}  // namespace
+
+WheelsetContact& WheelsetPool::find(const Choice& choice)
+{
+  std::unique_ptr<WheelsetContact>& wheelset =
+      wheelsets_[{choice.method, choice.grid.along, choice.grid.across, choice.tolerance}];
+  if (!wheelset)
+  {
+    ContactModelConfig config = config_;
+    config.contact = contactConfig(choice);
+    wheelset = std::make_unique<WheelsetContact>(config);
+  }
+  return *wheelset;
+}
+
+WheelsetScene::WheelsetScene(std::string name, std::string title, std::shared_ptr<WheelsetPool> pool,
+                             std::shared_ptr<Ladders> ladders, double y)
+    : Scene(std::move(name), std::move(title)), pool_(std::move(pool)), ladders_(std::move(ladders))
+{
+  state_.y = y;
+  state_.force_z = -axle_load;
+}
+
+Outcome WheelsetScene::truth(const GridSize& grid)
+{
+  ContactModelConfig config = pool_->config();
+  config.contact.tolerance = true_balance;
+  WheelsetBalance balance(config, ladders_->find({NormalMethod::conjugate_gradient, grid, 0}));
+  return outcomeOf(balance, balance.solve(state_));
+}
+
+std::unique_ptr<Contender> WheelsetScene::contender(const Choice& choice)
+{
+  return std::make_unique<WheelsetContender>(pool_->find(choice), state_);
+}
+
+std::vector<std::unique_ptr<Scene>> wheelsetScenes()
+{
+  const auto ladders = std::make_shared<Ladders>();
+  const auto unbent = std::make_shared<WheelsetPool>(manchester());
+  std::vector<std::unique_ptr<Scene>> scenes;
+  for (const double y : {0.0, 0.5, 3.0, 5.0, 6.5})
+  {
+    char name[32], title[64];
+    std::snprintf(name, sizeof name, "manchester_%g", y);
+    std::snprintf(title, sizeof title, "Manchester, y = %g mm", y);
+    scenes.push_back(std::make_unique<WheelsetScene>(name, title, unbent, ladders, 1e-3 * y));
+  }
+  scenes.push_back(std::make_unique<WheelsetScene>("paper", "Paper's case, rails bent",
+                                                   std::make_shared<WheelsetPool>(paper()), ladders, 0.572e-3));
+  return scenes;
+}
+}  // namespace wheel_rail_contact::chart

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "contender.h"
+#include "ladders.h"
+
+namespace wheel_rail_contact::chart
+{
+/// Wheelsets of one configuration by choice, each made once.
+class WheelsetPool
+{
+ public:
+  explicit WheelsetPool(ContactModelConfig config) : config_(std::move(config)) {}
+
+  const ContactModelConfig& config() const { return config_; }
+  WheelsetContact& find(const Choice& choice);
+
+ private:
+  ContactModelConfig config_;
+  std::map<std::tuple<NormalMethod, int, int, double>, std::unique_ptr<WheelsetContact>> wheelsets_;
+};
+
+/// A wheelset at one pose under one load: the whole chain.
+class WheelsetScene : public Scene
+{
+ public:
+  /// @param y  of the axle's centre, to the left [m]
+  WheelsetScene(std::string name, std::string title, std::shared_ptr<WheelsetPool> pool,
+                std::shared_ptr<Ladders> ladders, double y);
+
+  const char* kind() const override { return "wheelset"; }
+  Outcome truth(const GridSize& grid) override;
+  std::unique_ptr<Contender> contender(const Choice& choice) override;
+
+ private:
+  std::shared_ptr<WheelsetPool> pool_;
+  std::shared_ptr<Ladders> ladders_;
+  WheelsetState state_;
+};
+
+/// S1002 on UIC60 in the Manchester contact benchmark's track, 100 kN a wheel; and the paper's case.
+std::vector<std::unique_ptr<Scene>> wheelsetScenes();
+}  // namespace wheel_rail_contact::chart

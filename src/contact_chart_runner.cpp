@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures every method on every grid over the scenes of the chart, and writes what it finds to standard output: comma
+// separated values under a line of names, SI units; lines that begin with # tell of build and progress. Called by
+// contact_chart, which draws them.
+//
+//   contact_chart_runner [--quick]
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+#include "chart/gap_scene.h"
+#include "chart/rows.h"
+#include "chart/wheelset_scene.h"
+
+namespace
+{
+using namespace wheel_rail_contact::chart;
+
+Plan quickPlan()
+{
+  return {2, 0.005, {128, 256}, {64, 128}};
+}
+
+void run(const Plan& plan)
+{
+  std::printf("# version: %s\n# compiler: %s\n# build: %s\n", CHART_VERSION, CHART_COMPILER, CHART_BUILD_TYPE);
+  std::printf("# truth: %d x %d\n", plan.truth.along, plan.truth.across);
+  writeHeader(stdout);
+  std::fflush(stdout);
+  std::vector<std::unique_ptr<Scene>> scenes = gapScenes();
+  for (std::unique_ptr<Scene>& scene : wheelsetScenes())
+  {
+    scenes.push_back(std::move(scene));
+  }
+  const std::vector<Choice> choices = allChoices();
+  const int total = static_cast<int>(scenes.size()) * stepsOf(plan);
+  int done = 0;
+  for (const std::unique_ptr<Scene>& scene : scenes)
+  {
+    const Result result = race(*scene, choices, plan,
+                               [&]
+                               {
+                                 std::printf("# progress: %d %d %s\n", ++done, total, scene->title().c_str());
+                                 std::fflush(stdout);
+                               });
+    writeRows(stdout, *scene, result);
+  }
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  const bool quick = argc == 2 && std::strcmp(argv[1], "--quick") == 0;
+  if (argc > 1 && !quick)
+  {
+    std::fprintf(stderr, "usage: contact_chart_runner [--quick]\n");
+    return 2;
+  }
+  try
+  {
+    run(quick ? quickPlan() : Plan());
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "contact_chart_runner: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

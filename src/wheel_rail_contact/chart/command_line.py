@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of contact_chart."""
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from . import table
+from .errors import ChartError
+from .front import standing
+from .picture import draw, pyplot
+from .progress import Progress
+from .runner import find_runner, run
+
+
+def main(arguments=None):
+    """Run the command; returns its exit status."""
+    options = _parser().parse_args(arguments)
+    try:
+        _run(options)
+    except (ChartError, OSError) as error:
+        print(f"contact_chart: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("\ncontact_chart: interrupted, nothing written", file=sys.stderr)
+        return 130
+    return 0
+
+
+def _run(options):
+    _check_folder(options.out)
+    plot = pyplot()
+    program = find_runner()
+    progress = Progress()
+    try:
+        facts, lines = run(program, options.quick, progress)
+    finally:
+        progress.end()
+    facts = {"machine": table.machine(), **facts}
+    rows = table.parse(lines)
+    table.write(options.out / "chart.csv", facts, lines)
+    draw(plot, rows, facts, [options.out / "chart.png", options.out / "chart.svg"])
+    _report(rows)
+    print(f"wrote chart.csv, chart.png and chart.svg to {options.out}")
+
+
+def _check_folder(folder):
+    """Raises ChartError, before any time is spent, for a place that cannot be written to."""
+    if not folder.is_dir():
+        raise ChartError(f"--out {folder}: there is no such folder")
+    try:
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise ChartError(f"--out {folder}: cannot be written to ({error.strerror})") from error
+
+
+def _report(rows):
+    print("auto against the fixed methods: its time over that of the cheapest one that meets the tolerance")
+    print(f"{'':17}{'tolerance':>10}{'met':>10}{'median':>10}{'largest':>10}  on or left of the front")
+    for kind in ("wheelset", "normal"):
+        for start in ("warm", "cold"):
+            own = [row for row in rows if row.kind == kind and row.start == start]
+            for name, stand in zip((f"{kind}, {start}", "", "", ""), standing(own)):
+                print(f"{name:<17}{100 * stand.tolerance:>8g} %{f'{stand.met} of {stand.scenes}':>10}"
+                      f"{stand.ratio:>10.2f}{stand.largest_ratio:>10.2f}  {stand.on_front} of {stand.scenes}")
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="contact_chart", description="Runs every method on every grid over a dozen scenes and draws error against "
+        "time. Writes chart.csv, chart.png and chart.svg. Takes a minute or two.")
+    parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR", help="existing folder (default: here)")
+    parser.add_argument("--quick", action="store_true",
+                        help="fewer repetitions, no slow grids, a coarser truth: a look in a quarter of the time")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())
