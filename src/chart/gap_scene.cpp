@@ -35,7 +35,7 @@ NormalSolution solveStrictly(const NormalProblem& problem)
   return solution;
 }
 
-Outcome outcomeOf(const GapScene& scene, const NormalProblem& problem, const NormalSolution& solution)
+Outcome gapOutcome(const GapScene& scene, const NormalProblem& problem, const NormalSolution& solution)
 {
   Outcome outcome;
   outcome.usable = isUsable(solution.status);
@@ -92,7 +92,7 @@ class GapContender : public Contender
 
   Outcome outcome() const override
   {
-    Outcome outcome = outcomeOf(scene_, *problem_, solution_);
+    Outcome outcome = gapOutcome(scene_, *problem_, solution_);
     outcome.estimate = estimate_;
     return outcome;
   }
@@ -194,7 +194,7 @@ NormalProblem GapScene::problem(const GridSize& size, int offset) const
 Outcome GapScene::truth(const GridSize& grid)
 {
   const NormalProblem fine = problem(grid, 0);
-  return outcomeOf(*this, fine, solveStrictly(fine));
+  return gapOutcome(*this, fine, solveStrictly(fine));
 }
 
 std::unique_ptr<Contender> GapScene::contender(const Choice& choice)

@@ -43,7 +43,7 @@ class GapScene : public Scene
 
   const std::vector<GapPatch>& patches() const { return patches_; }
   /// The problem on a grid, the bodies moved by `offset` steps across the grid.
-  NormalProblem problem(const GridSize& grid, int offset) const;
+  NormalProblem problem(const GridSize& size, int offset) const;
 
  private:
   void tighten();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "race.h"
 
-#include <time.h>
-
 #include <algorithm>
+#include <ctime>
 #include <numeric>
 #include <stdexcept>
 

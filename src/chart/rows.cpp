@@ -2,6 +2,7 @@
 #include "rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wheel_rail_contact::chart
 {
@@ -9,7 +10,7 @@ namespace
 {
 double quantile(std::vector<double> values, double share)
 {
-  const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  const auto place = static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
   return values[place];
 }
@@ -20,7 +21,7 @@ void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choi
   const bool run = series.status != Series::Status::not_run;
   const bool known = series.status == Series::Status::answered;
   const GridSize& grid = choice.isAutomatic() ? series.outcome.grid : choice.grid;
-  std::fprintf(out, "%s,\"%s\",%s,%s,%d,%d,%g,%s,%s,\"%s\",", scene.name().c_str(), scene.title().c_str(), scene.kind(),
+  std::fprintf(out, R"(%s,"%s",%s,%s,%d,%d,%g,%s,%s,"%s",)", scene.name().c_str(), scene.title().c_str(), scene.kind(),
                methodName(choice.method), grid.along, grid.across, choice.tolerance, start, toString(series.status),
                series.reason.c_str());
   std::fprintf(out, "%.4g,%.4g,%.4g,%zu,", quantile(series.times, 0.5), quantile(series.times, 0.25),
