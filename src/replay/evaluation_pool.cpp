@@ -21,8 +21,8 @@ std::string serialized(const WheelsetContactMsg& message)
 }
 }  // namespace
 
-EvaluationPool::EvaluationPool(const NodeConfig& config, int threads, Format format, OutputQueue& output)
-    : config_(config), format_(std::move(format)), output_(output), open_(format_.wheelsets.size())
+EvaluationPool::EvaluationPool(NodeConfig config, int threads, Format format, OutputQueue& output)
+    : config_(std::move(config)), format_(std::move(format)), output_(output), open_(format_.wheelsets.size())
 {
   for (int i = 0; i < threads; ++i)
   {

@@ -38,8 +38,8 @@ std::string percent(std::uint64_t part, std::uint64_t all)
 }
 }  // namespace
 
-Replay::Replay(const ReplayOptions& options)
-    : options_(options),
+Replay::Replay(ReplayOptions options)
+    : options_(std::move(options)),
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
       source_(options_.input, config_, options_.wheelsets, options_.keep_topics),

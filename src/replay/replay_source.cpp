@@ -37,7 +37,7 @@ boost::shared_ptr<Message> parse(std::string_view data)
 {
   std::vector<std::uint8_t> bytes(data.begin(), data.end());  // the stream asks for data it could change
   ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  const auto message = boost::make_shared<Message>();
+  auto message = boost::make_shared<Message>();
   ros::serialization::deserialize(stream, *message);
   return message;
 }
@@ -99,7 +99,7 @@ bool ReplaySource::wants(const std::string& topic) const
   return uses_.count(name) > 0 || (keep_ && answers_.count(name) == 0);
 }
 
-std::string ReplaySource::topicsOfType(const std::string& type) const
+void ReplaySource::refuseWithout(const std::string& topic, const std::string& type) const
 {
   std::string topics;
   for (const auto& entry : stream_.contents().connections)
@@ -107,10 +107,11 @@ std::string ReplaySource::topicsOfType(const std::string& type) const
     const BagConnection& connection = entry.second;
     if (connection.header.has("type") && connection.header.text("type") == type)
     {
-      topics += " " + connection.topic;
+      topics.append(" ").append(connection.topic);
     }
   }
-  return topics.empty() ? " none" : topics;
+  throw BagError("the bag has no topic " + topic + "; its topics of type " + type + ":" +
+                 (topics.empty() ? " none" : topics));
 }
 
 void ReplaySource::requireTopics() const
@@ -123,8 +124,7 @@ void ReplaySource::requireTopics() const
                     [&name = topic](const auto& entry) { return absolute(entry.second.topic) == name; });
     if (!is_there && use.role != Role::transform && use.role != Role::static_transform)
     {
-      const std::string type = use.role == Role::pose ? "geometry_msgs/PoseStamped" : "geometry_msgs/WrenchStamped";
-      throw BagError("the bag has no topic " + topic + "; its topics of type " + type + ":" + topicsOfType(type));
+      refuseWithout(topic, use.role == Role::pose ? "geometry_msgs/PoseStamped" : "geometry_msgs/WrenchStamped");
     }
   }
 }

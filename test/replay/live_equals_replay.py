@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A bag played through the live node gives the answers of contact_replay: the same bytes in the same order."""
 

@@ -27,7 +27,7 @@ class EvaluationPool
   };
 
   /// @param output gets the answers, and what goes wrong in a thread; must outlive the pool
-  EvaluationPool(const NodeConfig& config, int threads, Format format, OutputQueue& output);
+  EvaluationPool(NodeConfig config, int threads, Format format, OutputQueue& output);
   /// Ends after the evaluations in hand.
   ~EvaluationPool();
   EvaluationPool(const EvaluationPool&) = delete;

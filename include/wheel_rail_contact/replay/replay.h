@@ -26,7 +26,7 @@ class Replay
  public:
   /// Opens the files.
   /// @throw std::exception if the parameters or the files cannot be used, or the output exists already.
-  explicit Replay(const ReplayOptions& options);
+  explicit Replay(ReplayOptions options);
 
   /// Runs to the end, or until `interrupted` becomes true; the output is a whole bag in either case.
   /// @throw std::exception if something goes wrong on the way.

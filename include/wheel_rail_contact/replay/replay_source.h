@@ -79,7 +79,7 @@ class ReplaySource
   bool wants(const std::string& topic) const;
   void requireTopics() const;
   void requireTypes() const;
-  std::string topicsOfType(const std::string& type) const;
+  [[noreturn]] void refuseWithout(const std::string& topic, const std::string& type) const;
   void take(const BagMessage& message);
   void use(const Use& use, const BagMessage& message);
   std::optional<ContactInput> pair(const Use& use, const BagMessage& message);

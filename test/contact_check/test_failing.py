@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run that breaks its bounds fails as a rostest, with a message a user can read."""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "launch" / "manchester_check.test"
+
+
+class Failing(unittest.TestCase):
+    def test_broken_bounds_are_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bounds = pathlib.Path(folder) / "bounds.yaml"
+            bounds.write_text("answers: 201\nflange_contact: false\nbounds: {normal_force: {max: 1.2e+5}, area: {min: 0}}\n")
+            run = subprocess.run(["rostest", EXAMPLE, f"bounds:={bounds}"], capture_output=True, text=True, check=False,
+                                 cwd=folder, env={**os.environ, "ROS_HOME": folder})
+            results = "".join(path.read_text() for path in pathlib.Path(folder).rglob("rosunit-contact_check.xml"))
+        self.assertNotEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("flange contact: contact_angle 1.", results)
+        self.assertRegex(results, r"normal_force \d+ N is above 120000 N at \S+ s, right wheel, y = -\S+ mm")
+        self.assertRegex(results, r'failures="2"')
+
+
+if __name__ == "__main__":
+    unittest.main()
