@@ -6,5 +6,7 @@ from catkin_pkg.python_setup import generate_distutils_setup
 
 ROOMS = ("chart", "checking", "paper", "rail_fe")
 
+ROOMS = ("chart", "checking", "paper", "rail_fe", "states")
+
 setup(**generate_distutils_setup(
     packages=["wheel_rail_contact"] + [f"wheel_rail_contact.{room}" for room in ROOMS], package_dir={"": "src"}))

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of contact_states."""
+import argparse
+import os
+import sys
+
+from .state import StateError, read_bag, write_bag
+from .table import AXES, COLUMNS, UNITS, WHEEL_LOADS, read_table, write_table
+
+DESCRIPTION = """Makes a bag of a table of wheelset states, as a vehicle simulation exports it, or a table of a bag."""
+EPILOG = f"""The table is CSV (comma, semicolon or tab) with a line of names and units such as
+  time [s], y [mm], yaw [mrad], Q_left [kN], Q_right [kN]
+Columns: time and y; and as they are known {', '.join(COLUMNS)}; or, in place of force_z and torque_x,
+{' and '.join(WHEEL_LOADS)}. Units: {'; '.join(', '.join(units) for units in UNITS.values())}.
+Lines that begin with # are left out. force_z and torque_x are the vehicle's force and moment on the axle centre, Q the
+wheel loads (down), Y the lateral forces on the rails (outward).
+Axes: rep103: x forward, y left, z up; railway: x forward, y right, z down (roll, yaw and forces accordingly)."""
+
+
+def _parser():
+    parser = argparse.ArgumentParser(description=DESCRIPTION, epilog=EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("source", metavar="IN", help="table (.csv) or bag (.bag)")
+    parser.add_argument("target", metavar="OUT", help="bag (.bag) or table (.csv); must not exist")
+    parser.add_argument("--axes", choices=AXES, default="rep103", help="axes of the table (%(default)s)")
+    parser.add_argument("--wheelset", default="", metavar="NAME", help="namespace of the topics (/)")
+    parser.add_argument("--running-circles", type=float, default=1.5, metavar="M",
+                        help="distance of the running circles, for Q_left and Q_right [m] (%(default)s)")
+    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="added to the table's times [s] (0)")
+    return parser
+
+
+def main(arguments=None):
+    """Run the command; returns its exit status."""
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    kinds = tuple(os.path.splitext(name)[1] for name in (options.source, options.target))
+    if sorted(kinds) != [".bag", ".csv"]:
+        parser.error("one of IN and OUT must be a .csv, the other a .bag")
+    if not options.running_circles > 0:
+        parser.error("--running-circles must be above 0")
+    wheelset = "/" + options.wheelset.strip("/") if options.wheelset.strip("/") else ""
+    try:
+        if os.path.exists(options.target):
+            raise StateError(f"{options.target}: exists already; it is not overwritten")
+        if kinds[0] == ".csv":
+            states = read_table(options.source, options.axes, options.running_circles, round(options.start * 1e9))
+            write_bag(options.target, states, wheelset)
+        else:
+            states = read_bag(options.source, wheelset)
+            write_table(options.target, states, options.axes)
+    except (StateError, OSError) as error:
+        print(f"contact_states: {error}", file=sys.stderr)
+        return 1
+    print(f"{len(states)} states")
+    return 0

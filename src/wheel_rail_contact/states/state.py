@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""State of a wheelset at one instant, and how bags hold it."""
+import math
+from dataclasses import dataclass
+from typing import Optional
+
+import genpy
+import rosbag
+from geometry_msgs.msg import PoseStamped, WrenchStamped
+
+SIDES = ("left", "right")
+
+
+class StateError(Exception):
+    """A table or bag that cannot be used; the message says where and why."""
+
+
+@dataclass
+class State:
+    """SI units, track axes (x forward, y left, z up). None: not known."""
+    time_ns: int
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0         # axle centre
+    roll: float = 0.0
+    yaw: float = 0.0
+    force_z: Optional[float] = None   # of the vehicle on the axle centre; negative presses down
+    torque_x: Optional[float] = None
+    left_lateral_force: Optional[float] = None   # Y on the rail, positive outward on either side
+    right_lateral_force: Optional[float] = None
+
+
+def stamp_of(time_ns):
+    return genpy.Time(time_ns // 10**9, time_ns % 10**9)
+
+
+def _header(message, state, frame):
+    message.header.stamp = stamp_of(state.time_ns)
+    message.header.frame_id = frame
+    return message
+
+
+def _pose(state, frame):
+    message = _header(PoseStamped(), state, frame)
+    message.pose.position.x, message.pose.position.y, message.pose.position.z = state.x, state.y, state.z
+    # Rz(yaw) Rx(roll)
+    cr, sr, cy, sy = (f(a / 2) for a in (state.roll, state.yaw) for f in (math.cos, math.sin))
+    q = message.pose.orientation
+    q.x, q.y, q.z, q.w = cy * sr, sy * sr, sy * cr, cy * cr
+    return message
+
+
+def _wrench(state, frame, force_y=0.0, force_z=0.0, torque_x=0.0):
+    message = _header(WrenchStamped(), state, frame)
+    message.wrench.force.y, message.wrench.force.z, message.wrench.torque.x = force_y, force_z, torque_x
+    return message
+
+
+def write_bag(path, states, wheelset="", frame="track"):
+    """Writes states as contact_node and contact_replay read them. The same states give the same file."""
+    topics = f"{wheelset}/wheelset/"
+    with rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2) as bag:
+        for state in states:
+            stamp = stamp_of(state.time_ns)
+            bag.write(topics + "pose", _pose(state, frame), stamp)
+            if state.force_z is not None:
+                bag.write(topics + "load", _wrench(state, frame, 0.0, state.force_z, state.torque_x or 0.0), stamp)
+            for side in SIDES:
+                force = getattr(state, f"{side}_lateral_force")
+                if force is not None:
+                    bag.write(f"{topics}{side}_rail_force", _wrench(state, frame, force_y=force), stamp)
+
+
+def read_bag(path, wheelset=""):
+    """The states of a bag in the order of their stamps; loads and forces belong to the pose of their stamp."""
+    states = {}
+    others = []
+    with rosbag.Bag(str(path)) as bag:
+        names = {topic: "/" + topic.lstrip("/") for topic in bag.get_type_and_topic_info().topics}
+        prefix = f"{wheelset}/wheelset/"
+        wanted = [topic for topic, name in names.items() if name.startswith(prefix)]
+        for topic, message, _ in bag.read_messages(topics=wanted) if wanted else ():
+            kind = names[topic][len(prefix):]
+            if kind == "pose":
+                states[message.header.stamp.to_nsec()] = _state_of(message)
+            else:
+                others.append((kind, message))
+    if not states:
+        raise StateError(f"{path}: no messages on {prefix}pose")
+    for kind, message in others:
+        _add(states.get(message.header.stamp.to_nsec()), kind, message.wrench)
+    return [states[time] for time in sorted(states)]
+
+
+def _state_of(message):
+    position, q = message.pose.position, message.pose.orientation
+    axle = (2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x**2 + q.z**2), 2 * (q.y * q.z + q.w * q.x))
+    return State(message.header.stamp.to_nsec(), position.x, position.y, position.z,
+                 roll=math.asin(max(-1.0, min(1.0, axle[2]))), yaw=math.atan2(0.0 - axle[0], axle[1]))
+
+
+def _add(state, kind, wrench):
+    if state is None:
+        return
+    if kind == "load":
+        state.force_z, state.torque_x = wrench.force.z, wrench.torque.x
+    elif kind == "left_rail_force":
+        state.left_lateral_force = wrench.force.y
+    elif kind == "right_rail_force":
+        state.right_lateral_force = wrench.force.y
