@@ -4,8 +4,6 @@ from distutils.core import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup
 
-ROOMS = ("chart", "checking", "paper", "rail_fe")
-
 ROOMS = ("chart", "checking", "paper", "rail_fe", "states")
 
 setup(**generate_distutils_setup(
