@@ -89,6 +89,7 @@ class WheelsetContact::Chain
     result_.status = reason.empty() ? balance_.solve(state) : ContactStatus::invalid_input;
     result_.reason = reason.empty() ? balance_.reason() : reason;
     result_.rail = {balance_.rail(Side::left), balance_.rail(Side::right)};
+    result_.above_tolerance = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
     {
@@ -96,7 +97,7 @@ class WheelsetContact::Chain
       result_.roll = balance_.roll();
       addPatches(Side::left);
       addPatches(Side::right);
-      result_.reason = unloaded();
+      result_.reason = remark();
     }
     result_.patches.resize(patch_count_);
     return result_;
@@ -112,12 +113,16 @@ class WheelsetContact::Chain
     return config;
   }
 
-  /// Which wheels carry nothing, of a usable answer; empty if both carry.
-  std::string_view unloaded() const
+  /// What a user of a usable answer should know: wheels that carry nothing, or errors above the tolerance; else empty.
+  std::string_view remark() const
   {
+    if (balance_.loaded(Side::left) && balance_.loaded(Side::right))
+    {
+      return result_.above_tolerance ? "an error estimate is above contact/tolerance" : "";
+    }
     if (balance_.loaded(Side::left))
     {
-      return balance_.loaded(Side::right) ? "" : "the right wheel carries nothing";
+      return "the right wheel carries nothing";
     }
     return balance_.loaded(Side::right) ? "the left wheel carries nothing" : "neither wheel carries anything";
   }
@@ -130,7 +135,9 @@ class WheelsetContact::Chain
       if (wheel.solution().patches[k].force > 0)
       {
         result_.patches.resize(std::max(result_.patches.size(), patch_count_ + 1));
-        fill(side, wheel, k, result_.patches[patch_count_++]);
+        PatchResult& patch = result_.patches[patch_count_++];
+        fill(side, wheel, k, patch);
+        result_.above_tolerance = result_.above_tolerance || patch.error_estimate > config_.contact.tolerance;
       }
     }
   }

@@ -42,7 +42,8 @@ struct PatchResult
 struct WheelsetResult
 {
   ContactStatus status = ContactStatus::invalid_input;
-  std::string reason;                      ///< one sentence, empty when ok
+  std::string reason;                      ///< one sentence, empty when ok and within the tolerance
+  bool above_tolerance = false;            ///< a patch's error estimate is above contact/tolerance
   double y = 0, z = 0, yaw = 0, roll = 0;  ///< axle centre [m, rad], with the solved height and roll
   std::array<RailResult, 2> rail;          ///< by Side
   std::vector<PatchResult> patches;        ///< empty unless usable

@@ -61,9 +61,9 @@ ConjugateGradients::~ConjugateGradients() = default;
 ConjugateGradients::ConjugateGradients(ConjugateGradients&&) noexcept = default;
 ConjugateGradients& ConjugateGradients::operator=(ConjugateGradients&&) noexcept = default;
 
-void ConjugateGradients::prepare(int nx, int ny, bool symmetric)
+void ConjugateGradients::prepare(int nx, int ny)
 {
-  workshop_->cache.prepare(nx, ny, symmetric);
+  workshop_->cache.prepare(nx, ny);
 }
 
 void ConjugateGradients::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)

@@ -48,21 +48,20 @@ class Spectrum
     std::vector<double> half(values_.size());
     for (int n = 0; n <= length_y; ++n)
     {
-      for (int a = 0; a <= length_x; ++a)
+      for (int m = 0; m <= length_x; ++m)
       {
-        double sum = 0;
-        for (int m = 0; m <= length_x; ++m)
+        const double value = kernel[static_cast<std::size_t>(n * kernel_stride + m)];
+        for (int a = 0; a <= length_x; ++a)
         {
-          sum += cosines_x[at(m, a)] * kernel[static_cast<std::size_t>(n * kernel_stride + m)];
+          half[at(a, n)] += cosines_x[at(a, m)] * value;
         }
-        half[at(a, n)] = sum;
       }
     }
     for (int b = 0; b <= length_y; ++b)
     {
       for (int n = 0; n <= length_y; ++n)
       {
-        const double cosine = cosines_y[static_cast<std::size_t>(b * (length_y + 1) + n)];
+        const double cosine = cosines_y[static_cast<std::size_t>(n * (length_y + 1) + b)];
         for (int a = 0; a <= length_x; ++a)
         {
           values_[at(a, b)] += cosine * half[at(a, n)];
@@ -74,17 +73,22 @@ class Spectrum
   double operator()(int a, int b) const { return values_[at(a, b)]; }
 
  private:
-  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the period holds once: [a][m].
+  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the period holds once: [m][a].
   static std::vector<double> cosines(int length)
   {
+    std::vector<double> period;
+    for (int k = 0; k < 2 * length; ++k)
+    {
+      period.push_back(std::cos(kPi * k / length));
+    }
     std::vector<double> table;
     table.reserve(static_cast<std::size_t>((length + 1) * (length + 1)));
-    for (int a = 0; a <= length; ++a)
+    for (int m = 0; m <= length; ++m)
     {
-      for (int m = 0; m <= length; ++m)
+      const double times = m == 0 || m == length ? 1 : 2;
+      for (int a = 0; a <= length; ++a)
       {
-        const double times = m == 0 || m == length ? 1 : 2;
-        table.push_back(times * std::cos(kPi * (a * m % (2 * length)) / length));
+        table.push_back(times * period[static_cast<std::size_t>(a * m % (2 * length))]);
       }
     }
     return table;
@@ -139,8 +143,15 @@ struct InfluenceOperator::Tables
 
   Tables(const OperatorShape& wanted, const Tables* sibling);
 
+  /// A whole grid of the same cells, whose modes even in x are those of this symmetric one.
+  bool isHalfOf(const Tables& other) const
+  {
+    return shape.symmetric && !other.shape.symmetric && other.shape.aspect == shape.aspect &&
+           other.shape.kernel == shape.kernel && other.shape.nx == shape.nx && other.shape.ny == shape.ny;
+  }
   std::vector<double> coefficients() const;
   Diagonal diagonal(const Spectrum& spectrum, bool all) const;
+  static Diagonal evenModes(const Diagonal& whole);
   void apply(const Diagonal& diagonal, const double* in, double* out, Workspace::Buffers& buffers) const;
 
   int rows() const { return x_parts * x->half(); }
@@ -173,10 +184,33 @@ InfluenceOperator::Tables::Tables(const OperatorShape& wanted, const Tables* sib
   {
     std::fill_n(sign_along.data() + i * line, line, x->sign()[i]);
   }
+  if (sibling && isHalfOf(*sibling))
+  {
+    product = evenModes(sibling->product);
+    inverse = evenModes(sibling->inverse);
+    return;
+  }
   const std::vector<double> kernel = coefficients();
   const int stride = 2 * x->half() + 1;
   product = diagonal(Spectrum(kernel, stride, 2 * x->half(), 2 * y->half()), true);
   inverse = diagonal(Spectrum(kernel, stride, x->half(), y->half()), false);
+}
+
+/// Factors of a symmetric grid from those of the whole one. Each stored cell stands for two.
+InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::evenModes(const Diagonal& whole)
+{
+  Diagonal result;
+  result.all = whole.all;
+  result.modes_x = whole.modes_x;
+  result.modes_y = whole.modes_y;
+  result.line = whole.line;
+  result.lines = whole.lines;
+  result.lanes = whole.lanes;
+  const int size = whole.modes_x * whole.line;
+  result.factors.resize(size);
+  std::transform(whole.factors.data(), whole.factors.data() + size, result.factors.data(),
+                 [](double factor) { return 2 * factor; });
+  return result;
 }
 
 std::vector<double> InfluenceOperator::Tables::coefficients() const

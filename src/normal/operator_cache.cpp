@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <tuple>
 
 #include "wheel_rail_contact/normal/aspect_ladder.h"
 
@@ -15,6 +18,64 @@ constexpr double kSameAspect = 1e-9;
 
 /// Operators kept of a grid with aspects off the ladder.
 constexpr int kOthersKept = 8;
+
+using Shared = std::shared_ptr<const InfluenceOperator>;
+
+/// The operators that the whole process shares.
+class SharedOperators
+{
+ public:
+  Shared find(int nx, int ny, bool symmetric, int rung)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return at({nx, ny, symmetric, rung});
+  }
+
+ private:
+  using Key = std::tuple<int, int, bool, int>;
+
+  const Shared& at(const Key& key)
+  {
+    Shared& found = operators_[key];
+    if (!found)
+    {
+      const auto [nx, ny, symmetric, rung] = key;
+      const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, rung}) : anyOf(nx, ny);
+      found = std::make_shared<InfluenceOperator>(
+          OperatorShape{nx, ny, aspect_ladder::aspect(rung), symmetric, Kernel::rectangle}, whole.get());
+    }
+    return found;
+  }
+
+  /// One of the same size, of which some tables are shared; null if there is none.
+  Shared anyOf(int nx, int ny) const
+  {
+    const auto first = operators_.lower_bound({nx, ny, false, aspect_ladder::kLowest});
+    const bool same_size =
+        first != operators_.end() && std::get<0>(first->first) == nx && std::get<1>(first->first) == ny;
+    return same_size ? first->second : nullptr;
+  }
+
+  std::mutex mutex_;
+  std::map<Key, Shared> operators_;
+};
+
+SharedOperators& sharedOperators()
+{
+  static SharedOperators shared;
+  return shared;
+}
+
+/// A number for the rung of an aspect; false if the aspect lies on none.
+bool onLadder(double aspect, int& rung)
+{
+  if (!(aspect > 0))
+  {
+    return false;
+  }
+  rung = aspect_ladder::nearestRung(aspect);
+  return std::abs(aspect_ladder::aspect(rung) - aspect) <= kSameAspect * aspect;
+}
 }  // namespace
 
 OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
@@ -34,11 +95,17 @@ OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
   return families_.back();
 }
 
-void OperatorCache::prepare(int nx, int ny, bool symmetric)
+void OperatorCache::prepare(int nx, int ny)
 {
-  for (int rung = aspect_ladder::kLowest; rung <= aspect_ladder::kHighest; ++rung)
+  const double square = static_cast<double>(ny) / nx;
+  const int last = aspect_ladder::nearestRung(longest * square);
+  for (int rung = aspect_ladder::nearestRung(square / widest); rung <= last; ++rung)
   {
-    find(nx, ny, symmetric, aspect_ladder::aspect(rung));
+    find(nx, ny, false, aspect_ladder::aspect(rung));
+    if (nx % 2 == 0)
+    {
+      find(nx, ny, true, aspect_ladder::aspect(rung));
+    }
   }
 }
 
@@ -50,17 +117,18 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
                        [](const Entry& entry, double wanted) { return entry.influence->shape().aspect < wanted; });
   if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + kSameAspect))
   {
-    OperatorShape shape;
-    shape.nx = nx;
-    shape.ny = ny;
-    shape.symmetric = symmetric;
-    shape.kernel = kernel_;
-    const double rung = aspect > 0 ? aspect_ladder::aspect(aspect_ladder::nearestRung(aspect)) : aspect;
     Entry added;
-    added.on_ladder = std::abs(rung - aspect) <= kSameAspect * aspect;
-    shape.aspect = added.on_ladder ? rung : aspect;
-    const InfluenceOperator* sibling = entries.empty() ? nullptr : entries.front().influence.get();
-    added.influence = std::make_shared<InfluenceOperator>(shape, sibling);
+    int rung = 0;
+    added.on_ladder = kernel_ == Kernel::rectangle && onLadder(aspect, rung);
+    if (added.on_ladder)
+    {
+      added.influence = sharedOperators().find(nx, ny, symmetric, rung);
+    }
+    else
+    {
+      const InfluenceOperator* sibling = entries.empty() ? nullptr : entries.front().influence.get();
+      added.influence = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect, symmetric, kernel_}, sibling);
+    }
     at = entries.insert(at, std::move(added));
   }
   at->last_use = ++uses_;

@@ -8,6 +8,7 @@
 
 #include "influence_table.h"
 #include "patch_fields.h"
+#include "point_force_bias.h"
 #include "pressure_measures.h"
 #include "starting_pressure.h"
 #include "stripe_energy.h"
@@ -336,6 +337,18 @@ Seidel& Seidel::operator=(Seidel&&) noexcept = default;
 const char* Seidel::name() const
 {
   return sweeps_->isPrinted() ? "seidel_printed" : "seidel";
+}
+
+ErrorEstimate Seidel::estimateError(const NormalProblem& problem, const NormalSolution& solution,
+                                    std::size_t patch) const
+{
+  const ErrorEstimate grid = estimateGridError(problem, solution, patch);
+  if (!sweeps_->isPrinted() || grid.largest() <= 0)
+  {
+    return grid;
+  }
+  const ErrorEstimate force = pointForceErrors(problem, solution, patch);
+  return {grid.max_pressure + force.max_pressure, grid.area + force.area, grid.approach + force.approach};
 }
 
 void Seidel::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)

@@ -39,6 +39,7 @@ ContactAnswer ContactEvaluator::answer(const PreparedInput& input)
     answer.result = &result;
     answer.pose = {result.y, result.z, result.yaw, result.roll};
     answer.beyond_linear_range = isBeyondLinearRange(result);
+    answer.above_tolerance = result.above_tolerance;
   }
   return answer;
 }

@@ -53,6 +53,11 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   {
     report.summary(DiagnosticStatus::WARN, "a rail's Y/Q is beyond the range of its compliance table");
   }
+  else if (now.above_tolerance > before.above_tolerance)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers with an error estimate above contact/tolerance",
+                    now.above_tolerance - before.above_tolerance, answered);
+  }
   else if (answered > 0)
   {
     report.summaryf(DiagnosticStatus::OK, "%lu answers", answered);
@@ -87,6 +92,7 @@ void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
 {
   ++answers.at(answer.status);
   beyond_linear_range += answer.beyond_linear_range ? 1U : 0U;
+  above_tolerance += answer.above_tolerance ? 1U : 0U;
   solve_time_sum += solve_time;
   solve_time_max = std::max(solve_time_max, solve_time);
   if (!answer.reason.empty())
@@ -128,6 +134,7 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   }
   report.add("internal errors", now.internal_errors);
   report.add("answers beyond the table's linear range", now.beyond_linear_range);
+  report.add("answers with an error estimate above contact/tolerance", now.above_tolerance);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);
   addTimes(now, before, report);

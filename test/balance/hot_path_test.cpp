@@ -27,25 +27,26 @@ namespace wheel_rail_contact
 {
 namespace
 {
-void sweep(WheelsetContact& contact)
+void sweep(WheelsetContact& contact, double yaw)
 {
   for (int k = -80; k <= 80; ++k)
   {
     WheelsetState state;
     state.y = k * 0.05e-3;
     state.force_z = -200e3;
+    state.yaw = yaw;
     ASSERT_TRUE(isUsable(contact.evaluate(state).status)) << "y = " << state.y;
   }
 }
 
-long allocationsOnThirdSweep(const ContactModelConfig& config)
+long allocationsOnThirdSweep(const ContactModelConfig& config, double yaw = 0)
 {
   WheelsetContact contact(config);
-  sweep(contact);
-  sweep(contact);  // has met the jump back from one end to the other, too
+  sweep(contact, yaw);
+  sweep(contact, yaw);  // has met the jump back from one end to the other, too
   allocations = 0;
   counting = true;
-  sweep(contact);
+  sweep(contact, yaw);
   counting = false;
   return allocations;
 }
@@ -69,6 +70,24 @@ TEST(HotPath, counterSeesAnAllocation)
 TEST(HotPath, stiffRailsAllocateNothing)
 {
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid()), 0);
+}
+
+TEST(HotPath, aYawedWheelsetAllocatesNothing)
+{
+  EXPECT_EQ(allocationsOnThirdSweep(onOneGrid(), 0.005), 0);
+}
+
+// Grids without symmetry are prepared ahead, too: what is left at their first message is room for twice the cells.
+TEST(HotPath, firstYawedMessagesComputeNoCoefficients)
+{
+  WheelsetContact contact(onOneGrid());
+  sweep(contact, 0);
+  allocations = 0;
+  counting = true;
+  sweep(contact, 0.005);
+  counting = false;
+  // A set of coefficients alone takes more than this: tables of the grid's rows and columns, spectrum, factors.
+  EXPECT_LE(allocations, 40);
 }
 
 TEST(HotPath, bendingRailsAllocateNothing)

@@ -3,6 +3,7 @@
 // seed.
 //
 //   calibrate_error_estimate [scenes of each set, default 4000] [seed of the fit, default 1] [of the check, default 2]
+//                            [hertz, kik_piotrowski or grid; default: all]
 //
 // Half of the scenes are wheelsets (the whole chain), half random gaps; each is solved on a random grid of those in
 // use, and by conjugate gradients on one four times finer each way, whose answer counts as true. Weights of the terms
@@ -25,8 +26,6 @@ namespace
 {
 using namespace wheel_rail_contact;
 using scenes::ErrorSample;
-
-constexpr double coverage = 0.975;
 
 std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long seed)
 {
@@ -125,9 +124,10 @@ void print(const char* name, const std::array<double, N>& list)
   std::printf("\n");
 }
 
-/// Scales the weights of all quantities alike so that the largest estimate covers, and prints them.
+/// Scales the weights of all quantities alike so that the largest estimate covers the share `coverage`, and prints
+/// them.
 template <typename Weights>
-void scaleToCover(const std::vector<ErrorSample>& samples, Weights& weights)
+void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weights& weights)
 {
   std::vector<double> ratios;
   for (const ErrorSample& s : samples)
@@ -146,10 +146,27 @@ void scaleToCover(const std::vector<ErrorSample>& samples, Weights& weights)
   multiply(weights.area);
   multiply(weights.approach);
   std::printf("weights, scaled by %.2f for %.1f %% within the estimate\n", scale, 100 * coverage);
-  print("max_pressure", weights.max_pressure);
-  print("area", weights.area);
-  print("approach", weights.approach);
 }
+
+/// On grids of few cells the area's error scatters about zero, with tails that a mean does not tell: the weight of
+/// 1 / (cells along)² is raised until the largest estimate covers on them, too.
+void coverFewCells(const std::vector<ErrorSample>& samples, double coverage, ErrorWeights& weights)
+{
+  constexpr int few = 8;
+  constexpr std::size_t term = 5;
+  std::vector<double> missing;
+  for (const ErrorSample& s : samples)
+  {
+    if (s.size.along == few)
+    {
+      const double miss = s.error.area - estimateWith(weights, s).largest();
+      missing.push_back(std::max(miss, 0.0) / s.terms.area[term]);
+    }
+  }
+  weights.area[term] += quantile(missing, coverage);
+}
+
+void coverFewCells(const std::vector<ErrorSample>& /*samples*/, double /*coverage*/, ShapeWeights& /*weights*/) {}
 
 ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples)
 {
@@ -215,13 +232,24 @@ struct Sets
   unsigned long fit_seed, check_seed;
 };
 
+/// Share of single patches that the fitted estimate covers. Strips miss by much in a few scenes that their terms do not
+/// tell from the others, and their estimate is close to the truth in most: there is room for more.
+double coverageOf(scenes::Method method)
+{
+  return method == scenes::Method::kik_piotrowski ? 0.99 : 0.975;
+}
+
 template <typename FitWeights>
 void calibrate(const char* name, scenes::Method method, const Sets& sets, FitWeights fit_weights)
 {
   std::printf("\n== %s ==\n", name);
   const std::vector<ErrorSample> samples = alone(collect(method, sets.count, sets.fit_seed));
   auto weights = fit_weights(samples);
-  scaleToCover(samples, weights);
+  scaleToCover(samples, coverageOf(method), weights);
+  coverFewCells(samples, coverageOf(method), weights);
+  print("max_pressure", weights.max_pressure);
+  print("area", weights.area);
+  print("approach", weights.approach);
   const std::vector<ErrorSample> check = collect(method, sets.count, sets.check_seed);
   std::printf("weights built in:\n");
   tabulate(check);
@@ -240,8 +268,19 @@ int main(int argc, char** argv)
 {
   const Sets sets{argc > 1 ? std::atoi(argv[1]) : 4000, argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1,
                   argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 2};
-  calibrate("Hertz", scenes::Method::hertz, sets, fitShapeWeights);
-  calibrate("Kik-Piotrowski", scenes::Method::kik_piotrowski, sets, fitShapeWeights);
-  calibrate("grid", scenes::Method::grid, sets, fitGridWeights);
+  const std::string only = argc > 4 ? argv[4] : "";
+  const auto wanted = [&](const char* name) { return only.empty() || only == name; };
+  if (wanted("hertz"))
+  {
+    calibrate("Hertz", scenes::Method::hertz, sets, fitShapeWeights);
+  }
+  if (wanted("kik_piotrowski"))
+  {
+    calibrate("Kik-Piotrowski", scenes::Method::kik_piotrowski, sets, fitShapeWeights);
+  }
+  if (wanted("grid"))
+  {
+    calibrate("grid", scenes::Method::grid, sets, fitGridWeights);
+  }
   return 0;
 }

@@ -12,6 +12,7 @@
 #include "wheel_rail_contact/normal/error_estimate.h"
 #include "wheel_rail_contact/normal/hertz_solver.h"
 #include "wheel_rail_contact/normal/kik_piotrowski.h"
+#include "wheel_rail_contact/normal/seidel.h"
 
 /// Solutions of random scenes with their true errors: the same scene on a grid four times finer each way.
 namespace wheel_rail_contact::scenes
@@ -20,7 +21,9 @@ enum class Method
 {
   grid,  ///< conjugate gradients
   hertz,
-  kik_piotrowski
+  kik_piotrowski,
+  seidel,         ///< repaired; gap scenes only
+  seidel_printed  ///< gap scenes only
 };
 
 /// One patch.
@@ -38,8 +41,8 @@ struct ErrorSample
 constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each way
 
 /// Grids in use, coarse to fine.
-constexpr std::array<GridSize, 9> grids{
-    {{4, 16}, {8, 16}, {8, 24}, {8, 32}, {16, 32}, {16, 48}, {16, 64}, {32, 64}, {32, 128}}};
+constexpr std::array<GridSize, 10> grids{
+    {{4, 16}, {8, 16}, {8, 24}, {12, 32}, {16, 32}, {16, 48}, {16, 64}, {24, 48}, {32, 64}, {32, 96}}};
 
 inline ConjugateGradientsOptions strictOptions()
 {
@@ -57,8 +60,18 @@ inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
     options.residual = residual;
     return std::make_unique<ConjugateGradients>(options);
   }
-  return method == Method::hertz ? std::unique_ptr<NormalSolver>(std::make_unique<HertzSolver>())
-                                 : std::make_unique<KikPiotrowski>();
+  if (method == Method::hertz)
+  {
+    return std::make_unique<HertzSolver>();
+  }
+  if (method == Method::kik_piotrowski)
+  {
+    return std::make_unique<KikPiotrowski>();
+  }
+  SeidelOptions options;
+  options.form = method == Method::seidel ? SeidelOptions::Form::repaired : SeidelOptions::Form::printed;
+  options.residual = residual;
+  return std::make_unique<Seidel>(options);
 }
 
 /// Fills terms and estimate. `own_approach` is the patch's own [m].
@@ -73,6 +86,8 @@ inline ErrorSample describe(const char* kind, Method method, const NormalSolver&
   switch (method)
   {
     case Method::grid:
+    case Method::seidel:
+    case Method::seidel_printed:
       sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
       break;
     case Method::hertz:

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "problems.h"
+#include "wheel_rail_contact/normal/aspect_ladder.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 #include "wheel_rail_contact/normal/hertz_solver.h"
 #include "wheel_rail_contact/normal/kik_piotrowski.h"
@@ -104,9 +105,25 @@ TEST(HotPath, theCounterCounts)
 TEST(HotPath, conjugateGradientsAllocateNothingAfterTheFirstSolve)
 {
   ConjugateGradients solver;
-  solver.prepare(16, 32, true);
-  solver.prepare(12, 20, false);
+  solver.prepare(16, 32);
+  solver.prepare(12, 20);
   EXPECT_EQ(allocationsAfterTheFirst(solver, messages()), 0);
+}
+
+TEST(HotPath, conjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
+{
+  // Curvatures across from a third to eight times those along; whole grids, as with yaw.
+  std::vector<NormalProblem> problems;
+  for (int k = -12; k <= 24; k += 4)
+  {
+    NormalProblem problem = hertzCase(std::exp2(k / 8.0), 12, 20, false, 1.2).problem;
+    Grid& grid = problem.patches[0].grid;
+    grid.dx = aspect_ladder::aspect(aspect_ladder::nearestRung(grid.dx / grid.dy)) * grid.dy;
+    problems.push_back(std::move(problem));
+  }
+  ConjugateGradients solver;
+  solver.prepare(12, 20);
+  EXPECT_EQ(allocationsAfterTheFirst(solver, problems), 0);
 }
 
 TEST(HotPath, seidelAllocatesNothingAfterTheFirstSolve)

@@ -97,6 +97,19 @@ TEST(ContactStatistics, RailBeyondItsTableWarns)
   EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
 }
 
+TEST(ContactStatistics, ErrorAboveTheToleranceWarns)
+{
+  ContactStatistics now;
+  now.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
+  ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "an error estimate is above contact/tolerance");
+  answer.above_tolerance = true;
+  now.count(answer, 0.001);
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(valueOf(report, "answers with an error estimate above contact/tolerance"), "1");
+  EXPECT_EQ(valueOf(report, "last reason"), "an error estimate is above contact/tolerance");
+}
+
 TEST(ContactStatistics, ExceptionOfTheProgramIsAnError)
 {
   ContactStatistics now;

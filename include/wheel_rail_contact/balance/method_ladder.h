@@ -10,11 +10,12 @@
 
 namespace wheel_rail_contact
 {
-/// A grid and the error it leaves in an ordinary scene: relative, the largest of max pressure, area and approach [-].
+/// A grid and what to expect of it: relative errors, the largest of max pressure, area and approach [-].
 struct Rung
 {
   GridSize size;
-  double ordinary_error;
+  double ordinary_error;    ///< that most scenes stay below
+  double typical_estimate;  ///< error estimate in the median; its ratios tell what other rungs promise
 };
 
 /// The normal method in use and the grids it may be used on, from coarse to fine. `method: auto` has conjugate

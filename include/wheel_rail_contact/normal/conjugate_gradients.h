@@ -38,10 +38,11 @@ class ConjugateGradients : public NormalSolver
 
   const char* name() const override { return "conjugate_gradient"; }
 
-  /// Computes all that a grid of this shape needs, for every cell aspect of the ladder (aspect_ladder.h): later solves
-  /// on such grids compute no coefficient and allocate only at their first call.
-  /// @throw std::invalid_argument for a shape that no grid can have.
-  void prepare(int nx, int ny, bool symmetric);
+  /// Computes all coefficients that a grid of this many cells needs, symmetric or not, for patches of any usual shape
+  /// (see OperatorCache) whose cell aspect is on the ladder (aspect_ladder.h): later solves on such grids compute no
+  /// coefficient, and allocate only where they meet a larger problem than all before.
+  /// @throw std::invalid_argument for a size that no grid can have.
+  void prepare(int nx, int ny);
 
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 

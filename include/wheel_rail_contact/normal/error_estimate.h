@@ -30,7 +30,7 @@ struct ErrorTerms
   /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded)
   /// over the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over
   /// the maximum, per cell of the area · variation of k over its mean and (cells across)² · residual.
-  std::array<double, 6> area{};
+  std::array<double, 7> area{};
   /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
   std::array<double, 3> approach{};
 };
@@ -42,7 +42,7 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 struct ErrorWeights
 {
   std::array<double, 3> max_pressure{};
-  std::array<double, 6> area{};
+  std::array<double, 7> area{};
   std::array<double, 3> approach{};
 };
 

@@ -45,7 +45,8 @@ class InfluenceOperator
     std::unique_ptr<Buffers> buffers_;
   };
 
-  /// Shares what does not depend on the aspect with `sibling`, if that has the same nx and ny.
+  /// Shares what does not depend on the aspect with `sibling`, if that has the same nx and ny. A symmetric one takes
+  /// its coefficients over from a sibling that differs in nothing but symmetry.
   /// @throw std::invalid_argument for sizes below 2, an odd nx with symmetry, or an aspect that is not positive.
   explicit InfluenceOperator(const OperatorShape& shape, const InfluenceOperator* sibling = nullptr);
   ~InfluenceOperator();

@@ -8,17 +8,22 @@
 
 namespace wheel_rail_contact
 {
-/// Keeps influence operators, so that a solver computes each set of coefficients once.
+/// Keeps influence operators, so that each set of coefficients is computed once.
 ///
-/// Aspects on the ladder (aspect_ladder.h) are kept for good; of others the few last used.
+/// Operators with exact coefficients and an aspect on the ladder (aspect_ladder.h) are computed once in a process and
+/// kept until it ends: all caches, in whatever thread, share them. Of other aspects the few last used are kept.
 class OperatorCache
 {
  public:
   explicit OperatorCache(Kernel kernel = Kernel::rectangle) : kernel_(kernel) {}
 
-  /// Computes the operators of all rungs of the ladder for a grid, so that find() computes nothing later.
+  /// Computes the operators of a grid, whole and (nx even) symmetric, for patches from `widest` times as wide as long
+  /// to `longest` times as long as wide, so that find() computes and allocates nothing for them later.
   /// @throw std::invalid_argument as InfluenceOperator.
-  void prepare(int nx, int ny, bool symmetric);
+  void prepare(int nx, int ny);
+
+  static constexpr double widest = 4;    ///< of the patches prepared for, width over length [-]
+  static constexpr double longest = 16;  ///< length over width [-]
 
   /// The operator for a grid; computed now if it is new. Aspects within 1e-9 of a rung count as the rung.
   /// @throw std::invalid_argument as InfluenceOperator.

@@ -55,6 +55,10 @@ class Seidel : public NormalSolver
   /// `iterations` of the solution counts sweeps.
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
+  /// Printed: the grid's errors and those that come from putting the cells' forces into their centres.
+  ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
+                              std::size_t patch) const override;
+
  private:
   class Sweeps;
   std::unique_ptr<Sweeps> sweeps_;

@@ -18,11 +18,12 @@ struct ContactAnswer
 {
   std_msgs::Header header;  ///< the pose's stamp, the track frame
   std::uint8_t status = WheelsetContactMsg::INVALID_INPUT;
-  std::string reason;                      ///< one sentence, empty when OK
+  std::string reason;                      ///< one sentence, empty when OK and within the tolerance
   double x = 0;                            ///< axle centre along the track [m]
   WheelsetPose pose;                       ///< solved if usable, otherwise as given; zero if the input was unusable
   const WheelsetResult* result = nullptr;  ///< null unless usable; valid until the next evaluation
   bool beyond_linear_range = false;        ///< a rail's |Y|/Q is greater than its compliance table allows
+  bool above_tolerance = false;            ///< a patch's error estimate is above contact/tolerance
 };
 
 /// One answer for each input: what the live node and the replay have in common. Not thread-safe.

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `method: auto` promises: the tolerance is met, or the answer says that it may not be.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "../normal/error_samples.h"
+#include "wheelset_scene.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// Largest true error of an answer [-]; negative if the truth has other patches.
+double trueError(const WheelsetBalance& found, const WheelsetBalance& truth)
+{
+  double error = 0;
+  for (const Side side : {Side::left, Side::right})
+  {
+    const WheelContact &wheel = found.wheel(side), &fine = truth.wheel(side);
+    if (wheel.patches().size() != fine.patches().size())
+    {
+      return -1;
+    }
+    for (std::size_t k = 0; k < wheel.patches().size(); ++k)
+    {
+      const PatchPressure &pressure = wheel.solution().patches[k], &fine_pressure = fine.solution().patches[k];
+      if (pressure.force > 0 && fine_pressure.force > 0)
+      {
+        const double weight = wheel.problem().patches[k].weight;
+        const double approach = weight * (wheel.descent() - wheel.patches()[k].touch_gap);
+        const double fine_approach = weight * (fine.descent() - fine.patches()[k].touch_gap);
+        error = std::max(error, scenes::relativeErrors(pressure, approach, fine_pressure, fine_approach).largest());
+      }
+    }
+  }
+  return error;
+}
+
+double estimate(const WheelsetBalance& found)
+{
+  return std::max(found.wheel(Side::left).errorEstimate(), found.wheel(Side::right).errorEstimate());
+}
+
+/// How often answers keep what they promise.
+struct Tally
+{
+  int answers = 0, met = 0, flagged = 0, held = 0;
+
+  void count(double error, double estimated, double tolerance)
+  {
+    ++answers;
+    met += error <= tolerance ? 1 : 0;
+    flagged += error > tolerance && estimated > tolerance ? 1 : 0;
+    held += error <= estimated ? 1 : 0;
+  }
+  double share(int part) const { return static_cast<double>(part) / answers; }
+};
+
+/// Conjugate gradients on 128 × 320 cells: on smooth and jumping contacts alike within 0.05 % of grids finer still.
+MethodLadder truthLadder()
+{
+  ContactModelConfig config;
+  config.contact.method = NormalMethod::conjugate_gradient;
+  config.contact.cells_along = 128;
+  config.contact.cells_across = 320;
+  return MethodLadder(config);
+}
+
+TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
+{
+  constexpr unsigned long seed = 91;  // calibration has used 1 and 2
+  constexpr int count = 260;
+  std::cout << "seed " << seed << ", " << count << " scenes at four tolerances\n";
+  const MethodLadder truth_ladder = truthLadder(), ladder{ContactModelConfig()};
+  scenes::Random seeds(seed);
+  Tally tally;
+  for (int i = 0; i < count; ++i)
+  {
+    scenes::Random random(seeds());
+    const scenes::WheelsetScene scene = scenes::randomWheelsetScene(random);
+    ContactModelConfig config = scene.config;
+    config.contact.tolerance = 1e-4;
+    WheelsetBalance truth(config, truth_ladder);
+    if (truth.solve(scene.state) != ContactStatus::ok)
+    {
+      continue;
+    }
+    for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
+    {
+      config.contact.tolerance = tolerance;
+      WheelsetBalance balance(config, ladder);
+      ASSERT_EQ(balance.solve(scene.state), ContactStatus::ok) << "seed " << seed << ", scene " << i;
+      const double error = trueError(balance, truth);
+      if (error >= 0)
+      {
+        tally.count(error, estimate(balance), tolerance);
+      }
+    }
+  }
+  std::cout << tally.answers << " answers: " << tally.met << " within the tolerance, " << tally.flagged
+            << " beyond it and flagged, " << tally.held << " within their estimate\n";
+  ASSERT_GE(tally.answers, 1000);
+  EXPECT_GE(tally.share(tally.met), 0.99);
+  EXPECT_GE(tally.share(tally.held), 0.95);
+}
+
+TEST(MethodChoice, answersSayWhenTheToleranceIsNotMet)
+{
+  ContactModelConfig config = manchesterScene();
+  config.contact.tolerance = 2e-4;  // finer than the finest grid
+  WheelsetContact strict(config);
+  const WheelsetResult& result = strict.evaluate(stateAt(0.003, 1e5));
+  ASSERT_EQ(result.status, ContactStatus::ok);
+  EXPECT_TRUE(result.above_tolerance);
+  EXPECT_NE(result.reason.find("contact/tolerance"), std::string::npos) << result.reason;
+  EXPECT_TRUE(std::any_of(result.patches.begin(), result.patches.end(),
+                          [&](const PatchResult& patch) { return patch.error_estimate > config.contact.tolerance; }));
+
+  WheelsetContact usual(manchesterScene());
+  const WheelsetResult& within = usual.evaluate(stateAt(0.003, 1e5));
+  ASSERT_EQ(within.status, ContactStatus::ok);
+  EXPECT_FALSE(within.above_tolerance);
+  EXPECT_EQ(within.reason, "");
+}
+
+TEST(MethodChoice, aSteadySceneSettlesOnOneGrid)
+{
+  ContactModelConfig config = manchesterScene();
+  config.contact.tolerance = 0.003;
+  WheelsetContact contact(config);
+  for (int k = 0; k < 8; ++k)
+  {
+    contact.evaluate(stateAt(0.003, 1e5));
+  }
+  const WheelsetResult before = contact.evaluate(stateAt(0.003, 1e5));
+  int changes = 0;
+  for (int k = 0; k < 40; ++k)
+  {
+    const WheelsetResult& after = contact.evaluate(stateAt(0.003, 1e5));
+    ASSERT_EQ(after.patches.size(), before.patches.size());
+    changes +=
+        after.patches[0].grid.nx != before.patches[0].grid.nx || after.patches[0].grid.ny != before.patches[0].grid.ny
+            ? 1
+            : 0;
+    EXPECT_LE(after.patches[0].error_estimate, config.contact.tolerance);
+  }
+  EXPECT_EQ(changes, 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact

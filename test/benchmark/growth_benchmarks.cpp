@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "benchmarks.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/// Shortest of some cold solutions [s].
+double shortestSolution(OneWheel& one, const NormalProblem& problem)
+{
+  constexpr int tries = 9;
+  double shortest = INFINITY;
+  NormalSolution solution;
+  for (int k = 0; k < tries; ++k)
+  {
+    const auto begin = Clock::now();
+    one.solver.solve(problem, false, solution);
+    shortest = std::min(shortest, std::chrono::duration<double>(Clock::now() - begin).count());
+  }
+  return shortest;
+}
+
+/// One cold solution on each grid from 4 × 16 to 256 × 256 cells; the exponent is the slope of the line through the
+/// logarithms of cells and time.
+void cells(benchmark::State& state)
+{
+  constexpr std::array<GridSize, 7> sizes{{{4, 16}, {8, 32}, {16, 64}, {32, 64}, {64, 128}, {128, 256}, {256, 256}}};
+  OneWheel one;
+  std::array<double, sizes.size()> time{};
+  for (auto _ : state)
+  {
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+    {
+      time[k] = shortestSolution(one, NormalProblem(one.problemOn(sizes[k])));
+    }
+  }
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+  {
+    const double log_cells = std::log(sizes[k].along * sizes[k].across), log_time = std::log(time[k]);
+    x += log_cells;
+    y += log_time;
+    xx += log_cells * log_cells;
+    xy += log_cells * log_time;
+    state.counters[nameOf(sizes[k]) + "_us"] = 1e6 * time[k];
+  }
+  const auto n = static_cast<double>(sizes.size());
+  state.counters["exponent"] = (n * xy - x * y) / (n * xx - x * x);
+}
+
+/// A wheel's patch several times over, under as many times the load, cold.
+void patches(benchmark::State& state, int count)
+{
+  OneWheel one;
+  NormalProblem problem = one.problemOn({16, 48});
+  problem.patches.resize(static_cast<std::size_t>(count), problem.patches[0]);
+  problem.value *= count;
+  NormalSolution solution;
+  for (auto _ : state)
+  {
+    one.solver.solve(problem, false, solution);
+    benchmark::DoNotOptimize(solution.approach);
+  }
+}
+
+/// Warm evaluations of several wheelsets in turns, each at another place of the sweep.
+void wheelsets(benchmark::State& state, int count)
+{
+  constexpr int apart = 15;  // steps of the sweep
+  std::vector<WheelsetContact> contacts;
+  std::vector<Sweep> sweeps(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+  {
+    contacts.emplace_back(manchesterScene());
+    for (int step = 0; step < k * apart; ++step)
+    {
+      sweeps[static_cast<std::size_t>(k)].next();
+    }
+  }
+  for (auto _ : state)
+  {
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+    {
+      benchmark::DoNotOptimize(contacts[k].evaluate(sweeps[k].next()).z);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * count);
+}
+}  // namespace
+
+void registerGrowth()
+{
+  benchmark::RegisterBenchmark("growth/cells", cells)->Unit(benchmark::kMillisecond)->Iterations(1);
+  for (const int count : {1, 2, 3, 4})
+  {
+    const std::string name = "growth/patches/" + std::to_string(count);
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { patches(state, count); })
+        ->Unit(benchmark::kMicrosecond);
+  }
+  for (const int count : {1, 2, 4, 8, 16, 32})
+  {
+    const std::string name = "growth/wheelsets/" + std::to_string(count);
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { wheelsets(state, count); })
+        ->Unit(benchmark::kMicrosecond);
+  }
+}
+}  // namespace wheel_rail_contact

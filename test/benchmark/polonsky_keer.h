@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "../../src/normal/lanes.h"
+#include "wheel_rail_contact/normal/influence_operator.h"
+#include "wheel_rail_contact/normal/problem.h"
+
+namespace wheel_rail_contact
+{
+/// Conjugate gradients as Polonsky and Keer 1999 (Wear 231, 206–219) print them, without preconditioner, to compare
+/// with: two products with the influence matrix an iteration. One patch of weight one, load given.
+class PolonskyKeer
+{
+ public:
+  /// Sets out from the pressure sqrt of the overlap at half the approach guessed, as the package's own solver does.
+  /// @param residual  as that of ConjugateGradients, at which it ends
+  explicit PolonskyKeer(double residual) : residual_(residual) {}
+
+  /// @return false if it did not get there in 500 iterations.
+  bool solve(const NormalProblem& problem);
+
+  double approach() const { return approach_; }
+  int products() const { return products_; }
+
+ private:
+  void begin(const NormalProblem& problem);
+  void start(double load);
+  void scaleTo(double load);
+  double shiftToContact(LaneBuffer& field) const;
+  double measure();
+  bool step();
+
+  double residual_;
+  std::shared_ptr<const InfluenceOperator> influence_;
+  InfluenceOperator::Workspace workspace_;
+  LaneBuffer p_, gap_, g_, t_, q_;  ///< pressure, gap, gap after deformation, direction, its displacement
+  int size_ = 0, products_ = 0;
+  double approach_ = 0, least_gap_ = 0;
+  double last_norm_ = 0;  ///< of g over the contact; 0: start along the gradient
+};
+}  // namespace wheel_rail_contact

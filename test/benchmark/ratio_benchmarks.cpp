@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "benchmarks.h"
+#include "polonsky_keer.h"
+#include "wheel_rail_contact/normal/seidel.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+template <typename Work>
+double seconds(Work work)
+{
+  const auto begin = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Runs conjugate gradients and another solver in turns on one problem, both cold; `slower` is the ratio of the sums of
+/// their times. `other` returns the approach it found; `apart` is how far the two are from one another, relative.
+template <typename Other>
+void compare(benchmark::State& state, const GridSize& size, Other other)
+{
+  OneWheel one;
+  NormalProblem problem = one.problemOn(size);
+  problem.patches[0].weight = 1;
+  NormalSolution solution;
+  double own_time = 0, other_time = 0, other_approach = 0;
+  for (auto _ : state)
+  {
+    own_time += seconds([&] { one.solver.solve(problem, false, solution); });
+    other_time += seconds([&] { other_approach = other(problem); });
+  }
+  state.counters["slower"] = other_time / own_time;
+  state.counters["apart"] = std::abs(other_approach / solution.approach - 1);
+}
+
+void seidel(benchmark::State& state, const GridSize& size, SeidelOptions::Form form)
+{
+  SeidelOptions options;
+  options.form = form;
+  Seidel solver(options);
+  NormalSolution solution;
+  compare(state, size,
+          [&](const NormalProblem& problem)
+          {
+            solver.solve(problem, false, solution);
+            return solution.approach;
+          });
+}
+
+void polonskyKeer(benchmark::State& state, const GridSize& size)
+{
+  PolonskyKeer solver(ConjugateGradientsOptions().residual);
+  bool found = true;
+  compare(state, size,
+          [&](const NormalProblem& problem)
+          {
+            found = solver.solve(problem) && found;
+            return solver.approach();
+          });
+  state.counters["products"] = solver.products();
+  if (!found)
+  {
+    state.SkipWithError("Polonsky-Keer did not reach the residual");
+  }
+}
+}  // namespace
+
+void registerRatios()
+{
+  const auto add = [](const std::string& name, auto run)
+  { benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond); };
+  for (const GridSize& size : {GridSize{16, 16}, GridSize{16, 32}, GridSize{32, 32}})
+  {
+    add("ratio/seidel_printed/" + nameOf(size),
+        [=](benchmark::State& state) { seidel(state, size, SeidelOptions::Form::printed); });
+    add("ratio/seidel/" + nameOf(size),
+        [=](benchmark::State& state) { seidel(state, size, SeidelOptions::Form::repaired); });
+  }
+  for (const GridSize& size : {GridSize{16, 48}, GridSize{32, 64}, GridSize{64, 128}})
+  {
+    add("ratio/polonsky_keer/" + nameOf(size), [=](benchmark::State& state) { polonskyKeer(state, size); });
+  }
+}
+}  // namespace wheel_rail_contact
