@@ -25,16 +25,15 @@ constexpr int most_prepared_cells = 64 * 128;
 /// Smooth contacts need cells along more than across, curvature jumps the other way round: the grids grow by turns.
 /// Ordinary errors: of 95 % of the patches of S1002 on UIC60 between y = -7 mm and 7 mm. Typical estimates: medians
 /// over random wheelset scenes.
-constexpr std::array<Rung, 10> rungs{{{{8, 16}, 0.085, 0.0150},
-                                      {{8, 24}, 0.03, 0.0120},
-                                      {{12, 32}, 0.018, 0.0062},
-                                      {{16, 48}, 0.014, 0.0042},
-                                      {{24, 48}, 0.010, 0.0027},
-                                      {{24, 64}, 0.0036, 0.0026},
-                                      {{32, 64}, 0.0030, 0.0019},
-                                      {{32, 96}, 0.0020, 0.0019},
-                                      {{48, 96}, 0.0015, 0.0013},
-                                      {{64, 128}, 0.0010, 0.0010}}};
+constexpr std::array<Rung, 9> rungs{{{{8, 16}, 0.085, 0.0150},
+                                     {{8, 24}, 0.03, 0.0120},
+                                     {{12, 32}, 0.018, 0.0062},
+                                     {{16, 48}, 0.014, 0.0042},
+                                     {{24, 56}, 0.005, 0.0026},
+                                     {{32, 64}, 0.0030, 0.0019},
+                                     {{32, 96}, 0.0020, 0.0019},
+                                     {{48, 96}, 0.0015, 0.0013},
+                                     {{64, 128}, 0.0010, 0.0010}}};
 
 Rung rungFor(const ContactConfig& contact)
 {

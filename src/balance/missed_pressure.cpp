@@ -9,7 +9,7 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr double missed_clearance = 0.1;  ///< width beside a grid in which edges alone tell, of the grid's width [-]
-constexpr double missed_share = 0.05;     ///< overlap beside a grid that is let pass, of the descent [-]
+constexpr double missed_share = 0.02;     ///< overlap beside a grid that is let pass, of the descent [-]
 constexpr int groups = 8;                 ///< in which the columns are taken together
 
 /// Displacement of both bodies at place t beside the pressure, on its line of centres [m]: each group's load spread
