@@ -42,7 +42,8 @@ struct ContactStatistics
 };
 
 /// Describes what happened between two reports. OK: every answer usable, nothing dropped. WARN: something dropped, an
-/// unusable answer, no partner for what came in, a rail beyond its table's range, or an error above the tolerance. ERROR: answers, but none usable.
+/// unusable answer, no partner for what came in, a rail beyond its table's range, or an error above the tolerance.
+/// ERROR: answers, but none usable.
 void diagnose(const ContactStatistics& now, const ContactStatistics& before,
               diagnostic_updater::DiagnosticStatusWrapper& report);
 }  // namespace wheel_rail_contact
