@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "wheel_rail_contact/replay/profile_outlines.h"
 #include "wheel_rail_contact/replay/progress.h"
 
 namespace wheel_rail_contact
@@ -17,7 +18,8 @@ namespace
 constexpr std::size_t queue_budget = 96 << 20;               ///< [B]
 constexpr const char* description_field = "contact_replay";  ///< of the answers' connections
 
-BagConnection answerConnection(const std::string& wheelset, const std::string& description)
+BagConnection answerConnection(const std::string& wheelset, const std::string& description,
+                               const ContactModelConfig& model)
 {
   BagConnection connection;
   connection.topic = answerTopic(wheelset);
@@ -26,7 +28,9 @@ BagConnection answerConnection(const std::string& wheelset, const std::string& d
       .set("md5sum", ros::message_traits::md5sum<WheelsetContactMsg>())
       .set("message_definition", ros::message_traits::definition<WheelsetContactMsg>())
       .set("callerid", wheelset + "/contact_node")
-      .set(description_field, description);
+      .set(description_field, description)
+      .set("rail_outline", railOutlineText(model))
+      .set("wheel_outline", wheelOutlineText(model));
   return connection;
 }
 
@@ -73,7 +77,7 @@ Replay::Replay(ReplayOptions options)
       });
   for (const std::string& wheelset : options_.wheelsets)
   {
-    bag_->addConnection(answerConnection(wheelset, description_));
+    bag_->addConnection(answerConnection(wheelset, description_, config_.model));
   }
 }
 

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Answers of a bag as arrays. Pressure grids are kept only of the answers that are asked for."""
+from dataclasses import dataclass, field
+
+import numpy as np
+import rosbag
+from wheel_rail_contact.msg import WheelsetContact
+
+SIDES = ("left", "right")
+STATUSES = ("OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM")
+USABLE = (0, 1)
+
+
+class ReportError(Exception):
+    """A bag of which no report can be made; the message says why."""
+
+
+@dataclass
+class Answers:
+    """SI units, track axes. Histories have one value for each answer, patches one for each patch of a usable answer."""
+    stamp: np.ndarray = None
+    status: np.ndarray = None
+    y: np.ndarray = None
+    z: np.ndarray = None
+    roll: np.ndarray = None
+    yaw: np.ndarray = None
+    rail: np.ndarray = None        # (answer, side, lateral vertical roll Y Q)
+    patches: dict = None           # by name: arrays; `answer` is the index of the patch's answer
+    reasons: dict = field(default_factory=dict)    # (status, text) -> number
+    outlines: dict = field(default_factory=dict)   # "rail", "wheel" of the left side -> (n, 2) y, z, if the bag tells
+    parameters: str = ""
+
+
+PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
+RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force")
+
+
+def messages(bag, topic):
+    """Each answer of an open bag; grids as numpy arrays."""
+    for _, raw, _ in bag.read_messages(topics=[topic], raw=True):
+        yield WheelsetContact().deserialize_numpy(raw[1], np)
+
+
+def find_topic(bag, wheelset):
+    """The topic of the answers, as the bag writes it."""
+    topics = [t for t, info in bag.get_type_and_topic_info().topics.items() if info.msg_type == WheelsetContact._type]
+    if wheelset is not None:
+        topics = [t for t in topics if t.lstrip("/").startswith((wheelset.strip("/") + "/").lstrip("/"))]
+    if len(topics) != 1:
+        raise ReportError(f"{len(topics)} topics with answers: {' '.join(sorted(topics)) or 'none'}"
+                          + (" (choose one with --wheelset)" if len(topics) > 1 else ""))
+    return topics[0]
+
+
+def read(path, wheelset=None):
+    """All answers of a bag without their grids, and the topic they stand on."""
+    try:
+        with rosbag.Bag(str(path)) as bag:
+            topic = find_topic(bag, wheelset)
+            answers = _collect(messages(bag, topic))
+            _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
+    except rosbag.ROSBagException as error:
+        raise ReportError(f"{path}: {error}") from None
+    answers.outlines = {kind: np.array(_text(header[f"{kind}_outline"]).split(), float).reshape(-1, 2)
+                        for kind in ("rail", "wheel") if f"{kind}_outline" in header}
+    answers.parameters = _text(header.get("contact_replay", ""))
+    return answers, topic
+
+
+def _text(value):
+    """A field of a connection header: rosbag leaves those it does not know as bytes."""
+    return value.decode() if isinstance(value, bytes) else value
+
+
+def _collect(stream):
+    histories, rails, patches, names = [], [], [], []
+    answers = Answers()
+    for index, message in enumerate(stream):
+        p, q = message.wheelset.position, message.wheelset.orientation
+        histories.append((message.header.stamp.to_sec(), message.status, p.y, p.z, 2 * np.arctan2(q.x, q.w),
+                          2 * np.arctan2(q.z, q.w)))
+        rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
+        if message.status not in USABLE or message.status_text:
+            key = (message.status, message.status_text)
+            answers.reasons[key] = answers.reasons.get(key, 0) + 1
+        for patch in message.patches:
+            o = patch.pose
+            patches.append((index, patch.side, o.position.y, o.position.z, *(getattr(patch, f) for f in PATCH_FIELDS)))
+            names.append(patch.method)
+    if not histories:
+        raise ReportError("the bag holds no answer")
+    answers.stamp, status, answers.y, answers.z, answers.roll, answers.yaw = np.array(histories, float).T
+    answers.status = status.astype(int)
+    answers.rail = np.array(rails, float)
+    answers.rail[~np.isin(answers.status, USABLE)] = np.nan
+    table = np.array(patches, float).reshape(-1, 4 + len(PATCH_FIELDS)).T
+    answers.patches = dict(zip(("answer", "side", "y", "z", *PATCH_FIELDS), table))
+    for name in ("answer", "side"):
+        answers.patches[name] = answers.patches[name].astype(int)
+    answers.patches["method"] = np.array(names, dtype=object)
+    return answers
+
+
+def of_answers(values, answers, index, reduce):
+    """A value for each answer from those of its patches, such as the highest; not a number where there is none."""
+    result = np.full(len(answers.stamp), np.nan)
+    chosen = answers.patches["answer"][index]
+    reduce = {"max": np.fmax, "sum": lambda a, b: np.where(np.isnan(a), b, a + b)}[reduce]
+    for answer, value in zip(chosen, values[index]):
+        result[answer] = reduce(result[answer], value)
+    return result
+
+
+def full(path, topic, wanted):
+    """The messages of some answers, by their index, with grids."""
+    with rosbag.Bag(str(path)) as bag:
+        return {index: message for index, message in enumerate(messages(bag, topic)) if index in wanted}

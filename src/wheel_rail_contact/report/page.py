@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The report's page: one HTML file that holds its pictures."""
+import base64
+import html
+
+import numpy as np
+
+from .answers import SIDES, STATUSES, USABLE
+
+STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222 }
+table { border-collapse: collapse; margin: 0.6em 0 } td, th { padding: 0.2em 0.8em; border: 1px solid #ccc; text-align: right }
+td:first-child, th:first-child { text-align: left } img { max-width: 100% } pre { background: #f4f4f4; padding: 0.8em; overflow-x: auto }"""
+
+
+def _table(head, rows):
+    def line(cells, tag):
+        return "<tr>" + "".join(f"<{tag}>{html.escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
+    return "<table>" + line(head, "th") + "".join(line(row, "td") for row in rows) + "</table>"
+
+
+def _shown(item, caption):
+    """A picture's file, or a sentence in its place."""
+    if isinstance(item, str):
+        return f"<p>{html.escape(item)}</p>"
+    return _image(item, caption)
+
+
+def _image(path, caption):
+    data = base64.b64encode(path.read_bytes()).decode()
+    return f'<img alt="{html.escape(caption)}" src="data:image/png;base64,{data}">'
+
+
+def extremes(answers):
+    """Rows of the table of extreme values."""
+    rows = []
+    for name, unit, scale, digits in (("max_pressure", "MPa", 1e-6, 0), ("contact_angle", "°", 180 / np.pi, 1),
+                                      ("normal_force", "kN", 1e-3, 1), ("approach", "µm", 1e6, 1)):
+        for side in (0, 1):
+            values = np.where(answers.patches["side"] == side, answers.patches[name], -np.inf)
+            if len(values) and np.isfinite(values.max()):
+                worst = int(values.argmax())
+                answer = answers.patches["answer"][worst]
+                rows.append((f"{name} [{unit}], {SIDES[side]}", f"{scale * values[worst]:.{digits}f}",
+                             f"{answers.stamp[answer]:.3f}", f"{1e3 * answers.y[answer]:.2f}"))
+    return rows
+
+
+def _statuses(answers):
+    counts = np.bincount(answers.status, minlength=len(STATUSES))
+    return [(STATUSES[s], n, f"{100 * n / len(answers.status):.2f} %") for s, n in enumerate(counts) if n]
+
+
+def _reasons(answers):
+    most = sorted(answers.reasons.items(), key=lambda item: -item[1])[:20]
+    return [(f"{STATUSES[status]}: {text}", number) for (status, text), number in most]
+
+
+def _methods(answers):
+    methods = answers.patches["method"]
+    return [(m, int((methods == m).sum()), f"{100 * np.median(answers.patches['error_estimate'][methods == m]):.2f} %")
+            for m in sorted(set(methods))]
+
+
+def write(path, title, answers, pictures, other_title=None):
+    """pictures: (heading, [paths, or sentences in their place])."""
+    usable = int(np.isin(answers.status, USABLE).sum())
+    parts = [f"<h1>{html.escape(title)}</h1>",
+             f"<p>{len(answers.status)} answers from {answers.stamp[0]:.3f} s to {answers.stamp[-1]:.3f} s, "
+             f"{usable} of them usable.</p>"]
+    if other_title:
+        parts.append(f"<p>Dashed: {html.escape(other_title)}.</p>")
+    parts += [_table(("status", "answers", "share"), _statuses(answers))]
+    if answers.reasons:
+        parts += ["<h2>Refusals and remarks</h2>", _table(("reason", "answers"), _reasons(answers))]
+    parts += ["<h2>Extremes</h2>", _table(("quantity", "value", "at [s]", "y [mm]"), extremes(answers))]
+    for heading, images in pictures:
+        parts += [f"<h2>{html.escape(heading)}</h2>", *(_shown(image, heading) for image in images)]
+    parts += ["<h2>Methods</h2>", _table(("method", "patches", "median of the estimated error"), _methods(answers))]
+    if answers.parameters:
+        parts += ["<h2>Made with</h2>", f"<pre>{html.escape(answers.parameters)}</pre>"]
+    path.write_text(f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>'
+                    f"<style>{STYLE}</style></head>\n<body>\n" + "\n".join(parts) + "\n</body></html>\n", encoding="utf-8")

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_report: a page of its own with pictures of what stands in the bag, and contact points that lie on the profiles."""
+import base64
+import contextlib
+import html.parser
+import io
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+from matplotlib import image
+from wheel_rail_contact.report import figures
+from wheel_rail_contact.report.answers import full, of_answers, read
+from wheel_rail_contact.report.command_line import main
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
+TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
+
+
+class Page(html.parser.HTMLParser):
+    """Pictures, links and text of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.pictures, self.links, self.text = [], [], ""
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        for name, value in attrs:
+            if tag == "img" and name == "src":
+                self.pictures.append(value)
+            elif name in ("src", "href"):
+                self.links.append(value)
+
+    def handle_data(self, data):
+        self.text += data + "\n"
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        (cls.folder / "bend.yaml").write_text(
+            f"rail: {{profile: UIC60_manchester}}\nrail_bending: {{model: compliance, table: {TABLE}}}\n")
+        cls.rigid = cls.replay("rigid.bag", PACKAGE / "config" / "manchester.yaml")
+        cls.bending = cls.replay("bending.bag", cls.folder / "bend.yaml")
+
+    @classmethod
+    def replay(cls, name, config):
+        out = cls.folder / name
+        subprocess.run([os.environ["CONTACT_REPLAY"], SWEEP, out, "--config", config], check=True, capture_output=True)
+        return out
+
+    def report(self, *arguments, status=0):
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+            self.assertEqual(main([str(a) for a in arguments]), status, printed.getvalue())
+        return printed.getvalue()
+
+    def test_page_holds_its_pictures_and_tells_the_extremes(self):
+        out = self.folder / "report"
+        self.report(self.bending, "--out", out, "--compare", self.rigid, "--at", "1.0")
+        page = Page((out / "report.html").read_text(encoding="utf-8"))
+        self.assertEqual(page.links, [])
+        # Histories, bands, the instant asked for and the two worst, errors.
+        self.assertEqual(len(page.pictures), 6)
+        for picture in page.pictures:
+            kind, data = picture.split(",", 1)
+            self.assertEqual(kind, "data:image/png;base64")
+            pixels = image.imread(io.BytesIO(base64.b64decode(data)), format="png")
+            self.assertGreater(len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)), 20, "a picture is empty")
+        answers, _ = read(self.bending)
+        worst = 1e-6 * answers.patches["max_pressure"][answers.patches["side"] == 1].max()
+        self.assertIn(f"max_pressure [MPa], right\n{worst:.0f}\n", page.text)
+        self.assertIn("Dashed: rigid.bag", page.text)
+        self.assertIn("rail_bending/model: compliance", page.text)
+
+    def test_contact_points_lie_on_both_profiles(self):
+        for bag in (self.rigid, self.bending):
+            answers, _ = read(bag)
+            for side in (0, 1):
+                for kind, points in zip(("rail", "wheel"), figures.contact_points(answers, side)):
+                    outline = answers.outlines[kind]
+                    distance = np.hypot(*(points[:, None, :] - outline[None, :, :]).T).min(axis=0)
+                    # Half the outline's step is 0.2 mm; the bodies approach each other by 0.2 mm at most, and a rail's
+                    # roll, which is left out, turns its surface by some hundredths of a millimetre.
+                    self.assertLess(distance.max(), 0.5e-3, f"{bag.name}, {kind}, side {side}")
+
+    def test_histories_hold_what_the_messages_say(self):
+        answers, topic = read(self.rigid)
+        self.assertEqual(topic, "/contact_node/contact")
+        right = np.flatnonzero(answers.patches["side"] == 1)
+        highest = of_answers(answers.patches["max_pressure"], answers, right, "max")
+        area = of_answers(answers.patches["area"], answers, right, "sum")
+        for index, message in full(self.rigid, topic, {0, 57, 100}).items():
+            patches = [p for p in message.patches if p.side == 1]
+            self.assertEqual(highest[index], max(p.max_pressure for p in patches))
+            self.assertAlmostEqual(area[index], sum(p.area for p in patches), delta=1e-18)
+            self.assertEqual(answers.rail[index][1][3], message.right_rail.lateral_force)
+
+    def test_long_histories_keep_their_peaks(self):
+        x = np.arange(100000.0)
+        y = np.sin(x / 5000)
+        y[43210], y[43215], y[70000:70100] = 7, -7, np.nan
+        short_x, short_y = figures._thinned(x, y)
+        self.assertLessEqual(len(short_x), figures.MOST_POINTS)
+        self.assertEqual((np.nanmax(short_y), np.nanmin(short_y)), (7, -7))
+        self.assertTrue((np.diff(short_x) > 0).all())
+
+    def test_bags_without_answers_are_refused(self):
+        self.assertIn("0 topics with answers", self.report(SWEEP, "--out", self.folder / "none", status=1))
+        self.assertIn("No such file", self.report(self.folder / "absent.bag", "--out", self.folder / "none", status=1))
+        self.assertFalse((self.folder / "none").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
