@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A launch file that names another machine moves all wheelsets of vehicle.launch there, as the README says."""
+import pathlib
+import re
+import tempfile
+import unittest
+
+import roslaunch.config
+
+README = pathlib.Path(__file__).resolve().parents[3] / "README.md"
+
+
+class Machines(unittest.TestCase):
+    def test_the_example_of_the_readme_runs_every_wheelset_on_the_other_machine(self):
+        example = next(code for code in re.findall(r"```xml\n(.*?)```", README.read_text(), re.DOTALL)
+                       if "<machine" in code)
+        with tempfile.TemporaryDirectory() as folder:
+            launch = pathlib.Path(folder) / "two_machines.launch"
+            launch.write_text(example)
+            config = roslaunch.config.load_config_default([str(launch)], 11311)
+        nodes = {node.namespace + node.name: node.machine.address for node in config.nodes}
+        expected = ["/contact_manager", *(f"/wheelset_{i}/contact_node" for i in (1, 2, 3, 4))]
+        self.assertEqual(nodes, {name: "192.168.1.2" for name in expected})
+
+
+if __name__ == "__main__":
+    unittest.main()
