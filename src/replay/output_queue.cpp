@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/replay/output_queue.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace wheel_rail_contact

@@ -60,6 +60,23 @@ class WholeBags(ReplayCase):
         self.assertEqual(len(self.answers(out)), 1500)
         self.assertEqual(self.answers(out), self.answers(other))
 
+    def test_who_begins_in_the_middle_agrees_from_the_next_second_on(self):
+        late = self.folder / "late.bag"
+        with rosbag.Bag(str(late), "w") as bag:
+            for i in range(950, 1300):
+                bag.write("/wheelset/pose", pose(i), stamp(i))
+                bag.write("/wheelset/load", load(i), stamp(i))
+
+        def from_next_second(bag, name):
+            answers = [a for a in self.answers(self.replay(bag, name)[0]) if a.header.stamp >= time(2 * 10**9)]
+            for answer in answers:
+                answer.header.seq = 0
+            return answers
+
+        answers = from_next_second(late, "late_out.bag")
+        self.assertEqual(len(answers), 300)
+        self.assertEqual(answers, from_next_second(self.make_bag(1300), "out.bag"))
+
     def test_bad_input_is_answered_by_name_and_lonely_messages_are_counted(self):
         path = self.folder / "in.bag"
         with rosbag.Bag(str(path), "w") as bag:

@@ -118,8 +118,10 @@ def complaint(check, limits, answers):
         return _too_many("with a wheel off the rail", limits.lift_offs,
                          [a for a in answers if STATUSES[a.status] == "LIFT_OFF"])
     if check == "flange_contact":
-        return _outside("contact_angle", -1e300, math.nextafter(limits.flange_angle, 0), answers, "flange contact: ")
-    return _outside(check, *limits.bounds[check], answers, "")
+        return _outside("contact_angle", lambda angle: angle < limits.flange_angle, -1e300, limits.flange_angle, answers,
+                        "flange contact: ")
+    low, high = limits.bounds[check]
+    return _outside(check, lambda value: low <= value <= high, low, high, answers, "")
 
 
 def _too_few(limits, answers):
@@ -134,14 +136,14 @@ def _too_many(what, allowed, answers):
             f"{STATUSES[first.status]}: {first.status_text}")
 
 
-def _outside(quantity, low, high, answers, prefix):
+def _outside(quantity, is_inside, low, high, answers, prefix):
     patches = [(getattr(p, quantity), a, p) for a in answers for p in a.patches]
-    outside = [entry for entry in patches if not low <= entry[0] <= high]
+    outside = [entry for entry in patches if not is_inside(entry[0])]
     if not outside:
         return ""
     value, answer, patch = max(outside, key=lambda entry: max(low - entry[0], entry[0] - high))
     unit = QUANTITIES[quantity]
-    end = f"below {low:g}" if value < low else f"above {high:g}"
+    end = f"below {low:g}" if value < low else f"not below {high:g}" if value == high else f"above {high:g}"
     return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} at {answer.header.stamp.to_sec():.6g} s, "
             f"{SIDES[patch.side]} wheel, y = {1e3 * answer.wheelset.position.y:.4g} mm "
             f"({len(outside)} of {len(patches)} patches are outside; this is the worst)")
