@@ -6,6 +6,7 @@ import html.parser
 import io
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -19,6 +20,9 @@ from wheel_rail_contact.report.command_line import main
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
+BROWSER = "chromium-headless-shell"
+WINDOW = (1200, 6000)  # large enough for the whole page
+PAGE_WIDTH = 1100      # of the page's text, as its style says
 
 
 class Page(html.parser.HTMLParser):
@@ -80,6 +84,33 @@ class Report(unittest.TestCase):
         self.assertIn(f"max_pressure [MPa], right\n{worst:.0f}\n", page.text)
         self.assertIn("Dashed: rigid.bag", page.text)
         self.assertIn("rail_bending/model: compliance", page.text)
+
+    @unittest.skipUnless(shutil.which(BROWSER), f"needs {BROWSER}")
+    def test_a_browser_shows_every_picture(self):
+        out = self.folder / "shown"
+        self.report(self.rigid, "--out", out)
+        shot = self.folder / "shot.png"
+        subprocess.run([BROWSER, "--no-sandbox", "--hide-scrollbars", "--force-color-profile=srgb",
+                        f"--window-size={WINDOW[0]},{WINDOW[1]}", f"--screenshot={shot}", (out / "report.html").as_uri()],
+                       check=True, capture_output=True, timeout=60)
+        page = image.imread(shot)[:, :, :3]
+        self.assertEqual(page.shape[:2], WINDOW[::-1])
+        seen = 0
+        left = (WINDOW[0] - PAGE_WIDTH) // 2
+        for path in sorted(out.glob("*.png")):
+            picture = image.imread(path)[:, :, :3]
+            height, width = picture.shape[:2]
+            if width > PAGE_WIDTH:
+                continue  # shown smaller than it is
+            column = page[:, left:left + width]
+            # A row in the picture's middle tells where it may stand; there it must be the same to the last pixel.
+            middle = height // 2
+            places = np.flatnonzero((column == picture[middle]).all(axis=(1, 2))) - middle
+            self.assertTrue(any(np.array_equal(column[top:top + height], picture) for top in places if top >= 0),
+                            f"{path.name} is not to be seen")
+            seen += 1
+        # Histories, two instants, errors; the bands are wider than the page.
+        self.assertEqual(seen, 4)
 
     def test_contact_points_lie_on_both_profiles(self):
         for bag in (self.rigid, self.bending):
