@@ -149,7 +149,8 @@ class WheelsetContact::Chain
     const double sign = sideSign(side);
     out.side = side;
     out.method = ladder_.solver().name();
-    out.pose = {patch.plane.x, sign * patch.plane.y, patch.plane.z, sign * patch.plane.angle};
+    const Eigen::Vector2d way = wheel.railWay(patch);
+    out.pose = {patch.plane.x, sign * (patch.plane.y + way[0]), patch.plane.z + way[1], sign * patch.plane.angle};
     out.contact_angle = std::abs(patch.plane.angle);
     out.normal_force = pressure.force;
     out.approach = wheel.patchApproach(k);

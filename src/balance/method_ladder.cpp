@@ -55,7 +55,9 @@ std::unique_ptr<NormalSolver> makeSeidel(SeidelOptions::Form form)
 std::unique_ptr<NormalSolver> makeConjugateGradients(const ContactModelConfig& config, const std::vector<Rung>& grids)
 {
   ConjugateGradientsOptions options;
-  if (config.rail_bending.model == RailBendingConfig::Model::compliance)
+  const RailBendingConfig& bending = config.rail_bending;
+  if (bending.model == RailBendingConfig::Model::compliance &&
+      bending.lateral_force != RailBendingConfig::LateralForce::contact)
   {
     options.residual = coupled_residual;
   }

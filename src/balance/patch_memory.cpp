@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/balance/patch_memory.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "wheel_rail_contact/normal/aspect_ladder.h"
@@ -21,6 +22,27 @@ Grid coveringGrid(double length, double begin, double end, const GridSize& size)
   return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
 }
 
+/// Turn that brings the plane square to the pressure-weighted normal, but where turns go back and forth (two lobes of
+/// one stretch that take the load from each other) half the last at most.
+double nextTurn(const WheelPatch& patch)
+{
+  const double turn = std::atan(patch.slope);
+  return turn * patch.turned < 0 ? std::copysign(std::min(std::abs(turn), 0.5 * std::abs(patch.turned)), turn) : turn;
+}
+
+/// Plane through the rail's point `rail_u`, tangent to the rail there and over the wheel's contact locus: no matter
+/// where in the stretch the bodies touch first, it moves steadily with them.
+ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapZone& zone, double rail_u)
+{
+  InitialContact contact = zone.contact;
+  contact.wheel_u += rail_u - contact.rail_u;
+  contact.rail_u = rail_u;
+  const PlanePoint begin = rail.at(zone.u_begin);
+  const PlanePoint end = rail.at(zone.u_end);
+  contact.slope = (end.z - begin.z) / (end.y - begin.y);
+  return tangentPlane(wheel, rail, contact);
+}
+
 /// Widens the memory at sides where the grid cut the pressure off.
 void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory)
 {
@@ -33,7 +55,12 @@ void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory
 
 PatchMemory firstGuess(const OverlapZone& zone)
 {
-  return {zone.contact.rail_u, 0, -first_reach, first_reach, first_reach, 0, 0, {}, 0, 0};
+  PatchMemory memory;
+  memory.rail_u = zone.contact.rail_u;
+  memory.begin = -first_reach;
+  memory.end = first_reach;
+  memory.half_length = first_reach;
+  return memory;
 }
 
 PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const WheelPatch& patch, const Grid& grid,
@@ -50,8 +77,10 @@ PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const Whe
   memory.begin = fraction(extent.y_begin);
   memory.end = fraction(extent.y_end);
   memory.half_length = extent.half_length / (patch.half_overlap * grown);
-  memory.turn = patch.plane.angle + std::atan(patch.slope) - std::atan(zone.contact.slope);
-  memory.shift_x = patch.plane.x + patch.center_x - tangentPlane(wheel, rail, zone.contact).x;
+  const ContactPlane base = planeAt(wheel, rail, zone, memory.rail_u);
+  memory.turned = nextTurn(patch);
+  memory.turn = patch.plane.angle + memory.turned - base.angle;
+  memory.shift_x = patch.plane.x + patch.center_x - base.x;
   growCut(extent, grid, memory);
   return memory;
 }
@@ -63,14 +92,10 @@ void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& 
   const double middle = 0.5 * (zone.u_begin + zone.u_end);
   const double half = 0.5 * (zone.u_end - zone.u_begin);
   ContactPlane& plane = patch.plane;
-  plane = tangentPlane(wheel, rail, zone.contact);
+  plane = planeAt(wheel, rail, zone, middle + memory.center * half);
   plane.x += memory.shift_x;
   plane.angle += memory.turn;
-  plane.rail_u = middle + memory.center * half;
-  plane.wheel_u += plane.rail_u - zone.contact.rail_u;
-  const PlanePoint origin = rail.at(plane.rail_u);
-  plane.y = origin.y;
-  plane.z = origin.z;
+  patch.turned = memory.turned;
 
   const bool symmetric = wheel.pose().yaw == 0;
   if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)

@@ -15,6 +15,7 @@ constexpr int most_boxes = 10;               ///< grids tried in one call
 constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
 constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
 constexpr double descent_step_limit = 1.5;   ///< factor by which the descent may change from one grid to the next [-]
+constexpr double far_slip = 1e-4;  ///< way of the rail beyond which it is to be set anew before boxes are looked at [m]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
 
@@ -45,10 +46,20 @@ WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solve
 {
 }
 
-void WheelContact::setRail(const PlacedRail& rail)
+void WheelContact::setRail(const PlacedRail& rail, const Support& support)
 {
   rail_ = rail;
+  support_ = support;
+  yielded_ = 0;
   search_.setRail(rail);
+}
+
+void WheelContact::begin()
+{
+  for (PatchMemory& memory : memory_)
+  {
+    memory.turned = 0;
+  }
 }
 
 void WheelContact::reset()
@@ -128,19 +139,19 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       return WheelStatus::off_profile;
     }
     solver_.solve(problem_, true, solution_);
-    if (!isUsable(solution_.status))
+    if (const SolveStatus status = solution_.status; !isUsable(status))
     {
       solver_.solve(problem_, false, solution_);
     }
     ++solutions_;
-    if (!isUsable(solution_.status))
+    if (const SolveStatus status = solution_.status; !isUsable(status))
     {
-      const SolveStatus reason = solution_.status;
       reset();
-      solution_.status = reason;
+      solution_.status = status;
       return WheelStatus::normal_failed;
     }
     measure();
+    settleSupport();
     widened_ = widened_ && attempt > 0;
     const bool hold = boxesHold(touch);
     if (hold && std::abs(descentError()) < descent_error_limit)
@@ -156,6 +167,10 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     }
     solution_.approach =
         std::clamp(solution_.approach, boxed_descent_ / descent_step_limit, boxed_descent_ * descent_step_limit);
+    if (railSlip() > far_slip)
+    {
+      return WheelStatus::solved;
+    }
   }
   reset();
   return WheelStatus::box_not_found;
@@ -184,6 +199,7 @@ PatchMemory& WheelContact::recall(const OverlapZone& zone)
 
 bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
 {
+  problem_.support = support_;
   boxed_descent_ = solution_.approach;
   WheelsetPose pose = wheel_->pose();
   pose.z = touch.axle_height - boxed_descent_;
@@ -207,8 +223,31 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     }
     gap.gap += gap.weight * boxed_descent_;
     clearBeyond(patch, gap.gap);
+    fillOpening(*rail_, patch.plane, patch.columns, gap.opening);
   }
   return !zones_.empty();
+}
+
+/// Brings the problem to where the rail has yielded to: gaps and approach as if the rail had been set there.
+void WheelContact::settleSupport()
+{
+  yielded_ = 0;
+  const WheelForces force = forces();
+  if (!support_.yields || !(force.vertical > 0))
+  {
+    return;
+  }
+  const Eigen::Vector3d move = solution_.support - support_.placed;
+  yielded_ = Eigen::Vector3d(force.outward, -force.vertical, force.moment).dot(move) / force.vertical;
+  for (PatchGap& patch : problem_.patches)
+  {
+    for (Eigen::Index j = 0; j < patch.opening.rows(); ++j)
+    {
+      patch.gap.col(j) += patch.opening.row(j).matrix().dot(move) - patch.weight * yielded_;
+    }
+  }
+  solution_.approach -= yielded_;
+  problem_.support.placed = solution_.support;
 }
 
 void WheelContact::measure()
@@ -286,7 +325,7 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
 double WheelContact::patchApproach(std::size_t patch) const
 {
   const WheelPatch& p = patches_[patch];
-  return (descent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
+  return (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
 }
 
 double WheelContact::errorEstimate() const
@@ -306,20 +345,33 @@ double WheelContact::descentError() const
 
 WheelForces WheelContact::forces() const
 {
-  WheelForces sum;
-  const PlanePoint reference = rail_->referencePoint();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    const WheelPatch& patch = patches_[k];
-    const double force = solution_.patches[k].force;
-    const double outward = force * std::sin(patch.plane.angle + std::atan(patch.slope));
-    const double vertical = force * std::cos(patch.plane.angle);
-    const PlanePoint place = rail_->at(railParameter(problem_.patches[k].grid, patch.columns, patch.center_y));
-    sum.outward += outward;
-    sum.vertical += vertical;
-    sum.moment += outward * (place.z - reference.z) + vertical * (place.y - reference.y);
+    const PatchGap& gap = problem_.patches[k];
+    for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
+    {
+      const double force = gap.grid.cellArea() * solution_.patches[k].pressure.col(j).sum();
+      sum += force * gap.opening.row(j).matrix().transpose();
+    }
   }
-  return sum;
+  return {sum[0], -sum[1], sum[2]};
+}
+
+Eigen::Vector2d WheelContact::railWay(const WheelPatch& patch) const
+{
+  return wayOf(*rail_, patch.plane.y, patch.plane.z, support() - support_.placed);
+}
+
+double WheelContact::railSlip() const
+{
+  double slip = 0;
+  for (const WheelPatch& patch : patches_)
+  {
+    const Eigen::Vector2d tangent(std::cos(patch.plane.angle), std::sin(patch.plane.angle));
+    slip = std::max(slip, std::abs(tangent.dot(railWay(patch))));
+  }
+  return slip;
 }
 
 double WheelContact::heightOverReference() const

@@ -9,7 +9,7 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
-constexpr int most_passes = 40;
+constexpr int most_passes = 60;
 constexpr int strict_passes = 16;    ///< after these, planes and roll may be left open by late_slack times as much
 constexpr double late_slack = 10.0;  ///< where contact jumps between tread and flange [-]
 constexpr int most_roll_steps = 60;
@@ -21,6 +21,13 @@ constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each
 constexpr double least_fill = 0.8;           ///< share of its expected size that a pressure must have
 constexpr double coupling_tolerance = 1e-6;  ///< of deflection due and deflection used, relative
 constexpr double roll_arm = 0.1;             ///< makes a roll comparable with a displacement [m]
+constexpr double sharpest_radius = 0.01;     ///< of rail heads and wheel flanges [m]
+constexpr double slip_share = 0.01;   ///< of contact/tolerance, left open in the gap by the rail's way along the plane
+constexpr double same_load = 0.01;    ///< change of a wheel's load that need not move its rail beforehand [-]
+constexpr double flange_slope = 0.3;  ///< of a first touch above which it is the flange's [-]
+constexpr double flange_step = 2e-4;  ///< by which a rail is set out from under a flange [m]
+constexpr double greatest_lateral_share = 2.0;  ///< lateral force that may have to hold it there, of the wheel load [-]
+constexpr double early_move = 0.3;  ///< of the way allowed, at which the next answer sets out with the rail moved
 
 std::size_t index(Side side)
 {
@@ -33,8 +40,12 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodL
       ladder_(ladder),
       wheel_{WheelContact(config, ladder.solver()), WheelContact(config, ladder.solver())},
       undeflected_(config.rail_profile, config.track),
+      bends_(config.rail_bending.model == RailBendingConfig::Model::compliance),
       choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)}
 {
+  support_.yields = bends_ && config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact &&
+                    ladder.solver().solvesSupport();
+  support_.compliance = supportCompliance(config.rail_bending.table, config.track.cant);
   reset();
 }
 
@@ -48,8 +59,7 @@ void WheelsetBalance::reset()
   {
     wheel_[index(side)].reset();
     choice_[index(side)] = RungChoice(ladder_, config_.contact.tolerance);
-    rail_[index(side)].deflection = prescribed ? config_.rail_bending.prescribed : RailDeflection();
-    wheel_[index(side)].setRail(undeflected_.deflected(rail_[index(side)].deflection));
+    setRail(side, prescribed ? config_.rail_bending.prescribed : RailDeflection());
   }
 }
 
@@ -115,6 +125,13 @@ bool WheelsetBalance::findRoll()
   return false;
 }
 
+void WheelsetBalance::setRail(Side side, const RailDeflection& deflection)
+{
+  rail_[index(side)].deflection = deflection;
+  support_.placed = toCoordinates(deflection);
+  wheel_[index(side)].setRail(undeflected_.deflected(deflection), support_);
+}
+
 WheelStatus WheelsetBalance::solveWheels(bool rough)
 {
   for (const Side side : sides)
@@ -142,8 +159,8 @@ WheelStatus WheelsetBalance::solveWheels(bool rough)
   return WheelStatus::solved;
 }
 
-/// Takes the forces of the last solutions over to the rails' results; the deflection that is due under them.
-RailDeflection WheelsetBalance::deflectionDue(Side side)
+/// Takes the forces of the last solutions over to the rail's results, with the lateral force that is to bend it.
+RailForce WheelsetBalance::takeForce(Side side)
 {
   const std::size_t k = index(side);
   const RailBendingConfig& bending = config_.rail_bending;
@@ -160,38 +177,70 @@ RailDeflection WheelsetBalance::deflectionDue(Side side)
   forces.moment += (forces.outward - from_contact) * wheel_[k].heightOverReference();
   rail_[k].lateral_force = forces.outward;
   rail_[k].vertical_force = forces.vertical;
-  if (bending.model != RailBendingConfig::Model::compliance)
-  {
-    return rail_[k].deflection;
-  }
-  return deflectionInTrack(bending.table, {forces.outward, forces.vertical, forces.moment}, config_.track.cant);
+  return {forces.outward, forces.vertical, forces.moment};
 }
 
-/// Compares deflections due and used, and moves the rails. Returns the largest difference, relative.
+/// A rail's way along the contact planes since it was set, over the one allowed: the gap takes it to first order, and
+/// slip²/(2R) is left.
+double WheelsetBalance::slipOver(Side side) const
+{
+  const WheelContact& wheel = wheel_[index(side)];
+  const double left_open = slip_share * config_.contact.tolerance * wheel.elasticDescent();
+  return wheel.railSlip() / std::sqrt(2 * sharpest_radius * left_open);
+}
+
+/// Lets the rail follow the contact solution. Returns slipOver().
+double WheelsetBalance::followContact(Side side)
+{
+  const std::size_t k = index(side);
+  WheelContact& wheel = wheel_[k];
+  if (!loaded_[k])
+  {
+    const bool straight = toCoordinates(rail_[k].deflection).isZero(0);
+    setRail(side, RailDeflection());
+    return straight ? 0 : 2;
+  }
+  const double open = slipOver(side);
+  if (open > 1)
+  {
+    descent_[k] = wheel.elasticDescent();
+    const Eigen::Vector3d placed = toCoordinates(rail_[k].deflection);
+    const Eigen::Vector3d way = wheel.support() - placed;
+    setRail(side, toDeflection(placed + step_[k].share(wheel.railSlip(), way[0]) * way));
+  }
+  return open;
+}
+
+/// Brings the deflection nearer to the one due under a force. Returns their difference, over the one allowed.
+double WheelsetBalance::mixDeflection(Side side, const RailForce& force)
+{
+  const std::size_t k = index(side);
+  const RailDeflection& used = rail_[k].deflection;
+  const RailDeflection due = deflectionInTrack(config_.rail_bending.table, force, config_.track.cant);
+  const Eigen::Vector3d x(used.lateral, used.vertical, roll_arm * used.roll);
+  const Eigen::Vector3d image(due.lateral, due.vertical, roll_arm * due.roll);
+  const double difference = image.isZero(0) ? x.norm() : (image - x).norm() / image.norm();
+  if (difference > coupling_tolerance)
+  {
+    const Eigen::Vector3d next = coupling_[k].next(x, image);
+    setRail(side, {next[0], next[1], next[2] / roll_arm});
+  }
+  return difference / coupling_tolerance;
+}
+
+/// Moves the rails to where the last solutions want them. Returns how far they still are from it: settled up to 1.
 double WheelsetBalance::moveRails()
 {
-  double mismatch = 0;
+  double open = 0;
   for (const Side side : sides)
   {
-    const std::size_t k = index(side);
-    const RailDeflection used = rail_[k].deflection;
-    const RailDeflection due = deflectionDue(side);
-    if (config_.rail_bending.model != RailBendingConfig::Model::compliance)
+    const RailForce force = takeForce(side);
+    if (bends_)
     {
-      continue;
-    }
-    const Eigen::Vector3d x(used.lateral, used.vertical, roll_arm * used.roll);
-    const Eigen::Vector3d image(due.lateral, due.vertical, roll_arm * due.roll);
-    const double difference = image.isZero(0) ? x.norm() : (image - x).norm() / image.norm();
-    mismatch = std::max(mismatch, difference);
-    if (difference > coupling_tolerance)
-    {
-      const Eigen::Vector3d next = coupling_[k].next(x, image);
-      rail_[k].deflection = {next[0], next[1], next[2] / roll_arm};
-      wheel_[k].setRail(undeflected_.deflected(rail_[k].deflection));
+      open = std::max(open, support_.yields ? followContact(side) : mixDeflection(side, force));
     }
   }
-  return mismatch;
+  return open;
 }
 
 /// True if planes and boxes fit the pressure; otherwise they are laid anew in the next pass.
@@ -236,6 +285,54 @@ void WheelsetBalance::chooseGrids()
   }
 }
 
+/// Sets the rails, from cold, to where the wheel loads alone bend them; later to where they were in the last answer, in
+/// proportion to the load, if that is a good part of the way allowed or the load is another.
+void WheelsetBalance::setRails()
+{
+  for (const Side side : sides)
+  {
+    const std::size_t k = index(side);
+    if (bends_ && !warm_)
+    {
+      const RailForce load{0, std::max(load_[k], 0.0), 0};
+      setRail(side, deflectionInTrack(config_.rail_bending.table, load, config_.track.cant));
+    }
+    else if (support_.yields && loaded_[k])
+    {
+      const bool free = config_.wheelset.solve_height_and_roll;
+      const double ratio = free ? std::max(load_[k], 0.0) / rail_[k].vertical_force : 1;
+      if (std::abs(ratio - 1) > same_load || slipOver(side) > early_move)
+      {
+        setRail(side, toDeflection(ratio * toCoordinates(rail_[k].deflection)));
+      }
+    }
+  }
+}
+
+/// From cold: where the straight rail would lift the wheel by its flange, sets the rail out until the wheel's tread
+/// comes down on it, if its load can bend the rail so far. The flange then comes into contact beside the tread.
+bool WheelsetBalance::letFlangesDown()
+{
+  for (const Side side : sides)
+  {
+    const std::size_t k = index(side);
+    const RailDeflection straight = rail_[k].deflection;
+    const double most = greatest_lateral_share * load_[k] * support_.compliance(0, 0);
+    RailDeflection out = straight;
+    while (touch_[k].found && touch_[k].contact.slope > flange_slope && out.lateral < straight.lateral + most)
+    {
+      out.lateral += flange_step;
+      setRail(side, out);
+      touch_[k] = wheel_[k].touch(toSide(side, {state_.y, 0, state_.yaw, roll_}));
+    }
+    if (!touch_[k].found || touch_[k].contact.slope > flange_slope)
+    {
+      setRail(side, straight);
+    }
+  }
+  return touchBoth(roll_);
+}
+
 /// Sets out from the last answer: wheel loads, and descents to be expected under them.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
@@ -244,20 +341,25 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   load_ = {-0.5 * state.force_z - transfer, -0.5 * state.force_z + transfer};
   coupling_[0].reset();
   coupling_[1].reset();
+  step_[0].reset();
+  step_[1].reset();
+  wheel_[0].begin();
+  wheel_[1].begin();
   secant_.reset();
   if (!config_.wheelset.solve_height_and_roll)
   {
     roll_ = state.roll;
     return true;
   }
-  if (!warm_ && !touchBoth(roll_))
+  setRails();
+  if (!warm_ && !(touchBoth(roll_) && (!support_.yields || letFlangesDown())))
   {
     return false;
   }
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    descent_[k] = load_[k] > 0 ? wheel_[k].estimateDescent(touch_[k], load_[k]) : 0;
+    descent_[k] = load_[k] > 0 ? wheel_[k].estimateDescent(touch_[k], load_[k]) + wheel_[k].yielded() : 0;
   }
   return true;
 }
@@ -279,6 +381,13 @@ bool WheelsetBalance::place()
 
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
+  const bool warm = warm_;
+  const ContactStatus status = search(state);
+  return isUsable(status) || !warm ? status : search(state);  // once more from cold
+}
+
+ContactStatus WheelsetBalance::search(const WheelsetState& state)
+{
   if (!begin(state))
   {
     return failed(WheelStatus::beside_rail);
@@ -296,11 +405,12 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
       return failed(status);
     }
     const double roll_change = config_.wheelset.solve_height_and_roll ? heightDifference() / leverSum() : 0;
-    const double mismatch = moveRails();
+    const double difference = heightDifference();
+    const double open = moveRails();
     const double slack = pass < strict_passes ? 1.0 : late_slack;
     const bool fits = layoutFits(slack);
     const bool level = std::abs(roll_change) < slack * roll_per_tolerance * config_.contact.tolerance;
-    const bool settled = fits && level && mismatch < coupling_tolerance;
+    const bool settled = fits && level && open <= 1;
     if (first)
     {
       chooseGrids();
@@ -312,7 +422,7 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
     }
     if (fits || !secant_.takesOver())
     {
-      secant_.record(roll_, heightDifference());
+      secant_.record(roll_, difference);
     }
   }
   return fail(ContactStatus::not_converged, "height, roll and rail deflection found no common balance");
@@ -326,6 +436,10 @@ void WheelsetBalance::finish(double roll_change)
   for (const Side side : sides)
   {
     wheel_[index(side)].learn();
+    if (support_.yields && loaded_[index(side)])
+    {
+      rail_[index(side)].deflection = toDeflection(wheel_[index(side)].support());
+    }
     choice_[index(side)].descend(error_[index(side)]);
   }
   if (!config_.wheelset.solve_height_and_roll)

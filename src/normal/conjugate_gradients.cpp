@@ -37,7 +37,9 @@ struct ConjugateGradients::Workshop
 
 void ConjugateGradients::Workshop::finish(SolveStatus status, NormalSolution& solution)
 {
+  iteration.end();
   solution.status = status;
+  solution.support = iteration.support();
   solution.iterations = iteration.products();
   solution.approach = iteration.approach();
   solution.residual = status == SolveStatus::no_contact ? 0 : iteration.residual();

@@ -48,6 +48,7 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
     workspace_.reserve(*patches_[k].influence);
     toField(patches_[k], 1, problem.patches[k].gap, gap_);
   }
+  support_.begin(problem, patches_, length);
   residual_ = 1;
   s_q_ = 0;
   trial_length_ = 1;
@@ -67,15 +68,24 @@ bool ContactIteration::start(const NormalSolution* earlier)
   {
     multiply(p_, u_);
   }
-  return found != Start::none;
-}
-
-SolveStatus ContactIteration::iterate()
-{
+  if (found == Start::none)
+  {
+    return false;
+  }
+  yieldTo(p_, u_);
   if (!load_controlled_)
   {
     fitToApproach();
   }
+  if (support_.yields())
+  {
+    support_.open(-support_.placed(), u_);
+  }
+  return true;
+}
+
+SolveStatus ContactIteration::iterate()
+{
   advance(0);
   updateResidual();
   SolveStatus status = SolveStatus::converged;
@@ -87,6 +97,7 @@ SolveStatus ContactIteration::iterate()
       return SolveStatus::stalled;
     }
     multiply(s_, q_);
+    yieldTo(s_, q_);
     double length = 0;
     if (!stepLength(slope, length))
     {
@@ -124,10 +135,29 @@ void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
   ++products_;
 }
 
+/// Adds to a displacement what the support's way under the pressure opens.
+void ContactIteration::yieldTo(const LaneBuffer& pressure, LaneBuffer& displacement)
+{
+  if (support_.yields())
+  {
+    support_.open(support_.coordinates(patches_, pressure), displacement);
+  }
+}
+
+void ContactIteration::end()
+{
+  if (support_.yields())
+  {
+    support_coordinates_ = support_.coordinates(patches_, p_);
+    support_.open(support_.placed() - support_coordinates_, u_);
+  }
+}
+
 /// Scales the first pressure to the least energy at the given approach.
 void ContactIteration::fitToApproach()
 {
-  double work = 0, stored = 0;
+  double work = support_.yields() ? support_.placed().dot(support_.force(patches_, p_)) : 0;
+  double stored = 0;
   for (const PatchLayout& patch : patches_)
   {
     const double* p = p_.data() + patch.begin;
@@ -163,8 +193,21 @@ void ContactIteration::advance(double length)
   }
 }
 
+/// Share of the approach that the support's way from its place makes up, by the work of the load on both.
+double ContactIteration::yielded() const
+{
+  if (!support_.yields())
+  {
+    return 0;
+  }
+  const Eigen::Vector3d force = support_.force(patches_, p_);
+  const double load = loadOf(patches_, p_);
+  return load > 0 ? force.dot(support_.compliance() * force - support_.placed()) / load : 0;
+}
+
 void ContactIteration::updateResidual()
 {
+  const double elastic_approach = approach_ - yielded();
   double worst = 0, depth = 0;
   for (const PatchLayout& patch : patches_)
   {
@@ -173,7 +216,7 @@ void ContactIteration::updateResidual()
     const Violation violation =
         kernels_.residual(patch.size, own_approach, p_.data() + at, u_.data() + at, gap_.data() + at, r_.data() + at);
     worst = std::max({worst, violation.inside, violation.outside});
-    depth = std::max(depth, own_approach - patch.least_gap);
+    depth = std::max(depth, patch.weight * elastic_approach - patch.least_gap);
   }
   residual_ = worst / depth;
 }

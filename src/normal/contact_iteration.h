@@ -6,6 +6,7 @@
 #include "lanes.h"
 #include "patch_fields.h"
 #include "starting_pressure.h"
+#include "support_field.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 
 namespace wheel_rail_contact
@@ -25,9 +26,15 @@ class ContactIteration
 
   SolveStatus iterate();
 
+  /// Takes the support's share out of the displacement. After it only the results may be asked for.
+  void end();
+
   const std::vector<PatchLayout>& patches() const { return patches_; }
   const LaneBuffer& pressure() const { return p_; }
+  /// Of the half-spaces, after end().
   const LaneBuffer& displacement() const { return u_; }
+  /// The support's coordinates, after end().
+  const Eigen::Vector3d& support() const { return support_coordinates_; }
   double approach() const { return approach_; }
   double residual() const { return residual_; }
   int products() const { return products_; }
@@ -35,8 +42,10 @@ class ContactIteration
  private:
   bool goOn(SolveStatus& status);
   void multiply(const LaneBuffer& in, LaneBuffer& out);
+  void yieldTo(const LaneBuffer& pressure, LaneBuffer& displacement);
   void fitToApproach();
   void advance(double length);
+  double yielded() const;
   void updateResidual();
   double aim();
   TrialStep precondition();
@@ -52,7 +61,9 @@ class ContactIteration
   bool load_controlled_ = true;
   std::vector<PatchLayout> patches_;
 
-  LaneBuffer p_, u_, gap_;  ///< pressure, displacement, gap
+  SupportField support_;
+  Eigen::Vector3d support_coordinates_ = Eigen::Vector3d::Zero();
+  LaneBuffer p_, u_, gap_;  ///< pressure, displacement (with what the support's way from its place opens), gap
   LaneBuffer r_, z_;        ///< residual -w on the cells that may move, and its preconditioned form
   LaneBuffer s_, last_,
       q_;                    ///< step, the one before, displacement of the step multiplied last

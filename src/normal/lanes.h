@@ -139,6 +139,8 @@ struct LaneKernels
 
   double (*sum)(int size, const double* values) = nullptr;
   void (*scale)(int size, double factor, double* values) = nullptr;
+  /// out += factor * values.
+  void (*add)(int size, double factor, const double* values, double* out) = nullptr;
   double (*dot)(int size, const double* a, const double* b) = nullptr;
   /// Number of values below a limit.
   double (*count_below)(int size, double limit, const double* values) = nullptr;

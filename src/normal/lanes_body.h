@@ -132,6 +132,6 @@ void unfold(int pairs, int block, const double* sign, const double* in, double* 
 #include "solver_loops_body.h"
 #include "transform_loops_body.h"
 
-constexpr LaneKernels kKernels = {kName,   multiply, fold,       unfold, butterfly, turn,    turnBack,   split,
-                                  join,    combine,  multiplyBy, sum,    scale,     dot,     countBelow, rootDepth,
-                                  advance, residual, maskedSums, trial,  chord,     stepSums};
+constexpr LaneKernels kKernels = {kName,     multiply, fold,       unfold,     butterfly, turn,  turnBack, split,
+                                  join,      combine,  multiplyBy, sum,        scale,     add,   dot,      countBelow,
+                                  rootDepth, advance,  residual,   maskedSums, trial,     chord, stepSums};

@@ -28,7 +28,8 @@ bool isValid(const NormalProblem& problem)
                std::isfinite(problem.value) && (!load || problem.value > 0);
   for (const PatchGap& patch : problem.patches)
   {
-    valid = valid && isValid(patch);
+    const bool opens = !problem.support.yields || patch.opening.rows() == patch.grid.ny;
+    valid = valid && opens && isValid(patch);
   }
   return valid;
 }

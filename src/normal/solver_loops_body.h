@@ -27,6 +27,14 @@ void multiplyBy(int size, const double* factors, double* values)
   }
 }
 
+void add(int size, double factor, const double* values, double* out)
+{
+  for (int i = 0; i < size; i += kWidth)
+  {
+    store(out + i, load(out + i) + factor * load(values + i));
+  }
+}
+
 double dot(int size, const double* a, const double* b)
 {
   Register total = {};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wheel_rail_contact/balance/patch_memory.h"
+#include "wheel_rail_contact/balance/rail_support.h"
 #include "wheel_rail_contact/config.h"
 #include "wheel_rail_contact/geometry/contact_search.h"
 #include "wheel_rail_contact/geometry/gap.h"
@@ -53,7 +54,10 @@ class WheelContact
   /// Refers to `config` and `solver`, which must outlive it.
   WheelContact(const ContactModelConfig& config, NormalSolver& solver);
 
-  void setRail(const PlacedRail& rail);
+  /// Sets the rail where it is, and how it yields there: then `support.placed` are its coordinates (rail_support.h).
+  void setRail(const PlacedRail& rail, const Support& support);
+  /// Sets a rail that stays where it is.
+  void setRail(const PlacedRail& rail) { setRail(rail, Support()); }
   const PlacedRail& rail() const { return *rail_; }
 
   /// First touch at a pose (its z is not used).
@@ -68,12 +72,26 @@ class WheelContact
   /// The same with the axle `descent` below the first touch [m].
   WheelStatus solveDescent(const RigidTouch& touch, double descent, const GridSize& size);
 
+  /// Sets out for another state.
+  void begin();
+
   /// Takes the last solution over into memory: the next call lays its planes and boxes after it.
   void learn();
 
-  /// Descent of the axle below the first touch in the last solution [m].
-  double descent() const { return solution_.approach; }
+  /// Descent of the axle below the first touch in the last solution, with what the rail has yielded from where it was
+  /// set [m].
+  double descent() const { return solution_.approach + yielded_; }
+  /// The part of it that is left if the rail is set where it has yielded to [m].
+  double elasticDescent() const { return solution_.approach; }
+  /// The rest; none once the rail is set anew [m].
+  double yielded() const { return yielded_; }
   WheelForces forces() const;
+  /// Coordinates of the rail in the last solution: those it was set to, unless it yields.
+  const Eigen::Vector3d& support() const { return problem_.support.placed; }
+  /// Way of the rail at a patch's origin from where it was set to the last solution, side axes (y, z) [m].
+  Eigen::Vector2d railWay(const WheelPatch& patch) const;
+  /// Longest of these ways along the patches' planes: the gaps know it to first order [m].
+  double railSlip() const;
   /// Height of the forces' mean place over the rail head's reference point [m].
   double heightOverReference() const;
   /// Approach of a patch along its normal, from its own first touch on [m].
@@ -102,6 +120,7 @@ class WheelContact
   WheelStatus solve(const RigidTouch& touch, const GridSize& size);
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
   PatchMemory& recall(const OverlapZone& zone);
+  void settleSupport();
   void measure();
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
@@ -118,6 +137,8 @@ class WheelContact
   std::vector<PatchMemory> memory_;
   NormalProblem problem_;
   NormalSolution solution_;
+  Support support_;
+  double yielded_ = 0;        ///< descent that the rail's yielding has added in the last solution [m]
   double boxed_descent_ = 0;  ///< descent for which the boxes were laid [m]
   double box_fill_ = 1;
   bool box_cut_ = false;

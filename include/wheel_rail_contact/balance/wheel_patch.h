@@ -25,6 +25,7 @@ struct WheelPatch
   double expected_width = 0;   ///< of the pressure, for which the grid was laid [m]
   double expected_length = 0;  ///< likewise, along the track [m]
   ContactPlane plane;
+  double turned = 0;  ///< by how much the plane was turned after the last solution of the same state [rad]
   std::vector<GapColumn> columns;
   PressureExtent extent;
   double slope = 0;     ///< pressure-weighted mean of the common normal's slope against the plane [-]

@@ -22,6 +22,9 @@ struct ConjugateGradientsOptions
 /// the chord to the clipped trial point), so that every iterate satisfies p >= 0 and the load exactly, the energy falls
 /// monotonically and each iteration costs one product.
 ///
+/// A support that yields adds to A the matrix opening * compliance * opening^T, of rank three. The depth below is then
+/// that of the bodies with the support where it has yielded to, as far as its mean way under the pressure goes.
+///
 /// Residual: with w = A p + gap - weight * approach,
 ///   max( max of |w| where p > 0, max of -w where p = 0 ) / max over all cells of (weight * approach - gap),
 /// that is, the largest violation of the contact conditions over the largest depth of interpenetration of the
@@ -37,6 +40,7 @@ class ConjugateGradients : public NormalSolver
   ConjugateGradients& operator=(ConjugateGradients&&) noexcept;
 
   const char* name() const override { return "conjugate_gradient"; }
+  bool solvesSupport() const override { return true; }
 
   /// Computes all coefficients that a grid of this many cells needs, symmetric or not, for patches of any usual shape
   /// (see OperatorCache) whose cell aspect is on the ladder (aspect_ladder.h): later solves on such grids compute no

@@ -15,6 +15,9 @@ class NormalSolver
   /// Name as in the parameter `contact/method`.
   virtual const char* name() const = 0;
 
+  /// True if a support that yields (NormalProblem::support) is solved together with the contact.
+  virtual bool solvesSupport() const { return false; }
+
   /// Solves `problem` into `solution`. When `warm` is set and `solution` holds a usable pressure of the same shapes, it
   /// is the starting point. Neither allocates once the shapes have been seen. Never throws for numerical failure: the
   /// status tells.

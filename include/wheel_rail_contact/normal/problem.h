@@ -47,11 +47,25 @@ struct PatchGap
   /// Share of the common approach that closes this patch, and of its normal force that counts in the common load [-]:
   /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
   double weight = 1;
+  /// By how much a unit of each of the support's coordinates opens the gap, the same all along a column: ny × 3; used
+  /// only if the support yields [m/m] or [m/rad].
+  Eigen::ArrayX3d opening;
+};
+
+/// What carries the patches may yield to their pressure, as a rigid body in three coordinates d (lengths [m] or angles
+/// [rad]): d = compliance * f, with f_m the integral of opening_m * p over all patches, and gap + opening * (d -
+/// placed) in place of the gap. With a symmetric compliance this is a displacement that belongs to the pressure, as the
+/// half-spaces' does.
+struct Support
+{
+  bool yields = false;
+  Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();  ///< symmetric, positive semidefinite
+  Eigen::Vector3d placed = Eigen::Vector3d::Zero();      ///< coordinates for which the gaps are given
 };
 
 /// Frictionless contact of half-spaces: find p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every
 /// patch, the approach being common to all of them, and either sum(weight * N_k) = load or the approach given. Patches
-/// do not deform one another (patches near one another belong in one grid).
+/// do not deform one another (patches near one another belong in one grid); they share the support.
 struct NormalProblem
 {
   enum class Control
@@ -61,6 +75,7 @@ struct NormalProblem
   };
 
   std::vector<PatchGap> patches;
+  Support support;     ///< only for methods that solvesSupport()
   double modulus = 0;  ///< contact modulus E* [Pa]
   Control control = Control::load;
   double value = 0;
@@ -94,7 +109,7 @@ struct PatchPressure
 {
   Grid grid;                     ///< where the pressure was found
   Eigen::ArrayXXd pressure;      ///< [Pa], shape of the gap
-  Eigen::ArrayXXd displacement;  ///< of both surfaces together, apart along the normal [m], shape of the gap
+  Eigen::ArrayXXd displacement;  ///< of both half-spaces, apart along the normal [m], shape of the gap
   double force = 0;              ///< normal force of the whole patch [N]
   double max_pressure = 0;       ///< highest pressure, between the cells if it lies there [Pa]
   double area = 0;               ///< contact area with sub-cell edge [m²]
@@ -106,7 +121,9 @@ struct NormalSolution
   SolveStatus status = SolveStatus::invalid_problem;
   std::vector<PatchPressure> patches;
   double approach = 0;  ///< common approach [m]
-  int iterations = 0;   ///< products with the influence matrix
+  /// The support's coordinates under the pressure, where it yields.
+  Eigen::Vector3d support = Eigen::Vector3d::Zero();
+  int iterations = 0;  ///< products with the influence matrix
   /// Largest violation of the contact conditions relative to the approach's scale [-]; see ConjugateGradients.
   double residual = 0;
 };

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/balance/rail_support.h"
+
+#include <cmath>
+
+namespace wheel_rail_contact
+{
+Eigen::Vector3d toCoordinates(const RailDeflection& deflection)
+{
+  return {deflection.lateral, deflection.vertical, deflection.roll};
+}
+
+RailDeflection toDeflection(const Eigen::Vector3d& coordinates)
+{
+  return {coordinates[0], coordinates[1], coordinates[2]};
+}
+
+Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double cant)
+{
+  Eigen::Matrix3d compliance;
+  compliance.col(0) = toCoordinates(deflectionInTrack(table, {1, 0, 0}, cant));
+  compliance.col(1) = toCoordinates(deflectionInTrack(table, {0, -1, 0}, cant));
+  compliance.col(2) = toCoordinates(deflectionInTrack(table, {0, 0, 1}, cant));
+  return compliance;
+}
+
+Eigen::Vector2d wayOf(const PlacedRail& rail, double y, double z, const Eigen::Vector3d& move)
+{
+  const PlanePoint reference = rail.referencePoint();
+  return {move[0] + move[2] * (z - reference.z), move[1] - move[2] * (y - reference.y)};
+}
+
+void fillOpening(const PlacedRail& rail, const ContactPlane& plane, const std::vector<GapColumn>& columns,
+                 Eigen::ArrayX3d& opening)
+{
+  const double sine = std::sin(plane.angle);
+  const double cosine = std::cos(plane.angle);
+  const PlanePoint reference = rail.referencePoint();
+  opening.resize(static_cast<Eigen::Index>(columns.size()), 3);
+  for (Eigen::Index j = 0; j < opening.rows(); ++j)
+  {
+    const PlanePoint point = rail.at(columns[static_cast<std::size_t>(j)].rail_u);
+    const double slope = (cosine * point.dz - sine * point.dy) / (cosine * point.dy + sine * point.dz);
+    const double outward = sine + slope * cosine;
+    opening(j, 0) = outward;
+    opening(j, 1) = -cosine;
+    opening(j, 2) = outward * (point.z - reference.z) + cosine * (point.y - reference.y);
+  }
+}
+}  // namespace wheel_rail_contact

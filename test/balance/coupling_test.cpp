@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact and bending rail solved together: against rails held where they went, and where the plain iteration between
+// the two fails.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "wheel_rail_contact/balance/wheelset_balance.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheelset_scene.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double wheel_load = 1e5;  ///< [N]
+
+/// Pads of 10 kN/mm (lateral) and 25 kN/mm (vertical); source as in config/rails/pads_10_25.yaml.
+ComplianceTable verySoftPads()
+{
+  return {135.8e-9, 612e-9, 4.60e-6, 14.5e-9};
+}
+
+ContactModelConfig onPads(const ComplianceTable& table)
+{
+  ContactModelConfig config = manchesterScene();
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = table;
+  return config;
+}
+
+/// Lateral deflections [m] of the plain iteration: contact on a rail held still, rail moved to where the forces put it,
+/// and again. One wheel on the side it is pushed to, `y` outward, no roll.
+std::vector<double> plainIteration(double y, int steps)
+{
+  const ContactModelConfig config = onPads(verySoftPads());
+  const PlacedRail straight(config.rail_profile, config.track);
+  ConjugateGradients solver;
+  WheelContact wheel(config, solver);
+  RailDeflection deflection;
+  std::vector<double> lateral;
+  for (int step = 0; step < steps; ++step)
+  {
+    wheel.reset();
+    wheel.setRail(straight.deflected(deflection));
+    for (int pass = 0; pass < 5; ++pass)  // plane and box settle
+    {
+      if (wheel.solveLoad(wheel.touch({y, 0, 0, 0}), wheel_load, {16, 64}) != WheelStatus::solved)
+      {
+        return {};
+      }
+      wheel.learn();
+    }
+    const WheelForces force = wheel.forces();
+    deflection =
+        deflectionInTrack(config.rail_bending.table, {force.outward, force.vertical, force.moment}, config.track.cant);
+    lateral.push_back(deflection.lateral);
+  }
+  return lateral;
+}
+}  // namespace
+
+// By symmetry both rails bend alike, and can be held there. On one grid both solutions differ by the residual they
+// leave, 1e-4, and by where their planes and boxes came to lie.
+TEST(Coupling, RailsHeldWhereTheyWentCarryTheSameForces)
+{
+  ContactModelConfig config = onPads(softPads());
+  config.contact.cells_along = 32;
+  config.contact.cells_across = 128;
+  WheelsetContact bending(config);
+  const WheelsetResult a = bending.evaluate(stateAt(0, wheel_load));
+  ASSERT_EQ(a.status, ContactStatus::ok) << a.reason;
+  config.rail_bending.model = RailBendingConfig::Model::prescribed;
+  config.rail_bending.prescribed = a.rail[0].deflection;
+  WheelsetContact held(config);
+  const WheelsetResult& b = held.evaluate(stateAt(0, wheel_load));
+  ASSERT_EQ(b.status, ContactStatus::ok) << b.reason;
+  EXPECT_NEAR(a.rail[0].lateral_force / b.rail[0].lateral_force, 1, 1e-3);
+  EXPECT_NEAR(wheelTotal(a, Side::left).max_pressure / wheelTotal(b, Side::left).max_pressure, 1, 5e-4);
+  EXPECT_NEAR(wheelTotal(a, Side::left).area / wheelTotal(b, Side::left).area, 1, 1e-3);
+  EXPECT_NEAR(a.z, b.z, 1e-3 * 1e-4);  // of an approach of 0.1 mm
+}
+
+TEST(Coupling, PlainIterationSettlesOnTheTread)
+{
+  const std::vector<double> lateral = plainIteration(0, 12);
+  ASSERT_FALSE(lateral.empty());
+  EXPECT_NEAR(lateral.back(), lateral[lateral.size() - 2], 1e-6);
+}
+
+// On the flange the rail's answer to a force takes the force away.
+TEST(Coupling, PlainIterationSwingsAtTheFlange)
+{
+  const std::vector<double> lateral = plainIteration(6.5e-3, 16);
+  ASSERT_FALSE(lateral.empty());
+  const auto [least, most] = std::minmax_element(lateral.end() - 6, lateral.end());
+  EXPECT_GT(*most - *least, 0.5e-3);
+}
+
+TEST(Coupling, SoftRailAtTheFlangeIsSolved)
+{
+  const ContactModelConfig config = onPads(verySoftPads());
+  for (const double y : {-6.0e-3, -6.5e-3, -7e-3})
+  {
+    WheelsetContact contact(config);
+    const WheelsetResult& result = contact.evaluate(stateAt(y, wheel_load));
+    EXPECT_EQ(result.status, ContactStatus::ok) << result.reason << " at y = " << y;
+    EXPECT_GT(result.rail[1].deflection.lateral, 1e-3) << "y " << y;
+  }
+}
+
+// 0.05 mm a message, from the middle to the gauge corner.
+TEST(Coupling, WarmSweepTakesAHandfulOfSolutions)
+{
+  const ContactModelConfig config = onPads(softPads());
+  const MethodLadder ladder(config);
+  WheelsetBalance balance(config, ladder);
+  std::vector<int> solutions;
+  int before = 0;
+  for (int k = 0; k <= 120; ++k)
+  {
+    ASSERT_EQ(balance.solve(stateAt(-k * 0.05e-3, wheel_load)), ContactStatus::ok) << "k " << k;
+    solutions.push_back(balance.wheel(Side::right).solutions() - before);
+    before = balance.wheel(Side::right).solutions();
+  }
+  std::sort(solutions.begin(), solutions.end());
+  EXPECT_LE(solutions[solutions.size() / 2], 3);
+  EXPECT_LE(solutions[solutions.size() * 95 / 100], 6);
+}
+}  // namespace wheel_rail_contact
