@@ -139,9 +139,9 @@ class Scan
   {
     const auto connection = record.header.number<std::uint32_t>("conn");
     const std::string data = file_.dataOf(record);
-    if (contents_.connections.count(connection) == 0)
+    if (contents_.connections.count(connection) == 0 && !damaged_)
     {
-      lookThrough(chunk_, false);
+      tryToLookThrough(false);
     }
     holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
     std::string_view entries = data;
@@ -164,22 +164,29 @@ class Scan
 
   void finishChunk()
   {
+    if (in_chunk_ && !indexed_)
+    {
+      tryToLookThrough(true);
+    }
+    if (in_chunk_ && holds_wanted_ && !damaged_)
+    {
+      contents_.chunks.push_back(chunk_);
+    }
+    in_chunk_ = indexed_ = holds_wanted_ = damaged_ = false;
+  }
+
+  /// A damaged chunk is left out; those after it are not lost with it.
+  void tryToLookThrough(bool with_messages)
+  {
     try
     {
-      if (in_chunk_ && !indexed_)
-      {
-        lookThrough(chunk_, true);
-      }
-      if (in_chunk_ && holds_wanted_)
-      {
-        contents_.chunks.push_back(chunk_);
-      }
+      lookThrough(chunk_, with_messages);
     }
     catch (const BagError& error)
     {
+      damaged_ = true;
       contents_.fault += "; the chunk at byte " + std::to_string(chunk_.position) + ": " + error.what();
     }
-    in_chunk_ = indexed_ = holds_wanted_ = false;
   }
 
   /// Learns the chunk's connections, and where no index told it the times and numbers of its messages.
@@ -211,6 +218,7 @@ class Scan
   bool in_chunk_ = false;      ///< `chunk_` means something
   bool indexed_ = false;       ///< an index has told its times
   bool holds_wanted_ = false;  ///< it holds messages that are asked for
+  bool damaged_ = false;       ///< it cannot be read
 };
 
 /// The beginning of `bytes` that consists of whole records of the kinds that stand in chunks.

@@ -110,8 +110,13 @@ void ReplaySource::refuseWithout(const std::string& topic, const std::string& ty
       topics.append(" ").append(connection.topic);
     }
   }
-  throw BagError("the bag has no topic " + topic + "; its topics of type " + type + ":" +
-                 (topics.empty() ? " none" : topics));
+  std::string reason = "the bag has no topic " + topic + "; its topics of type " + type + ":";
+  reason += topics.empty() ? " none" : topics;
+  for (const std::string& fault : stream_.faults())
+  {
+    reason.append("; ").append(fault);
+  }
+  throw BagError(reason);
 }
 
 void ReplaySource::requireTopics() const

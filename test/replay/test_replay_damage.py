@@ -5,8 +5,9 @@ the rest is told, and the program does not end with 0."""
 import shutil
 
 import rosbag
+from std_msgs.msg import String
 
-from replay_case import DAMAGED, ReplayCase, write_pairs
+from replay_case import DAMAGED, ReplayCase, stamp, write_pairs
 
 CHUNK = 20000  # bytes: about 30 pairs
 
@@ -18,8 +19,8 @@ class DamagedBags(ReplayCase):
         self.whole = self.answers(self.replay(whole, "expected.bag", "--no-grids")[0])
         self.assertEqual(len(self.whole), 250)
 
-    def expect_damaged(self, bag, complaint):
-        out, printed = self.replay(bag, "out.bag", "--no-grids", status=DAMAGED)
+    def expect_damaged(self, bag, complaint, *options):
+        out, printed = self.replay(bag, "out.bag", "--no-grids", *options, status=DAMAGED)
         self.assertIn(complaint, printed)
         return self.answers(out)
 
@@ -65,6 +66,26 @@ class DamagedBags(ReplayCase):
             stamps = {a.header.stamp for a in self.answers(out)}
             self.assertTrue(stamps < {a.header.stamp for a in self.whole})
             self.assertGreater(len(stamps), 120)
+
+    def test_damaged_chunk_at_the_beginning_does_not_hide_those_after_it(self):
+        bag = self.folder / "remarks.bag"
+        with rosbag.Bag(str(bag), "w", chunk_threshold=CHUNK, compression="bz2") as file:
+            for i in range(300):
+                file.write("/remark", String(f"remark {i} " + 90 * "."), stamp(0))
+            write_pairs(file, 100)
+        content = bytearray(bag.read_bytes())
+        first_chunk = 4117  # after magic and bag header
+        content[first_chunk + 150:first_chunk + 200] = bytes(50)
+        bag.write_bytes(content[:-200])  # the index is cut off
+        self.assertEqual(self.expect_damaged(bag, f"the chunk at byte {first_chunk}", "--keep-topics"), self.whole[:100])
+
+    def test_bag_that_lost_its_topics_says_why(self):
+        bag = self.make_bag(250, "cut.bag", chunk_threshold=CHUNK, compression="bz2")
+        with open(bag, "r+b") as file:
+            file.truncate(4500)
+        _, printed = self.replay(bag, "out.bag", status=1)
+        self.assertIn("no topic /wheelset/", printed)
+        self.assertIn("no usable index", printed)
 
     def test_what_is_no_bag_is_refused(self):
         for content in (b"", b"no bag", b"#ROSBAG V1.2\n"):
