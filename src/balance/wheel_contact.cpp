@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "wheel_rail_contact/balance/missed_pressure.h"
 #include "wheel_rail_contact/normal/hertz.h"
@@ -15,6 +16,9 @@ constexpr int most_boxes = 10;               ///< grids tried in one call
 constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
 constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
 constexpr double descent_step_limit = 1.5;   ///< factor by which the descent may change from one grid to the next [-]
+constexpr double flange_slope = 0.3;         ///< of a patch above which it counts as the flange's [-]
+constexpr double steepest_slope = 3.0;       ///< of flanks that may touch [-]
+constexpr double rail_head_size = 0.08;      ///< [m]
 constexpr double far_slip = 1e-4;  ///< way of the rail beyond which it is to be set anew before boxes are looked at [m]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
@@ -201,6 +205,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
 {
   problem_.support = support_;
   boxed_descent_ = solution_.approach;
+  touch_separation_ = touch.contact.separation;
   WheelsetPose pose = wheel_->pose();
   pose.z = touch.axle_height - boxed_descent_;
   wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
@@ -228,26 +233,38 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
   return !zones_.empty();
 }
 
-/// Brings the problem to where the rail has yielded to: gaps and approach as if the rail had been set there.
+/// Brings the problem to where the rail has yielded to.
 void WheelContact::settleSupport()
 {
   yielded_ = 0;
   const WheelForces force = forces();
-  if (!support_.yields || !(force.vertical > 0))
+  if (support_.compliance.isZero(0) || !(force.vertical > 0))
   {
     return;
   }
-  const Eigen::Vector3d move = solution_.support - support_.placed;
-  yielded_ = Eigen::Vector3d(force.outward, -force.vertical, force.moment).dot(move) / force.vertical;
+  const Eigen::Vector3d along(force.outward, -force.vertical, force.moment);
+  const Eigen::Vector3d coordinates =
+      support_.yields ? solution_.support : Eigen::Vector3d(support_.compliance * along);
+  const Eigen::Vector3d way = coordinates - support_.placed;
+  yielded_ = along.dot(way) / force.vertical;
+  problem_.support.placed = coordinates;
+  if (support_.yields)
+  {
+    takeIntoGaps(way);
+  }
+}
+
+/// Gaps and approach as if the rail had been set at the end of the way.
+void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
+{
   for (PatchGap& patch : problem_.patches)
   {
     for (Eigen::Index j = 0; j < patch.opening.rows(); ++j)
     {
-      patch.gap.col(j) += patch.opening.row(j).matrix().dot(move) - patch.weight * yielded_;
+      patch.gap.col(j) += patch.opening.row(j).matrix().dot(way) - patch.weight * yielded_;
     }
   }
   solution_.approach -= yielded_;
-  problem_.support.placed = solution_.support;
 }
 
 void WheelContact::measure()
@@ -320,6 +337,33 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
                                             return zone.u_begin < patch.zone.u_end && patch.zone.u_begin < zone.u_end;
                                           });
                      });
+}
+
+double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
+{
+  double effect = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const PressureExtent& extent = patches_[k].extent;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (Eigen::Index j = extent.first_column; !extent.empty && j <= extent.last_column; ++j)
+    {
+      const double opened = problem_.patches[k].opening.row(j).matrix().dot(way);
+      least = std::min(least, opened);
+      most = std::max(most, opened);
+    }
+    const bool flange = std::tan(patches_[k].plane.angle) > flange_slope;
+    const double change = flange ? std::numeric_limits<double>::infinity() : (most - least) / (2 * patchApproach(k));
+    effect = extent.empty ? effect : std::max(effect, change);
+  }
+  if (effect > limit)
+  {
+    return effect;
+  }
+  const double reach = steepest_slope * (std::hypot(way[0], way[1]) + rail_head_size * std::abs(way[2]));
+  search_.overlapZones(touch_separation_ + solution_.approach + reach, other_zones_);
+  return other_zones_.size() == zones_.size() ? effect : std::numeric_limits<double>::infinity();
 }
 
 double WheelContact::patchApproach(std::size_t patch) const

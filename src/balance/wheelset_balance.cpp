@@ -19,15 +19,6 @@ constexpr double height_tolerance = 1e-9;    ///< of both axle ends, in finding 
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
 constexpr double least_fill = 0.8;           ///< share of its expected size that a pressure must have
-constexpr double coupling_tolerance = 1e-6;  ///< of deflection due and deflection used, relative
-constexpr double roll_arm = 0.1;             ///< makes a roll comparable with a displacement [m]
-constexpr double sharpest_radius = 0.01;     ///< of rail heads and wheel flanges [m]
-constexpr double slip_share = 0.01;   ///< of contact/tolerance, left open in the gap by the rail's way along the plane
-constexpr double same_load = 0.01;    ///< change of a wheel's load that need not move its rail beforehand [-]
-constexpr double flange_slope = 0.3;  ///< of a first touch above which it is the flange's [-]
-constexpr double flange_step = 2e-4;  ///< by which a rail is set out from under a flange [m]
-constexpr double greatest_lateral_share = 2.0;  ///< lateral force that may have to hold it there, of the wheel load [-]
-constexpr double early_move = 0.3;  ///< of the way allowed, at which the next answer sets out with the rail moved
 
 std::size_t index(Side side)
 {
@@ -39,13 +30,10 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodL
     : config_(config),
       ladder_(ladder),
       wheel_{WheelContact(config, ladder.solver()), WheelContact(config, ladder.solver())},
-      undeflected_(config.rail_profile, config.track),
-      bends_(config.rail_bending.model == RailBendingConfig::Model::compliance),
+      rail_{BendingRail(config, ladder.solver().solvesSupport(), wheel_[0]),
+            BendingRail(config, ladder.solver().solvesSupport(), wheel_[1])},
       choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)}
 {
-  support_.yields = bends_ && config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact &&
-                    ladder.solver().solvesSupport();
-  support_.compliance = supportCompliance(config.rail_bending.table, config.track.cant);
   reset();
 }
 
@@ -53,13 +41,11 @@ void WheelsetBalance::reset()
 {
   warm_ = false;
   roll_ = 0;
-  rail_ = {};
-  const bool prescribed = config_.rail_bending.model == RailBendingConfig::Model::prescribed;
   for (const Side side : sides)
   {
     wheel_[index(side)].reset();
+    rail_[index(side)].reset();
     choice_[index(side)] = RungChoice(ladder_, config_.contact.tolerance);
-    setRail(side, prescribed ? config_.rail_bending.prescribed : RailDeflection());
   }
 }
 
@@ -125,13 +111,6 @@ bool WheelsetBalance::findRoll()
   return false;
 }
 
-void WheelsetBalance::setRail(Side side, const RailDeflection& deflection)
-{
-  rail_[index(side)].deflection = deflection;
-  support_.placed = toCoordinates(deflection);
-  wheel_[index(side)].setRail(undeflected_.deflected(deflection), support_);
-}
-
 WheelStatus WheelsetBalance::solveWheels(bool rough)
 {
   for (const Side side : sides)
@@ -159,86 +138,15 @@ WheelStatus WheelsetBalance::solveWheels(bool rough)
   return WheelStatus::solved;
 }
 
-/// Takes the forces of the last solutions over to the rail's results, with the lateral force that is to bend it.
-RailForce WheelsetBalance::takeForce(Side side)
-{
-  const std::size_t k = index(side);
-  const RailBendingConfig& bending = config_.rail_bending;
-  WheelForces forces = loaded_[k] ? wheel_[k].forces() : WheelForces();
-  const double from_contact = forces.outward;
-  if (bending.lateral_force == RailBendingConfig::LateralForce::topic)
-  {
-    forces.outward = state_.rail_lateral_force[k];
-  }
-  else if (bending.lateral_force == RailBendingConfig::LateralForce::constant)
-  {
-    forces.outward = bending.lateral_force_value;
-  }
-  forces.moment += (forces.outward - from_contact) * wheel_[k].heightOverReference();
-  rail_[k].lateral_force = forces.outward;
-  rail_[k].vertical_force = forces.vertical;
-  return {forces.outward, forces.vertical, forces.moment};
-}
-
-/// A rail's way along the contact planes since it was set, over the one allowed: the gap takes it to first order, and
-/// slip²/(2R) is left.
-double WheelsetBalance::slipOver(Side side) const
-{
-  const WheelContact& wheel = wheel_[index(side)];
-  const double left_open = slip_share * config_.contact.tolerance * wheel.elasticDescent();
-  return wheel.railSlip() / std::sqrt(2 * sharpest_radius * left_open);
-}
-
-/// Lets the rail follow the contact solution. Returns slipOver().
-double WheelsetBalance::followContact(Side side)
-{
-  const std::size_t k = index(side);
-  WheelContact& wheel = wheel_[k];
-  if (!loaded_[k])
-  {
-    const bool straight = toCoordinates(rail_[k].deflection).isZero(0);
-    setRail(side, RailDeflection());
-    return straight ? 0 : 2;
-  }
-  const double open = slipOver(side);
-  if (open > 1)
-  {
-    descent_[k] = wheel.elasticDescent();
-    const Eigen::Vector3d placed = toCoordinates(rail_[k].deflection);
-    const Eigen::Vector3d way = wheel.support() - placed;
-    setRail(side, toDeflection(placed + step_[k].share(wheel.railSlip(), way[0]) * way));
-  }
-  return open;
-}
-
-/// Brings the deflection nearer to the one due under a force. Returns their difference, over the one allowed.
-double WheelsetBalance::mixDeflection(Side side, const RailForce& force)
-{
-  const std::size_t k = index(side);
-  const RailDeflection& used = rail_[k].deflection;
-  const RailDeflection due = deflectionInTrack(config_.rail_bending.table, force, config_.track.cant);
-  const Eigen::Vector3d x(used.lateral, used.vertical, roll_arm * used.roll);
-  const Eigen::Vector3d image(due.lateral, due.vertical, roll_arm * due.roll);
-  const double difference = image.isZero(0) ? x.norm() : (image - x).norm() / image.norm();
-  if (difference > coupling_tolerance)
-  {
-    const Eigen::Vector3d next = coupling_[k].next(x, image);
-    setRail(side, {next[0], next[1], next[2] / roll_arm});
-  }
-  return difference / coupling_tolerance;
-}
-
 /// Moves the rails to where the last solutions want them. Returns how far they still are from it: settled up to 1.
 double WheelsetBalance::moveRails()
 {
   double open = 0;
   for (const Side side : sides)
   {
-    const RailForce force = takeForce(side);
-    if (bends_)
-    {
-      open = std::max(open, support_.yields ? followContact(side) : mixDeflection(side, force));
-    }
+    const std::size_t k = index(side);
+    open = std::max(open, rail_[k].follow(loaded_[k], state_.rail_lateral_force[k]));
+    descent_[k] = loaded_[k] ? wheel_[k].descent() : 0;
   }
   return open;
 }
@@ -285,74 +193,31 @@ void WheelsetBalance::chooseGrids()
   }
 }
 
-/// Sets the rails, from cold, to where the wheel loads alone bend them; later to where they were in the last answer, in
-/// proportion to the load, if that is a good part of the way allowed or the load is another.
-void WheelsetBalance::setRails()
-{
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    if (bends_ && !warm_)
-    {
-      const RailForce load{0, std::max(load_[k], 0.0), 0};
-      setRail(side, deflectionInTrack(config_.rail_bending.table, load, config_.track.cant));
-    }
-    else if (support_.yields && loaded_[k])
-    {
-      const bool free = config_.wheelset.solve_height_and_roll;
-      const double ratio = free ? std::max(load_[k], 0.0) / rail_[k].vertical_force : 1;
-      if (std::abs(ratio - 1) > same_load || slipOver(side) > early_move)
-      {
-        setRail(side, toDeflection(ratio * toCoordinates(rail_[k].deflection)));
-      }
-    }
-  }
-}
-
-/// From cold: where the straight rail would lift the wheel by its flange, sets the rail out until the wheel's tread
-/// comes down on it, if its load can bend the rail so far. The flange then comes into contact beside the tread.
-bool WheelsetBalance::letFlangesDown()
-{
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    const RailDeflection straight = rail_[k].deflection;
-    const double most = greatest_lateral_share * load_[k] * support_.compliance(0, 0);
-    RailDeflection out = straight;
-    while (touch_[k].found && touch_[k].contact.slope > flange_slope && out.lateral < straight.lateral + most)
-    {
-      out.lateral += flange_step;
-      setRail(side, out);
-      touch_[k] = wheel_[k].touch(toSide(side, {state_.y, 0, state_.yaw, roll_}));
-    }
-    if (!touch_[k].found || touch_[k].contact.slope > flange_slope)
-    {
-      setRail(side, straight);
-    }
-  }
-  return touchBoth(roll_);
-}
-
 /// Sets out from the last answer: wheel loads, and descents to be expected under them.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
   state_ = state;
   const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
   load_ = {-0.5 * state.force_z - transfer, -0.5 * state.force_z + transfer};
-  coupling_[0].reset();
-  coupling_[1].reset();
-  step_[0].reset();
-  step_[1].reset();
-  wheel_[0].begin();
-  wheel_[1].begin();
+  for (const Side side : sides)
+  {
+    wheel_[index(side)].begin();
+    rail_[index(side)].begin(!warm_, load_[index(side)], state.rail_offset[index(side)]);
+  }
   secant_.reset();
   if (!config_.wheelset.solve_height_and_roll)
   {
     roll_ = state.roll;
     return true;
   }
-  setRails();
-  if (!warm_ && !(touchBoth(roll_) && (!support_.yields || letFlangesDown())))
+  if (!warm_)
+  {
+    for (const Side side : sides)
+    {
+      rail_[index(side)].letFlangeDown(toSide(side, {state.y, 0, state.yaw, roll_}), load_[index(side)]);
+    }
+  }
+  if (!warm_ && !touchBoth(roll_))
   {
     return false;
   }
@@ -436,10 +301,7 @@ void WheelsetBalance::finish(double roll_change)
   for (const Side side : sides)
   {
     wheel_[index(side)].learn();
-    if (support_.yields && loaded_[index(side)])
-    {
-      rail_[index(side)].deflection = toDeflection(wheel_[index(side)].support());
-    }
+    rail_[index(side)].finish(loaded_[index(side)]);
     choice_[index(side)].descend(error_[index(side)]);
   }
   if (!config_.wheelset.solve_height_and_roll)

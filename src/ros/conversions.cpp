@@ -153,6 +153,8 @@ RailDeflectionMsg toMessage(const RailResult& rail)
   message.roll = rail.deflection.roll;
   message.lateral_force = rail.lateral_force;
   message.vertical_force = rail.vertical_force;
+  message.moment = rail.moment;
+  message.coupled = rail.coupled;
   return message;
 }
 
@@ -164,6 +166,8 @@ RailResult fromMessage(const RailDeflectionMsg& message)
   rail.deflection.roll = message.roll;
   rail.lateral_force = message.lateral_force;
   rail.vertical_force = message.vertical_force;
+  rail.moment = message.moment;
+  rail.coupled = message.coupled != 0;
   return rail;
 }
 

@@ -54,7 +54,8 @@ class WheelContact
   /// Refers to `config` and `solver`, which must outlive it.
   WheelContact(const ContactModelConfig& config, NormalSolver& solver);
 
-  /// Sets the rail where it is, and how it yields there: then `support.placed` are its coordinates (rail_support.h).
+  /// Sets the rail where it is, and how it yields there: then `support.placed` are its coordinates (rail_support.h). A
+  /// support that has a compliance but does not yield in the solution is let down by the forces found, its gap kept.
   void setRail(const PlacedRail& rail, const Support& support);
   /// Sets a rail that stays where it is.
   void setRail(const PlacedRail& rail) { setRail(rail, Support()); }
@@ -92,6 +93,11 @@ class WheelContact
   Eigen::Vector2d railWay(const WheelPatch& patch) const;
   /// Longest of these ways along the patches' planes: the gaps know it to first order [m].
   double railSlip() const;
+  /// How much a small way of the rail would change the last contact, as a part of its size: by what it opens the gap
+  /// unevenly over the pressure, over twice the approach. In a Hertz contact that is the pressure's shift over its
+  /// half-width. Infinite on the flange, and if the way could bring another stretch into contact, which is looked at
+  /// only below `limit` [-].
+  double effectOf(const Eigen::Vector3d& way, double limit);
   /// Height of the forces' mean place over the rail head's reference point [m].
   double heightOverReference() const;
   /// Approach of a patch along its normal, from its own first touch on [m].
@@ -121,6 +127,7 @@ class WheelContact
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
   PatchMemory& recall(const OverlapZone& zone);
   void settleSupport();
+  void takeIntoGaps(const Eigen::Vector3d& way);
   void measure();
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
@@ -132,14 +139,16 @@ class WheelContact
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
   std::vector<OverlapZone> zones_;
+  std::vector<OverlapZone> other_zones_;
   std::vector<Station> stations_;
   std::vector<WheelPatch> patches_;
   std::vector<PatchMemory> memory_;
   NormalProblem problem_;
   NormalSolution solution_;
   Support support_;
-  double yielded_ = 0;        ///< descent that the rail's yielding has added in the last solution [m]
-  double boxed_descent_ = 0;  ///< descent for which the boxes were laid [m]
+  double yielded_ = 0;           ///< descent that the rail's yielding has added in the last solution [m]
+  double touch_separation_ = 0;  ///< of the first touch that the boxes were laid for [m]
+  double boxed_descent_ = 0;     ///< descent for which the boxes were laid [m]
   double box_fill_ = 1;
   bool box_cut_ = false;
   bool widened_ = false;

@@ -17,6 +17,8 @@ struct WheelsetState
   double force_z = 0;                          ///< vehicle's force on the axle centre, up [N]; negative presses down
   double torque_x = 0;                         ///< vehicle's moment on the axle centre about x [N m]
   std::array<double, 2> rail_lateral_force{};  ///< outward force on the rail by Side [N], for LateralForce::topic
+  /// Deflection of each rail by Side that other wheelsets' forces cause here, for model compliance.
+  std::array<RailDeflection, 2> rail_offset{};
 };
 
 enum class ContactStatus
@@ -33,6 +35,11 @@ struct RailResult
   RailDeflection deflection;
   double lateral_force = 0;   ///< that bends the rail, outward [N]
   double vertical_force = 0;  ///< down [N]
+  double moment = 0;          ///< of both about the head's reference point, outward roll positive [N m]
+  /// True if the contact was solved on the rail as these forces bend it. False where nothing bends it, or too little to
+  /// change the contact by a good part of the tolerance: then the deflection is reported, and counts in the axle's
+  /// height, but the gap is that of the rail without it.
+  bool coupled = false;
 };
 
 /// True if the answer's pressures may be used.
