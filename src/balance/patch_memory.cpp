@@ -93,11 +93,11 @@ void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& 
   const double half = 0.5 * (zone.u_end - zone.u_begin);
   ContactPlane& plane = patch.plane;
   plane = planeAt(wheel, rail, zone, middle + memory.center * half);
-  plane.x += memory.shift_x;
+  const bool symmetric = wheel.pose().yaw == 0;  // the bodies then are, about x = 0
+  plane.x += symmetric ? 0 : memory.shift_x;     // it may come from a yawed state
   plane.angle += memory.turn;
   patch.turned = memory.turned;
 
-  const bool symmetric = wheel.pose().yaw == 0;
   if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
   {
     grid = memory.grid;

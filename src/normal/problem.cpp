@@ -45,7 +45,7 @@ const char* toString(SolveStatus status)
     case SolveStatus::no_positive_curvature:
       return "the gap's curvature is not positive where the method needs it";
     case SolveStatus::invalid_problem:
-      return "invalid problem: not a number in the gap, no load, or no cells";
+      return "invalid problem: not a number in the gap, no load, no cells, or a plane past the vertical";
   }
   return "unknown";
 }

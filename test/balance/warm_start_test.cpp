@@ -111,6 +111,24 @@ TEST_F(WarmStartTest, SameMessagesGiveTheSameBits)
 }
 
 // A message repeated: the answer does not creep.
+TEST_F(WarmStartTest, YawThatEndsLeavesNothingBehind)
+{
+  // Without yaw both bodies are even about x = 0. A yawed wheel touches up to yaw * 0.46 m times the slope beside it;
+  // half a patch laid there would be mirrored at the wrong place.
+  const WheelsetState straight = stateAt(6e-3, 1e5);
+  WheelsetContact warm(scene_);
+  WheelsetContact cold(scene_);
+  warm.evaluate(stateAt(6e-3, 1e5, 0.02));
+  const WheelsetResult& found = warm.evaluate(straight);
+  const WheelsetResult& expected = cold.evaluate(straight);
+  ASSERT_EQ(found.patches.size(), expected.patches.size());
+  for (std::size_t k = 0; k < found.patches.size(); ++k)
+  {
+    EXPECT_EQ(found.patches[k].pose.x, 0);
+    EXPECT_NEAR(found.patches[k].max_pressure / expected.patches[k].max_pressure, 1, scene_.contact.tolerance);
+  }
+}
+
 TEST_F(WarmStartTest, SteadySceneIsSteady)
 {
   WheelsetContact contact(scene_);

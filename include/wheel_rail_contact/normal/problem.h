@@ -90,7 +90,7 @@ enum class SolveStatus
   stalled,                ///< the residual stopped falling above the tolerance; not usable
   indefinite,             ///< the influence matrix has a negative direction; not usable
   no_positive_curvature,  ///< the gap is no bowl where the method needs one; not usable
-  invalid_problem         ///< NaN in the gap, no load, no cells; not usable
+  invalid_problem         ///< NaN in the gap, no load, no cells, no positive weight; not usable
 };
 
 /// Text of a status for people.

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tally.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace wheel_rail_contact::stability
+{
+namespace
+{
+constexpr std::size_t most_examples = 5;
+
+/// Answers that violate the contact conditions by more than this many tolerances, and the share of them that passes:
+/// the balance accepts a roll that is still open where it does not settle early, which tells at conformal flanges. In
+/// 9000 states 0.9 % were found.
+constexpr double grave_violation = 3;
+constexpr double most_violating = 0.02;
+
+/// Share of the steps of 1 um that may change the highest pressure by more than the estimated errors explain; estimates
+/// are made to hold in 97.5 % of the patches. In 9000 states 0.04 % were found.
+constexpr double most_torn = 0.004;
+
+std::string region(const Scene& scene, const WheelsetState& state)
+{
+  const double beyond = beyondPlay(scene.config, state);
+  std::string where = beyond < 0.0005 ? "tread" : beyond < 0.0035 ? "near the flange" : "climbing or beside the rail";
+  if (!scene.config.wheelset.solve_height_and_roll)
+  {
+    return where + ", height given";
+  }
+  const double load = -0.5 * state.force_z;
+  return where + (load < 1e3 ? ", below 1 kN" : load > 2e5 ? ", above 200 kN" : "");
+}
+
+std::string firstWord(const std::string& text)
+{
+  return text.substr(0, text.find(','));
+}
+
+void printShares(const char* title, const std::map<std::string, long>& all, const std::map<std::string, long>& some)
+{
+  std::printf("%s\n", title);
+  for (const auto& [name, count] : all)
+  {
+    const auto found = some.find(name);
+    const long refused = found == some.end() ? 0 : found->second;
+    std::printf("  %-28s %8ld states, %7ld refused (%.2f %%)\n", name.c_str(), count, refused,
+                100.0 * static_cast<double>(refused) / static_cast<double>(count));
+  }
+}
+}  // namespace
+
+std::string where(const Tally::Entry& e)
+{
+  return "scene " + std::to_string(e.scene_seed) + ", state " + std::to_string(e.index) + ": " + describe(e.scene) +
+         "; " + describe(e.state);
+}
+
+void Tally::add(const Entry& entry)
+{
+  ++states_;
+  seconds_ += entry.seconds;
+  const std::string method = firstWord(entry.scene.method), rail = entry.scene.rail;
+  ++methods_[method];
+  ++rails_[rail];
+  if (entry.seconds > slowest_)
+  {
+    slowest_ = entry.seconds;
+    slowest_where_ = where(entry);
+  }
+  if (isUsable(entry.result.status))
+  {
+    ++usable_;
+    above_tolerance_ += entry.result.above_tolerance ? 1 : 0;
+    if (entry.violation > 0)
+    {
+      violations_.push_back(entry.violation / entry.scene.config.contact.tolerance);
+      if (violations_.back() > worst_violation_)
+      {
+        worst_violation_ = violations_.back();
+        worst_where_ = where(entry);
+      }
+    }
+  }
+  else
+  {
+    const std::string place = region(entry.scene, entry.state);
+    ++refusals_[entry.result.reason][place];
+    refused_first_[entry.result.reason].emplace(place, "scene " + std::to_string(entry.scene_seed) + ", state " +
+                                                           std::to_string(entry.index) + ", " + method + ", rail " +
+                                                           rail);
+    ++refused_methods_[method];
+    ++refused_rails_[rail];
+  }
+  for (const std::string& fault : entry.faults)
+  {
+    const std::string kind = fault.substr(0, fault.find(" ("));
+    ++fault_counts_[kind];
+    if (fault_examples_[kind].size() < most_examples)
+    {
+      fault_examples_[kind].push_back(fault + " in " + where(entry));
+    }
+  }
+}
+
+void Tally::add(Pair pair, const std::string& where)
+{
+  ++pairs_[pair];
+  if (pair == Pair::torn && torn_.size() < most_examples)
+  {
+    torn_.push_back(where);
+  }
+}
+
+void Tally::printRefusals() const
+{
+  std::printf("refusals by reason and region, and the first of each\n");
+  for (const auto& [reason, regions] : refusals_)
+  {
+    std::printf("  %s\n", reason.c_str());
+    for (const auto& [name, count] : regions)
+    {
+      std::printf("    %-42s %8ld  %s\n", name.c_str(), count, refused_first_.at(reason).at(name).c_str());
+    }
+  }
+  printShares("by method", methods_, refused_methods_);
+  printShares("by rail", rails_, refused_rails_);
+}
+
+void Tally::printViolations() const
+{
+  std::vector<double> sorted = violations_;
+  std::sort(sorted.begin(), sorted.end());
+  std::printf("violation of the contact conditions over the tolerance:");
+  for (const double share : {0.5, 0.9, 0.99, 0.999, 1.0})
+  {
+    const auto last = static_cast<double>(sorted.size()) - 1;
+    std::printf(" %.1f %% below %.3g;", 100 * share,
+                sorted.empty() ? 0 : sorted[static_cast<std::size_t>(share * last)]);
+  }
+  std::printf(" the worst:\n  %s\n", worst_where_.c_str());
+  std::printf("%.2f %% of the answers are above %g tolerances\n", 100 * violatingShare(), grave_violation);
+}
+
+long Tally::count(Pair pair) const
+{
+  const auto found = pairs_.find(pair);
+  return found == pairs_.end() ? 0 : found->second;
+}
+
+double Tally::violatingShare() const
+{
+  const auto grave =
+      std::count_if(violations_.begin(), violations_.end(), [](double v) { return v > grave_violation; });
+  return violations_.empty() ? 0 : static_cast<double>(grave) / static_cast<double>(violations_.size());
+}
+
+double Tally::tornShare() const
+{
+  const long all = count(Pair::continuous) + count(Pair::torn);
+  return all == 0 ? 0 : static_cast<double>(count(Pair::torn)) / static_cast<double>(all);
+}
+
+bool Tally::isGood() const
+{
+  return fault_counts_.empty() && violatingShare() <= most_violating && tornShare() <= most_torn;
+}
+
+void Tally::print() const
+{
+  std::printf("%ld states: %ld usable (%ld of them with an error estimate above the tolerance), %ld refused\n", states_,
+              usable_, above_tolerance_, states_ - usable_);
+  std::printf("%.3f ms of processor time a state; slowest %.1f ms:\n  %s\n",
+              1e3 * seconds_ / static_cast<double>(states_), 1e3 * slowest_, slowest_where_.c_str());
+  printRefusals();
+  std::printf(
+      "steps of 1 um: %ld continuous, %ld contact jumps, %ld beyond the bound without a jump, %ld to or from a "
+      "refusal, %ld between refusals\n",
+      count(Pair::continuous), count(Pair::jumped), count(Pair::torn), count(Pair::one_refused),
+      count(Pair::both_refused));
+  for (const std::string& example : torn_)
+  {
+    std::printf("  beyond the bound: %s\n", example.c_str());
+  }
+  printViolations();
+  for (const auto& [kind, count] : fault_counts_)
+  {
+    std::printf("FAULT %s: %ld\n", kind.c_str(), count);
+    for (const std::string& example : fault_examples_.at(kind))
+    {
+      std::printf("  %s\n", example.c_str());
+    }
+  }
+}
+}  // namespace wheel_rail_contact::stability
