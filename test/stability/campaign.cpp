@@ -154,13 +154,13 @@ int run(const std::string& tables, const std::string& mode, const std::string& a
     std::printf("seed %lu\n", seed);
     const auto begin = std::chrono::steady_clock::now();
     const double most = std::stod(amount);
-    const auto goesOn = [&]()
+    const auto goes_on = [&]()
     {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
       return mode == "minutes" ? spent.count() < 60 * most : static_cast<double>(campaign.tally().states()) < most;
     };
     Random seeds(seed);
-    while (goesOn())
+    while (goes_on())
     {
       campaign.runScene(seeds(), false);
     }
