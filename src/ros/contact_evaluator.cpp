@@ -65,4 +65,17 @@ WheelsetContactMsg toMessage(const ContactAnswer& answer, bool with_grids, doubl
   message.solve_time = solve_time;
   return message;
 }
+
+ContactAnswer answerFromMessage(const WheelsetContactMsg& message, WheelsetResult& result)
+{
+  result = fromMessage(message);
+  ContactAnswer answer;
+  answer.header = message.header;
+  answer.status = message.status;
+  answer.reason = message.status_text;
+  answer.x = message.wheelset.position.x;
+  answer.pose = {result.y, result.z, result.yaw, result.roll};
+  answer.result = isUsable(result.status) ? &result : nullptr;
+  return answer;
+}
 }  // namespace wheel_rail_contact

@@ -57,6 +57,16 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id,
   return marker;
 }
 
+Marker makeText(const std_msgs::Header& header, const std::string& ns, int id, const Vector3d& place, double height,
+                const std::string& words)
+{
+  Marker marker = makeMarker(header, ns, id, Marker::TEXT_VIEW_FACING, makeColor(0.95, 0.95, 0.95));
+  marker.pose.position = toPoint(place);
+  marker.scale.z = height;
+  marker.text = words;
+  return marker;
+}
+
 void addSurface(const SurfacePoints& points, bool flipped, Marker& marker)
 {
   for (std::size_t i = 0; i + 1 < points.size(); ++i)

@@ -86,13 +86,88 @@ PressureSurface::PressureSurface(const Grid& grid, const Eigen::ArrayXXd& pressu
   dy_ = grid.dy / across;
   x0_ = grid.x(0) - rim * grid.dx;
   y0_ = grid.y(0) - rim * grid.dy;
-  pressure_.resize((q.rows() - 1) * along + 1, (q.cols() - 1) * across + 1);
-  for (Eigen::Index b = 0; b < pressure_.cols(); ++b)
+  square_.resize((q.rows() - 1) * along + 1, (q.cols() - 1) * across + 1);
+  for (Eigen::Index b = 0; b < square_.cols(); ++b)
   {
-    for (Eigen::Index a = 0; a < pressure_.rows(); ++a)
+    for (Eigen::Index a = 0; a < square_.rows(); ++a)
     {
-      pressure_(a, b) = std::sqrt(std::max(between(q, a, along, b, across), 0.0));
+      square_(a, b) = between(q, a, along, b, across);
     }
   }
+}
+
+double PressureSurface::pressure(int row, int column) const
+{
+  return std::sqrt(std::max(square_(row, column), 0.0));
+}
+
+PressureSurface::Corner PressureSurface::cornerAt(int row, int column) const
+{
+  return {x(row), y(column), square_(row, column)};
+}
+
+std::vector<PressureSurface::Triangle> PressureSurface::allTriangles() const
+{
+  std::vector<Triangle> triangles;
+  for (int i = 0; i + 1 < rows(); ++i)
+  {
+    for (int j = 0; j + 1 < columns(); ++j)
+    {
+      const Corner first = cornerAt(i, j), last = cornerAt(i + 1, j + 1);
+      triangles.push_back({first, cornerAt(i + 1, j), last});
+      triangles.push_back({first, last, cornerAt(i, j + 1)});
+    }
+  }
+  return triangles;
+}
+
+PressureSurface::Point PressureSurface::crossing(const Corner& from, const Corner& to)
+{
+  const double t = from.square / (from.square - to.square);
+  return {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), 0};
+}
+
+std::vector<PressureSurface::Point> PressureSurface::triangles() const
+{
+  std::vector<Point> points, loaded;
+  for (const Triangle& triangle : allTriangles())
+  {
+    // The loaded part of a triangle: a polygon of up to four corners.
+    loaded.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Corner &here = triangle.at(k), &next = triangle.at((k + 1) % 3);
+      if (here.square > 0)
+      {
+        loaded.push_back({here.x, here.y, std::sqrt(here.square)});
+      }
+      if ((here.square > 0) != (next.square > 0))
+      {
+        loaded.push_back(crossing(here, next));
+      }
+    }
+    for (std::size_t k = 1; k + 1 < loaded.size(); ++k)
+    {
+      points.insert(points.end(), {loaded[0], loaded[k], loaded[k + 1]});
+    }
+  }
+  return points;
+}
+
+std::vector<PressureSurface::Point> PressureSurface::outline() const
+{
+  std::vector<Point> points;
+  for (const Triangle& triangle : allTriangles())
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Corner &here = triangle.at(k), &next = triangle.at((k + 1) % 3);
+      if ((here.square > 0) != (next.square > 0))
+      {
+        points.push_back(crossing(here, next));
+      }
+    }
+  }
+  return points;
 }
 }  // namespace wheel_rail_contact

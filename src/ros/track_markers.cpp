@@ -17,23 +17,19 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-constexpr int profile_points = 60;    ///< drawn points of a profile
-constexpr int tread_rows = 9;         ///< rows of points round the drawn part of a tread
-constexpr double tread_angle = 0.30;  ///< half the drawn part of a tread, about the axle [rad]
+constexpr int profile_points = 60;     ///< drawn points of a profile
+constexpr double row_spacing = 0.075;  ///< of rows of points round a tread, about the axle [rad]
 constexpr int circle_points = 96;
-constexpr double profile_line_width = 0.004;  ///< [m]
-constexpr double axle_radius = 0.008;         ///< drawn much thinner than it is, so that it hides nothing [m]
+constexpr double axle_radius = 0.008;  ///< drawn much thinner than it is, so that it hides nothing [m]
 constexpr double pi = 3.14159265358979323846;
 
-const std::array<Side, 2> sides{Side::left, Side::right};
-
-std_msgs::ColorRGBA railColor()
+std_msgs::ColorRGBA railColor(double alpha)
 {
-  return makeColor(0.62, 0.64, 0.67);
+  return makeColor(0.62, 0.64, 0.67, alpha);
 }
-std_msgs::ColorRGBA wheelColor()
+std_msgs::ColorRGBA wheelColor(double alpha)
 {
-  return makeColor(0.50, 0.65, 0.85, 0.5);
+  return makeColor(0.50, 0.65, 0.85, alpha);
 }
 std_msgs::ColorRGBA lineColor()
 {
@@ -42,10 +38,6 @@ std_msgs::ColorRGBA lineColor()
 std_msgs::ColorRGBA profileColor()
 {
   return makeColor(0.45, 0.80, 1.0);
-}
-std_msgs::ColorRGBA textColor()
-{
-  return makeColor(0.92, 0.92, 0.92);
 }
 
 double parameterAt(const Profile& profile, int i)
@@ -78,19 +70,22 @@ Vector3d wheelPoint(const WheelsetConfig& wheelset, Side side, const CurvePoint&
   return {radius * std::sin(turn), sideSign(side) * (wheelset.halfBase() + p.y), -radius * std::cos(turn)};
 }
 
-Marker tread(const NodeConfig& config, const std_msgs::Header& header, Side side, const Eigen::Isometry3d& to_track)
+Marker tread(const ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, Side side,
+             const Eigen::Isometry3d& to_track)
 {
-  Marker marker = makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor());
-  const Profile& profile = *config.model.wheel_profile;
+  const int intervals = std::max(1, static_cast<int>(std::lround(2 * style.wheel_sweep / row_spacing)));
+  Marker marker =
+      makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor(style.wheel_alpha));
+  const Profile& profile = *model.wheel_profile;
   SurfacePoints points;
-  for (int row = 0; row < tread_rows; ++row)
+  for (int row = 0; row <= intervals; ++row)
   {
-    const double turn = tread_angle * (2.0 * row / (tread_rows - 1) - 1);
+    const double turn = style.wheel_sweep * (2.0 * row / intervals - 1);
     points.emplace_back();
     for (int i = 0; i < profile_points; ++i)
     {
       const CurvePoint p = profile.at(parameterAt(profile, i));
-      points.back().push_back(to_track * wheelPoint(config.model.wheelset, side, p, turn));
+      points.back().push_back(to_track * wheelPoint(model.wheelset, side, p, turn));
     }
   }
   addSurface(points, side == Side::left, marker);
@@ -98,16 +93,16 @@ Marker tread(const NodeConfig& config, const std_msgs::Header& header, Side side
 }
 
 /// The wheel's profile where its drawn part begins, behind the contact.
-Marker wheelProfile(const NodeConfig& config, const std_msgs::Header& header, Side side,
+Marker wheelProfile(const ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, Side side,
                     const Eigen::Isometry3d& to_track)
 {
   Marker marker = makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, profileColor());
-  marker.scale.x = profile_line_width;
-  const Profile& profile = *config.model.wheel_profile;
+  marker.scale.x = style.profile_line_width;
+  const Profile& profile = *model.wheel_profile;
   for (int i = 0; i < profile_points; ++i)
   {
     const CurvePoint p = profile.at(parameterAt(profile, i));
-    marker.points.push_back(toPoint(to_track * wheelPoint(config.model.wheelset, side, p, -tread_angle)));
+    marker.points.push_back(toPoint(to_track * wheelPoint(model.wheelset, side, p, -style.wheel_sweep)));
   }
   return marker;
 }
@@ -119,11 +114,12 @@ void addSegment(const Vector3d& begin, const Vector3d& end, Marker& marker)
 }
 
 /// Circles through both ends of the profile and through the flange's tip, as a LINE_LIST.
-Marker circles(const NodeConfig& config, const std_msgs::Header& header, Side side, const Eigen::Isometry3d& to_track)
+Marker circles(const ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, Side side,
+               const Eigen::Isometry3d& to_track)
 {
   Marker marker = makeMarker(header, "wheel_lines", static_cast<int>(side), Marker::LINE_LIST, lineColor());
-  marker.scale.x = line_width;
-  const Profile& profile = *config.model.wheel_profile;
+  marker.scale.x = style.line_width;
+  const Profile& profile = *model.wheel_profile;
   CurvePoint tip = profile.at(0);
   for (int i = 0; i < profile_points; ++i)
   {
@@ -135,14 +131,14 @@ Marker circles(const NodeConfig& config, const std_msgs::Header& header, Side si
     for (int i = 0; i < circle_points; ++i)
     {
       const double step = 2 * pi / circle_points;
-      addSegment(to_track * wheelPoint(config.model.wheelset, side, p, i * step),
-                 to_track * wheelPoint(config.model.wheelset, side, p, (i + 1) * step), marker);
+      addSegment(to_track * wheelPoint(model.wheelset, side, p, i * step),
+                 to_track * wheelPoint(model.wheelset, side, p, (i + 1) * step), marker);
     }
   }
   return marker;
 }
 
-Marker axle(const NodeConfig& config, const std_msgs::Header& header, const Eigen::Isometry3d& to_track)
+Marker axle(const ContactModelConfig& model, const std_msgs::Header& header, const Eigen::Isometry3d& to_track)
 {
   Marker marker = makeMarker(header, "wheel_lines", 2, Marker::CYLINDER, lineColor());
   const Eigen::Quaterniond turned(to_track.linear() *
@@ -153,38 +149,28 @@ Marker axle(const NodeConfig& config, const std_msgs::Header& header, const Eige
   marker.pose.orientation.y = turned.y();
   marker.pose.orientation.z = turned.z();
   marker.scale.x = marker.scale.y = 2 * axle_radius;
-  marker.scale.z = 2 * config.model.wheelset.halfBase();
+  marker.scale.z = 2 * model.wheelset.halfBase();
   return marker;
 }
 
-Marker railAtRest(const NodeConfig& config, const std_msgs::Header& header, Side side)
+Marker railAtRest(const PlacedRail& rail, const TrackStyle& style, const std_msgs::Header& header, Side side, double x)
 {
   Marker marker =
       makeMarker(header, "rail_at_rest", static_cast<int>(side), Marker::LINE_STRIP, makeColor(0.95, 0.65, 0.2, 0.9));
-  marker.scale.x = line_width;
-  const PlacedRail rail(config.model.rail_profile, config.model.track);
-  for (const Vector3d& p : railOutline(rail, side, -0.5 * config.markers.rail_length))
+  marker.scale.x = style.line_width;
+  for (const Vector3d& p : railOutline(rail, side, x))
   {
     marker.points.push_back(toPoint(p));
   }
   return marker;
 }
 
-Marker text(const std_msgs::Header& header, int id, const Vector3d& place, double height, const std::string& words)
-{
-  Marker marker = makeMarker(header, "scale", id, Marker::TEXT_VIEW_FACING, textColor());
-  marker.pose.position = toPoint(place);
-  marker.scale.z = height;
-  marker.text = words;
-  return marker;
-}
-
 /// A bar of the pressure colours between the rails, with figures in MPa.
-void addScale(const NodeConfig& config, const std_msgs::Header& header, MarkerArray& markers)
+void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& markers)
 {
   constexpr int steps = 32, labels = 5;
   constexpr double bottom = 0.06, height = 0.30, width = 0.03, text_height = 0.035;  // [m]
-  Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, textColor());
+  Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
   for (int i = 0; i < steps; ++i)
   {
     const double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
@@ -197,40 +183,50 @@ void addScale(const NodeConfig& config, const std_msgs::Header& header, MarkerAr
   {
     const double share = static_cast<double>(i) / (labels - 1);
     char words[32];
-    std::snprintf(words, sizeof words, i + 1 == labels ? "%.0f MPa" : "%.0f",
-                  share * config.markers.max_pressure / 1e6);
+    std::snprintf(words, sizeof words, i + 1 == labels ? "%.0f MPa" : "%.0f", share * max_pressure / 1e6);
     markers.markers.push_back(
-        text(header, i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, words));
+        makeText(header, "scale", i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, words));
   }
 }
 }  // namespace
 
-void addRails(const NodeConfig& config, const std_msgs::Header& header, double x,
+void addRails(const ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
               const std::array<RailDeflection, 2>& deflection, MarkerArray& markers)
 {
-  const PlacedRail at_rest(config.model.rail_profile, config.model.track);
-  const double half_length = 0.5 * config.markers.rail_length;
-  for (const Side side : sides)
+  const PlacedRail at_rest(model.rail_profile, model.track);
+  const double half_length = 0.5 * style.rail_length;
+  for (const Side side : style.sides)
   {
-    const PlacedRail rail = at_rest.deflected(deflection[static_cast<std::size_t>(side)]);
-    Marker marker = makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor());
+    const PlacedRail rail = at_rest.deflected(deflection.at(static_cast<std::size_t>(side)));
+    Marker marker =
+        makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor(style.rail_alpha));
     addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)},
                side == Side::right, marker);
     markers.markers.push_back(marker);
   }
 }
 
-void addWheelset(const NodeConfig& config, const std_msgs::Header& header, double x, const WheelsetPose& pose,
-                 MarkerArray& markers)
+void addRailsAtRest(const ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
+                    MarkerArray& markers)
+{
+  const PlacedRail at_rest(model.rail_profile, model.track);
+  for (const Side side : style.sides)
+  {
+    markers.markers.push_back(railAtRest(at_rest, style, header, side, x));
+  }
+}
+
+void addWheelset(const ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
+                 const WheelsetPose& pose, MarkerArray& markers)
 {
   const Eigen::Isometry3d to_track = toTrack(pose, x);
-  for (const Side side : sides)
+  for (const Side side : style.sides)
   {
-    markers.markers.push_back(tread(config, header, side, to_track));
-    markers.markers.push_back(wheelProfile(config, header, side, to_track));
-    markers.markers.push_back(circles(config, header, side, to_track));
+    markers.markers.push_back(tread(model, style, header, side, to_track));
+    markers.markers.push_back(wheelProfile(model, style, header, side, to_track));
+    markers.markers.push_back(circles(model, style, header, side, to_track));
   }
-  markers.markers.push_back(axle(config, header, to_track));
+  markers.markers.push_back(axle(model, header, to_track));
 }
 
 MarkerArray profileMarkers(const NodeConfig& config)
@@ -238,11 +234,8 @@ MarkerArray profileMarkers(const NodeConfig& config)
   std_msgs::Header header;
   header.frame_id = config.track_frame;
   MarkerArray markers;
-  for (const Side side : sides)
-  {
-    markers.markers.push_back(railAtRest(config, header, side));
-  }
-  addScale(config, header, markers);
+  addRailsAtRest(config.model, TrackStyle(), header, -0.5 * config.markers.rail_length, markers);
+  addScale(config.markers.max_pressure, header, markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "answer_scene.h"
 #include "wheel_rail_contact/ros/color_map.h"
 #include "wheel_rail_contact/ros/contact_markers.h"
 #include "wheel_rail_contact/ros/marker_tools.h"
@@ -17,72 +18,11 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-NodeConfig exampleConfig()
-{
-  return readNodeConfig(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: UIC60_manchester}}")), "",
-                        "");
-}
-
-/// An answer with one Hertz-like patch on either side, drawn without solving anything.
-class Picture : public testing::Test
+class Picture : public AnswerScene
 {
  protected:
-  Picture()
-  {
-    result.status = ContactStatus::ok;
-    answer.pose.z = 0.46;
-    for (const Side side : {Side::left, Side::right})
-    {
-      result.patches.push_back(makePatch(side, 0.75));
-    }
-    answer.header.frame_id = "track";
-    answer.header.stamp = ros::Time(10);
-    answer.x = 3;
-    answer.result = &result;
-  }
-
-  static PatchResult makePatch(Side side, double distance)
-  {
-    const double sign = side == Side::left ? 1 : -1;
-    PatchResult patch;
-    patch.side = side;
-    patch.pose = {0, sign * distance, -1e-4, sign * 0.03};
-    patch.normal_force = 1e5;
-    patch.area = 192e-6;
-    patch.max_pressure = 982e6;
-    patch.grid.nx = 20;
-    patch.grid.ny = 10;
-    patch.grid.dx = patch.grid.dy = 1e-3;
-    patch.grid.y0 = -4.5e-3;
-    patch.pressure.resize(20, 10);
-    for (int i = 0; i < 20; ++i)
-    {
-      for (int j = 0; j < 10; ++j)
-      {
-        const double r = std::pow(patch.grid.x(i) / 8e-3, 2) + std::pow(patch.grid.y(j) / 4e-3, 2);
-        patch.pressure(i, j) = patch.max_pressure * std::sqrt(std::max(0.0, 1 - r));
-      }
-    }
-    return patch;
-  }
-
   MarkerArray draw() const { return contactMarkers(answer, config); }
-
-  const NodeConfig config = exampleConfig();
-  WheelsetResult result;
-  ContactAnswer answer;
 };
-
-const Marker& find(const MarkerArray& markers, const std::string& ns, int id)
-{
-  const auto found = std::find_if(markers.markers.begin(), markers.markers.end(),
-                                  [&](const Marker& marker) { return marker.ns == ns && marker.id == id; });
-  if (found == markers.markers.end())
-  {
-    throw std::out_of_range("no marker " + ns + " " + std::to_string(id));
-  }
-  return *found;
-}
 
 double width(const Marker& marker)
 {
@@ -126,7 +66,7 @@ TEST_F(Picture, BothWheelProfilesLieOnTheirWheels)
   const MarkerArray markers = draw();
   for (const int side : {0, 1})
   {
-    const Marker& line = find(markers, "wheel_profile", side);
+    const Marker& line = findMarker(markers, "wheel_profile", side);
     double tread = 0, tip = 0;
     for (const auto& p : line.points)
     {
@@ -151,7 +91,7 @@ TEST_F(Picture, CanBeDrawn)
 
 TEST_F(Picture, PatchLiesAtItsPlaceInTrueSize)
 {
-  const Marker patch = find(draw(), "patch", 16);
+  const Marker patch = findMarker(draw(), "patch", 16);
   EXPECT_NEAR(width(patch), 10e-3, 2.1e-3) << "8 mm wide, up to a cell more on either edge";
   for (const auto& p : patch.points)
   {
@@ -164,7 +104,7 @@ TEST_F(Picture, PatchLiesAtItsPlaceInTrueSize)
 TEST_F(Picture, MagnifiedPatchStandsAboveItsRail)
 {
   const MarkerArray markers = draw();
-  const Marker& zoomed = find(markers, "zoom", 0);
+  const Marker& zoomed = findMarker(markers, "zoom", 0);
   // The patch is 8 mm wide; the drawn edge lies up to a quarter of a cell of 1 mm outside on either side.
   EXPECT_NEAR(width(zoomed), config.markers.zoom * 8e-3, config.markers.zoom * 0.5e-3);
   // 0.005 m: half the magnified width of 8 mm * 30, inclined by 0.03, and the cells beside the patch's middle.
@@ -183,13 +123,13 @@ TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)
                             [](const auto& a, const auto& b) { return a.y < b.y; })
         ->y;
   };
-  const Marker &tread = find(markers, "zoom", 16), &flange = find(markers, "zoom", 17);
+  const Marker &tread = findMarker(markers, "zoom", 16), &flange = findMarker(markers, "zoom", 17);
   EXPECT_GT(right_end(flange), right_end(tread) + width(tread));
 }
 
 TEST_F(Picture, ColourFollowsThePressure)
 {
-  const Marker zoomed = find(draw(), "zoom", 0);
+  const Marker zoomed = findMarker(draw(), "zoom", 0);
   const auto top = std::max_element(zoomed.points.begin(), zoomed.points.end(),
                                     [](const auto& a, const auto& b) { return a.z < b.z; });
   const auto& color = zoomed.colors[static_cast<std::size_t>(top - zoomed.points.begin())];
@@ -201,7 +141,7 @@ TEST_F(Picture, ColourFollowsThePressure)
 
 TEST_F(Picture, ArrowPressesIntoTheRailWithTheForcesLength)
 {
-  const Marker arrow = find(draw(), "force", 0);
+  const Marker arrow = findMarker(draw(), "force", 0);
   const auto &tail = arrow.points[0], &head = arrow.points[1];
   EXPECT_NEAR(std::hypot(head.y - tail.y, head.z - tail.z), config.markers.force_scale * 1e5, 1e-12);
   EXPECT_LT(head.z, tail.z);
@@ -210,7 +150,7 @@ TEST_F(Picture, ArrowPressesIntoTheRailWithTheForcesLength)
 
 TEST_F(Picture, LabelTellsPressureAndArea)
 {
-  EXPECT_EQ(find(draw(), "label", 0).text, "982 MPa\n192 mm²");
+  EXPECT_EQ(findMarker(draw(), "label", 0).text, "982 MPa\n192 mm²");
 }
 
 TEST_F(Picture, RailIsDrawnDeflected)
@@ -218,9 +158,9 @@ TEST_F(Picture, RailIsDrawnDeflected)
   const MarkerArray before = draw();
   result.rail[0].deflection = {0.01, 0.002, 0};
   const MarkerArray after = draw();
-  EXPECT_NEAR(find(after, "rail", 0).points[0].y - find(before, "rail", 0).points[0].y, 0.01, 1e-12);
-  EXPECT_NEAR(find(after, "rail", 0).points[0].z - find(before, "rail", 0).points[0].z, 0.002, 1e-12);
-  EXPECT_EQ(find(after, "rail", 1).points[0].y, find(before, "rail", 1).points[0].y);
+  EXPECT_NEAR(findMarker(after, "rail", 0).points[0].y - findMarker(before, "rail", 0).points[0].y, 0.01, 1e-12);
+  EXPECT_NEAR(findMarker(after, "rail", 0).points[0].z - findMarker(before, "rail", 0).points[0].z, 0.002, 1e-12);
+  EXPECT_EQ(findMarker(after, "rail", 1).points[0].y, findMarker(before, "rail", 1).points[0].y);
 }
 
 TEST_F(Picture, VanishedPatchIsDeleted)
@@ -232,7 +172,7 @@ TEST_F(Picture, VanishedPatchIsDeleted)
   const MarkerKeys now = appendDeletions(shown, answer.header, second);
   for (const char* ns : {"patch", "zoom", "zoom_line", "force", "label"})
   {
-    EXPECT_EQ(find(second, ns, 16).action, Marker::DELETE) << ns;
+    EXPECT_EQ(findMarker(second, ns, 16).action, Marker::DELETE) << ns;
     EXPECT_EQ(now.count({ns, 16}), 0U);
     EXPECT_EQ(now.count({ns, 0}), 1U);
   }

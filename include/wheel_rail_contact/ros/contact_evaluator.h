@@ -47,4 +47,8 @@ class ContactEvaluator
 /// @param with_grids false leaves the pressure grids empty
 /// @param solve_time wall time of the evaluation [s]
 WheelsetContactMsg toMessage(const ContactAnswer& answer, bool with_grids, double solve_time);
+
+/// The answer in a message. `result` is filled, and referred to by the answer if that is usable.
+/// @throw std::invalid_argument as fromMessage() does for the result.
+ContactAnswer answerFromMessage(const WheelsetContactMsg& message, WheelsetResult& result);
 }  // namespace wheel_rail_contact

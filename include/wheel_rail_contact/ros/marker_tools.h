@@ -11,7 +11,6 @@
 
 namespace wheel_rail_contact
 {
-constexpr double line_width = 0.002;  ///< of lines in the picture [m]
 
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
@@ -19,6 +18,10 @@ geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 /// A marker to add, placed at the origin of its frame with unit scale.
 visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id, int type,
                                       const std_msgs::ColorRGBA& color);
+
+/// A text marker whose letters have the given height [m].
+visualization_msgs::Marker makeText(const std_msgs::Header& header, const std::string& ns, int id,
+                                    const Eigen::Vector3d& place, double height, const std::string& words);
 
 /// Points of a surface, row by row; all rows are of equal length.
 using SurfacePoints = std::vector<std::vector<Eigen::Vector3d>>;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 #include "wheel_rail_contact/normal/problem.h"
 
@@ -19,14 +21,36 @@ class PressureSurface
   /// @param points least number of points in either direction; cells are divided until there are so many
   PressureSurface(const Grid& grid, const Eigen::ArrayXXd& pressure, int points);
 
-  int rows() const { return static_cast<int>(pressure_.rows()); }
-  int columns() const { return static_cast<int>(pressure_.cols()); }
+  int rows() const { return static_cast<int>(square_.rows()); }
+  int columns() const { return static_cast<int>(square_.cols()); }
   double x(int row) const { return x0_ + row * dx_; }
   double y(int column) const { return y0_ + column * dy_; }
-  double pressure(int row, int column) const { return pressure_(row, column); }
+  double pressure(int row, int column) const;
+
+  struct Point
+  {
+    double x, y;      ///< patch frame [m]
+    double pressure;  ///< [Pa]
+  };
+  /// The contact area in triangles, three points each. Every rectangle of points is cut in two triangles, and these at
+  /// the contact's edge, where the continued square is zero.
+  std::vector<Point> triangles() const;
+  /// The edge in straight pieces, two points each, in no order.
+  std::vector<Point> outline() const;
 
  private:
+  struct Corner
+  {
+    double x, y;    ///< [m]
+    double square;  ///< [Pa²]
+  };
+  using Triangle = std::array<Corner, 3>;
+  /// Where the square is zero between two corners of which one is loaded.
+  static Point crossing(const Corner& from, const Corner& to);
+  Corner cornerAt(int row, int column) const;
+  std::vector<Triangle> allTriangles() const;
+
   double x0_, y0_, dx_, dy_;  ///< first point and spacings [m]
-  Eigen::ArrayXXd pressure_;  ///< [Pa]; 0 on the rim
+  Eigen::ArrayXXd square_;    ///< of the pressure [Pa²]; not positive where there is none, as on the rim
 };
 }  // namespace wheel_rail_contact

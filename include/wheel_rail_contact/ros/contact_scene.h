@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <vector>
+
+#include "wheel_rail_contact/ros/contact_evaluator.h"
+#include "wheel_rail_contact/ros/contact_trail.h"
+#include "wheel_rail_contact/ros/patch_markers.h"
+#include "wheel_rail_contact/ros/track_markers.h"
+
+namespace wheel_rail_contact
+{
+/// What the rviz display shows. The sides are those of `track`.
+struct SceneOptions
+{
+  PatchStyle patch;
+  TrackStyle track;
+  bool patches = true;
+  bool outlines = true;
+  bool forces = true;
+  bool labels = true;
+  bool wheels = true;
+  bool rails = true;
+  bool ghost = true;            ///< the rails at rest
+  double deflection_scale = 1;  ///< of the rails [-], >= 0; patches and trail go with the rail, the wheels do not
+  double trail_width = 0.001;   ///< diameter of the trail's points [m], > 0
+  bool at_origin = false;       ///< the wheelset is drawn at x = 0
+};
+
+/// The picture of an answer in the track frame, as markers (see patch_markers.h and track_markers.h) and the points of
+/// the trail, coloured by pressure ("trail"). Empty unless the answer is usable.
+/// @param model without it neither wheels nor rails are drawn, and deflections are not exaggerated
+visualization_msgs::MarkerArray sceneMarkers(const ContactAnswer& answer, const ContactModelConfig* model,
+                                             const ContactTrail& trail, const SceneOptions& options);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact_display.h"
+
+#include <exception>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "panel_picture.h"
+#include "wheel_rail_contact/ros/answer_text.h"
+#include "wheel_rail_contact/ros/contact_statistics.h"
+#include "wheel_rail_contact/ros/node_parameters.h"
+
+namespace wheel_rail_contact
+{
+using rviz::StatusProperty;
+
+ContactDisplay::ContactDisplay() : properties_(this)
+{
+  properties_.onChange([this] { changed_ = true; });
+  properties_.onParametersChange([this] { reset(); });
+}
+
+ContactDisplay::~ContactDisplay() = default;
+
+void ContactDisplay::onInitialize()
+{
+  MFDClass::onInitialize();
+  drawing_ = std::make_unique<MarkerDrawing>(context_, scene_node_);
+  panel_ = std::make_unique<ScreenPanel>();
+}
+
+void ContactDisplay::onDisable()
+{
+  MFDClass::onDisable();
+  clear();
+}
+
+void ContactDisplay::reset()
+{
+  MFDClass::reset();
+  clear();
+  config_.reset();
+  next_reading_ = ros::WallTime();
+}
+
+void ContactDisplay::clear()
+{
+  answer_.reset();
+  trail_.clear();
+  changed_ = false;
+  if (drawing_)
+  {
+    drawing_->show({});
+    panel_->hide();
+  }
+}
+
+void ContactDisplay::processMessage(const WheelsetContactMsg::ConstPtr& message)
+{
+  if (!config_ && ros::WallTime::now() >= next_reading_)
+  {
+    readParameters();
+  }
+  try
+  {
+    answer_ = answerFromMessage(*message, result_);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    clear();
+    setStatusStd(StatusProperty::Error, "Answer", error.what());
+    return;
+  }
+  const std::optional<PlacedRail> at_rest =
+      config_ ? std::make_optional<PlacedRail>(config_->model.rail_profile, config_->model.track) : std::nullopt;
+  trail_.add(*answer_, at_rest ? &*at_rest : nullptr);
+  trail_.limit(properties_.trailLength());
+  reportAnswer();
+  changed_ = true;
+}
+
+std::string ContactDisplay::parameterNamespace() const
+{
+  if (!properties_.parameters().empty())
+  {
+    return update_nh_.resolveName(properties_.parameters());
+  }
+  const std::string topic = update_nh_.resolveName(topic_property_->getTopicStd());
+  return topic.substr(0, topic.rfind('/'));
+}
+
+void ContactDisplay::readParameters()
+{
+  const std::string name = parameterNamespace();
+  try
+  {
+    config_ = readNodeParameters(ros::NodeHandle(name));
+    setStatusStd(StatusProperty::Ok, "Parameters", "profiles and track from " + name);
+  }
+  catch (const std::exception& error)
+  {
+    next_reading_ = ros::WallTime::now() + ros::WallDuration(2);
+    setStatusStd(StatusProperty::Warn, "Parameters",
+                 std::string("no wheels, no rails, deflection as it is: ") + error.what());
+  }
+}
+
+void ContactDisplay::reportAnswer()
+{
+  const bool usable = answer_->result != nullptr;
+  const std::string name = statusName(answer_->status);
+  setStatusStd(usable ? StatusProperty::Ok : StatusProperty::Warn, "Answer",
+               answer_->reason.empty() ? name : name + ": " + answer_->reason);
+}
+
+void ContactDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
+{
+  if (changed_ && answer_)
+  {
+    changed_ = false;
+    draw();
+  }
+}
+
+void ContactDisplay::draw()
+{
+  const SceneOptions options = properties_.options();
+  drawing_->show(sceneMarkers(*answer_, config_ ? &config_->model : nullptr, trail_, options));
+  if (properties_.panelLetters() > 0)
+  {
+    panel_->show(panelPicture(answerLines(*answer_, options.track.sides), options.patch.max_pressure,
+                              properties_.panelLetters()));
+  }
+  else
+  {
+    panel_->hide();
+  }
+  context_->queueRender();
+}
+}  // namespace wheel_rail_contact
+
+PLUGINLIB_EXPORT_CLASS(wheel_rail_contact::ContactDisplay, rviz::Display)

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <rviz/message_filter_display.h>
+#include "wheel_rail_contact/ros/contact_trail.h"
+#include "wheel_rail_contact/ros/messages.h"
+#include "wheel_rail_contact/ros/parameters.h"
+
+#include "display_properties.h"
+#include "marker_drawing.h"
+#include "screen_panel.h"
+
+namespace wheel_rail_contact
+{
+/// rviz's display of WheelsetContact: see doc/rviz.md.
+class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContactMsg>
+{
+ public:
+  ContactDisplay();
+  ~ContactDisplay() override;
+
+  void reset() override;
+  void update(float wall_dt, float ros_dt) override;
+
+ protected:
+  void onInitialize() override;
+  void onDisable() override;
+  void processMessage(const WheelsetContactMsg::ConstPtr& message) override;
+
+ private:
+  void clear();
+  void readParameters();
+  std::string parameterNamespace() const;
+  void reportAnswer();
+  void draw();
+
+  DisplayProperties properties_;
+  std::unique_ptr<MarkerDrawing> drawing_;
+  std::unique_ptr<ScreenPanel> panel_;
+  std::optional<NodeConfig> config_;  ///< of the contact node; without it wheels and rails are not drawn
+  ros::WallTime next_reading_;        ///< of parameters that could not be read
+  WheelsetResult result_;
+  std::optional<ContactAnswer> answer_;  ///< refers to `result_`
+  ContactTrail trail_;
+  bool changed_ = false;  ///< since the last drawing
+};
+}  // namespace wheel_rail_contact

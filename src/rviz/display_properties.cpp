@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "display_properties.h"
+
+namespace wheel_rail_contact
+{
+using rviz::BoolProperty;
+using rviz::FloatProperty;
+using rviz::IntProperty;
+using rviz::Property;
+
+namespace
+{
+constexpr double degree = 3.14159265358979323846 / 180;
+constexpr int both_sides = 2;
+
+FloatProperty* makeFloat(const char* name, float value, float least, float most, const char* description,
+                         Property* parent)
+{
+  auto* property = new FloatProperty(name, value, description, parent);
+  property->setMin(least);
+  property->setMax(most);
+  return property;
+}
+
+IntProperty* makeInt(const char* name, int value, int least, int most, const char* description, Property* parent)
+{
+  auto* property = new IntProperty(name, value, description, parent);
+  property->setMin(least);
+  property->setMax(most);
+  return property;
+}
+
+void connectBelow(Property* property, const std::function<void()>& changed)
+{
+  QObject::connect(property, &Property::changed, changed);
+  for (int i = 0; i < property->numChildren(); ++i)
+  {
+    connectBelow(property->childAt(i), changed);
+  }
+}
+}  // namespace
+
+DisplayProperties::DisplayProperties(Property* parent)
+{
+  parameters_ = new rviz::StringProperty(
+      "Parameters", "", "Namespace of the contact node's parameters, which tell the profiles; empty: that of the topic",
+      parent);
+  side_ = new rviz::EnumProperty("Side", "both", "Side of the track that is shown", parent);
+  side_->addOption("left", static_cast<int>(Side::left));
+  side_->addOption("right", static_cast<int>(Side::right));
+  side_->addOption("both", both_sides);
+  follow_ =
+      new BoolProperty("Follow Wheelset", false, "Draw the wheelset at x = 0, so that it stays in the view", parent);
+  line_width_ = makeFloat("Line Width", 0.002F, 1e-6F, 1, "Of every line [m]", parent);
+  makePatchProperties(parent);
+  makeTrackProperties(parent);
+  makeTextProperties(parent);
+}
+
+void DisplayProperties::makePatchProperties(Property* parent)
+{
+  patches_ = new BoolProperty("Pressure", true, "The pressure of each patch as height and colour", parent);
+  size_ = makeFloat("Size", 30, 1, 1000, "Magnification of a patch in its plane; 1: true size and place", patches_);
+  height_ = makeFloat("Height", 0.15F, 0, 10, "Height of the greatest pressure of the scale [m]", patches_);
+  lift_ = makeFloat("Lift", 0.18F, 0, 10, "Height of a magnified patch above its true place [m]; 0: at it", patches_);
+  max_pressure_ = makeFloat("Scale", 2000, 1, 1e6F, "Greatest pressure of the colour scale [MPa]", patches_);
+  outlines_ = new BoolProperty("Outline", true, "The edge of each contact", parent);
+  forces_ = new BoolProperty("Forces", true, "The wheel's normal force on the rail, from each patch", parent);
+  force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of an arrow [mm/kN]", forces_);
+  arrow_width_ = makeFloat("Width", 0.014F, 1e-6F, 1, "Diameter of an arrow's shaft [m]", forces_);
+}
+
+void DisplayProperties::makeTrackProperties(Property* parent)
+{
+  wheels_ = new BoolProperty("Wheelset", true, "Wheels swept from their profile, and the axle", parent);
+  wheel_sweep_ = makeFloat("Sweep", 17, 0.1F, 180, "Half the drawn angle about the axle [degree]", wheels_);
+  wheel_alpha_ = makeFloat("Alpha", 0.5F, 0, 1, "Of the wheels' surface", wheels_);
+  rails_ = new BoolProperty("Rails", true, "Rails swept from their profile, deflected", parent);
+  rail_length_ = makeFloat("Length", 0.4F, 0.001F, 100, "Drawn length [m]", rails_);
+  rail_alpha_ = makeFloat("Alpha", 1, 0, 1, "Of the rails' surface", rails_);
+  deflection_scale_ = makeFloat("Deflection Scale", 1, 0, 1e4F,
+                                "Exaggeration of the rails' deflection; patches and trail stay on the rail, the wheels "
+                                "where they are",
+                                rails_);
+  ghost_ = new BoolProperty("Rails At Rest", true, "Their section as a line", parent);
+  trail_ = new BoolProperty("Trail", true, "Earlier contact points on the rail, coloured by pressure", parent);
+  trail_length_ = makeInt("Points", 200, 1, 10000, "Number of points that are kept", trail_);
+  trail_width_ = makeFloat("Width", 0.002F, 1e-6F, 1, "Diameter of a point [m]", trail_);
+}
+
+void DisplayProperties::makeTextProperties(Property* parent)
+{
+  labels_ = new BoolProperty("Labels", true, "Highest pressure and area above each patch", parent);
+  letter_height_ = makeFloat("Letters", 0.04F, 1e-4F, 1, "Their height [m]", labels_);
+  panel_ = new BoolProperty("Panel", true, "Colour scale, and every patch in figures", parent);
+  panel_letters_ = makeInt("Letters", 15, 4, 100, "Their height [pixels]", panel_);
+}
+
+void DisplayProperties::onChange(const std::function<void()>& changed)
+{
+  for (Property* property : std::initializer_list<Property*>{side_, follow_, line_width_, patches_, outlines_, forces_,
+                                                             wheels_, rails_, ghost_, trail_, labels_, panel_})
+  {
+    connectBelow(property, changed);
+  }
+}
+
+void DisplayProperties::onParametersChange(const std::function<void()>& changed)
+{
+  connectBelow(parameters_, changed);
+}
+
+std::vector<Side> DisplayProperties::sides() const
+{
+  const int side = side_->getOptionInt();
+  return side == both_sides ? std::vector<Side>{Side::left, Side::right} : std::vector<Side>{static_cast<Side>(side)};
+}
+
+PatchStyle DisplayProperties::patchStyle() const
+{
+  PatchStyle style;
+  style.zoom = size_->getFloat();
+  style.lift = lift_->getFloat();
+  style.pressure_height = height_->getFloat();
+  style.max_pressure = max_pressure_->getFloat() * 1e6;
+  style.points = 64;
+  style.force_scale = force_length_->getFloat() * 1e-6;
+  style.arrow_width = arrow_width_->getFloat();
+  style.letter_height = letter_height_->getFloat();
+  style.line_width = line_width_->getFloat();
+  return style;
+}
+
+TrackStyle DisplayProperties::trackStyle() const
+{
+  TrackStyle style;
+  style.sides = sides();
+  style.rail_length = rail_length_->getFloat();
+  style.wheel_sweep = wheel_sweep_->getFloat() * degree;
+  style.wheel_alpha = wheel_alpha_->getFloat();
+  style.rail_alpha = rail_alpha_->getFloat();
+  style.profile_line_width = line_width_->getFloat();
+  style.line_width = line_width_->getFloat();
+  return style;
+}
+
+SceneOptions DisplayProperties::options() const
+{
+  SceneOptions options;
+  options.patch = patchStyle();
+  options.track = trackStyle();
+  options.patches = patches_->getBool();
+  options.outlines = outlines_->getBool();
+  options.forces = forces_->getBool();
+  options.labels = labels_->getBool();
+  options.wheels = wheels_->getBool();
+  options.rails = rails_->getBool();
+  options.ghost = ghost_->getBool();
+  options.deflection_scale = deflection_scale_->getFloat();
+  options.trail_width = trail_width_->getFloat();
+  options.at_origin = follow_->getBool();
+  return options;
+}
+
+std::size_t DisplayProperties::trailLength() const
+{
+  return trail_->getBool() ? static_cast<std::size_t>(trail_length_->getInt()) : 0;
+}
+
+int DisplayProperties::panelLetters() const
+{
+  return panel_->getBool() ? panel_letters_->getInt() : 0;
+}
+
+std::string DisplayProperties::parameters() const
+{
+  return parameters_->getStdString();
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rviz/properties/bool_property.h>
+#include <rviz/properties/enum_property.h>
+#include <rviz/properties/float_property.h>
+#include <rviz/properties/int_property.h>
+#include <rviz/properties/string_property.h>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "wheel_rail_contact/ros/contact_scene.h"
+
+namespace wheel_rail_contact
+{
+/// What a person can set in rviz's tree, and what it means for the picture.
+class DisplayProperties
+{
+ public:
+  /// The properties become children of `parent`, which owns them.
+  explicit DisplayProperties(rviz::Property* parent);
+
+  /// Calls `changed` after every change of a property but that of parameters().
+  void onChange(const std::function<void()>& changed);
+  /// Calls `changed` after a change of parameters().
+  void onParametersChange(const std::function<void()>& changed);
+
+  SceneOptions options() const;
+  std::size_t trailLength() const;
+  /// Height of the panel's letters [pixels]; 0: no panel.
+  int panelLetters() const;
+  /// Namespace of the node's parameters; empty: that of the topic.
+  std::string parameters() const;
+
+ private:
+  void makePatchProperties(rviz::Property* parent);
+  void makeTrackProperties(rviz::Property* parent);
+  void makeTextProperties(rviz::Property* parent);
+  std::vector<Side> sides() const;
+  PatchStyle patchStyle() const;
+  TrackStyle trackStyle() const;
+
+  rviz::StringProperty* parameters_;
+  rviz::EnumProperty* side_;
+  rviz::BoolProperty* follow_;
+  rviz::FloatProperty* line_width_;
+  rviz::BoolProperty *patches_, *outlines_;
+  rviz::FloatProperty *size_, *height_, *lift_, *max_pressure_;
+  rviz::BoolProperty* forces_;
+  rviz::FloatProperty *force_length_, *arrow_width_;
+  rviz::BoolProperty* wheels_;
+  rviz::FloatProperty *wheel_sweep_, *wheel_alpha_;
+  rviz::BoolProperty *rails_, *ghost_;
+  rviz::FloatProperty *rail_length_, *rail_alpha_, *deflection_scale_;
+  rviz::BoolProperty* trail_;
+  rviz::IntProperty* trail_length_;
+  rviz::FloatProperty* trail_width_;
+  rviz::BoolProperty* labels_;
+  rviz::FloatProperty* letter_height_;
+  rviz::BoolProperty* panel_;
+  rviz::IntProperty* panel_letters_;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OgreMaterial.h>
+#include <OgreSharedPtr.h>
+#include <rviz/default_plugin/markers/marker_base.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace wheel_rail_contact
+{
+/// Markers in rviz's scene, drawn by rviz's own means.
+class MarkerDrawing
+{
+ public:
+  /// Both must outlive it.
+  MarkerDrawing(rviz::DisplayContext* context, Ogre::SceneNode* parent) : context_(context), parent_(parent) {}
+
+  /// Shows these markers and no others.
+  void show(const visualization_msgs::MarkerArray& markers);
+
+ private:
+  using Key = std::pair<std::string, int>;  ///< namespace and number
+
+  void showOne(const visualization_msgs::Marker& marker);
+
+  rviz::DisplayContext* context_;
+  Ogre::SceneNode* parent_;
+  std::map<Key, rviz::MarkerBasePtr> shown_;
+};
+}  // namespace wheel_rail_contact

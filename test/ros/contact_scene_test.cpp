@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/contact_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer_scene.h"
+#include "wheel_rail_contact/ros/answer_text.h"
+#include "wheel_rail_contact/ros/rail_motion.h"
+
+using namespace wheel_rail_contact;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+namespace
+{
+class Scene : public AnswerScene
+{
+ protected:
+  MarkerArray draw() const { return sceneMarkers(answer, &config.model, trail, options); }
+
+  ContactTrail trail;
+  SceneOptions options;
+};
+
+std::size_t count(const MarkerArray& markers, const std::string& ns)
+{
+  return static_cast<std::size_t>(std::count_if(markers.markers.begin(), markers.markers.end(),
+                                                [&](const Marker& marker) { return marker.ns == ns; }));
+}
+}  // namespace
+
+TEST_F(Scene, PressureInTrueSizeStandsOnItsPatch)
+{
+  options.patch.zoom = 1;
+  options.patch.lift = 0;
+  options.patch.pressure_height = 0.02;
+  const PatchResult& patch = result.patches[1];
+  const MarkerArray markers = draw();
+  const Eigen::AngleAxisd turn(patch.pose.angle, Eigen::Vector3d::UnitX());
+  Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+  for (const auto& p : findMarker(markers, "zoom", 16).points)
+  {
+    const Eigen::Vector3d from_origin(p.x - answer.x, p.y - patch.pose.y, p.z - patch.pose.z);
+    largest = largest.cwiseMax((turn.inverse() * from_origin).cwiseAbs());
+  }
+  // A fifth of a cell of 1 mm: the edge is found between cells.
+  EXPECT_NEAR(largest.x(), 8e-3, 2e-4);
+  EXPECT_NEAR(largest.y(), 4e-3, 2e-4);
+  // The ellipse's middle lies between four cell centres, where the pressure is 1.0 % lower.
+  EXPECT_NEAR(largest.z(), 0.02 * 982e6 / options.patch.max_pressure, 2e-4);
+  EXPECT_EQ(count(markers, "patch"), 0U) << "a second picture of the same size at the same place";
+}
+
+TEST_F(Scene, RailCarriesPointsOfItsProfile)
+{
+  const PlacedRail at_rest(config.model.rail_profile, config.model.track);
+  const RailDeflection from{1e-3, -2e-4, 0.01}, to{8e-3, 3e-3, -0.05};
+  const PlacedRail before = at_rest.deflected(from), after = at_rest.deflected(to);
+  for (const Side side : {Side::left, Side::right})
+  {
+    const double sign = sideSign(side);
+    for (const double u : {0.02, 0.05, 0.07})
+    {
+      const PlanePoint a = before.at(u), b = after.at(u);
+      const PatchPose moved =
+          carriedByRail(at_rest, side, from, to, {0.3, sign * a.y, a.z, sign * std::atan2(a.dz, a.dy)});
+      EXPECT_DOUBLE_EQ(moved.x, 0.3);
+      EXPECT_NEAR(moved.y, sign * b.y, 1e-12);
+      EXPECT_NEAR(moved.z, b.z, 1e-12);
+      EXPECT_NEAR(std::remainder(moved.angle - sign * std::atan2(b.dz, b.dy), 2 * M_PI), 0, 1e-12);
+    }
+  }
+}
+
+TEST_F(Scene, ExaggeratedRailTakesItsPatchAlong)
+{
+  result.rail[0].deflection.lateral = 1e-3;
+  options.deflection_scale = 11;
+  const auto before = findMarker(sceneMarkers(answer, &config.model, trail, SceneOptions()), "force", 0).points[0];
+  const auto after = findMarker(draw(), "force", 0).points[0];
+  EXPECT_NEAR(after.y - before.y, 10e-3, 1e-12) << "outward is to the left on the left rail";
+  EXPECT_NEAR(after.z, before.z, 1e-12);
+}
+
+TEST_F(Scene, ShowsOneSide)
+{
+  options.track.sides = {Side::right};
+  trail.add(answer, nullptr);
+  const MarkerArray markers = draw();
+  for (const char* ns : {"rail", "rail_at_rest", "wheel", "zoom", "outline", "force", "label"})
+  {
+    EXPECT_EQ(count(markers, ns), 1U) << ns;
+  }
+  EXPECT_EQ(findMarker(markers, "trail", 0).points.size(), 1U);
+  EXPECT_LT(findMarker(markers, "trail", 0).points[0].y, 0);
+}
+
+TEST_F(Scene, OutlineClosesRoundThePatch)
+{
+  options.patch.zoom = 1;
+  options.patch.lift = 0;
+  const Marker outline = findMarker(draw(), "outline", 0);
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < outline.points.size(); i += 2)
+  {
+    const auto &a = outline.points[i], &b = outline.points[i + 1];
+    length += std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  }
+  // Ellipse of 8 mm and 4 mm: 38.75 mm (Ramanujan 1914); the edge is interpolated between cells of 1 mm.
+  EXPECT_NEAR(length, 38.75e-3, 1e-3);
+}
+
+TEST_F(Scene, WithoutModelOrGridsTheForcesRemain)
+{
+  for (PatchResult& patch : result.patches)
+  {
+    patch.grid = Grid();
+    patch.grid.nx = patch.grid.ny = 0;
+    patch.pressure.resize(0, 0);
+  }
+  const MarkerArray markers = sceneMarkers(answer, nullptr, trail, options);
+  EXPECT_EQ(count(markers, "force"), 2U);
+  EXPECT_EQ(count(markers, "label"), 2U);
+  EXPECT_EQ(markers.markers.size(), 4U);
+}
+
+TEST_F(Scene, UnusableAnswerIsTextOnly)
+{
+  answer.result = nullptr;
+  answer.status = WheelsetContactMsg::OFF_PROFILE;
+  answer.reason = "beyond the profile";
+  EXPECT_TRUE(draw().markers.empty());
+  const std::vector<std::string> expected{"OFF_PROFILE", "beyond the profile"};
+  EXPECT_EQ(answerLines(answer, options.track.sides), expected);
+}
+
+TEST_F(Scene, TextNamesPressureAreaMethodAndError)
+{
+  result.patches[0].method = "hertz";
+  result.patches[0].error_estimate = 0.012;
+  const std::vector<std::string> lines = answerLines(answer, {Side::left});
+  ASSERT_EQ(lines.size(), 3U);
+  for (const char* figure : {"982 MPa", "192 mm²", "100.0 kN", "±1.2 %", "hertz"})
+  {
+    EXPECT_NE(lines[2].find(figure), std::string::npos) << figure << " in: " << lines[2];
+  }
+}
+
+TEST_F(Scene, TrailRemembersThePointsOnTheRailAtRest)
+{
+  const PlacedRail at_rest(config.model.rail_profile, config.model.track);
+  trail.add(answer, &at_rest);
+  result.rail[1].deflection.lateral = 2e-3;
+  result.patches[1].pose.y -= 2e-3;  // the rail has moved outward, and the patch with it
+  answer.header.stamp += ros::Duration(1);
+  trail.add(answer, &at_rest);
+  ASSERT_EQ(trail.points().size(), 4U);
+  EXPECT_NEAR(trail.points()[3].pose.y, trail.points()[1].pose.y, 1e-12);
+
+  trail.limit(3);
+  EXPECT_EQ(trail.points().size(), 3U);
+  answer.header.stamp -= ros::Duration(2);
+  trail.add(answer, &at_rest);
+  EXPECT_EQ(trail.points().size(), 2U) << "time has gone back";
+}
+
+TEST_F(Scene, StaysAtTheOriginIfAsked)
+{
+  trail.add(answer, nullptr);
+  answer.x += 1;
+  answer.header.stamp += ros::Duration(1);
+  options.at_origin = true;
+  const MarkerArray markers = draw();
+  EXPECT_NEAR(findMarker(markers, "force", 0).points[0].x, 0, 1e-12);
+  EXPECT_NEAR(findMarker(markers, "trail", 0).points[0].x, -1, 1e-12);
+}
+
+TEST_F(Scene, AnswerSurvivesItsMessage)
+{
+  answer.status = WheelsetContactMsg::OK;
+  for (PatchResult& patch : result.patches)
+  {
+    patch.method = "hertz";
+  }
+  result.y = answer.pose.y = 2e-3;
+  WheelsetResult received;
+  const ContactAnswer back = answerFromMessage(toMessage(answer, true, 0), received);
+  EXPECT_EQ(back.header.stamp, answer.header.stamp);
+  EXPECT_DOUBLE_EQ(back.x, answer.x);
+  EXPECT_DOUBLE_EQ(back.pose.y, 2e-3);
+  ASSERT_EQ(back.result, &received);
+  EXPECT_EQ(received.patches.size(), 2U);
+
+  answer.result = nullptr;
+  answer.status = WheelsetContactMsg::NO_TRANSFORM;
+  EXPECT_EQ(answerFromMessage(toMessage(answer, true, 0), received).result, nullptr);
+}
