@@ -77,6 +77,7 @@ class Spectrum
   static std::vector<double> cosines(int length)
   {
     std::vector<double> period;
+    period.reserve(2 * static_cast<std::size_t>(length));
     for (int k = 0; k < 2 * length; ++k)
     {
       period.push_back(std::cos(kPi * k / length));
