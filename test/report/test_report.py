@@ -11,8 +11,11 @@ import subprocess
 import tempfile
 import unittest
 
+import genpy
 import numpy as np
+import rosbag
 from matplotlib import image
+from wheel_rail_contact.msg import WheelsetContact
 from wheel_rail_contact.report import figures
 from wheel_rail_contact.report.answers import full, of_answers, read
 from wheel_rail_contact.report.command_line import main
@@ -143,6 +146,16 @@ class Report(unittest.TestCase):
         self.assertLessEqual(len(short_x), figures.MOST_POINTS)
         self.assertEqual((np.nanmax(short_y), np.nanmin(short_y)), (7, -7))
         self.assertTrue((np.diff(short_x) > 0).all())
+
+    def test_reasons_that_differ_in_figures_only_are_counted_together(self):
+        path = self.folder / "remarks.bag"
+        with rosbag.Bag(str(path), "w") as bag:
+            for i, text in enumerate(("right rail: Y = 61.0 kN", "right rail: Y = -7.3 kN", "left rail: Y = 61.0 kN")):
+                answer = WheelsetContact(status_text=text)
+                answer.wheelset.orientation.w = 1
+                bag.write("/contact_node/contact", answer, genpy.Time(1 + i))
+        answers, _ = read(str(path))
+        self.assertEqual(sorted(answers.reasons.values()), [[1, "left rail: Y = 61.0 kN"], [2, "right rail: Y = 61.0 kN"]])
 
     def test_bags_without_answers_are_refused(self):
         self.assertIn("0 topics with answers", self.report(SWEEP, "--out", self.folder / "none", status=1))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Answers of a bag as arrays. Pressure grids are kept only of the answers that are asked for."""
+import re
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -26,7 +27,7 @@ class Answers:
     yaw: np.ndarray = None
     rail: np.ndarray = None        # (answer, side, lateral vertical roll Y Q)
     patches: dict = None           # by name: arrays; `answer` is the index of the patch's answer
-    reasons: dict = field(default_factory=dict)    # (status, text) -> number
+    reasons: dict = field(default_factory=dict)    # (status, text without figures) -> [number, first text]
     outlines: dict = field(default_factory=dict)   # "rail", "wheel" of the left side -> (n, 2) y, z, if the bag tells
     parameters: str = ""
 
@@ -81,8 +82,8 @@ def _collect(stream):
                           2 * np.arctan2(q.z, q.w)))
         rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
         if message.status not in USABLE or message.status_text:
-            key = (message.status, message.status_text)
-            answers.reasons[key] = answers.reasons.get(key, 0) + 1
+            key = (message.status, re.sub(r"\d+(\.\d+)?", "", message.status_text).replace("-", ""))
+            answers.reasons.setdefault(key, [0, message.status_text])[0] += 1
         for patch in message.patches:
             o = patch.pose
             patches.append((index, patch.side, o.position.y, o.position.z, *(getattr(patch, f) for f in PATCH_FIELDS)))

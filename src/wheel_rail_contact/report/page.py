@@ -51,8 +51,8 @@ def _statuses(answers):
 
 
 def _reasons(answers):
-    most = sorted(answers.reasons.items(), key=lambda item: -item[1])[:20]
-    return [(f"{STATUSES[status]}: {text}", number) for (status, text), number in most]
+    most = sorted(answers.reasons.items(), key=lambda item: -item[1][0])[:20]
+    return [(f"{STATUSES[status]}: {text}", number) for (status, _), (number, text) in most]
 
 
 def _methods(answers):
@@ -71,7 +71,7 @@ def write(path, title, answers, pictures, other_title=None):
         parts.append(f"<p>Dashed: {html.escape(other_title)}.</p>")
     parts += [_table(("status", "answers", "share"), _statuses(answers))]
     if answers.reasons:
-        parts += ["<h2>Refusals and remarks</h2>", _table(("reason", "answers"), _reasons(answers))]
+        parts += ["<h2>Refusals and remarks</h2>", _table(("reason, with the figures of the first", "answers"), _reasons(answers))]
     parts += ["<h2>Extremes</h2>", _table(("quantity", "value", "at [s]", "y [mm]"), extremes(answers))]
     for heading, images in pictures:
         parts += [f"<h2>{html.escape(heading)}</h2>", *(_shown(image, heading) for image in images)]
