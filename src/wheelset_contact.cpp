@@ -15,11 +15,22 @@ constexpr double angle_limit = 0.2;    ///< largest yaw and given roll that are 
 constexpr double lateral_limit = 0.1;  ///< largest lateral position that is answered [m]
 constexpr double height_limit = 1.0;   ///< largest given height over the running radius that is answered [m]
 constexpr double force_limit = 1e8;    ///< largest load that is answered [N], [N m]
+constexpr double offset_limit = 0.1;   ///< largest displacement of a rail by other wheelsets that is answered [m]
+
+bool within(double value, double limit)
+{
+  return std::abs(value) <= limit;
+}
+
+bool within(const RailDeflection& offset)
+{
+  return within(offset.lateral, offset_limit) && within(offset.vertical, offset_limit) &&
+         within(offset.roll, angle_limit);
+}
 
 /// A named reason why a state is not answered; empty if it is.
 std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
 {
-  const auto within = [](double value, double limit) { return std::abs(value) <= limit; };
   if (!within(state.y, lateral_limit))
   {
     return "lateral position is not a number or beyond 0.1 m";
@@ -35,6 +46,10 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   if (!within(state.rail_lateral_force[0], force_limit) || !within(state.rail_lateral_force[1], force_limit))
   {
     return "lateral rail force is not a number or beyond 1e8 N";
+  }
+  if (!within(state.rail_offset[0]) || !within(state.rail_offset[1]))
+  {
+    return "deflection of a rail by other wheelsets is not a number or beyond 0.1 m or 0.2 rad";
   }
   if (height_and_roll_given && !within(state.roll, angle_limit))
   {

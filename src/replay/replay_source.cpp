@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace wheel_rail_contact
@@ -64,30 +65,36 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
     : uses_(usesOf(config, wheelsets)),
       answers_(answerTopics(wheelsets)),
       keep_(keep),
-      wheelsets_(wheelsets.size(), Wheelset{InputPairing(config), InputPreparation(config), {}}),
+      wheelsets_(wheelsets.size(),
+                 Wheelset{InputPairing(config), InputPreparation(config), NeighbourForces(config), {}}),
       stream_(bag, [this](const std::string& topic) { return wants(topic); })
 {
+  requireOthersAnswers();
   requireTopics();
   requireTypes();
 }
 
-std::map<std::string, ReplaySource::Use> ReplaySource::usesOf(const NodeConfig& config,
-                                                              const std::vector<std::string>& wheelsets)
+ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets)
 {
   const InputPairing pairing(config);
-  std::map<std::string, Use> uses{{"/tf", {Role::transform, 0}}, {"/tf_static", {Role::static_transform, 0}}};
+  Uses uses{{"/tf", {Role::transform, 0}}, {"/tf_static", {Role::static_transform, 0}}};
   for (std::size_t i = 0; i < wheelsets.size(); ++i)
   {
     const std::string inputs = wheelsets[i] + "/wheelset/";
-    uses[inputs + "pose"] = {Role::pose, i};
+    uses.insert({inputs + "pose", {Role::pose, i}});
     if (pairing.usesLoad())
     {
-      uses[inputs + "load"] = {Role::load, i};
+      uses.insert({inputs + "load", {Role::load, i}});
     }
     if (pairing.usesRailForces())
     {
-      uses[inputs + "left_rail_force"] = {Role::left_rail_force, i};
-      uses[inputs + "right_rail_force"] = {Role::right_rail_force, i};
+      uses.insert({inputs + "left_rail_force", {Role::left_rail_force, i}});
+      uses.insert({inputs + "right_rail_force", {Role::right_rail_force, i}});
+    }
+    for (std::size_t k = 0; k < config.neighbours.size(); ++k)
+    {
+      const std::string& topic = config.neighbours[k].topic;
+      uses.insert({topic[0] == '/' ? topic : wheelsets[i] + "/" + topic, {Role::neighbour, i, k}});
     }
   }
   return uses;
@@ -97,6 +104,20 @@ bool ReplaySource::wants(const std::string& topic) const
 {
   const std::string name = absolute(topic);
   return uses_.count(name) > 0 || (keep_ && answers_.count(name) == 0);
+}
+
+/// The answers that this run makes are not in its input; those there are another run's.
+void ReplaySource::requireOthersAnswers() const
+{
+  for (const auto& [topic, use] : uses_)
+  {
+    if (use.role == Role::neighbour && answers_.count(topic) > 0)
+    {
+      throw std::invalid_argument("rail_bending/neighbours: topic " + topic +
+                                  " is answered in this same run; answer that wheelset first, with --keep-topics, and "
+                                  "replay the bag that comes of it for the other");
+    }
+  }
 }
 
 void ReplaySource::refuseWithout(const std::string& topic, const std::string& type) const
@@ -129,8 +150,24 @@ void ReplaySource::requireTopics() const
                     [&name = topic](const auto& entry) { return absolute(entry.second.topic) == name; });
     if (!is_there && use.role != Role::transform && use.role != Role::static_transform)
     {
-      refuseWithout(topic, use.role == Role::pose ? "geometry_msgs/PoseStamped" : "geometry_msgs/WrenchStamped");
+      refuseWithout(topic, typeAndSumOf(use.role).first);
     }
+  }
+}
+
+std::pair<std::string, std::string> ReplaySource::typeAndSumOf(Role role)
+{
+  switch (role)
+  {
+    case Role::pose:
+      return typeAndSum<geometry_msgs::PoseStamped>();
+    case Role::neighbour:
+      return typeAndSum<WheelsetContactMsg>();
+    case Role::transform:
+    case Role::static_transform:
+      return typeAndSum<tf2_msgs::TFMessage>();
+    default:
+      return typeAndSum<geometry_msgs::WrenchStamped>();
   }
 }
 
@@ -139,20 +176,15 @@ void ReplaySource::requireTypes() const
   for (const auto& entry : stream_.contents().connections)
   {
     const BagConnection& connection = entry.second;
-    const auto use = uses_.find(absolute(connection.topic));
-    if (use == uses_.end())
+    const auto [first, last] = uses_.equal_range(absolute(connection.topic));
+    for (auto use = first; use != last; ++use)
     {
-      continue;
-    }
-    const Role role = use->second.role;
-    const bool is_transform = role == Role::transform || role == Role::static_transform;
-    const auto wanted = is_transform         ? typeAndSum<tf2_msgs::TFMessage>()
-                        : role == Role::pose ? typeAndSum<geometry_msgs::PoseStamped>()
-                                             : typeAndSum<geometry_msgs::WrenchStamped>();
-    if (connection.header.text("md5sum") != wanted.second)
-    {
-      throw BagError("the bag's topic " + connection.topic + " is of type " + connection.header.text("type") +
-                     ", not of " + wanted.first);
+      const auto wanted = typeAndSumOf(use->second.role);
+      if (connection.header.text("md5sum") != wanted.second)
+      {
+        throw BagError("the bag's topic " + connection.topic + " is of type " + connection.header.text("type") +
+                       ", not of " + wanted.first);
+      }
     }
   }
 }
@@ -216,14 +248,13 @@ void ReplaySource::take(const BagMessage& message)
     event.read = read_;
     events_.push_back(std::move(event));
   }
-  const auto found = uses_.find(absolute(message.connection->topic));
-  if (found == uses_.end())
-  {
-    return;
-  }
+  const auto [first, last] = uses_.equal_range(absolute(message.connection->topic));
   try
   {
-    use(found->second, message);
+    for (auto found = first; found != last; ++found)
+    {
+      use(found->second, message);
+    }
   }
   catch (const ros::serialization::StreamOverrunException&)
   {
@@ -241,6 +272,11 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
     {
       transforms_.setTransform(transform, "bag", use.role == Role::static_transform);
     }
+    return;
+  }
+  if (use.role == Role::neighbour)
+  {
+    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<WheelsetContactMsg>(message.data));
     return;
   }
   auto input = pair(use, message);
@@ -287,6 +323,7 @@ void ReplaySource::emit(std::size_t wheelset)
   event.time = now_;
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
+  event.input.placed.state.rail_offset = own.neighbours.deflectionAt(event.input.stamp);
   event.read = read_;
   own.waiting.pop_front();
   events_.push_back(std::move(event));

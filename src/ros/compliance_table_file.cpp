@@ -29,25 +29,22 @@ ComplianceTable readCompliances(ParameterReader& reader, const NumberRule& diago
   return table;
 }
 
-/// The influence on neighbouring wheels is not used by a single wheelset; it is checked, so that a file that is
-/// accepted today stays acceptable.
-void checkNeighbours(ParameterReader& reader, const std::string& file)
+std::vector<RailInfluence> readNeighbours(ParameterReader& reader)
 {
   reader.require("neighbours", "every key of the table is required; [] if there is none");
-  double last = 0;
-  for (const ParameterTree& group : reader.readGroups("neighbours"))
+  std::vector<RailInfluence> neighbours;
+  for (ParameterReader& neighbour : reader.readGroups("neighbours"))
   {
-    ParameterReader neighbour(group, file + ": neighbours/");
     double distance = 0;
     readRequired(neighbour, "distance", rules::positive, distance);
-    if (distance <= last)
+    if (!neighbours.empty() && distance <= neighbours.back().distance)
     {
       neighbour.refuse("distance", "greater than the one before it");
     }
-    last = distance;
-    readCompliances(neighbour, rules::finite);
+    neighbours.push_back({distance, readCompliances(neighbour, rules::finite)});
     neighbour.refuseUnknown();
   }
+  return neighbours;
 }
 
 /// Takes the remarks for readers out of the tree.
@@ -86,7 +83,7 @@ ComplianceTableFile readComplianceTable(const std::string& file)
                   "smaller than the root of lateral_lateral times roll_roll (positive definite matrix)");
   }
   readRequired(reader, "linear_range_lateral_to_vertical", positive_or_infinite, result.linear_range);
-  checkNeighbours(reader, file);
+  result.neighbours = readNeighbours(reader);
   reader.refuseUnknown();
   return result;
 }

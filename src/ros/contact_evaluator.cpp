@@ -2,12 +2,46 @@
 #include "wheel_rail_contact/ros/contact_evaluator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "wheel_rail_contact/ros/conversions.h"
 
 namespace wheel_rail_contact
 {
+namespace
+{
+std::string rangeWarning(const char* side, const RailResult& rail, double linear_range)
+{
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(),
+                "%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table holds up to %g", side,
+                1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
+                std::abs(rail.lateral_force / rail.vertical_force), linear_range);
+  return text.data();
+}
+
+void append(const std::string& sentence, std::string& text)
+{
+  text += text.empty() || sentence.empty() ? sentence : "; " + sentence;
+}
+}  // namespace
+
+std::string linearRangeWarning(const WheelsetResult& result, double linear_range)
+{
+  std::string text;
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const RailResult& rail = result.rail[side];
+    if (std::abs(rail.lateral_force) > linear_range * std::max(rail.vertical_force, 0.0))
+    {
+      append(rangeWarning(side == 0 ? "left" : "right", rail, linear_range), text);
+    }
+  }
+  return text;
+}
+
 ContactEvaluator::ContactEvaluator(const NodeConfig& config)
     : track_frame_(config.track_frame), linear_range_(config.linear_range), contact_(config.model)
 {
@@ -38,17 +72,11 @@ ContactAnswer ContactEvaluator::answer(const PreparedInput& input)
   {
     answer.result = &result;
     answer.pose = {result.y, result.z, result.yaw, result.roll};
-    answer.beyond_linear_range = isBeyondLinearRange(result);
+    answer.beyond_linear_range = linearRangeWarning(result, linear_range_);
+    append(answer.beyond_linear_range, answer.reason);
     answer.above_tolerance = result.above_tolerance;
   }
   return answer;
-}
-
-bool ContactEvaluator::isBeyondLinearRange(const WheelsetResult& result) const
-{
-  return std::any_of(result.rail.begin(), result.rail.end(),
-                     [this](const RailResult& rail)
-                     { return std::abs(rail.lateral_force) > linear_range_ * std::max(rail.vertical_force, 0.0); });
 }
 
 WheelsetContactMsg toMessage(const ContactAnswer& answer, bool with_grids, double solve_time)

@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/ros/contact_server.h"
 
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "wheel_rail_contact/ros/contact_markers.h"
@@ -16,6 +17,7 @@ constexpr std::uint32_t queue_size = 1000;       ///< of roscpp's queues; callba
 constexpr std::uint32_t marker_queue_size = 2;   ///< pictures are only worth seeing when new
 constexpr double diagnostics_period = 1.0;       ///< [s]
 constexpr double transform_poll_period = 0.002;  ///< [s]
+constexpr double warning_period = 10.0;          ///< between warnings of one node [s]
 }  // namespace
 
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -27,6 +29,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       evaluator_(config_),
       listener_(transforms_, nh_),
       jobs_(input_capacity),
+      neighbours_(config_),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
   diagnostics_.setHardwareID("none");
@@ -74,6 +77,28 @@ void ContactServer::subscribe()
           [this, side](const geometry_msgs::WrenchStampedConstPtr& force) { receiveRailForce(side, force); }, nullptr,
           no_delay));
     }
+  }
+  subscribeToNeighbours(no_delay);
+}
+
+void ContactServer::subscribeToNeighbours(const ros::TransportHints& hints)
+{
+  for (std::size_t i = 0; i < config_.neighbours.size(); ++i)
+  {
+    const std::string& topic = config_.neighbours[i].topic;
+    if (nh_.resolveName(topic) == private_nh_.resolveName("contact"))
+    {
+      throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
+                                  topic + " is this node's own");
+    }
+    subscribers_.push_back(nh_.subscribe<WheelsetContactMsg>(
+        topic, queue_size,
+        [this, i](const WheelsetContactMsg::ConstPtr& answer)
+        {
+          const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+          neighbours_.add(i, *answer);
+        },
+        nullptr, hints));
   }
 }
 
@@ -131,10 +156,18 @@ void ContactServer::waitForTransform(const Job& job) const
   }
 }
 
+PreparedInput ContactServer::prepare(const ContactInput& input)
+{
+  PreparedInput prepared = preparation_.prepare(input, transforms_);
+  const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+  prepared.placed.state.rail_offset = neighbours_.deflectionAt(prepared.stamp);
+  return prepared;
+}
+
 void ContactServer::answer(const ContactInput& input)
 {
   const ros::WallTime start = ros::WallTime::now();
-  const ContactAnswer answer = evaluator_.answer(preparation_.prepare(input, transforms_));
+  const ContactAnswer answer = evaluator_.answer(prepare(input));
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
   if (wants_message)
@@ -146,9 +179,19 @@ void ContactServer::answer(const ContactInput& input)
     statistics_.count(answer, solve_time);
     statistics_.messages_built += wants_message ? 1U : 0U;
   }
+  warn(answer.beyond_linear_range);
   if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
   {
     publishMarkers(answer);
+  }
+}
+
+void ContactServer::warn(const std::string& beyond_linear_range)
+{
+  if (!beyond_linear_range.empty() && ros::WallTime::now() >= next_warning_)
+  {
+    ROS_WARN("%s: %s", private_nh_.getNamespace().c_str(), beyond_linear_range.c_str());
+    next_warning_ = ros::WallTime::now() + ros::WallDuration(warning_period);
   }
 }
 

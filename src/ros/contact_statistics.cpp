@@ -51,7 +51,7 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   }
   else if (now.beyond_linear_range > before.beyond_linear_range)
   {
-    report.summary(DiagnosticStatus::WARN, "a rail's Y/Q is beyond the range of its compliance table");
+    report.summary(DiagnosticStatus::WARN, now.last_beyond_linear_range);
   }
   else if (now.above_tolerance > before.above_tolerance)
   {
@@ -91,7 +91,11 @@ const char* dropName(DropReason reason)
 void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
 {
   ++answers.at(answer.status);
-  beyond_linear_range += answer.beyond_linear_range ? 1U : 0U;
+  if (!answer.beyond_linear_range.empty())
+  {
+    ++beyond_linear_range;
+    last_beyond_linear_range = answer.beyond_linear_range;
+  }
   above_tolerance += answer.above_tolerance ? 1U : 0U;
   solve_time_sum += solve_time;
   solve_time_max = std::max(solve_time_max, solve_time);
@@ -134,6 +138,7 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   }
   report.add("internal errors", now.internal_errors);
   report.add("answers beyond the table's linear range", now.beyond_linear_range);
+  report.add("last beyond the table's linear range", now.last_beyond_linear_range);
   report.add("answers with an error estimate above contact/tolerance", now.above_tolerance);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);

@@ -134,9 +134,9 @@ void ParameterReader::read(const std::string& name, std::vector<std::string>& wo
   }
 }
 
-std::vector<ParameterTree> ParameterReader::readGroups(const std::string& name)
+std::vector<ParameterReader> ParameterReader::readGroups(const std::string& name)
 {
-  std::vector<ParameterTree> groups;
+  std::vector<ParameterReader> groups;
   const YAML::Node* node = find(name);
   if (!node)
   {
@@ -152,7 +152,7 @@ std::vector<ParameterTree> ParameterReader::readGroups(const std::string& name)
     {
       refuse(name, "a list of groups");
     }
-    groups.push_back(parameterTree(entry));
+    groups.emplace_back(parameterTree(entry), prefix_ + name + "/");
   }
   return groups;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/ros/parameters.h"
 
+#include <ros/names.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -75,6 +77,40 @@ void readLateralForce(ParameterReader& reader, RailBendingConfig& bending)
   bending.lateral_force = word == "contact" ? LateralForce::contact : LateralForce::topic;
 }
 
+NeighbourConfig readNeighbour(ParameterReader& reader)
+{
+  NeighbourConfig neighbour;
+  reader.require("topic", "the contact topic of the other wheelset");
+  reader.read("topic", neighbour.topic);
+  std::string reason;
+  if (neighbour.topic.empty() || neighbour.topic[0] == '~' || !ros::names::validate(neighbour.topic, reason))
+  {
+    reader.refuse("topic", "the name of a topic, not private");
+  }
+  reader.require("distance", "how far the other wheelset is along the track [m]");
+  reader.read("distance", rules::positive, neighbour.distance);
+  reader.refuseUnknown();
+  return neighbour;
+}
+
+void readNeighbours(ParameterReader& reader, NodeConfig& config)
+{
+  const std::string name = "rail_bending/neighbours";
+  std::set<std::string> topics;
+  for (ParameterReader& group : reader.readGroups(name))
+  {
+    config.neighbours.push_back(readNeighbour(group));
+    if (!topics.insert(config.neighbours.back().topic).second)
+    {
+      group.refuse("topic", "given once only");
+    }
+  }
+  if (!config.neighbours.empty() && config.model.rail_bending.model != RailBendingConfig::Model::compliance)
+  {
+    reader.refuse(name, "[] unless rail_bending/model is compliance");
+  }
+}
+
 void readRailBending(ParameterReader& reader, RailBendingConfig& bending, FileNames& files)
 {
   using Model = RailBendingConfig::Model;
@@ -135,6 +171,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
   readMaterial(reader, "material/wheel", config.model.wheel_material);
   readMaterial(reader, "material/rail", config.model.rail_material);
   readRailBending(reader, config.model.rail_bending, files);
+  readNeighbours(reader, config);
   readContact(reader, config.model.contact);
   reader.read("sync/slop", seconds, config.slop);
   readMarkers(reader, config.markers);
@@ -185,6 +222,10 @@ void complete(const FileNames& files, const std::string& directory, NodeConfig& 
                  [&](const std::string& value) { return readComplianceTable(resolveFile(value, directory)); });
     model.rail_bending.table = file.table;
     config.linear_range = file.linear_range;
+    for (NeighbourConfig& neighbour : config.neighbours)
+    {
+      neighbour.influence = influenceAt(file.neighbours, neighbour.distance);
+    }
   }
   validate(model);
 }

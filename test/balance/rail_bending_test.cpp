@@ -76,6 +76,59 @@ TEST_F(RailBendingTest, BothRailsOutwardIsAWiderGauge)
   }
 }
 
+// What other wheelsets do to a rail that does not give way itself. Tolerance as above.
+TEST_F(RailBendingTest, BothRailsPushedOutwardByOthersIsAWiderGauge)
+{
+  const double outward = 0.5e-3;
+  ContactModelConfig wider = scene_;
+  wider.track.gauge += 2 * outward;
+  scene_.rail_bending.model = RailBendingConfig::Model::compliance;
+  WheelsetContact pushed(scene_);
+  WheelsetContact wide(wider);
+  for (const double y : {0.0, 2e-3, -4e-3})
+  {
+    WheelsetState state = stateAt(y, 1e5);
+    state.rail_offset[0].lateral = state.rail_offset[1].lateral = outward;
+    pushed.reset();
+    wide.reset();
+    const WheelsetResult& a = pushed.evaluate(state);
+    const WheelsetResult& b = wide.evaluate(stateAt(y, 1e5));
+    ASSERT_EQ(a.status, ContactStatus::ok) << a.reason;
+    ASSERT_EQ(b.status, ContactStatus::ok) << b.reason;
+    EXPECT_NEAR(a.z, b.z, 3e-4 * 1e-4);
+    for (const Side side : {Side::left, Side::right})
+    {
+      EXPECT_NEAR(wheelTotal(a, side).max_pressure / wheelTotal(b, side).max_pressure, 1, 3e-4);
+      EXPECT_EQ(a.rail[static_cast<std::size_t>(side)].deflection.lateral, outward);
+    }
+  }
+}
+
+// Small displacements add up, whether the rail's own are solved with the contact or mixed. Each rail has an offset of
+// its own. Tolerance: deflection and forces fit the table to 1e-6 of the deflection where they are mixed.
+TEST_F(RailBendingTest, WhatOthersDoAddsToTheRailsOwnDeflection)
+{
+  for (const auto source : {RailBendingConfig::LateralForce::contact, RailBendingConfig::LateralForce::constant})
+  {
+    useTable(source);
+    scene_.rail_bending.lateral_force_value = 5e3;
+    WheelsetContact contact(scene_);
+    WheelsetState state = stateAt(2e-3, 1e5);
+    state.rail_offset = {RailDeflection{4e-4, -1e-4, 2e-3}, RailDeflection{-3e-4, 2e-4, 1e-3}};
+    const WheelsetResult& result = contact.evaluate(state);
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      const RailResult& rail = result.rail[side];
+      const RailDeflection own =
+          deflectionInTrack(softPads(), {rail.lateral_force, rail.vertical_force, rail.moment}, scene_.track.cant);
+      EXPECT_NEAR(rail.deflection.lateral - own.lateral, state.rail_offset[side].lateral, 2e-9);
+      EXPECT_NEAR(rail.deflection.vertical - own.vertical, state.rail_offset[side].vertical, 2e-9);
+      EXPECT_NEAR(rail.deflection.roll - own.roll, state.rail_offset[side].roll, 2e-8);
+    }
+  }
+}
+
 // Deflection and forces of one answer fit the table to 1e-6 of the displacements' size; the moment, which an answer
 // does not carry, is eliminated between the lateral displacement and the roll. It is compared with the forces at the
 // pressure's centre in the plane: on the rail it lies up to (3 mm)² / (2 * 80 mm) = 60 um lower, which is worth, with

@@ -59,6 +59,12 @@ TEST_F(WheelsetInputTest, ValuesThatAreNoNumbersOrHugeAreRefusedWithAReason)
     state = stateAt(0, 1e5);
     state.rail_lateral_force[1] = bad;
     expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
+    for (const auto coordinate : {&RailDeflection::lateral, &RailDeflection::vertical, &RailDeflection::roll})
+    {
+      state = stateAt(0, 1e5);
+      state.rail_offset[1].*coordinate = bad;
+      expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
+    }
   }
   EXPECT_EQ(contact.evaluate(stateAt(0, 1e5)).status, ContactStatus::ok);
 }

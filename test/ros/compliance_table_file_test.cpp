@@ -53,6 +53,13 @@ TEST(ComplianceTableFile, IsReadWithItsNumbers)
   EXPECT_EQ(file.table.roll_roll, 2.6e-6);
   EXPECT_EQ(file.table.vertical_vertical, 5.6e-9);
   EXPECT_EQ(file.linear_range, 0.6);
+  ASSERT_EQ(file.neighbours.size(), 2U);
+  EXPECT_EQ(file.neighbours[0].distance, 1.8);
+  EXPECT_EQ(file.neighbours[0].influence.lateral_lateral, 6.7e-9);
+  EXPECT_EQ(file.neighbours[1].distance, 2.5);
+  EXPECT_EQ(file.neighbours[1].influence.lateral_roll, 1.5e-8);
+  EXPECT_EQ(file.neighbours[1].influence.roll_roll, 1.3e-7);
+  EXPECT_EQ(file.neighbours[1].influence.vertical_vertical, 0);
 }
 
 TEST(ComplianceTableFile, ShippedTablesAreAccepted)

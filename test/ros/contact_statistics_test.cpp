@@ -92,9 +92,15 @@ TEST(ContactStatistics, RailBeyondItsTableWarns)
 {
   ContactStatistics now;
   ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "");
-  answer.beyond_linear_range = true;
+  answer.beyond_linear_range = "left rail: Y = 70.0 kN at Q = 100.0 kN";
   now.count(answer, 0.001);
-  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
+  answer.beyond_linear_range.clear();
+  now.count(answer, 0.001);
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(report.message, "left rail: Y = 70.0 kN at Q = 100.0 kN");
+  EXPECT_EQ(valueOf(report, "answers beyond the table's linear range"), "1");
+  EXPECT_EQ(valueOf(report, "last beyond the table's linear range"), "left rail: Y = 70.0 kN at Q = 100.0 kN");
 }
 
 TEST(ContactStatistics, ErrorAboveTheToleranceWarns)

@@ -183,6 +183,21 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
       {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
       {"rail_bending: {prescribed: {roll: 1}}", "rail_bending/prescribed/roll", "1"},
       {"rail_bending: {prescribed: {vertical: up}}", "rail_bending/prescribed/vertical", "up"},
+      {"rail_bending: {neighbours: 3}", "rail_bending/neighbours", "3"},
+      {"rail_bending: {neighbours: [{topic: /front, distance: 2.5}]}", "rail_bending/neighbours", "/front"},
+      {"rail_bending: {neighbours: [{topic: /front}]}", "rail_bending/neighbours/distance", "missing"},
+      {"rail_bending: {neighbours: [{distance: 2.5}]}", "rail_bending/neighbours/topic", "missing"},
+      {"rail_bending: {neighbours: [{topic: a b, distance: 2.5}]}", "rail_bending/neighbours/topic", "a b"},
+      {"rail_bending: {neighbours: [{topic: ~contact, distance: 2.5}]}", "rail_bending/neighbours/topic", "~contact"},
+      {"rail_bending: {neighbours: [{topic: front, distance: -2.5}]}", "rail_bending/neighbours/distance", "-2.5"},
+      {"rail_bending: {neighbours: [{topic: front, distance: 2.5, gap: 1}]}", "rail_bending/neighbours/gap", "topic"},
+      {"rail_bending: {neighbours: [{topic: f, distance: 2.5}, {topic: f, distance: 1.8}]}",
+       "rail_bending/neighbours/topic", "once"},
+      {"rail_bending: {model: compliance, table: config/rails/pads_40_100.yaml, "
+       "neighbours: [{topic: front, distance: 3}]}",
+       "rail_bending/neighbours/distance", "1.8 m to 2.5 m"},
+      {"rail_bending: {model: compliance, table: config/rails/paper.yaml, neighbours: [{topic: front, distance: 2.5}]}",
+       "rail_bending/neighbours/distance", "it has none"},
       {"contact: {method: magic}", "contact/method",
        "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
       {"contact: {tolerance: 0}", "contact/tolerance", "0"},
@@ -236,6 +251,19 @@ TEST(Parameters, LateralForceIsAWordOrANumber)
   const RailBendingConfig bending = read(with("rail_bending: {lateral_force: 30e3}")).model.rail_bending;
   EXPECT_EQ(bending.lateral_force, LateralForce::constant);
   EXPECT_EQ(bending.lateral_force_value, 30000);
+}
+
+TEST(Parameters, NeighboursGetTheTablesInfluenceAtTheirDistance)
+{
+  EXPECT_TRUE(read(defaults()).neighbours.empty());
+  const NodeConfig config = read(
+      with("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml, "
+           "neighbours: [{topic: /front/contact_node/contact, distance: 2.5}, {topic: rear/contact, distance: 1.8}]}"));
+  ASSERT_EQ(config.neighbours.size(), 2U);
+  EXPECT_EQ(config.neighbours[0].topic, "/front/contact_node/contact");
+  EXPECT_EQ(config.neighbours[0].distance, 2.5);
+  EXPECT_EQ(config.neighbours[0].influence.lateral_lateral, 2.1963e-8);  // as the table has it
+  EXPECT_EQ(config.neighbours[1].influence.roll_roll, 1.5081e-6);
 }
 
 TEST(Parameters, TableIsFoundByPackageByDirectoryAndInThisPackage)

@@ -9,10 +9,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "wheel_rail_contact/bag/bag_stream.h"
 #include "wheel_rail_contact/ros/contact_input.h"
+#include "wheel_rail_contact/ros/neighbour_forces.h"
 
 namespace wheel_rail_contact
 {
@@ -29,7 +31,8 @@ struct ReplayEvent
 };
 
 /// Makes of a bag's messages the inputs that the live node would make of them: pairs them by their stamps, and brings
-/// them to the track frame by the bag's transforms, for which they wait as long as in the live node.
+/// them to the track frame by the bag's transforms, for which they wait as long as in the live node. Forces of
+/// neighbouring wheelsets come from their answers in the bag.
 class ReplaySource
 {
  public:
@@ -55,6 +58,7 @@ class ReplaySource
     load,
     left_rail_force,
     right_rail_force,
+    neighbour,
     transform,
     static_transform
   };
@@ -62,7 +66,9 @@ class ReplaySource
   {
     Role role;
     std::size_t wheelset;
+    std::size_t neighbour = 0;  ///< its number in the configuration
   };
+  using Uses = std::multimap<std::string, Use>;  ///< by topic
   struct Waiting
   {
     ContactInput input;
@@ -72,13 +78,16 @@ class ReplaySource
   {
     InputPairing pairing;
     InputPreparation preparation;
+    NeighbourForces neighbours;
     std::deque<Waiting> waiting;  ///< for their transforms
   };
 
-  static std::map<std::string, Use> usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets);
+  static Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets);
+  static std::pair<std::string, std::string> typeAndSumOf(Role role);
   bool wants(const std::string& topic) const;
   void requireTopics() const;
   void requireTypes() const;
+  void requireOthersAnswers() const;
   [[noreturn]] void refuseWithout(const std::string& topic, const std::string& type) const;
   void take(const BagMessage& message);
   void use(const Use& use, const BagMessage& message);
@@ -87,8 +96,8 @@ class ReplaySource
   void emit(std::size_t wheelset);
   void finish();
 
-  std::map<std::string, Use> uses_;  ///< by topic
-  std::set<std::string> answers_;    ///< topics
+  Uses uses_;
+  std::set<std::string> answers_;  ///< topics
   bool keep_;
   std::vector<Wheelset> wheelsets_;
   tf2::BufferCore transforms_;

@@ -3,8 +3,9 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
-#include "wheel_rail_contact/rail/compliance.h"
+#include "wheel_rail_contact/rail/neighbours.h"
 
 namespace wheel_rail_contact
 {
@@ -14,6 +15,7 @@ struct ComplianceTableFile
   std::string name;
   ComplianceTable table;
   double linear_range = std::numeric_limits<double>::infinity();  ///< largest |Y|/Q for which the table holds [-]
+  std::vector<RailInfluence> neighbours;  ///< of forces along the rail, distances rising; may be empty
 };
 
 /// Reads a compliance table strictly: every key required, none unknown, the matrix positive definite.

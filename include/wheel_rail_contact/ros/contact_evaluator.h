@@ -18,11 +18,11 @@ struct ContactAnswer
 {
   std_msgs::Header header;  ///< the pose's stamp, the track frame
   std::uint8_t status = WheelsetContactMsg::INVALID_INPUT;
-  std::string reason;                      ///< one sentence, empty when OK and within the tolerance
+  std::string reason;                      ///< in words, empty when OK and within tolerance and linear range
   double x = 0;                            ///< axle centre along the track [m]
   WheelsetPose pose;                       ///< solved if usable, otherwise as given; zero if the input was unusable
   const WheelsetResult* result = nullptr;  ///< null unless usable; valid until the next evaluation
-  bool beyond_linear_range = false;        ///< a rail's |Y|/Q is greater than its compliance table allows
+  std::string beyond_linear_range;         ///< figures of a rail whose |Y|/Q is beyond its table's range, else empty
   bool above_tolerance = false;            ///< a patch's error estimate is above contact/tolerance
 };
 
@@ -37,12 +37,13 @@ class ContactEvaluator
   ContactAnswer answer(const PreparedInput& input);
 
  private:
-  bool isBeyondLinearRange(const WheelsetResult& result) const;
-
   std::string track_frame_;
   double linear_range_;
   WheelsetContact contact_;
 };
+
+/// Says side, forces and ratio of each rail whose |Y|/Q is greater than its compliance table allows; empty if none is.
+std::string linearRangeWarning(const WheelsetResult& result, double linear_range);
 
 /// @param with_grids false leaves the pressure grids empty
 /// @param solve_time wall time of the evaluation [s]

@@ -15,6 +15,7 @@
 #include "wheel_rail_contact/ros/contact_input.h"
 #include "wheel_rail_contact/ros/contact_statistics.h"
 #include "wheel_rail_contact/ros/marker_tools.h"
+#include "wheel_rail_contact/ros/neighbour_forces.h"
 #include "wheel_rail_contact/ros/newest_queue.h"
 #include "wheel_rail_contact/ros/parameters.h"
 
@@ -49,11 +50,14 @@ class ContactServer
   void receivePose(const geometry_msgs::PoseStampedConstPtr& pose);
   void receiveLoad(const geometry_msgs::WrenchStampedConstPtr& load);
   void receiveRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force);
+  void subscribeToNeighbours(const ros::TransportHints& hints);
   void enqueue(std::optional<ContactInput> input);
 
   void work();
   void waitForTransform(const Job& job) const;
+  PreparedInput prepare(const ContactInput& input);
   void answer(const ContactInput& input);
+  void warn(const std::string& beyond_linear_range);
   bool pictureIsDue();
   void publishMarkers(const ContactAnswer& answer);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -71,10 +75,14 @@ class ContactServer
   ContactStatistics statistics_;
   ContactStatistics reported_;  ///< as they were at the last report
 
+  std::mutex neighbours_mutex_;  ///< guards the neighbours' forces
+  NeighbourForces neighbours_;
+
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
   MarkerKeys shown_markers_;    ///< by the last array published, worker only
   ros::WallTime next_picture_;  ///< worker only
+  ros::WallTime next_warning_;  ///< worker only
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::thread worker_;

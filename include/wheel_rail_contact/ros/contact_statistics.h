@@ -32,6 +32,7 @@ struct ContactStatistics
   std::uint64_t marker_arrays_built = 0;          ///< answers turned into markers, because someone listened
   double solve_time_sum = 0;                      ///< of all answers [s]
   double solve_time_max = 0;                      ///< since the last report [s]
+  std::string last_beyond_linear_range;           ///< figures of the newest of them
   std::string last_reason;                        ///< of the newest answer that had one
 
   void count(const ContactAnswer& answer, double solve_time);

@@ -44,8 +44,8 @@ class ParameterReader
   /// One of several words.
   template <typename Choice>
   void read(const std::string& name, const std::vector<std::pair<std::string, Choice>>& choices, Choice& value);
-  /// Nothing but null or a group: @throw unless a list; its entries.
-  std::vector<ParameterTree> readGroups(const std::string& name);
+  /// A list of groups: a reader for each, whose messages begin with this name. Each must be asked refuseUnknown().
+  std::vector<ParameterReader> readGroups(const std::string& name);
 
   /// True if the value is written as a number; false if it is a word, a list, or not given.
   bool isNumber(const std::string& name) const;

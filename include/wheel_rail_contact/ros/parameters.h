@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "wheel_rail_contact/config.h"
 #include "wheel_rail_contact/ros/marker_config.h"
@@ -11,12 +12,21 @@
 
 namespace wheel_rail_contact
 {
+/// Another wheelset on the same track, whose forces bend the rails here too.
+struct NeighbourConfig
+{
+  std::string topic;          ///< of its answers (WheelsetContact), as subscribed to
+  double distance = 0;        ///< along the track [m], > 0
+  ComplianceTable influence;  ///< at that distance, from the table
+};
+
 /// Everything the live node and the replay are told by parameters.
 struct NodeConfig
 {
   ContactModelConfig model;
   /// Largest |Y|/Q up to which the compliance table holds [-]; infinite without a table.
   double linear_range = std::numeric_limits<double>::infinity();
+  std::vector<NeighbourConfig> neighbours;
   std::string track_frame = "track";  ///< tf name of the track frame
   double slop = 0;                    ///< largest distance of the stamps of one pair [s], >= 0; 0: equal stamps
   MarkerConfig markers;
@@ -33,6 +43,7 @@ struct NodeConfig
 ///   rail_bending/model                          none, prescribed or compliance
 ///   rail_bending/table                          file, required with model compliance
 ///   rail_bending/lateral_force                  contact, topic, or a constant [N], outward positive
+///   rail_bending/neighbours                     list of {topic, distance [m]}; not empty only with model compliance
 ///   rail_bending/prescribed/{lateral, vertical, roll}   [m, m, rad], required with model prescribed
 ///   contact/method                              auto, conjugate_gradient, hertz, kik_piotrowski, seidel
 ///                                               or seidel_printed

@@ -78,6 +78,21 @@ TEST(LiveNode, EachRailFollowsItsOwnForce)
   EXPECT_GT(bent.right_rail.lateral, rest.right_rail.lateral);
 }
 
+// The table holds up to |Y|/Q = 0.6; Q is 100 kN.
+TEST(LiveNode, RailForceBeyondTheTablesRangeIsToldWithFigures)
+{
+  Simulation simulation;
+  EXPECT_EQ(simulation.ask(59e3, 0).status_text, "");
+  const auto beyond = simulation.ask(0, -61e3);
+  ASSERT_EQ(beyond.status, WheelsetContactMsg::OK) << beyond.status_text;
+  const std::string figures =
+      "right rail: Y = -61.0 kN at Q = 100.0 kN, |Y|/Q = 0.610; its compliance table holds up to 0.6";
+  EXPECT_EQ(beyond.status_text, figures);
+  const Report report = nextReport("/forces/contact_node");
+  EXPECT_EQ(report.values.at("last beyond the table's linear range"), figures);
+  EXPECT_NE(report.values.at("answers beyond the table's linear range"), "0");
+}
+
 TEST(LiveNode, RailForceThatIsNoneIsRefused)
 {
   Simulation simulation;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <deque>
+#include <vector>
+
+#include "wheel_rail_contact/rail/neighbours.h"
+#include "wheel_rail_contact/ros/messages.h"
+#include "wheel_rail_contact/ros/parameters.h"
+
+namespace wheel_rail_contact
+{
+/// Rail forces of the neighbouring wheelsets (rail_bending/neighbours), from their answers.
+///
+/// For an input of stamp t counts each neighbour's newest answer of a stamp before t, never of t itself: which of two
+/// wheelsets is answered first in a step does not matter then. An answer that is not usable counts as no force, as does
+/// one older than `longest_age` or none at all. Where a neighbour's stamps go back, its answers from there on are
+/// forgotten. Not thread-safe.
+class NeighbourForces
+{
+ public:
+  static constexpr double longest_age = 1.0;      ///< [s] of the stamps
+  static constexpr std::size_t most_kept = 1000;  ///< answers of each neighbour
+
+  explicit NeighbourForces(const NodeConfig& config);
+
+  /// Takes an answer of the neighbour of this number in NodeConfig::neighbours.
+  void add(std::size_t neighbour, const WheelsetContactMsg& answer);
+
+  /// Deflection of each rail by Side that the neighbours cause here at the stamp, track axes of its side.
+  std::array<RailDeflection, 2> deflectionAt(const ros::Time& stamp) const;
+
+ private:
+  struct Answer
+  {
+    ros::Time stamp;
+    std::array<RailForce, 2> force;  ///< by Side
+  };
+  struct Neighbour
+  {
+    ComplianceTable influence;
+    std::deque<Answer> answers;  ///< stamps rising
+  };
+  static const Answer* newestBefore(const Neighbour& neighbour, const ros::Time& stamp);
+
+  double cant_;
+  std::vector<Neighbour> neighbours_;
+};
+}  // namespace wheel_rail_contact

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_replay with neighbouring wheelsets: their forces come from their answers in the bag."""
+
+import math
+import pathlib
+
+import rosbag
+import yaml
+from wheel_rail_contact.msg import WheelsetContact
+
+from replay_case import ANSWERS, MISUSED, ReplayCase, write_pairs
+
+PAIRS = 30
+CANT = 0.025
+TABLE = yaml.safe_load((pathlib.Path(__file__).parents[2] / "config" / "rails" / "pads_10_25.yaml").read_text())
+SOFT = "rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml}\n"
+BEHIND = ("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
+          " neighbours: [{topic: /front/contact_node/contact, distance: 2.5}]}\n")
+
+
+def deflection(compliance, rail):
+    """(lateral, vertical, roll) by the forces of a RailDeflection, track axes."""
+    c, s = math.cos(CANT), math.sin(CANT)
+    lateral_force = c * rail.lateral_force - s * rail.vertical_force
+    axial_force = s * rail.lateral_force + c * rail.vertical_force
+    lateral = compliance["lateral_lateral"] * lateral_force + compliance["lateral_roll"] * rail.moment
+    axial = -compliance["vertical_vertical"] * axial_force
+    roll = compliance["lateral_roll"] * lateral_force + compliance["roll_roll"] * rail.moment
+    return c * lateral - s * axial, s * lateral + c * axial, roll
+
+
+def offset(rail):
+    """(lateral, vertical, roll) that is not by the rail's own forces."""
+    own = deflection(TABLE, rail)
+    return rail.lateral - own[0], rail.vertical - own[1], rail.roll - own[2]
+
+
+class Neighbours(ReplayCase):
+    def setUp(self):
+        super().setUp()
+        self.soft, self.behind = self.folder / "soft.yaml", self.folder / "behind.yaml"
+        self.soft.write_text(SOFT)
+        self.behind.write_text(BEHIND)
+        self.bag = self.folder / "in.bag"
+        with rosbag.Bag(str(self.bag), "w") as bag:
+            for wheelset in "front", "behind":
+                write_pairs(bag, PAIRS, f"/{wheelset}/wheelset")
+
+    def test_forces_of_the_step_before_bend_the_rails(self):
+        both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
+                              "--keep-topics")
+        out, _ = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
+        front, behind = self.answers(both, "/front" + ANSWERS), self.answers(out, "/behind" + ANSWERS)
+        self.assertEqual(len(behind), PAIRS)
+        influence = TABLE["neighbours"][1]
+        self.assertEqual(influence["distance"], 2.5)
+        # Deflection and forces of an answer fit the table to rounding; 1e-6 of some millimetres is left for it.
+        for found in offset(behind[0].left_rail):
+            self.assertAlmostEqual(found, 0, delta=2e-9, msg="no answer is before the first one")
+        for before, answer in zip(front, behind[1:]):
+            self.assertEqual(answer.status, WheelsetContact.OK, answer.status_text)
+            for side in "left_rail", "right_rail":
+                wanted = deflection(influence, getattr(before, side))
+                self.assertGreater(max(map(abs, wanted)), 1e-5)
+                for a, b in zip(offset(getattr(answer, side)), wanted):
+                    self.assertAlmostEqual(a, b, delta=2e-9)
+
+    def test_neighbour_without_answers_in_the_bag_is_missed_by_name(self):
+        _, text = self.replay(self.bag, "out.bag", "--config", self.behind, "--wheelset", "behind", status=1)
+        self.assertIn("/front/contact_node/contact", text)
+        self.assertIn("wheel_rail_contact/WheelsetContact: none", text)
+
+    def test_neighbour_answered_in_the_same_run_is_refused(self):
+        _, text = self.replay(self.bag, "out.bag", "--config", self.behind, "--wheelset", "front", "behind",
+                              status=MISUSED)
+        self.assertIn("answered in this same run", text)

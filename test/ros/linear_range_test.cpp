@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "wheel_rail_contact/ros/contact_evaluator.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+WheelsetResult withForces(double left_lateral, double left_vertical, double right_lateral, double right_vertical)
+{
+  WheelsetResult result;
+  result.rail[0].lateral_force = left_lateral;
+  result.rail[0].vertical_force = left_vertical;
+  result.rail[1].lateral_force = right_lateral;
+  result.rail[1].vertical_force = right_vertical;
+  return result;
+}
+}  // namespace
+
+TEST(LinearRange, NothingIsSaidWithinIt)
+{
+  EXPECT_EQ(linearRangeWarning(withForces(60e3, 100e3, -59e3, 100e3), 0.6), "");
+  EXPECT_EQ(linearRangeWarning(withForces(0, 0, 0, 0), 0.6), "") << "wheels without load";
+  EXPECT_EQ(linearRangeWarning(withForces(9e5, 1e5, 0, 0), std::numeric_limits<double>::infinity()), "") << "no limit";
+}
+
+TEST(LinearRange, RailBeyondItIsNamedWithItsForces)
+{
+  EXPECT_EQ(linearRangeWarning(withForces(0, 100e3, -70e3, 80e3), 0.6),
+            "right rail: Y = -70.0 kN at Q = 80.0 kN, |Y|/Q = 0.875; its compliance table holds up to 0.6");
+}
+
+TEST(LinearRange, BothRailsAreNamed)
+{
+  EXPECT_EQ(linearRangeWarning(withForces(50e3, 40e3, 5e3, 0), 0.6),
+            "left rail: Y = 50.0 kN at Q = 40.0 kN, |Y|/Q = 1.250; its compliance table holds up to 0.6; "
+            "right rail: Y = 5.0 kN at Q = 0.0 kN, |Y|/Q = inf; its compliance table holds up to 0.6");
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/ros/neighbour_forces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+constexpr double compliance = 1e-8;  ///< lateral, of an upright rail [m/N]
+
+NodeConfig configWith(std::size_t neighbours)
+{
+  NodeConfig config;
+  config.model.track.cant = 0;
+  ComplianceTable influence;
+  influence.lateral_lateral = compliance;
+  config.neighbours.assign(neighbours, {"topic", 2.5, influence});
+  return config;
+}
+
+/// An answer with lateral forces [N] on both rails at a time [s].
+WheelsetContactMsg answerAt(double time, double left, double right = 0)
+{
+  WheelsetContactMsg answer;
+  answer.header.stamp = ros::Time(time);
+  answer.left_rail.lateral_force = left;
+  answer.right_rail.lateral_force = right;
+  return answer;
+}
+
+/// Lateral force on the left rail that counts at a time [N].
+double countedAt(const NeighbourForces& forces, double time)
+{
+  return forces.deflectionAt(ros::Time(time))[0].lateral / compliance;
+}
+}  // namespace
+
+TEST(NeighbourForces, NewestAnswerBeforeTheStampCounts)
+{
+  NeighbourForces forces(configWith(1));
+  EXPECT_EQ(countedAt(forces, 10.0), 0) << "no answer yet";
+  forces.add(0, answerAt(10.00, 1e3));
+  forces.add(0, answerAt(10.25, 2e3));
+  forces.add(0, answerAt(10.50, 3e3));
+  EXPECT_EQ(countedAt(forces, 10.00), 0) << "an answer of the same step depends on the order of arrival";
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.25), 1e3);
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.375), 2e3);
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.50), 2e3);
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.75), 3e3);
+}
+
+TEST(NeighbourForces, AnswerOlderThanASecondCountsNoMore)
+{
+  NeighbourForces forces(configWith(1));
+  forces.add(0, answerAt(10, 1e3));
+  EXPECT_DOUBLE_EQ(countedAt(forces, 11), 1e3);
+  EXPECT_EQ(countedAt(forces, 11.001), 0);
+}
+
+TEST(NeighbourForces, UnusableAnswerIsNoForce)
+{
+  NeighbourForces forces(configWith(1));
+  forces.add(0, answerAt(10.0, 1e3));
+  WheelsetContactMsg unusable = answerAt(10.1, 2e3);
+  unusable.status = WheelsetContactMsg::NOT_CONVERGED;
+  forces.add(0, unusable);
+  EXPECT_EQ(countedAt(forces, 10.2), 0);
+  WheelsetContactMsg lifted = answerAt(10.2, 3e3);
+  lifted.status = WheelsetContactMsg::LIFT_OFF;
+  forces.add(0, lifted);
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);
+  forces.add(0, answerAt(10.3, std::nan("")));
+  EXPECT_EQ(countedAt(forces, 10.4), 0);
+}
+
+TEST(NeighbourForces, AnswersOfALoopBeforeAreForgotten)
+{
+  NeighbourForces forces(configWith(1));
+  forces.add(0, answerAt(10.0, 1e3));
+  forces.add(0, answerAt(10.4, 2e3));
+  forces.add(0, answerAt(10.2, 3e3));
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.2), 1e3);
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.5), 3e3);
+}
+
+TEST(NeighbourForces, NeighboursAddUpAndEachRailHasItsOwn)
+{
+  NeighbourForces forces(configWith(2));
+  forces.add(0, answerAt(10.0, 1e3, 5e3));
+  forces.add(1, answerAt(10.1, 2e3, -2e3));
+  const auto moved = forces.deflectionAt(ros::Time(10.2));
+  EXPECT_DOUBLE_EQ(moved[0].lateral, compliance * 3e3);
+  EXPECT_DOUBLE_EQ(moved[1].lateral, compliance * 3e3);
+  EXPECT_EQ(countedAt(forces, 10.1), compliance * 1e3 / compliance) << "the second one's is of the same step";
+}
+
+TEST(NeighbourForces, KeepsTheNewestAnswersOnly)
+{
+  NeighbourForces forces(configWith(1));
+  for (std::size_t i = 0; i <= NeighbourForces::most_kept; ++i)
+  {
+    forces.add(0, answerAt(10 + 1e-4 * static_cast<double>(i), 1e3));
+  }
+  EXPECT_EQ(countedAt(forces, 10.00005), 0);
+  EXPECT_DOUBLE_EQ(countedAt(forces, 10.00015), 1e3);
+}
