@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "../normal/problems.h"
+#include "stability_map.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/normal/hertz_solver.h"
+#include "wheel_rail_contact/normal/kik_piotrowski.h"
+#include "wheel_rail_contact/normal/seidel.h"
+
+namespace wheel_rail_contact::stability
+{
+namespace
+{
+using problems::hertzCase;
+using problems::HertzCase;
+
+std::string digits(double value)
+{
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+}
+
+NormalSolution solved(NormalSolver& solver, const NormalProblem& problem)
+{
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  return solution;
+}
+
+std::string verdict(const NormalSolution& found, double expected)
+{
+  return isUsable(found.status) ? verdictOf(found.patches[0].max_pressure / expected - 1)
+                                : std::string("refused: ") + toString(found.status);
+}
+
+/// A round contact of Hertz in cells `aspect` times as long as wide.
+HertzCase inLongCells(double aspect)
+{
+  HertzCase hertz = hertzCase(1, 2, 2, false);
+  const double width = 2.2 * hertz.exact.semi_axis_y, dy = width / 48;
+  const int nx = 2 * static_cast<int>(std::ceil(0.5 * width / (aspect * dy)));
+  const GapCurvature c = hertz.gap;
+  hertz.problem = problems::underLoad(problems::sampled(problems::centredGrid(nx, 48, nx * aspect * dy, width, false),
+                                                        [c](double x, double y) { return c.a * x * x + c.b * y * y; }),
+                                      1e5);
+  return hertz;
+}
+
+/// Projected iteration p = max(p - step (A p + gap - approach) / a_own, 0) at a given approach, each cell with the
+/// others' old values (simultaneous) or with what they have become.
+struct Iteration
+{
+  bool simultaneous;
+  double step;
+  double change;  ///< root mean square change over root mean square at which it stops
+  int most_sweeps;
+};
+
+enum class End
+{
+  stopped,
+  diverged,
+  sweeps_spent
+};
+
+End iterate(const Iteration& how, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& depth, Eigen::VectorXd& p)
+{
+  p.setZero(depth.size());
+  const double rigid = depth.maxCoeff() / matrix.diagonal().minCoeff();
+  for (int sweep = 0; sweep < how.most_sweeps; ++sweep)
+  {
+    const Eigen::VectorXd before = p;
+    for (Eigen::Index i = 0; i < p.size(); ++i)
+    {
+      const double w = matrix.row(i).dot(how.simultaneous ? before : p) - depth[i];
+      p[i] = std::max(p[i] - how.step * w / matrix(i, i), 0.0);
+    }
+    if (!(p.maxCoeff() < 100 * rigid))
+    {
+      return End::diverged;
+    }
+    if ((p - before).norm() <= how.change * p.norm())
+    {
+      return End::stopped;
+    }
+  }
+  return End::sweeps_spent;
+}
+
+std::string runIteration(const Iteration& how, int cells)
+{
+  const HertzCase hertz = hertzCase(1, cells, cells, true);
+  ConjugateGradientsOptions options;
+  options.residual = 1e-8;
+  ConjugateGradients exact(options);
+  const NormalSolution truth = solved(exact, hertz.problem);
+  const PatchGap& patch = hertz.problem.patches[0];
+  const Eigen::MatrixXd matrix = problems::influenceMatrix(patch.grid, hertz.problem.modulus);
+  const Eigen::VectorXd depth = (truth.approach - patch.gap).reshaped().matrix();
+  Eigen::VectorXd p;
+  switch (iterate(how, matrix, depth, p))
+  {
+    case End::diverged:
+      return "diverged";
+    case End::sweeps_spent:
+      return "swings on: no end in " + std::to_string(how.most_sweeps) + " sweeps";
+    default:
+      break;
+  }
+  const double off = (p - truth.patches[0].pressure.reshaped().matrix()).cwiseAbs().maxCoeff() / p.maxCoeff();
+  return verdictOf(off) == "right" ? "right" : "says converged, a cell is " + verdictOf(off);
+}
+}  // namespace
+
+MapTable aspectMap()
+{
+  MapTable table{"Long cells",
+                 "A round contact (Hertz) in 48 cells across and ever longer cells. Point forces make the matrix "
+                 "indefinite beyond 4.70.",
+                 {"seidel_printed", "seidel", "conjugate_gradient"},
+                 {}};
+  for (const double aspect : {1.0, 2.0, 4.0, 4.6, 5.2, 7.0, 10.0})
+  {
+    const HertzCase hertz = inLongCells(aspect);
+    ConjugateGradientsOptions strict;
+    strict.residual = 1e-8;
+    ConjugateGradients exact(strict), gradients;
+    const double expected = solved(exact, hertz.problem).patches[0].max_pressure;
+    SeidelOptions as_printed;
+    as_printed.form = SeidelOptions::Form::printed;
+    Seidel printed(as_printed), repaired;
+    table.rows.push_back(
+        {"cells " + digits(aspect) + " times as long as wide",
+         {verdict(solved(printed, hertz.problem), expected), verdict(solved(repaired, hertz.problem), expected),
+          verdict(solved(gradients, hertz.problem), expected)}});
+  }
+  return table;
+}
+
+MapTable iterationMap()
+{
+  MapTable table{
+      "Ways to iterate",
+      "The same contact at a given approach with exact coefficients, iterated in ways that the package does not "
+      "use: p = max(p − step · w / a_own, 0). Compared cell by cell with the solution on the same grid.",
+      {"verdict"},
+      {}};
+  constexpr double change = 1e-6;
+  for (const double step : {0.05, 0.1, 0.2, 1.0})
+  {
+    table.rows.push_back({"all cells at once, step " + digits(step) + ", 16 × 16 cells",
+                          {runIteration({true, step, change, 4000}, 16)}});
+  }
+  for (const double step : {1.0, 1.5, 1.9, 1.95, 2.05})
+  {
+    table.rows.push_back({"cell after cell, over-relaxed by " + digits(step) + ", 16 × 16 cells",
+                          {runIteration({false, step, change, 4000}, 16)}});
+  }
+  for (const int cells : {8, 16, 32, 48})
+  {
+    const std::string size = std::to_string(cells) + " × " + std::to_string(cells) + " cells";
+    table.rows.push_back(
+        {"cell after cell, stopped at a change of 1 %, " + size, {runIteration({false, 1, 1e-2, 4000}, cells)}});
+  }
+  return table;
+}
+
+namespace
+{
+/// Drop of a circle of radius r at distance y from its lowest place, continued straight beyond 60 degrees [m].
+double drop(double r, double y)
+{
+  const double reach = 0.86 * r, t = std::min(std::abs(y), reach);
+  return r - std::sqrt(r * r - t * t) + (std::abs(y) - t) * reach / std::sqrt(r * r - reach * reach);
+}
+
+struct Shape
+{
+  std::string name;
+  std::function<double(double)> across;  ///< gap at x = 0 [m]
+};
+
+std::vector<Shape> shapes()
+{
+  const auto corner = [](double wheel) { return [wheel](double y) { return drop(0.013, y) - drop(wheel, y); }; };
+  const auto lobes = [](double depth)
+  {
+    return [depth](double y)
+    {
+      const double q = y / 4e-3;
+      return depth * (q * q - 1) * (q * q - 1);
+    };
+  };
+  const auto walls = [](double y) { return 20 * std::pow(std::max(std::abs(y) - 5e-3, 0.0), 2); };
+  const auto wave = [](double y) { return 2 * y * y + 2e-6 * std::cos(2 * std::acos(-1.0) * y / 0.6e-3); };
+  return {{"corner of 13 mm in 14 mm", corner(0.0140)},
+          {"corner of 13 mm in 13.2 mm", corner(0.0132)},
+          {"corner of 13 mm in 13.02 mm", corner(0.01302)},
+          {"two lobes, merged", lobes(1e-5)},
+          {"two lobes, nearly parted", lobes(5e-5)},
+          {"two lobes, parted", lobes(2e-4)},
+          {"flat across 10 mm", walls},
+          {"saddle across 10 mm", [walls](double y) { return walls(y) - 0.3 * y * y; }},
+          {"curvature jumps from 1/300 to 1/80 mm",
+           [](double y) { return (y < 1e-3 ? 1.7 : 1.7 + 4.6) * (y - 1e-3) * (y - 1e-3); }},
+          {"waves of 0.6 mm, 2 um high", wave}};
+}
+
+NormalProblem shaped(const Shape& shape, int nx, int ny)
+{
+  constexpr double length = 0.024, width = 0.018, wheel_radius = 0.46, load = 5e4;
+  return problems::underLoad(
+      problems::sampled(problems::centredGrid(nx, ny, length, width, true),
+                        [&](double x, double y) { return x * x / (2 * wheel_radius) + shape.across(y); }),
+      load);
+}
+}  // namespace
+
+MapTable shapeMap()
+{
+  MapTable table{
+      "Shapes across",
+      "50 kN on a wheel of 0.46 m over these gaps, 24 × 48 cells of 1 × 0.375 mm. The reference has four times "
+      "as many each way.",
+      {"conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
+      {}};
+  SeidelOptions as_printed;
+  as_printed.form = SeidelOptions::Form::printed;
+  for (const Shape& shape : shapes())
+  {
+    ConjugateGradients gradients;
+    Seidel repaired, printed(as_printed);
+    KikPiotrowski strips;
+    HertzSolver hertz;
+    const double expected = solved(gradients, shaped(shape, 96, 192)).patches[0].max_pressure;
+    MapRow row{shape.name, {}};
+    for (NormalSolver* solver : std::initializer_list<NormalSolver*>{&gradients, &repaired, &printed, &strips, &hertz})
+    {
+      row.verdicts.push_back(verdict(solved(*solver, shaped(shape, 24, 48)), expected));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+MapTable boxMap()
+{
+  MapTable table{
+      "Boxes",
+      "`conjugate_gradient` on 16 × 32 cells in a box of another size than the contact. The balance widens a box "
+      "that has pressure at its border, and lays a loose one anew.",
+      {"verdict", "pressure at the border"},
+      {}};
+  for (const double margin : {0.8, 0.9, 1.0, 1.1, 2.0, 4.0, 8.0})
+  {
+    const HertzCase hertz = hertzCase(2, 16, 32, true, margin);
+    ConjugateGradients solver;
+    const NormalSolution solution = solved(solver, hertz.problem);
+    table.rows.push_back(
+        {"box " + digits(margin) + " times the contact",
+         {verdict(solution, hertz.exact.max_pressure), solution.patches[0].touches_border ? "noticed" : "none"}});
+  }
+  return table;
+}
+}  // namespace wheel_rail_contact::stability

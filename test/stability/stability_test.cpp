@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "stability_map.h"
+
+namespace wheel_rail_contact::stability
+{
+namespace
+{
+std::vector<std::string> lines(const std::string& text)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> list;
+  for (std::string line; std::getline(stream, line);)
+  {
+    list.push_back(line);
+  }
+  return list;
+}
+
+/// Each cell is solved again: a method that does better or worse than the page says shows up here.
+TEST(StabilityMap, everyVerdictIsAsThePageSays)
+{
+  const std::string found = stabilityPage();
+  if (std::getenv("WRITE_STABILITY_PAGE") != nullptr)
+  {
+    std::ofstream(STABILITY_PAGE) << found;
+    GTEST_SKIP() << "page written";
+  }
+  std::ifstream file(STABILITY_PAGE);
+  std::stringstream page;
+  page << file.rdbuf();
+  const std::vector<std::string> expected = lines(page.str()), actual = lines(found);
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k)
+  {
+    EXPECT_EQ(actual[k], expected[k]) << STABILITY_PAGE << ", line " << k + 1;
+  }
+}
+
+/// `method: auto` is right, refuses, or says that its error estimate is above the tolerance.
+TEST(StabilityMap, autoIsNeverOffWithoutSayingSo)
+{
+  for (const MapRow& row : wheelsetMap().rows)
+  {
+    const std::string& verdict = row.verdicts[0];
+    const bool sound =
+        verdict == "right" || verdict.rfind("refused: ", 0) == 0 || verdict.find("and says so") != std::string::npos;
+    EXPECT_TRUE(sound) << row.situation << ": " << verdict;
+  }
+}
+}  // namespace
+}  // namespace wheel_rail_contact::stability

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../balance/wheelset_scene.h"
+#include "random_scene.h"
+#include "stability_map.h"
+
+namespace wheel_rail_contact::stability
+{
+namespace
+{
+struct Situation
+{
+  std::string name;
+  ContactModelConfig config;
+  WheelsetState state;
+};
+
+std::string inMillimetres(double y)
+{
+  const long tenths = std::lround(1e4 * y);
+  return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " mm";
+}
+
+ContactModelConfig standard()
+{
+  ContactModelConfig config = manchesterScene();
+  config.rail_profile = std::make_shared<Profile>(rail60E1());
+  return config;
+}
+
+ContactModelConfig withGauge(double gauge)
+{
+  ContactModelConfig config = standard();
+  config.track.gauge = gauge;
+  return config;
+}
+
+ContactModelConfig onSoftPads()
+{
+  ContactModelConfig config = standard();
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = softPads();
+  return config;
+}
+
+ContactModelConfig withWheel(const NamedProfile& wheel)
+{
+  ContactModelConfig config = standard();
+  config.wheel_profile = wheel.profile;
+  return config;
+}
+
+WheelsetState unloading()
+{
+  WheelsetState state = stateAt(0, 1e5);
+  state.torque_x = 1.2 * 2e5 * standard().wheelset.halfBase();
+  return state;
+}
+
+std::vector<Situation> situations()
+{
+  const Pool pool = makePool({});
+  std::vector<Situation> list{{"centred, 100 kN a wheel", standard(), stateAt(0, 1e5)},
+                              {"1 N a wheel", standard(), stateAt(0, 1)},
+                              {"1 MN a wheel", standard(), stateAt(0, 1e6)},
+                              {"a wheel unloaded", standard(), unloading()}};
+  for (const double y : {3e-3, 5e-3, 5.5e-3, 6e-3, 6.5e-3, 7e-3, 8e-3, 0.010, 0.040})
+  {
+    list.push_back({"y = " + inMillimetres(y), standard(), stateAt(y, 1e5)});
+  }
+  for (const double y : {0.0, 6e-3})
+  {
+    list.push_back({y > 0 ? "yaw 60 mrad, y = 6 mm" : "yaw 60 mrad", standard(), stateAt(y, 1e5, 0.06)});
+  }
+  list.push_back({"gauge 1.42 m, y = 3 mm", withGauge(1.42), stateAt(3e-3, 1e5)});
+  list.push_back({"gauge 1.47 m, y = 8 mm", withGauge(1.47), stateAt(8e-3, 1e5)});
+  for (const double y : {6e-3, 6.5e-3, 7e-3, 8e-3})
+  {
+    list.push_back({"pads 40/100, y = " + inMillimetres(y), onSoftPads(), stateAt(y, 1e5)});
+  }
+  for (std::size_t k = 1; k < pool.wheels.size(); ++k)
+  {
+    list.push_back({pool.wheels[k].name + ", y = 1 mm", withWheel(pool.wheels[k]), stateAt(1e-3, 1e5)});
+    list.push_back({pool.wheels[k].name + ", y = 6 mm", withWheel(pool.wheels[k]), stateAt(6e-3, 1e5)});
+  }
+  return list;
+}
+
+WheelsetResult answer(ContactModelConfig config, NormalMethod method, const WheelsetState& state)
+{
+  config.contact.method = method;
+  return WheelsetContact(config).evaluate(state);
+}
+
+/// By conjugate gradients on 64 x 128 cells, with height, roll and planes settled five times closer.
+WheelsetResult reference(ContactModelConfig config, const WheelsetState& state)
+{
+  config.contact.tolerance = 0.002;
+  config.contact.cells_along = 64;
+  config.contact.cells_across = 128;
+  return answer(config, NormalMethod::conjugate_gradient, state);
+}
+
+double pressureError(const WheelsetResult& found, const WheelsetResult& truth)
+{
+  double error = 0;
+  for (const Side side : {Side::left, Side::right})
+  {
+    const double expected = wheelTotal(truth, side).max_pressure;
+    const double value = wheelTotal(found, side).max_pressure;
+    error = std::max(error, expected > 0 ? std::abs(value / expected - 1) : value > 0 ? 1 : 0);
+  }
+  return error;
+}
+
+std::string verdict(const WheelsetResult& found, const WheelsetResult& truth)
+{
+  if (!isUsable(found.status))
+  {
+    return "refused: " + found.reason;
+  }
+  if (!isUsable(truth.status))
+  {
+    return "no reference";
+  }
+  const std::string off = verdictOf(pressureError(found, truth));
+  return off == "right" ? off : found.above_tolerance ? off + ", and says so" : off;
+}
+MapTable solveAll()
+{
+  constexpr std::array<NormalMethod, 6> methods{NormalMethod::automatic,      NormalMethod::conjugate_gradient,
+                                                NormalMethod::seidel,         NormalMethod::seidel_printed,
+                                                NormalMethod::kik_piotrowski, NormalMethod::hertz};
+  MapTable table{
+      "Wheelsets",
+      "S1002 on 60E1, cant 1:40, gauge 1.435 m, tolerance 0.01, unless the row says otherwise; y is the way to "
+      "the left. The reference is `conjugate_gradient` on 64 × 128 cells. \"And says so\" means that the "
+      "answer's error estimate is above the tolerance, which its status text tells.",
+      {"auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
+      {}};
+  for (const Situation& situation : situations())
+  {
+    const WheelsetResult truth = reference(situation.config, situation.state);
+    MapRow row{situation.name, {}};
+    for (const NormalMethod method : methods)
+    {
+      row.verdicts.push_back(verdict(answer(situation.config, method, situation.state), truth));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+}  // namespace
+
+const MapTable& wheelsetMap()
+{
+  static const MapTable table = solveAll();
+  return table;
+}
+}  // namespace wheel_rail_contact::stability
