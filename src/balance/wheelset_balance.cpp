@@ -13,9 +13,10 @@ constexpr int most_passes = 60;
 constexpr int strict_passes = 16;    ///< after these, planes and roll may be left open by late_slack times as much
 constexpr double late_slack = 10.0;  ///< where contact jumps between tread and flange [-]
 constexpr int most_roll_steps = 60;
-constexpr double roll_limit = 0.2;           ///< [rad]
-constexpr double roll_step_limit = 5e-3;     ///< [rad]
-constexpr double height_tolerance = 1e-9;    ///< of both axle ends, in finding the roll [m]
+constexpr double roll_limit = 0.2;        ///< [rad]
+constexpr double roll_step_limit = 5e-3;  ///< [rad]
+constexpr double height_per_tolerance =
+    1e-6;  ///< height of both axle ends left open for each unit of contact/tolerance, in finding the roll [m]
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
 constexpr double least_fill = 0.8;           ///< share of its expected size that a pressure must have
@@ -98,7 +99,7 @@ bool WheelsetBalance::findRoll()
       return false;
     }
     const double difference = heightDifference();
-    if (std::abs(difference) < height_tolerance || high - low < 1e-12)
+    if (std::abs(difference) < height_per_tolerance * config_.contact.tolerance || high - low < 1e-12)
     {
       return true;
     }
