@@ -14,6 +14,8 @@ constexpr double box_margin = 1.1;    ///< grid over pressure, lengthwise and ac
 constexpr double box_growth = 0.3;    ///< by which a box grows at a side that the pressure touches, of its size [-]
 constexpr double first_reach = 0.85;  ///< expected pressure against overlap at the first call [-]
 
+constexpr double steepest_plane = 1.4;  ///< angle of a contact plane; flanks of flanges have 1.2 [rad]
+
 /// Grid on the ladder of cell aspects over `length` along and [begin, end] across, with a margin [m].
 Grid coveringGrid(double length, double begin, double end, const GridSize& size)
 {
@@ -95,7 +97,7 @@ void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& 
   plane = planeAt(wheel, rail, zone, middle + memory.center * half);
   const bool symmetric = wheel.pose().yaw == 0;  // the bodies then are, about x = 0
   plane.x += symmetric ? 0 : memory.shift_x;     // it may come from a yawed state
-  plane.angle += memory.turn;
+  plane.angle = std::clamp(plane.angle + memory.turn, -steepest_plane, steepest_plane);
   patch.turned = memory.turned;
 
   if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
