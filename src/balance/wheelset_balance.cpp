@@ -12,6 +12,8 @@ constexpr std::array<Side, 2> sides{Side::left, Side::right};
 constexpr int most_passes = 60;
 constexpr int strict_passes = 16;    ///< after these, planes and roll may be left open by late_slack times as much
 constexpr double late_slack = 10.0;  ///< where contact jumps between tread and flange [-]
+/// Where a state is not found from cold, it is approached from beside it, nearer to the track's centre [m].
+constexpr std::array<double, 2> detours{0.05e-3, 0.2e-3};
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;        ///< [rad]
 constexpr double roll_step_limit = 5e-3;  ///< [rad]
@@ -248,8 +250,22 @@ bool WheelsetBalance::place()
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
   const bool warm = warm_;
-  const ContactStatus status = search(state);
-  return isUsable(status) || !warm ? status : search(state);  // once more from cold
+  ContactStatus status = search(state);
+  if (!isUsable(status) && warm)
+  {
+    status = search(state);  // from cold
+  }
+  for (const double beside : detours)
+  {
+    if (isUsable(status))
+    {
+      break;
+    }
+    WheelsetState nearer = state;
+    nearer.y -= std::copysign(beside, state.y);
+    status = isUsable(search(nearer)) ? search(state) : status;
+  }
+  return status;
 }
 
 ContactStatus WheelsetBalance::search(const WheelsetState& state)
