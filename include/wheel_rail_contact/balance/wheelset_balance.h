@@ -25,9 +25,8 @@ class WheelsetBalance
   WheelsetBalance(const WheelsetBalance&) = delete;
   WheelsetBalance& operator=(const WheelsetBalance&) = delete;
 
-  /// Solves a valid state, from the last answer; if that does not get there, from cold, and then
-  /// from beside it. The reason stands in reason()
-  /// where the status is not ok.
+  /// Solves a valid state, from the last answer; if that does not get there, from cold, and then from beside it. The
+  /// reason stands in reason() where the status is not ok.
   ContactStatus solve(const WheelsetState& state);
 
   std::string_view reason() const { return reason_; }
