@@ -19,6 +19,7 @@ constexpr double effect_reserve = 0.5;          ///< of that, from which on a be
 constexpr double flange_slope = 0.3;            ///< of a first touch above which it is the flange's [-]
 constexpr double flange_step = 2e-4;            ///< by which a rail is set out from under a flange [m]
 constexpr double greatest_lateral_share = 2.0;  ///< lateral force that may have to hold it there, of the wheel load [-]
+constexpr double farthest_way = 0.05;           ///< that a head is ever set from its place [m], [rad]
 constexpr double unsettled = 2.0;               ///< any value above 1
 }  // namespace
 
@@ -52,15 +53,16 @@ void BendingRail::reset()
 
 void BendingRail::set(const Eigen::Vector3d& own)
 {
-  placed_ = own;
+  const double norm = own.norm();
+  placed_ = norm > farthest_way ? Eigen::Vector3d(farthest_way / norm * own) : own;
   Support support;
-  support.placed = own;
+  support.placed = placed_;
   if (mode_ == Mode::solved)
   {
     support.yields = !straight_;
     support.compliance = compliance_;
   }
-  wheel_.setRail(undeflected_.deflected(toDeflection(own + offset_)), support);
+  wheel_.setRail(undeflected_.deflected(toDeflection(placed_ + offset_)), support);
 }
 
 void BendingRail::moveTo(const Eigen::Vector3d& own)
@@ -186,13 +188,20 @@ double BendingRail::followContact(bool loaded)
 double BendingRail::mix(const RailForce& force)
 {
   const Eigen::Vector3d due = toCoordinates(deflectionInTrack(config_.rail_bending.table, force, config_.track.cant));
+  if (due.isZero(0))
+  {
+    const bool at_rest = placed_.isZero(0);
+    set(due);
+    return at_rest ? 0 : unsettled;
+  }
   const Eigen::Vector3d scale(1, 1, roll_arm);
   const Eigen::Vector3d x = placed_.cwiseProduct(scale);
   const Eigen::Vector3d image = due.cwiseProduct(scale);
-  const double difference = image.isZero(0) ? x.norm() : (image - x).norm() / image.norm();
+  const double difference = (image - x).norm() / image.norm();
   if (difference > coupling_tolerance)
   {
-    set(mixing_.next(x, image).cwiseQuotient(scale));
+    const Eigen::Vector3d next = mixing_.next(x, image).cwiseQuotient(scale);
+    set(next.norm() < farthest_way ? next : due);  // the mixing may find no direction, and then no number
   }
   return difference / coupling_tolerance;
 }

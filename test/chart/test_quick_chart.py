@@ -16,7 +16,7 @@ from wheel_rail_contact.chart.picture import METHODS
 
 SCENES = {"hertz_1_1", "hertz_1_5", "joint", "two_patches", "lobes", "conformal", "manchester_0", "manchester_0.5",
           "manchester_3", "manchester_5", "manchester_6.5", "paper"}
-GRIDS = {(8, 16), (8, 24), (16, 32), (16, 48), (16, 64), (32, 64), (32, 128), (64, 128)}
+GRIDS = {(8, 16), (8, 24), (12, 32), (16, 48), (24, 56), (32, 64), (32, 96), (48, 96), (64, 128)}
 TOLERANCES = {0.1, 0.03, 0.01, 0.003}
 
 
@@ -69,7 +69,7 @@ class QuickChart(unittest.TestCase):
         # errors found: 0.61 % and 0.12 %.
         for scene in ("hertz_1_1", "hertz_1_5"):
             rows = self.of(scene, "conjugate_gradient")
-            errors = [rows[rung].error for rung in ((8, 16), (16, 32), (32, 64), (64, 128))]
+            errors = [rows[rung].error for rung in ((8, 16), (32, 64), (64, 128))]
             self.assertEqual(errors, sorted(errors, reverse=True), scene)
             self.assertLess(errors[0], 0.01, scene)
             self.assertLess(errors[-1], 0.002, scene)
