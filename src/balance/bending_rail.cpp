@@ -26,7 +26,6 @@ constexpr double unsettled = 2.0;               ///< any value above 1
 BendingRail::BendingRail(const ContactModelConfig& config, bool solved_with_contact, WheelContact& wheel)
     : config_(config),
       wheel_(wheel),
-      mode_(Mode::held),
       undeflected_(config.rail_profile, config.track),
       compliance_(supportCompliance(config.rail_bending.table, config.track.cant))
 {

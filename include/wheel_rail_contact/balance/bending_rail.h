@@ -61,7 +61,7 @@ class BendingRail
 
   const ContactModelConfig& config_;
   WheelContact& wheel_;
-  Mode mode_;
+  Mode mode_ = Mode::held;
   PlacedRail undeflected_;
   Eigen::Matrix3d compliance_;
   Eigen::Vector3d offset_ = Eigen::Vector3d::Zero();
