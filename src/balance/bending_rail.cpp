@@ -16,7 +16,6 @@ constexpr double early_move = 0.3;    ///< of the way allowed, at which the next
 constexpr double same_load = 0.01;    ///< change of a wheel's load that need not move its rail beforehand [-]
 constexpr double effect_share = 0.3;  ///< of contact/tolerance, below which the rail's bending is left out of the gap
 constexpr double effect_reserve = 0.5;          ///< of that, from which on a bent rail is held straight again
-constexpr double flange_slope = 0.3;            ///< of a first touch above which it is the flange's [-]
 constexpr double flange_step = 2e-4;            ///< by which a rail is set out from under a flange [m]
 constexpr double greatest_lateral_share = 2.0;  ///< lateral force that may have to hold it there, of the wheel load [-]
 constexpr double farthest_way = 0.05;           ///< that a head is ever set from its place [m], [rad]
@@ -64,6 +63,23 @@ void BendingRail::set(const Eigen::Vector3d& own)
   wheel_.setRail(undeflected_.deflected(toDeflection(placed_ + offset_)), support);
 }
 
+/// Own deflection under the wheel load alone [m], [rad].
+Eigen::Vector3d BendingRail::underLoad(double load) const
+{
+  return compliance_ * Eigen::Vector3d(0, -std::max(load, 0.0), 0);
+}
+
+/// Takes the rail back to where the wheel does not bend it. Returns if it was there, as follow() does.
+double BendingRail::setStraight()
+{
+  if (placed_.isZero(0))
+  {
+    return 0;
+  }
+  set(Eigen::Vector3d::Zero());
+  return unsettled;
+}
+
 void BendingRail::moveTo(const Eigen::Vector3d& own)
 {
   const Eigen::Vector3d way = own - placed_;
@@ -83,8 +99,7 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   straight_ = mode_ == Mode::solved && (cold || straight_ || straighten_);
   if (cold || straighten_)
   {
-    const Eigen::Vector3d under_load = compliance_ * Eigen::Vector3d(0, -std::max(load, 0.0), 0);
-    set(straight_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : under_load);
+    set(straight_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : underLoad(load));
   }
   else if (mode_ == Mode::solved && !straight_ && loaded_)
   {
@@ -102,25 +117,28 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   straighten_ = false;
 }
 
-void BendingRail::letFlangeDown(const WheelsetPose& pose, double load)
+RigidTouch BendingRail::letFlangeDown(const RigidTouch& touch, const WheelsetPose& pose, double load)
 {
-  RigidTouch touch = wheel_.touch(pose);
-  if (mode_ != Mode::solved || !touch.found || touch.contact.slope <= flange_slope)
+  const auto on_flange = [](const RigidTouch& seen) { return seen.found && seen.contact.slope > flange_slope; };
+  if (mode_ != Mode::solved || !on_flange(touch))
   {
-    return;
+    return touch;
   }
   straight_ = false;
-  const Eigen::Vector3d start = compliance_ * Eigen::Vector3d(0, -std::max(load, 0.0), 0);
+  const Eigen::Vector3d start = underLoad(load);
   const double most = greatest_lateral_share * load * compliance_(0, 0);
-  for (double way = flange_step; touch.found && touch.contact.slope > flange_slope && way < most; way += flange_step)
+  RigidTouch moved = touch;
+  for (double way = flange_step; on_flange(moved) && way < most; way += flange_step)
   {
     set(start + Eigen::Vector3d(way, 0, 0));
-    touch = wheel_.touch(pose);
+    moved = wheel_.touch(pose);
   }
-  if (!touch.found || touch.contact.slope > flange_slope)
+  if (moved.found && !on_flange(moved))
   {
-    set(start);
+    return moved;
   }
+  set(start);
+  return wheel_.touch(pose);
 }
 
 /// Takes the forces of the last solution over to the results, with the lateral force that is to bend the rail.
@@ -161,9 +179,7 @@ double BendingRail::followContact(bool loaded)
 {
   if (!loaded)
   {
-    const bool at_rest = placed_.isZero(0);
-    set(Eigen::Vector3d::Zero());
-    return at_rest ? 0 : unsettled;
+    return setStraight();
   }
   if (straight_)
   {
@@ -189,9 +205,7 @@ double BendingRail::mix(const RailForce& force)
   const Eigen::Vector3d due = toCoordinates(deflectionInTrack(config_.rail_bending.table, force, config_.track.cant));
   if (due.isZero(0))
   {
-    const bool at_rest = placed_.isZero(0);
-    set(due);
-    return at_rest ? 0 : unsettled;
+    return setStraight();
   }
   const Eigen::Vector3d scale(1, 1, roll_arm);
   const Eigen::Vector3d x = placed_.cwiseProduct(scale);

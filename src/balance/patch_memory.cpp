@@ -32,8 +32,8 @@ double nextTurn(const WheelPatch& patch)
   return turn * patch.turned < 0 ? std::copysign(std::min(std::abs(turn), 0.5 * std::abs(patch.turned)), turn) : turn;
 }
 
-/// Plane through the rail's point `rail_u`, tangent to the rail there and over the wheel's contact locus: no matter
-/// where in the stretch the bodies touch first, it moves steadily with them.
+/// Plane through the rail's point `rail_u`, along the chord of the stretch and over the wheel's contact locus: no
+/// matter where in the stretch the bodies touch first, it moves steadily with them.
 ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapZone& zone, double rail_u)
 {
   InitialContact contact = zone.contact;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "wheel_rail_contact/balance/missed_pressure.h"
 #include "wheel_rail_contact/normal/hertz.h"
@@ -16,9 +15,6 @@ constexpr int most_boxes = 10;               ///< grids tried in one call
 constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
 constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
 constexpr double descent_step_limit = 1.5;   ///< factor by which the descent may change from one grid to the next [-]
-constexpr double flange_slope = 0.3;         ///< of a patch above which it counts as the flange's [-]
-constexpr double steepest_slope = 3.0;       ///< of flanks that may touch [-]
-constexpr double rail_head_size = 0.08;      ///< [m]
 constexpr double far_slip = 1e-4;  ///< way of the rail beyond which it is to be set anew before boxes are looked at [m]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
@@ -50,14 +46,6 @@ WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solve
 {
 }
 
-void WheelContact::setRail(const PlacedRail& rail, const Support& support)
-{
-  rail_ = rail;
-  support_ = support;
-  yielded_ = 0;
-  search_.setRail(rail);
-}
-
 void WheelContact::begin()
 {
   for (PatchMemory& memory : memory_)
@@ -71,6 +59,7 @@ void WheelContact::reset()
   memory_.clear();
   patches_.clear();
   solution_ = NormalSolution();
+  forces_ = WheelForces();
   load_ = 0;
 }
 
@@ -129,7 +118,7 @@ WheelStatus WheelContact::solveDescent(const RigidTouch& touch, double descent, 
   problem_.value = descent;
   solution_.approach = descent;
   const WheelStatus status = solve(touch, size);
-  load_ = status == WheelStatus::solved ? forces().vertical : 0;
+  load_ = status == WheelStatus::solved ? forces_.vertical : 0;
   return status;
 }
 
@@ -233,44 +222,11 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
   return !zones_.empty();
 }
 
-/// Brings the problem to where the rail has yielded to.
-void WheelContact::settleSupport()
-{
-  yielded_ = 0;
-  const WheelForces force = forces();
-  if (support_.compliance.isZero(0) || !(force.vertical > 0))
-  {
-    return;
-  }
-  const Eigen::Vector3d along(force.outward, -force.vertical, force.moment);
-  const Eigen::Vector3d coordinates =
-      support_.yields ? solution_.support : Eigen::Vector3d(support_.compliance * along);
-  const Eigen::Vector3d way = coordinates - support_.placed;
-  yielded_ = along.dot(way) / force.vertical;
-  problem_.support.placed = coordinates;
-  if (support_.yields)
-  {
-    takeIntoGaps(way);
-  }
-}
-
-/// Gaps and approach as if the rail had been set at the end of the way.
-void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
-{
-  for (PatchGap& patch : problem_.patches)
-  {
-    for (Eigen::Index j = 0; j < patch.opening.rows(); ++j)
-    {
-      patch.gap.col(j) += patch.opening.row(j).matrix().dot(way) - patch.weight * yielded_;
-    }
-  }
-  solution_.approach -= yielded_;
-}
-
 void WheelContact::measure()
 {
   box_fill_ = 1;
   box_cut_ = false;
+  forces_ = sumOfForces();
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     const Grid& grid = problem_.patches[k].grid;
@@ -339,33 +295,6 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
                      });
 }
 
-double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
-{
-  double effect = 0;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    const PressureExtent& extent = patches_[k].extent;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (Eigen::Index j = extent.first_column; !extent.empty && j <= extent.last_column; ++j)
-    {
-      const double opened = problem_.patches[k].opening.row(j).matrix().dot(way);
-      least = std::min(least, opened);
-      most = std::max(most, opened);
-    }
-    const bool flange = std::tan(patches_[k].plane.angle) > flange_slope;
-    const double change = flange ? std::numeric_limits<double>::infinity() : (most - least) / (2 * patchApproach(k));
-    effect = extent.empty ? effect : std::max(effect, change);
-  }
-  if (effect > limit)
-  {
-    return effect;
-  }
-  const double reach = steepest_slope * (std::hypot(way[0], way[1]) + rail_head_size * std::abs(way[2]));
-  search_.overlapZones(touch_separation_ + solution_.approach + reach, other_zones_);
-  return other_zones_.size() == zones_.size() ? effect : std::numeric_limits<double>::infinity();
-}
-
 double WheelContact::patchApproach(std::size_t patch) const
 {
   const WheelPatch& p = patches_[patch];
@@ -385,50 +314,6 @@ double WheelContact::errorEstimate() const
 double WheelContact::descentError() const
 {
   return solution_.approach / boxed_descent_ - 1;
-}
-
-WheelForces WheelContact::forces() const
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    const PatchGap& gap = problem_.patches[k];
-    for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
-    {
-      const double force = gap.grid.cellArea() * solution_.patches[k].pressure.col(j).sum();
-      sum += force * gap.opening.row(j).matrix().transpose();
-    }
-  }
-  return {sum[0], -sum[1], sum[2]};
-}
-
-Eigen::Vector2d WheelContact::railWay(const WheelPatch& patch) const
-{
-  return wayOf(*rail_, patch.plane.y, patch.plane.z, support() - support_.placed);
-}
-
-double WheelContact::railSlip() const
-{
-  double slip = 0;
-  for (const WheelPatch& patch : patches_)
-  {
-    const Eigen::Vector2d tangent(std::cos(patch.plane.angle), std::sin(patch.plane.angle));
-    slip = std::max(slip, std::abs(tangent.dot(railWay(patch))));
-  }
-  return slip;
-}
-
-double WheelContact::heightOverReference() const
-{
-  double force = 0;
-  double moment = 0;
-  const double reference = rail_->referencePoint().z;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    force += solution_.patches[k].force;
-    moment += solution_.patches[k].force * (patches_[k].plane.z - reference);
-  }
-  return force > 0 ? moment / force : 0;
 }
 
 double WheelContact::planeError() const

@@ -17,8 +17,8 @@ constexpr std::array<double, 2> detours{0.05e-3, 0.2e-3};
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;        ///< [rad]
 constexpr double roll_step_limit = 5e-3;  ///< [rad]
-constexpr double height_per_tolerance =
-    1e-6;  ///< height of both axle ends left open for each unit of contact/tolerance, in finding the roll [m]
+/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m].
+constexpr double height_per_tolerance = 1e-6;
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
 constexpr double least_fill = 0.8;           ///< share of its expected size that a pressure must have
@@ -74,11 +74,17 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
   }
 }
 
+/// The state's pose at a roll, seen from a side; its height is left open.
+WheelsetPose WheelsetBalance::poseOf(Side side, double roll) const
+{
+  return toSide(side, {state_.y, 0, state_.yaw, roll});
+}
+
 bool WheelsetBalance::touchBoth(double roll)
 {
   for (const Side side : sides)
   {
-    touch_[index(side)] = wheel_[index(side)].touch(toSide(side, {state_.y, 0, state_.yaw, roll}));
+    touch_[index(side)] = wheel_[index(side)].touch(poseOf(side, roll));
   }
   return touch_[0].found && touch_[1].found;
 }
@@ -196,6 +202,21 @@ void WheelsetBalance::chooseGrids()
   }
 }
 
+/// First touch from cold, on rails that give way to a flange.
+bool WheelsetBalance::touchFirst()
+{
+  if (!touchBoth(roll_))
+  {
+    return false;
+  }
+  for (const Side side : sides)
+  {
+    const std::size_t k = index(side);
+    touch_[k] = rail_[k].letFlangeDown(touch_[k], poseOf(side, roll_), load_[k]);
+  }
+  return touch_[0].found && touch_[1].found;
+}
+
 /// Sets out from the last answer: wheel loads, and descents to be expected under them.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
@@ -213,14 +234,7 @@ bool WheelsetBalance::begin(const WheelsetState& state)
     roll_ = state.roll;
     return true;
   }
-  if (!warm_)
-  {
-    for (const Side side : sides)
-    {
-      rail_[index(side)].letFlangeDown(toSide(side, {state.y, 0, state.yaw, roll_}), load_[index(side)]);
-    }
-  }
-  if (!warm_ && !touchBoth(roll_))
+  if (!warm_ && !touchFirst())
   {
     return false;
   }
@@ -255,14 +269,10 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   {
     status = search(state);  // from cold
   }
-  for (const double beside : detours)
+  for (auto beside = detours.begin(); !isUsable(status) && beside != detours.end(); ++beside)
   {
-    if (isUsable(status))
-    {
-      break;
-    }
     WheelsetState nearer = state;
-    nearer.y -= std::copysign(beside, state.y);
+    nearer.y -= std::copysign(*beside, state.y);
     status = isUsable(search(nearer)) ? search(state) : status;
   }
   return status;
@@ -286,8 +296,8 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
     {
       return failed(status);
     }
-    const double roll_change = config_.wheelset.solve_height_and_roll ? heightDifference() / leverSum() : 0;
     const double difference = heightDifference();
+    const double roll_change = config_.wheelset.solve_height_and_roll ? difference / leverSum() : 0;
     const double open = moveRails();
     const double slack = pass < strict_passes ? 1.0 : late_slack;
     const bool fits = layoutFits(slack);

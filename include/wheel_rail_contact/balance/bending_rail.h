@@ -31,7 +31,9 @@ class BendingRail
 
   /// From cold: where the rail would lift the wheel by its flange, sets it out until the wheel's tread comes down on
   /// it, if the load can bend the rail so far; the flange then comes into contact beside the tread.
-  void letFlangeDown(const WheelsetPose& pose, double load);
+  /// @param touch  of the wheel at the pose, with the rail as it is set
+  /// @return the first touch with the rail as it then is set
+  RigidTouch letFlangeDown(const RigidTouch& touch, const WheelsetPose& pose, double load);
 
   /// Takes over the forces of the wheel's last solution, and moves the rail to where they want it.
   /// @param given_lateral  outward force, for LateralForce::topic [N]
@@ -51,7 +53,9 @@ class BendingRail
     solved,  ///< with the contact
   };
 
+  Eigen::Vector3d underLoad(double load) const;
   void set(const Eigen::Vector3d& own);
+  double setStraight();
   void moveTo(const Eigen::Vector3d& own);
   RailForce takeForce(bool loaded, double given_lateral);
   double slipOver() const;

@@ -30,6 +30,8 @@ struct WheelForces
   double moment = 0;    ///< on the rail head about its reference point, outward roll positive [N m]
 };
 
+constexpr double flange_slope = 0.3;  ///< of a contact, above which it is the flange's [-]
+
 enum class WheelStatus
 {
   solved,
@@ -86,7 +88,7 @@ class WheelContact
   double elasticDescent() const { return solution_.approach; }
   /// The rest; none once the rail is set anew [m].
   double yielded() const { return yielded_; }
-  WheelForces forces() const;
+  const WheelForces& forces() const { return forces_; }
   /// Coordinates of the rail in the last solution: those it was set to, unless it yields.
   const Eigen::Vector3d& support() const { return problem_.support.placed; }
   /// Way of the rail at a patch's origin from where it was set to the last solution, side axes (y, z) [m].
@@ -126,6 +128,7 @@ class WheelContact
   WheelStatus solve(const RigidTouch& touch, const GridSize& size);
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
   PatchMemory& recall(const OverlapZone& zone);
+  WheelForces sumOfForces() const;
   void settleSupport();
   void takeIntoGaps(const Eigen::Vector3d& way);
   void measure();
@@ -138,13 +141,13 @@ class WheelContact
   ContactSearch search_;
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
-  std::vector<OverlapZone> zones_;
-  std::vector<OverlapZone> other_zones_;
+  std::vector<OverlapZone> zones_;  ///< scratch
   std::vector<Station> stations_;
   std::vector<WheelPatch> patches_;
   std::vector<PatchMemory> memory_;
   NormalProblem problem_;
   NormalSolution solution_;
+  WheelForces forces_;  ///< in the last solution
   Support support_;
   double yielded_ = 0;           ///< descent that the rail's yielding has added in the last solution [m]
   double touch_separation_ = 0;  ///< of the first touch that the boxes were laid for [m]

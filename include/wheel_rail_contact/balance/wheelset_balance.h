@@ -47,7 +47,9 @@ class WheelsetBalance
   ContactStatus failed(WheelStatus status);
   bool begin(const WheelsetState& state);
   bool place();
+  WheelsetPose poseOf(Side side, double roll) const;
   bool touchBoth(double roll);
+  bool touchFirst();
   bool findRoll();
   double heightDifference() const;
   double lever(Side side) const;
