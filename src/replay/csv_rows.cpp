@@ -2,11 +2,13 @@
 #include "wheel_rail_contact/replay/csv_rows.h"
 
 #include <array>
+#include <charconv>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "wheel_rail_contact/ros/contact_statistics.h"
 
@@ -14,7 +16,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Columns of the answer, then of the patch.
+/// Names of the columns with their units: those of the answer, then those of the patch.
 constexpr const char* header =
     "answer [-],wheelset,stamp [s],status,reason,x [m],y [m],z [m],roll [rad],yaw [rad],"
     "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
@@ -70,11 +72,6 @@ std::string angles(const geometry_msgs::Quaternion& q)
 }
 }  // namespace
 
-std::string csvHeader()
-{
-  return header;
-}
-
 std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, const std::string& wheelset)
 {
   const auto& position = answer.wheelset.position;
@@ -94,7 +91,7 @@ std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, cons
   return rows;
 }
 
-CsvFile::CsvFile(const std::string& path, bool resume) : path_(path)
+CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), uncut_(resume)
 {
   if (std::filesystem::exists(path) != resume)
   {
@@ -104,26 +101,58 @@ CsvFile::CsvFile(const std::string& path, bool resume) : path_(path)
   if (!resume)
   {
     file_.open(path);
-    file_ << csvHeader();
+    file_ << header;
     flush();
   }
 }
 
+void CsvFile::write(std::uint64_t number, const std::string& rows)
+{
+  if (uncut_)
+  {
+    cut(number);
+  }
+  file_ << rows;
+}
+
+void CsvFile::flush()
+{
+  if (!uncut_ && !file_.flush())
+  {
+    throw std::runtime_error(path_ + ": cannot be written");
+  }
+}
+
+void CsvFile::finish(std::uint64_t answers)
+{
+  if (uncut_)
+  {
+    cut(answers);
+  }
+  flush();
+}
+
+/// Removes the rows of the answers from `number` on, and goes on after those before.
 void CsvFile::cut(std::uint64_t number)
 {
   std::ifstream before(path_);
   std::string line;
   std::getline(before, line);
-  if (line + "\n" != csvHeader())
+  if (line + "\n" != header)
   {
     throw std::runtime_error(path_ + ": is not the table of a replay");
   }
   std::uint64_t length = line.size() + 1;
   std::uint64_t answers = 0;
-  while (std::getline(before, line) && !before.eof() && std::stoull(line) < number)
+  while (std::getline(before, line) && !before.eof())
   {
+    const std::uint64_t answer = answerOf(line);
+    if (answer >= number)
+    {
+      break;
+    }
     length += line.size() + 1;
-    answers = std::stoull(line) + 1;
+    answers = answer + 1;
   }
   if (answers != number)
   {
@@ -131,13 +160,16 @@ void CsvFile::cut(std::uint64_t number)
   }
   std::filesystem::resize_file(path_, length);
   file_.open(path_, std::ios::app);
+  uncut_ = false;
 }
 
-void CsvFile::flush()
+std::uint64_t CsvFile::answerOf(const std::string& row) const
 {
-  if (!file_.flush())
+  std::uint64_t number = 0;
+  if (std::from_chars(row.data(), row.data() + row.size(), number).ec != std::errc())
   {
-    throw std::runtime_error(path_ + ": cannot be written");
+    throw std::runtime_error(path_ + ": a row does not begin with the number of an answer: " + row);
   }
+  return number;
 }
 }  // namespace wheel_rail_contact

@@ -132,9 +132,9 @@ void Replay::run(const std::atomic<bool>& interrupted)
     queue_.stop();
     reader.join();
   }
-  if (csv_ && written_ <= remains_.messages)
+  if (csv_)
   {
-    csv_->cut(answers_);
+    csv_->finish(answers_);
   }
   bag_->close();
   seconds_ = progress.elapsed();
@@ -185,19 +185,15 @@ void Replay::read(EvaluationPool& pool)
 void Replay::write(const OutputItem& item)
 {
   const bool is_there = written_++ < remains_.messages;
-  if (csv_ && !is_there && remains_.messages > 0 && written_ == remains_.messages + 1)
-  {
-    csv_->cut(answers_);
-  }
   if (item.wheelset)
   {
     ++answers_;
     answers_before_ += is_there ? 1U : 0U;
     statuses_.at(item.status) += is_there ? 0U : 1U;
   }
-  if (csv_ && !is_there)
+  if (csv_ && item.wheelset && !is_there)
   {
-    csv_->write(item.csv);
+    csv_->write(item.answer, item.csv);
   }
   last_read_ = item.read;
   const auto number = item.wheelset ? static_cast<std::uint32_t>(*item.wheelset) : keptConnection(item);

@@ -9,9 +9,6 @@
 
 namespace wheel_rail_contact
 {
-/// Names of the columns with their units, as a line.
-std::string csvHeader();
-
 /// A line for each patch of an answer; one with empty cells at the patch for an answer that has none.
 /// @param number of the answer in the output
 std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, const std::string& wheelset);
@@ -20,19 +17,25 @@ std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, cons
 class CsvFile
 {
  public:
-  /// @param resume true: the file must exist; cut() must be called before anything is written
+  /// @param resume true: goes on with the file that is there, which is left as it is until write() or finish()
   /// @throw std::runtime_error if the file exists, or with `resume` does not, or cannot be written.
   CsvFile(const std::string& path, bool resume);
 
-  /// Removes the lines of the answers from `number` on, and goes on after those before.
-  /// @throw std::runtime_error if lines of those before are missing.
-  void cut(std::uint64_t number);
-  void write(const std::string& rows) { file_ << rows; }
+  /// Adds the rows of an answer. When a table is resumed, the first rows replace those of this answer and after it.
+  /// @throw std::runtime_error if rows of the answers before are missing.
+  void write(std::uint64_t number, const std::string& rows);
   /// @throw std::runtime_error if not everything could be written.
   void flush();
+  /// After the last rows: the table is that of so many answers.
+  /// @throw std::runtime_error as write() and flush() do.
+  void finish(std::uint64_t answers);
 
  private:
+  void cut(std::uint64_t number);
+  std::uint64_t answerOf(const std::string& row) const;
+
   std::string path_;
+  bool uncut_;  ///< resumed, and nothing was written since
   std::ofstream file_;
 };
 }  // namespace wheel_rail_contact
