@@ -113,7 +113,9 @@ void Replay::run(const std::atomic<bool>& interrupted)
     try
     {
       OutputItem item;
-      for (auto state = OutputQueue::State::later; state != OutputQueue::State::end && !interrupted;)
+      // What a resumed bag holds already is passed over whole, or its table and its connections would lose a part.
+      const auto is_over = [&] { return interrupted && written_ >= remains_.messages; };
+      for (auto state = OutputQueue::State::later; state != OutputQueue::State::end && !is_over();)
       {
         state = queue_.pop(item);
         if (state == OutputQueue::State::item)

@@ -28,7 +28,8 @@ class Replay
   /// @throw std::exception if the parameters or the files cannot be used, or the output exists already.
   explicit Replay(ReplayOptions options);
 
-  /// Runs to the end, or until `interrupted` becomes true; the output is a whole bag in either case.
+  /// Runs to the end, or until `interrupted` becomes true; the output is a whole bag in either case, with at least what
+  /// was resumed.
   /// @throw std::exception if something goes wrong on the way.
   void run(const std::atomic<bool>& interrupted);
 
