@@ -2,6 +2,7 @@
 // What `method: auto` promises: the tolerance is met, or the answer says that it may not be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "../normal/error_samples.h"

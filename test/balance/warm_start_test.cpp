@@ -110,7 +110,6 @@ TEST_F(WarmStartTest, SameMessagesGiveTheSameBits)
   }
 }
 
-// A message repeated: the answer does not creep.
 TEST_F(WarmStartTest, YawThatEndsLeavesNothingBehind)
 {
   // Without yaw both bodies are even about x = 0. A yawed wheel touches up to yaw * 0.46 m times the slope beside it;
@@ -129,6 +128,7 @@ TEST_F(WarmStartTest, YawThatEndsLeavesNothingBehind)
   }
 }
 
+// A message repeated: the answer does not creep.
 TEST_F(WarmStartTest, SteadySceneIsSteady)
 {
   WheelsetContact contact(scene_);

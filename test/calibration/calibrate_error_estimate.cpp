@@ -9,10 +9,11 @@
 // use, and by conjugate gradients on one four times finer each way, whose answer counts as true. Weights of the terms
 // are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as their mean;
 // then all are scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
-// patches. Prints the weights as they stand in error_estimate.cpp, hertz_solver.cpp and kik_piotrowski.cpp, and for
-// each grid and kind of scene the share of patches whose true error is within the estimate, and estimate over true
-// error (median, and what 5 and 1 % of the patches stay below), once with the built-in weights (all patches) and once
-// with those just found. Takes about a quarter of an hour; not part of the test run, in which
+// patches (Kik–Piotrowski: 99 %), and on grids the weight of the area's 1 / (cells along)² is raised until that holds
+// for 8 cells along, too. Prints the weights as they stand in error_estimate.cpp, hertz_solver.cpp and
+// kik_piotrowski.cpp, and for each grid and kind of scene the share of patches whose true error is within the estimate,
+// and estimate over true error (median, and what 5 and 1 % of the patches stay below), once with the built-in weights
+// (all patches) and once with those just found. Takes about a quarter of an hour; not part of the test run, in which
 // normal/error_estimate_test.cpp checks the built-in weights.
 #include <cstdio>
 #include <cstdlib>
@@ -219,6 +220,7 @@ void tabulate(const std::vector<ErrorSample>& samples)
                 100 * quantile(row.area, 0.5), 100 * quantile(row.approach, 0.5));
   }
 }
+
 std::vector<ErrorSample> alone(const std::vector<ErrorSample>& all)
 {
   std::vector<ErrorSample> samples;
@@ -269,6 +271,12 @@ int main(int argc, char** argv)
   const Sets sets{argc > 1 ? std::atoi(argv[1]) : 4000, argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1,
                   argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 2};
   const std::string only = argc > 4 ? argv[4] : "";
+  if (!only.empty() && only != "hertz" && only != "kik_piotrowski" && only != "grid")
+  {
+    std::fprintf(stderr,
+                 "usage: calibrate_error_estimate [SCENES [FIT_SEED [CHECK_SEED [hertz|kik_piotrowski|grid]]]]\n");
+    return 2;
+  }
   const auto wanted = [&](const char* name) { return only.empty() || only == name; };
   if (wanted("hertz"))
   {

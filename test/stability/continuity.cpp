@@ -26,12 +26,17 @@ bool isLower(const PatchResult* a, const PatchResult* b)
 {
   return a->max_pressure < b->max_pressure;
 }
-}  // namespace
 
+/// Bound of the relative change of a wheel's highest pressure between two answers `distance` [m] apart in y, without a
+/// jump. Both may be off by their estimated errors. A contact's own approach changes by the bodies' relative way along
+/// its normal; that is at most three times the lateral way (a flange at 70 degrees, pushed up beside a tread), and
+/// pressure goes with the root of the approach (Hertz): half of 3 * distance / approach. A rail that bends by its table
+/// adds as much again.
 double bound(const PatchResult& before, const PatchResult& after, double distance)
 {
   return before.error_estimate + after.error_estimate + 3 * distance / std::min(before.approach, after.approach);
 }
+}  // namespace
 
 Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, double distance)
 {

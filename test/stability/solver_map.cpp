@@ -31,6 +31,21 @@ NormalSolution solved(NormalSolver& solver, const NormalProblem& problem)
   return solution;
 }
 
+NormalSolution solvedClosely(const NormalProblem& problem)
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-8;
+  ConjugateGradients solver(options);
+  return solved(solver, problem);
+}
+
+Seidel seidelAsPrinted()
+{
+  SeidelOptions options;
+  options.form = SeidelOptions::Form::printed;
+  return Seidel(options);
+}
+
 std::string verdict(const NormalSolution& found, double expected)
 {
   return isUsable(found.status) ? verdictOf(found.patches[0].max_pressure / expected - 1)
@@ -94,10 +109,7 @@ End iterate(const Iteration& how, const Eigen::MatrixXd& matrix, const Eigen::Ve
 std::string runIteration(const Iteration& how, int cells)
 {
   const HertzCase hertz = hertzCase(1, cells, cells, true);
-  ConjugateGradientsOptions options;
-  options.residual = 1e-8;
-  ConjugateGradients exact(options);
-  const NormalSolution truth = solved(exact, hertz.problem);
+  const NormalSolution truth = solvedClosely(hertz.problem);
   const PatchGap& patch = hertz.problem.patches[0];
   const Eigen::MatrixXd matrix = problems::influenceMatrix(patch.grid, hertz.problem.modulus);
   const Eigen::VectorXd depth = (truth.approach - patch.gap).reshaped().matrix();
@@ -126,13 +138,9 @@ MapTable aspectMap()
   for (const double aspect : {1.0, 2.0, 4.0, 4.6, 5.2, 7.0, 10.0})
   {
     const HertzCase hertz = inLongCells(aspect);
-    ConjugateGradientsOptions strict;
-    strict.residual = 1e-8;
-    ConjugateGradients exact(strict), gradients;
-    const double expected = solved(exact, hertz.problem).patches[0].max_pressure;
-    SeidelOptions as_printed;
-    as_printed.form = SeidelOptions::Form::printed;
-    Seidel printed(as_printed), repaired;
+    const double expected = solvedClosely(hertz.problem).patches[0].max_pressure;
+    ConjugateGradients gradients;
+    Seidel printed = seidelAsPrinted(), repaired;
     table.rows.push_back(
         {"cells " + digits(aspect) + " times as long as wide",
          {verdict(solved(printed, hertz.problem), expected), verdict(solved(repaired, hertz.problem), expected),
@@ -228,12 +236,10 @@ MapTable shapeMap()
       "as many each way.",
       {"conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};
-  SeidelOptions as_printed;
-  as_printed.form = SeidelOptions::Form::printed;
   for (const Shape& shape : shapes())
   {
     ConjugateGradients gradients;
-    Seidel repaired, printed(as_printed);
+    Seidel repaired, printed = seidelAsPrinted();
     KikPiotrowski strips;
     HertzSolver hertz;
     const double expected = solved(gradients, shaped(shape, 96, 192)).patches[0].max_pressure;

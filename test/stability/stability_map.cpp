@@ -47,9 +47,8 @@ std::string stabilityPage()
   std::ostringstream out;
   out << "# Where methods fail\n\n"
          "Situations against methods: is the highest pressure right (within 2 %), off, refused with a reason, or does "
-         "the "
-         "iteration diverge or stall? A test solves every cell again and compares this page with what it finds; with "
-         "`WRITE_STABILITY_PAGE` set in its environment it writes the page instead. "
+         "the iteration diverge or stall? A test (`scripts/test -R stability`) solves every cell again and compares "
+         "this page with what it finds; with `WRITE_STABILITY_PAGE` set in its environment it writes the page instead. "
          "`stability_campaign` (test/stability/campaign.cpp) does the like for random wheelsets.\n";
   for (const MapTable& table : {wheelsetMap(), shapeMap(), aspectMap(), iterationMap(), boxMap()})
   {

@@ -44,20 +44,41 @@ class Tally
   void print() const;
 
  private:
+  /// States of one method or rail.
+  struct Share
+  {
+    long states = 0, refused = 0;
+  };
+  using Shares = std::map<std::string, Share>;
+  /// Refusals of one reason in one region.
+  struct Refusals
+  {
+    long count = 0;
+    std::string first;
+  };
+  struct Faults
+  {
+    long count = 0;
+    std::vector<std::string> examples;
+  };
+
+  void addTime(const Entry& entry);
+  void addUsable(const Entry& entry);
+  void addRefusal(const Entry& entry);
+  void addFaults(const Entry& entry);
   long count(Pair pair) const;
   double violatingShare() const;
   double tornShare() const;
   void printRefusals() const;
   void printViolations() const;
+  static void printShares(const char* title, const Shares& shares);
 
   long states_ = 0, usable_ = 0, above_tolerance_ = 0;
   double slowest_ = 0, seconds_ = 0;
   std::string slowest_where_;
-  std::map<std::string, std::map<std::string, long>> refusals_;              ///< by reason and region
-  std::map<std::string, std::map<std::string, std::string>> refused_first_;  ///< likewise, the first one
-  std::map<std::string, long> methods_, refused_methods_, rails_, refused_rails_;
-  std::map<std::string, std::vector<std::string>> fault_examples_;
-  std::map<std::string, long> fault_counts_;
+  std::map<std::string, std::map<std::string, Refusals>> refusals_;  ///< by reason and region
+  Shares methods_, rails_;
+  std::map<std::string, Faults> faults_;  ///< by kind
   std::map<Pair, long> pairs_;
   std::vector<std::string> torn_;
   std::vector<double> violations_;  ///< over the tolerance

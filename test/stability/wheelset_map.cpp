@@ -129,6 +129,7 @@ std::string verdict(const WheelsetResult& found, const WheelsetResult& truth)
   const std::string off = verdictOf(pressureError(found, truth));
   return off == "right" ? off : found.above_tolerance ? off + ", and says so" : off;
 }
+
 MapTable solveAll()
 {
   constexpr std::array<NormalMethod, 6> methods{NormalMethod::automatic,      NormalMethod::conjugate_gradient,
