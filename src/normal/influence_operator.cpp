@@ -10,6 +10,7 @@
 
 #include "half_transform.h"
 #include "lanes.h"
+#include "wheel_rail_contact/normal/influence.h"
 
 namespace wheel_rail_contact
 {
@@ -148,7 +149,7 @@ struct InfluenceOperator::Tables
   bool isHalfOf(const Tables& other) const
   {
     return shape.symmetric && !other.shape.symmetric && other.shape.aspect == shape.aspect &&
-           other.shape.kernel == shape.kernel && other.shape.nx == shape.nx && other.shape.ny == shape.ny;
+           other.shape.nx == shape.nx && other.shape.ny == shape.ny;
   }
   std::vector<double> coefficients() const;
   Diagonal diagonal(const Spectrum& spectrum, bool all) const;
@@ -222,7 +223,7 @@ std::vector<double> InfluenceOperator::Tables::coefficients() const
   {
     for (int m = 0; m <= 2 * x->half(); ++m)
     {
-      kernel.push_back(influence(shape.kernel, m * shape.aspect, n, shape.aspect, 1));
+      kernel.push_back(rectangleInfluence(m * shape.aspect, n, shape.aspect, 1));
     }
   }
   return kernel;

@@ -41,8 +41,8 @@ class SharedOperators
     {
       const auto [nx, ny, symmetric, rung] = key;
       const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, rung}) : anyOf(nx, ny);
-      found = std::make_shared<InfluenceOperator>(
-          OperatorShape{nx, ny, aspect_ladder::aspect(rung), symmetric, Kernel::rectangle}, whole.get());
+      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect_ladder::aspect(rung), symmetric},
+                                                  whole.get());
     }
     return found;
   }
@@ -119,7 +119,7 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
   {
     Entry added;
     int rung = 0;
-    added.on_ladder = kernel_ == Kernel::rectangle && onLadder(aspect, rung);
+    added.on_ladder = onLadder(aspect, rung);
     if (added.on_ladder)
     {
       added.influence = sharedOperators().find(nx, ny, symmetric, rung);
@@ -127,7 +127,7 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
     else
     {
       const InfluenceOperator* sibling = entries.empty() ? nullptr : entries.front().influence.get();
-      added.influence = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect, symmetric, kernel_}, sibling);
+      added.influence = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect, symmetric}, sibling);
     }
     at = entries.insert(at, std::move(added));
   }

@@ -19,6 +19,20 @@ bool isValid(const PatchGap& patch)
   // Zero times a value that is not finite is not a number, and stays so in the sum.
   return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }
+
+/// Writes value(row, column) into the patch's cells of a field in its operator's order.
+template <typename Value>
+void fillCells(const PatchLayout& patch, Value value, LaneBuffer& field)
+{
+  for (int row = 0; row < patch.grid.rows(); ++row)
+  {
+    double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
+    for (int column = 0; column < patch.grid.ny; ++column)
+    {
+      line[patch.influence->columnOffset(column)] = value(row, column);
+    }
+  }
+}
 }  // namespace
 
 bool isValid(const NormalProblem& problem)
@@ -57,21 +71,19 @@ int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<Patch
 
 void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field)
 {
-  const int rows = patch.grid.rows(), columns = patch.grid.ny;
   if (!patch.influence)
   {
-    Eigen::Map<Eigen::ArrayXXd>(field.data() + patch.begin, rows, columns) = factor * values;
+    Eigen::Map<Eigen::ArrayXXd>(field.data() + patch.begin, patch.grid.rows(), patch.grid.ny) = factor * values;
     return;
   }
-  for (int row = 0; row < rows; ++row)
-  {
-    const double* from = values.data() + row;
-    double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
-    for (int column = 0; column < columns; ++column)
-    {
-      line[patch.influence->columnOffset(column)] = factor * from[column * rows];
-    }
-  }
+  fillCells(
+      patch, [&](int row, int column) { return factor * values(row, column); }, field);
+}
+
+void columnsToField(const PatchLayout& patch, const Eigen::Ref<const Eigen::ArrayXd>& values, LaneBuffer& field)
+{
+  fillCells(
+      patch, [&](int /*row*/, int column) { return values(column); }, field);
 }
 
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values)

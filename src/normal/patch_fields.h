@@ -38,6 +38,9 @@ int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<Patch
 /// Writes factor * values into the patch's cells of a field; padding stays as it is.
 void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field);
 
+/// Writes a value for each column of cells into all cells of it; only for patches laid out with a cache.
+void columnsToField(const PatchLayout& patch, const Eigen::Ref<const Eigen::ArrayXd>& values, LaneBuffer& field);
+
 /// Writes factor * field into `values`, rows × columns.
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values);
 }  // namespace wheel_rail_contact

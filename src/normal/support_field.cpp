@@ -5,22 +5,6 @@
 
 namespace wheel_rail_contact
 {
-namespace
-{
-/// Writes one value a column into the patch's cells of a field.
-void columnsToField(const PatchLayout& patch, const Eigen::ArrayX3d& values, Eigen::Index coordinate, LaneBuffer& field)
-{
-  for (int row = 0; row < patch.grid.rows(); ++row)
-  {
-    double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
-    for (int column = 0; column < patch.grid.ny; ++column)
-    {
-      line[patch.influence->columnOffset(column)] = values(column, coordinate);
-    }
-  }
-}
-}  // namespace
-
 void SupportField::begin(const NormalProblem& problem, const std::vector<PatchLayout>& patches, int length)
 {
   support_ = problem.support;
@@ -32,7 +16,7 @@ void SupportField::begin(const NormalProblem& problem, const std::vector<PatchLa
     std::fill_n(field.data(), length, 0.0);
     for (std::size_t k = 0; k < patches.size(); ++k)
     {
-      columnsToField(patches[k], problem.patches[k].opening, m, field);
+      columnsToField(patches[k], problem.patches[k].opening.col(m), field);
     }
   }
 }

@@ -29,7 +29,8 @@ struct ErrorTerms
   std::array<double, 3> max_pressure{};
   /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded)
   /// over the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over
-  /// the maximum, per cell of the area · variation of k over its mean and (cells across)² · residual.
+  /// the maximum, per cell of the area · variation of k over its mean and (cells across)² · 1 / (cells along)² ·
+  /// residual.
   std::array<double, 7> area{};
   /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
   std::array<double, 3> approach{};

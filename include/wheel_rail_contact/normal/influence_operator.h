@@ -4,8 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "wheel_rail_contact/normal/influence.h"
-
 namespace wheel_rail_contact
 {
 /// Shape of a grid as far as its influence coefficients go: they scale with the cell width, so only the aspect counts.
@@ -14,7 +12,6 @@ struct OperatorShape
   int nx = 0, ny = 0;      ///< cells along (of the whole grid) and across
   double aspect = 1;       ///< dx/dy
   bool symmetric = false;  ///< pressure even in x, half stored (nx even)
-  Kernel kernel = Kernel::rectangle;
 };
 
 /// Product of the influence matrix with a pressure, for cells of width dy = 1 and pi E* = 1: multiply by dy / (pi E*).

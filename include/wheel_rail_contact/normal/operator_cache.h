@@ -10,13 +10,11 @@ namespace wheel_rail_contact
 {
 /// Keeps influence operators, so that each set of coefficients is computed once.
 ///
-/// Operators with exact coefficients and an aspect on the ladder (aspect_ladder.h) are computed once in a process and
-/// kept until it ends: all caches, in whatever thread, share them. Of other aspects the few last used are kept.
+/// Operators with an aspect on the ladder (aspect_ladder.h) are computed once in a process and kept until it ends: all
+/// caches, in whatever thread, share them. Of other aspects the few last used are kept.
 class OperatorCache
 {
  public:
-  explicit OperatorCache(Kernel kernel = Kernel::rectangle) : kernel_(kernel) {}
-
   /// Computes the operators of a grid, whole and (nx even) symmetric, for patches from `widest` times as wide as long
   /// to `longest` times as long as wide, so that find() computes and allocates nothing for them later.
   /// @throw std::invalid_argument as InfluenceOperator.
@@ -46,7 +44,6 @@ class OperatorCache
   Family& family(int nx, int ny, bool symmetric);
   static void forgetOldest(Family& family);
 
-  Kernel kernel_;
   std::vector<Family> families_;
   unsigned long uses_ = 0;
 };
