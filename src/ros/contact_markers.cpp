@@ -28,7 +28,7 @@ void addPatch(const PatchPicture& picture, const PatchStyle& style, const std_ms
   markers.markers.push_back(truePatch(picture, style, header));
   if (style.zoom > 0)
   {
-    markers.markers.push_back(zoomedPatch(picture, style, header));
+    markers.markers.push_back(zoomedPatch(picture, fineSurface(picture, style), style, header));
     markers.markers.push_back(zoomLine(picture, style, header));
   }
   if (style.force_scale > 0 && picture.patch->normal_force > 0)

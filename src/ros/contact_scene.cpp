@@ -21,11 +21,6 @@ bool isShown(Side side, const SceneOptions& options)
   return std::find(sides.begin(), sides.end(), side) != sides.end();
 }
 
-std::optional<PlacedRail> restOf(const ContactModelConfig* model)
-{
-  return model ? std::make_optional<PlacedRail>(model->rail_profile, model->track) : std::nullopt;
-}
-
 /// The result with its rails' deflections scaled, and the patches where they are on these rails.
 WheelsetResult exaggerated(const WheelsetResult& result, const PlacedRail& at_rest, double scale)
 {
@@ -43,22 +38,32 @@ WheelsetResult exaggerated(const WheelsetResult& result, const PlacedRail& at_re
   return drawn;
 }
 
-void addPatch(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
-              MarkerArray& markers)
+/// What shows a patch's pressure.
+void addPressure(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
+                 MarkerArray& markers)
 {
-  const bool with_grid = picture.patch->pressure.size() > 0;
-  if (options.patches && with_grid)
+  const PressureSurface fine = fineSurface(picture, options.patch);
+  if (options.patches)
   {
-    markers.markers.push_back(zoomedPatch(picture, options.patch, header));
+    markers.markers.push_back(zoomedPatch(picture, fine, options.patch, header));
   }
-  if (options.outlines && with_grid)
+  if (options.outlines)
   {
-    markers.markers.push_back(patchOutline(picture, options.patch, header));
+    markers.markers.push_back(patchOutline(picture, fine, options.patch, header));
   }
-  if (options.patches && with_grid && options.patch.lift > 0)
+  if (options.patches && options.patch.lift > 0)
   {
     markers.markers.push_back(truePatch(picture, options.patch, header));
     markers.markers.push_back(zoomLine(picture, options.patch, header));
+  }
+}
+
+void addPatch(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
+              MarkerArray& markers)
+{
+  if (picture.patch->pressure.size() > 0 && (options.patches || options.outlines))
+  {
+    addPressure(picture, options, header, markers);
   }
   if (options.forces && options.patch.force_scale * picture.patch->normal_force > 0)
   {
@@ -119,9 +124,13 @@ MarkerArray sceneMarkers(const ContactAnswer& answer, const ContactModelConfig* 
     return markers;
   }
   const double x = options.at_origin ? 0 : answer.x;
-  const std::optional<PlacedRail> at_rest = restOf(model);
-  const WheelsetResult drawn =
-      at_rest ? exaggerated(*answer.result, *at_rest, options.deflection_scale) : *answer.result;
+  const std::optional<PlacedRail> at_rest = restingRail(model);
+  std::optional<WheelsetResult> exaggeration;
+  if (at_rest && options.deflection_scale != 1)
+  {
+    exaggeration = exaggerated(*answer.result, *at_rest, options.deflection_scale);
+  }
+  const WheelsetResult& drawn = exaggeration ? *exaggeration : *answer.result;
   if (model)
   {
     addTrack(*model, drawn, answer.pose, x, options, answer.header, markers);

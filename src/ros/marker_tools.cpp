@@ -92,15 +92,21 @@ void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::ve
   }
 }
 
+MarkerKeys keysOf(const visualization_msgs::MarkerArray& markers)
+{
+  MarkerKeys keys;
+  for (const Marker& marker : markers.markers)
+  {
+    keys.emplace(marker.ns, marker.id);
+  }
+  return keys;
+}
+
 MarkerKeys appendDeletions(const MarkerKeys& before, const std_msgs::Header& header,
                            visualization_msgs::MarkerArray& markers)
 {
-  MarkerKeys now;
-  for (const Marker& marker : markers.markers)
-  {
-    now.emplace(marker.ns, marker.id);
-  }
-  for (const auto& key : before)
+  MarkerKeys now = keysOf(markers);
+  for (const MarkerKey& key : before)
   {
     if (now.count(key) == 0)
     {

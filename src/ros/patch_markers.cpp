@@ -7,7 +7,6 @@
 
 #include "wheel_rail_contact/ros/color_map.h"
 #include "wheel_rail_contact/ros/marker_tools.h"
-#include "wheel_rail_contact/ros/pressure_surface.h"
 
 namespace wheel_rail_contact
 {
@@ -77,11 +76,6 @@ Eigen::Isometry3d liftedToTrack(const PatchPicture& picture)
   return picture.to_track * Eigen::Translation3d(0, 0, true_size_lift);
 }
 
-PressureSurface surfaceOf(const PatchPicture& picture, int points)
-{
-  return {picture.patch->grid, picture.patch->pressure, points};
-}
-
 /// Places magnified pictures side by side about the mean of their true places.
 void spread(std::vector<PatchPicture>& pictures, double zoom)
 {
@@ -124,27 +118,33 @@ std::vector<PatchPicture> arrangePatches(const WheelsetResult& result, Side side
   return pictures;
 }
 
+PressureSurface fineSurface(const PatchPicture& picture, const PatchStyle& style)
+{
+  return {picture.patch->grid, picture.patch->pressure, style.points};
+}
+
 Marker truePatch(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
 {
   Marker marker = makeMarker(header, "patch", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
-  addPressure(surfaceOf(picture, 1), 1, 0, style.max_pressure, liftedToTrack(picture), marker);
+  const PressureSurface cells(picture.patch->grid, picture.patch->pressure, 1);
+  addPressure(cells, 1, 0, style.max_pressure, liftedToTrack(picture), marker);
   return marker;
 }
 
-Marker zoomedPatch(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+Marker zoomedPatch(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style,
+                   const std_msgs::Header& header)
 {
   Marker marker = makeMarker(header, "zoom", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
-  addPressure(surfaceOf(picture, style.points), style.zoom, style.pressure_height, style.max_pressure,
-              zoomedToTrack(picture, style.zoom), marker);
+  addPressure(fine, style.zoom, style.pressure_height, style.max_pressure, zoomedToTrack(picture, style.zoom), marker);
   return marker;
 }
 
-Marker patchOutline(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+Marker patchOutline(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style,
+                    const std_msgs::Header& header)
 {
   Marker marker = makeMarker(header, "outline", picture.id, Marker::LINE_LIST, makeColor(0.95, 0.95, 0.95));
   marker.scale.x = style.line_width;
-  const PressureSurface surface = surfaceOf(picture, style.points);
-  addOutline(surface, style.zoom, zoomedToTrack(picture, style.zoom), marker);
+  addOutline(fine, style.zoom, zoomedToTrack(picture, style.zoom), marker);
   return marker;
 }
 

@@ -5,6 +5,11 @@
 
 namespace wheel_rail_contact
 {
+std::optional<PlacedRail> restingRail(const ContactModelConfig* model)
+{
+  return model ? std::make_optional<PlacedRail>(model->rail_profile, model->track) : std::nullopt;
+}
+
 RailDeflection scaled(const RailDeflection& deflection, double scale)
 {
   return {scale * deflection.lateral, scale * deflection.vertical, scale * deflection.roll};

@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/ros/track_markers.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

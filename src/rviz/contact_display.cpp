@@ -8,6 +8,7 @@
 #include "wheel_rail_contact/ros/answer_text.h"
 #include "wheel_rail_contact/ros/contact_statistics.h"
 #include "wheel_rail_contact/ros/node_parameters.h"
+#include "wheel_rail_contact/ros/rail_motion.h"
 
 namespace wheel_rail_contact
 {
@@ -70,12 +71,25 @@ void ContactDisplay::processMessage(const WheelsetContactMsg::ConstPtr& message)
     setStatusStd(StatusProperty::Error, "Answer", error.what());
     return;
   }
-  const std::optional<PlacedRail> at_rest =
-      config_ ? std::make_optional<PlacedRail>(config_->model.rail_profile, config_->model.track) : std::nullopt;
-  trail_.add(*answer_, at_rest ? &*at_rest : nullptr);
-  trail_.limit(properties_.trailLength());
+  extendTrail();
   reportAnswer();
   changed_ = true;
+}
+
+const ContactModelConfig* ContactDisplay::model() const
+{
+  return config_ ? &config_->model : nullptr;
+}
+
+void ContactDisplay::extendTrail()
+{
+  const std::size_t length = properties_.trailLength();
+  if (length > 0)
+  {
+    const std::optional<PlacedRail> at_rest = restingRail(model());
+    trail_.add(*answer_, at_rest ? &*at_rest : nullptr);
+  }
+  trail_.limit(length);
 }
 
 std::string ContactDisplay::parameterNamespace() const
@@ -124,7 +138,7 @@ void ContactDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
 void ContactDisplay::draw()
 {
   const SceneOptions options = properties_.options();
-  drawing_->show(sceneMarkers(*answer_, config_ ? &config_->model : nullptr, trail_, options));
+  drawing_->show(sceneMarkers(*answer_, model(), trail_, options));
   if (properties_.panelLetters() > 0)
   {
     panel_->show(panelPicture(answerLines(*answer_, options.track.sides), options.patch.max_pressure,

@@ -33,7 +33,10 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContactMsg>
 
  private:
   void clear();
+  void extendTrail();
   void readParameters();
+  /// Null while the node's parameters are not known.
+  const ContactModelConfig* model() const;
   std::string parameterNamespace() const;
   void reportAnswer();
   void draw();

@@ -3,20 +3,17 @@
 
 #include <rviz/default_plugin/marker_utils.h>
 
-#include <set>
-
 namespace wheel_rail_contact
 {
 using visualization_msgs::Marker;
 
 void MarkerDrawing::show(const visualization_msgs::MarkerArray& markers)
 {
-  std::set<Key> kept;
   for (const Marker& marker : markers.markers)
   {
     showOne(marker);
-    kept.emplace(marker.ns, marker.id);
   }
+  const MarkerKeys kept = keysOf(markers);
   for (auto entry = shown_.begin(); entry != shown_.end();)
   {
     entry = kept.count(entry->first) > 0 ? std::next(entry) : shown_.erase(entry);

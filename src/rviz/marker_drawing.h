@@ -7,8 +7,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <map>
-#include <string>
-#include <utility>
+
+#include "wheel_rail_contact/ros/marker_tools.h"
 
 namespace wheel_rail_contact
 {
@@ -23,12 +23,10 @@ class MarkerDrawing
   void show(const visualization_msgs::MarkerArray& markers);
 
  private:
-  using Key = std::pair<std::string, int>;  ///< namespace and number
-
   void showOne(const visualization_msgs::Marker& marker);
 
   rviz::DisplayContext* context_;
   Ogre::SceneNode* parent_;
-  std::map<Key, rviz::MarkerBasePtr> shown_;
+  std::map<MarkerKey, rviz::MarkerBasePtr> shown_;
 };
 }  // namespace wheel_rail_contact

@@ -8,8 +8,8 @@
 
 namespace wheel_rail_contact
 {
-/// An answer in a few lines for people: the wheelset's lateral place, each rail's deflection, and for each patch of the
-/// given sides its highest pressure, area, normal force, contact angle, method and estimated error. An answer that is
-/// not usable has a line with its status and one with the reason.
+/// An answer in a few lines for people: the wheelset's lateral place and yaw, and for each of the given sides its
+/// rail's deflection and each patch's highest pressure, area, normal force, contact angle, estimated error and method.
+/// Of an answer that is not usable, a line with its status and one with the reason.
 std::vector<std::string> answerLines(const ContactAnswer& answer, const std::vector<Side>& sides);
 }  // namespace wheel_rail_contact

@@ -3,8 +3,6 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <vector>
-
 #include "wheel_rail_contact/ros/contact_evaluator.h"
 #include "wheel_rail_contact/ros/contact_trail.h"
 #include "wheel_rail_contact/ros/patch_markers.h"

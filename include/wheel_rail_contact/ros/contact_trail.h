@@ -3,7 +3,6 @@
 
 #include <ros/time.h>
 
-#include <array>
 #include <cstddef>
 #include <deque>
 

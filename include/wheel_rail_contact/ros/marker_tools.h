@@ -35,7 +35,10 @@ void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::ve
                       visualization_msgs::Marker& marker);
 
 /// What makes a marker the same in rviz: namespace and number.
-using MarkerKeys = std::set<std::pair<std::string, int>>;
+using MarkerKey = std::pair<std::string, int>;
+using MarkerKeys = std::set<MarkerKey>;
+
+MarkerKeys keysOf(const visualization_msgs::MarkerArray& markers);
 
 /// Appends a DELETE for every marker that was shown before and is no more. @return the keys of what is shown now.
 MarkerKeys appendDeletions(const MarkerKeys& before, const std_msgs::Header& header,

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "wheel_rail_contact/ros/pressure_surface.h"
 #include "wheel_rail_contact/wheelset_contact.h"
 
 namespace wheel_rail_contact
@@ -13,7 +14,7 @@ namespace wheel_rail_contact
 /// How patches are drawn.
 struct PatchStyle
 {
-  double zoom = 30;               ///< magnification in the tangent plane [-], > 0
+  double zoom = 30;               ///< magnification in the tangent plane [-], >= 0; at 0 there is nothing to magnify
   double lift = 0.18;             ///< of the magnified surface above the true patch [m], >= 0
   double pressure_height = 0.15;  ///< of the magnified surface at `max_pressure` [m], >= 0
   double max_pressure = 2e9;      ///< upper end of the colour scale [Pa], > 0
@@ -38,15 +39,18 @@ struct PatchPicture
 /// @param x of the axle's centre [m]
 std::vector<PatchPicture> arrangePatches(const WheelsetResult& result, Side side, double x, const PatchStyle& style);
 
+/// The pressure at as many points as a magnified picture has. The patch must have a grid.
+PressureSurface fineSurface(const PatchPicture& picture, const PatchStyle& style);
+
 /// Coloured by pressure, in true size on the rail: "patch".
 visualization_msgs::Marker truePatch(const PatchPicture& picture, const PatchStyle& style,
                                      const std_msgs::Header& header);
 /// Coloured by pressure, with the pressure as height, magnified: "zoom".
-visualization_msgs::Marker zoomedPatch(const PatchPicture& picture, const PatchStyle& style,
-                                       const std_msgs::Header& header);
-/// The edge of the contact, in true size and magnified: "outline".
-visualization_msgs::Marker patchOutline(const PatchPicture& picture, const PatchStyle& style,
-                                        const std_msgs::Header& header);
+visualization_msgs::Marker zoomedPatch(const PatchPicture& picture, const PressureSurface& fine,
+                                       const PatchStyle& style, const std_msgs::Header& header);
+/// The edge of the contact, magnified: "outline".
+visualization_msgs::Marker patchOutline(const PatchPicture& picture, const PressureSurface& fine,
+                                        const PatchStyle& style, const std_msgs::Header& header);
 /// From the true patch to the magnified one: "zoom_line".
 visualization_msgs::Marker zoomLine(const PatchPicture& picture, const PatchStyle& style,
                                     const std_msgs::Header& header);

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "wheel_rail_contact/geometry/placement.h"
 #include "wheel_rail_contact/wheelset_contact.h"
 
 namespace wheel_rail_contact
 {
+/// The model's rail, straight; none without a model.
+std::optional<PlacedRail> restingRail(const ContactModelConfig* model);
+
 /// The deflection, every part times `scale`.
 RailDeflection scaled(const RailDeflection& deflection, double scale);
 
