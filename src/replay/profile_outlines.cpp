@@ -11,15 +11,20 @@ namespace
 {
 constexpr int points = 400;
 
+void write(double y, double z, std::ostream& text)
+{
+  text.precision(7);
+  text << y << ' ' << z << '\n';
+}
+
 template <typename Place>
 std::string outline(const Profile& profile, const Place& place)
 {
   std::ostringstream text;
-  text.precision(7);
   for (int i = 0; i < points; ++i)
   {
     const auto [y, z] = place(profile.length() * i / (points - 1));
-    text << y << ' ' << z << '\n';
+    write(y, z, text);
   }
   return text.str();
 }
@@ -34,6 +39,14 @@ std::string railOutlineText(const ContactModelConfig& config)
                    const PlanePoint p = rail.at(u);
                    return std::make_pair(p.y, p.z);
                  });
+}
+
+std::string railReferenceText(const ContactModelConfig& config)
+{
+  const PlanePoint point = PlacedRail(config.rail_profile, config.track).referencePoint();
+  std::ostringstream text;
+  write(point.y, point.z, text);
+  return text.str();
 }
 
 std::string wheelOutlineText(const ContactModelConfig& config)

@@ -30,6 +30,7 @@ BagConnection answerConnection(const std::string& wheelset, const std::string& d
       .set("callerid", wheelset + "/contact_node")
       .set(description_field, description)
       .set("rail_outline", railOutlineText(model))
+      .set("rail_reference", railReferenceText(model))
       .set("wheel_outline", wheelOutlineText(model));
   return connection;
 }

@@ -12,6 +12,8 @@ namespace wheel_rail_contact
 
 /// The rail at rest, track axes.
 std::string railOutlineText(const ContactModelConfig& config);
+/// The point of the rail's head at rest whose way RailDeflection tells; one line, track axes.
+std::string railReferenceText(const ContactModelConfig& config);
 /// The wheel's lowest points, axes of the wheelset without roll and yaw, origin in the axle's centre.
 std::string wheelOutlineText(const ContactModelConfig& config);
 }  // namespace wheel_rail_contact

@@ -28,11 +28,12 @@ class Answers:
     rail: np.ndarray = None        # (answer, side, lateral vertical roll Y Q)
     patches: dict = None           # by name: arrays; `answer` is the index of the patch's answer
     reasons: dict = field(default_factory=dict)    # (status, text without figures) -> [number, first text]
-    outlines: dict = field(default_factory=dict)   # "rail", "wheel" of the left side -> (n, 2) y, z, if the bag tells
+    outlines: dict = field(default_factory=dict)   # "rail", "wheel", "reference" of the left side -> (n, 2) y, z, if told
     parameters: str = ""
 
 
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
+OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # by field of the header
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force")
 
 
@@ -62,8 +63,8 @@ def read(path, wheelset=None):
             _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
     except rosbag.ROSBagException as error:
         raise ReportError(f"{path}: {error}") from None
-    answers.outlines = {kind: np.array(_text(header[f"{kind}_outline"]).split(), float).reshape(-1, 2)
-                        for kind in ("rail", "wheel") if f"{kind}_outline" in header}
+    answers.outlines = {kind: np.array(_text(header[name]).split(), float).reshape(-1, 2)
+                        for kind, name in OUTLINES.items() if name in header}
     answers.parameters = _text(header.get("contact_replay", ""))
     return answers, topic
 
