@@ -31,42 +31,40 @@ std::string filled(std::size_t size, const Work& work)
 }
 }  // namespace
 
-std::string decompressed(const std::string& compression, std::string_view data, std::size_t size)
+std::string decompressed(const std::string& compression, std::string data, std::size_t size)
 {
-  std::string input(data);  // both libraries ask for data they could change
-  const auto length = static_cast<unsigned int>(input.size());
+  const auto length = static_cast<unsigned int>(data.size());
   if (compression == "none")
   {
-    return input;
+    return data;
   }
   if (compression == "bz2")
   {
     return filled(size, [&](char* content, unsigned int& room)
-                  { return BZ2_bzBuffToBuffDecompress(content, &room, input.data(), length, 0, 0) == BZ_OK; });
+                  { return BZ2_bzBuffToBuffDecompress(content, &room, data.data(), length, 0, 0) == BZ_OK; });
   }
   if (compression == "lz4")
   {
     return filled(size, [&](char* content, unsigned int& room)
-                  { return roslz4_buffToBuffDecompress(input.data(), length, content, &room) == ROSLZ4_OK; });
+                  { return roslz4_buffToBuffDecompress(data.data(), length, content, &room) == ROSLZ4_OK; });
   }
   throw BagError("unknown compression '" + compression + "'");
 }
 
-std::string compressed(const std::string& compression, std::string_view content)
+std::string compressed(const std::string& compression, std::string content)
 {
-  std::string input(content);
   if (compression == "none")
   {
-    return input;
+    return content;
   }
   if (compression != "lz4")
   {
     throw BagError("cannot compress by '" + compression + "'");
   }
   // Room for data that cannot be made smaller: block and frame headers.
-  std::string data(input.size() + input.size() / 100 + 1024, '\0');
+  std::string data(content.size() + content.size() / 100 + 1024, '\0');
   auto length = static_cast<unsigned int>(data.size());
-  if (roslz4_buffToBuffCompress(input.data(), static_cast<unsigned int>(input.size()), data.data(), &length,
+  if (roslz4_buffToBuffCompress(content.data(), static_cast<unsigned int>(content.size()), data.data(), &length,
                                 lz4_block_size) != ROSLZ4_OK)
   {
     throw BagError("lz4 cannot compress a chunk");

@@ -144,13 +144,13 @@ class Scan
       tryToLookThrough(false);
     }
     holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
-    std::string_view entries = data;
-    for (; entries.size() >= index_entry_length; entries.remove_prefix(index_entry_length))
-    {
-      chunk_.start = std::min(chunk_.start, timeAt(entries));
-      ++contents_.messages[connection];
-      indexed_ = true;
-    }
+    forEachIndexTime(data,
+                     [&](std::uint64_t time)
+                     {
+                       chunk_.start = std::min(chunk_.start, time);
+                       ++contents_.messages[connection];
+                       indexed_ = true;
+                     });
   }
 
   /// Ends at the end of the file.
@@ -192,23 +192,21 @@ class Scan
   /// Learns the chunk's connections, and where no index told it the times and numbers of its messages.
   void lookThrough(BagChunk& chunk, bool with_messages)
   {
-    const std::string records = chunkRecords(file_, chunk);
-    for (std::string_view rest = records; !rest.empty();)
-    {
-      const BagRecord record = recordAt(rest);
-      rest.remove_prefix(record.length);
-      const auto connection = record.header.number<std::uint32_t>("conn");
-      if (record.header.op() == BagOp::connection)
-      {
-        contents_.connections[connection] = connectionOf(record.header, record.data);
-      }
-      else if (record.header.op() == BagOp::message && with_messages)
-      {
-        chunk.start = std::min(chunk.start, record.header.time("time"));
-        ++contents_.messages[connection];
-        holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
-      }
-    }
+    forEachRecord(chunkRecords(file_, chunk),
+                  [&](const BagRecord& record)
+                  {
+                    const auto connection = record.header.number<std::uint32_t>("conn");
+                    if (record.header.op() == BagOp::connection)
+                    {
+                      contents_.connections[connection] = connectionOf(record.header, record.data);
+                    }
+                    else if (record.header.op() == BagOp::message && with_messages)
+                    {
+                      chunk.start = std::min(chunk.start, record.header.time("time"));
+                      ++contents_.messages[connection];
+                      holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
+                    }
+                  });
   }
 
   const BagFile& file_;

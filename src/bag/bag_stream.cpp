@@ -79,6 +79,8 @@ void BagStream::open(const BagChunk& chunk)
   {
     return;
   }
+  std::stable_sort(opened->entries.begin(), opened->entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.time < b.time; });
   open_.push_back(std::move(opened));
   std::push_heap(open_.begin(), open_.end(), Later());
   std::size_t bytes = 0;
@@ -92,38 +94,28 @@ void BagStream::open(const BagChunk& chunk)
   }
 }
 
-/// Keeps the messages before any damage.
+/// In the order of the chunk; keeps the messages before any damage.
 void BagStream::listMessages(OpenChunk& chunk)
 {
-  const auto sort = [&chunk]
-  {
-    const auto earlier = [](const Entry& a, const Entry& b) { return a.time < b.time; };
-    std::stable_sort(chunk.entries.begin(), chunk.entries.end(), earlier);
-  };
-  try
-  {
-    for (std::string_view rest = chunk.records; !rest.empty();)
-    {
-      const BagRecord record = recordAt(rest);
-      rest.remove_prefix(record.length);
-      const auto id = record.header.number<std::uint32_t>("conn");
-      if (record.header.op() == BagOp::connection)
-      {
-        contents_.connections.emplace(id, connectionOf(record.header, record.data));
-      }
-      else if (record.header.op() == BagOp::message && contents_.connections.count(id) > 0 &&
-               wanted_(contents_.connections.at(id).topic))
-      {
-        chunk.entries.push_back({record.header.time("time"), id, record.data});
-      }
-    }
-  }
-  catch (const BagError&)
-  {
-    sort();
-    throw;
-  }
-  sort();
+  forEachRecord(chunk.records,
+                [&](const BagRecord& record)
+                {
+                  const auto id = record.header.number<std::uint32_t>("conn");
+                  if (record.header.op() == BagOp::connection)
+                  {
+                    contents_.connections.emplace(id, connectionOf(record.header, record.data));
+                  }
+                  else if (record.header.op() == BagOp::message && isWanted(id))
+                  {
+                    chunk.entries.push_back({record.header.time("time"), id, record.data});
+                  }
+                });
+}
+
+bool BagStream::isWanted(std::uint32_t connection) const
+{
+  const auto found = contents_.connections.find(connection);
+  return found != contents_.connections.end() && wanted_(found->second.topic);
 }
 
 void BagStream::report(const std::string& fault)

@@ -176,7 +176,7 @@ void BagWriter::finishChunk()
   header.set(BagOp::chunk)
       .set("compression", compression_)
       .set("size", bytesOf(static_cast<std::uint32_t>(chunk_.size())));
-  appendRecord(header, compressed(compression_, chunk_), bytes);
+  appendRecord(header, compressed(compression_, std::exchange(chunk_, {})), bytes);
   std::map<std::uint32_t, std::uint32_t> counts;
   for (std::uint32_t number = 0; number < connections_.size(); ++number)
   {
@@ -196,7 +196,6 @@ void BagWriter::finishChunk()
   }
   chunk_infos_ += chunkInfoRecord(position_, chunk_start_, chunk_end_, counts);
   ++chunks_;
-  chunk_.clear();
   put(bytes);
 }
 
@@ -235,11 +234,12 @@ struct FoundChunk
   void addIndex(const BagFields& header, std::string_view entries)
   {
     counts[header.number<std::uint32_t>("conn")] = header.number<std::uint32_t>("count");
-    for (; entries.size() >= index_entry_length; entries.remove_prefix(index_entry_length))
-    {
-      start = std::min(start, timeAt(entries));
-      end = std::max(end, timeAt(entries));
-    }
+    forEachIndexTime(entries,
+                     [this](std::uint64_t time)
+                     {
+                       start = std::min(start, time);
+                       end = std::max(end, time);
+                     });
   }
 
   void addTo(BagRemains& remains) const

@@ -14,10 +14,11 @@ namespace
 {
 std::string serialized(const WheelsetContactMsg& message)
 {
-  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
-  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  std::string bytes(ros::serialization::serializationLength(message), '\0');
+  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                     static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(stream, message);
-  return {bytes.begin(), bytes.end()};
+  return bytes;
 }
 }  // namespace
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace wheel_rail_contact
 {
@@ -11,9 +10,9 @@ namespace wheel_rail_contact
 /// @param compression as its header says: none, bz2 or lz4
 /// @param size of the content in bytes, as its header says
 /// @throw BagError if the data is damaged or the compression unknown.
-std::string decompressed(const std::string& compression, std::string_view data, std::size_t size);
+std::string decompressed(const std::string& compression, std::string data, std::size_t size);
 
 /// A chunk's data for its content.
 /// @param compression none or lz4
-std::string compressed(const std::string& compression, std::string_view content);
+std::string compressed(const std::string& compression, std::string content);
 }  // namespace wheel_rail_contact

@@ -101,5 +101,28 @@ struct BagRecord
 
 /// The record at the beginning of `bytes`. @throw BagError if it is cut off or none.
 BagRecord recordAt(std::string_view bytes);
+
+/// Calls `action` with each record of a chunk. @throw BagError where one is cut off or none, after those before it.
+template <typename Action>
+void forEachRecord(std::string_view bytes, const Action& action)
+{
+  while (!bytes.empty())
+  {
+    const BagRecord record = recordAt(bytes);
+    bytes.remove_prefix(record.length);
+    action(record);
+  }
+}
+
+/// Calls `action` with each message's time [ns] in the data of an index record.
+template <typename Action>
+void forEachIndexTime(std::string_view entries, const Action& action)
+{
+  for (; entries.size() >= index_entry_length; entries.remove_prefix(index_entry_length))
+  {
+    action(timeAt(entries));
+  }
+}
+
 void appendRecord(const BagFields& header, std::string_view data, std::string& bytes);
 }  // namespace wheel_rail_contact

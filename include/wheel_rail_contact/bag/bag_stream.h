@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <queue>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +60,7 @@ class BagStream
   void openDueChunks();
   void open(const BagChunk& chunk);
   void listMessages(OpenChunk& chunk);
+  bool isWanted(std::uint32_t connection) const;
   void report(const std::string& fault);
 
   TopicFilter wanted_;

@@ -22,7 +22,8 @@ struct BagRemains
 };
 
 /// Writes a bag from front to end. The same messages give the same file, to the last byte, also when the writing was
-/// broken off and taken up again. Memory: one chunk, and about 100 B for each chunk written.
+/// broken off and taken up again. Memory: the chunk in hand, two copies as it goes to the file, and
+/// about 100 B for each chunk written.
 class BagWriter
 {
  public:
