@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/ros/answer_text.h"
 
-#include <cstdio>
-
 #include "wheel_rail_contact/ros/contact_statistics.h"
+#include "wheel_rail_contact/ros/text.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-template <typename... Values>
-std::string formatted(const char* format, Values... values)
-{
-  char words[160];
-  std::snprintf(words, sizeof words, format, values...);
-  return words;
-}
-
-const char* sideName(Side side)
-{
-  return side == Side::left ? "left" : "right";
-}
-
 std::string railLine(Side side, const RailDeflection& deflection)
 {
   return formatted("%-5s rail %+.2f mm outward, %+.2f mm up, %+.1f mrad", sideName(side), 1e3 * deflection.lateral,

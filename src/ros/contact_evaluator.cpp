@@ -2,24 +2,20 @@
 #include "wheel_rail_contact/ros/contact_evaluator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "wheel_rail_contact/ros/conversions.h"
+#include "wheel_rail_contact/ros/text.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-std::string rangeWarning(const char* side, const RailResult& rail, double linear_range)
+std::string rangeWarning(Side side, const RailResult& rail, double linear_range)
 {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(),
-                "%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table holds up to %g", side,
-                1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
-                std::abs(rail.lateral_force / rail.vertical_force), linear_range);
-  return text.data();
+  return formatted("%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table holds up to %g",
+                   sideName(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
+                   std::abs(rail.lateral_force / rail.vertical_force), linear_range);
 }
 
 void append(const std::string& sentence, std::string& text)
@@ -31,12 +27,12 @@ void append(const std::string& sentence, std::string& text)
 std::string linearRangeWarning(const WheelsetResult& result, double linear_range)
 {
   std::string text;
-  for (std::size_t side = 0; side < 2; ++side)
+  for (const Side side : {Side::left, Side::right})
   {
-    const RailResult& rail = result.rail[side];
+    const RailResult& rail = result.rail[static_cast<std::size_t>(side)];
     if (std::abs(rail.lateral_force) > linear_range * std::max(rail.vertical_force, 0.0))
     {
-      append(rangeWarning(side == 0 ? "left" : "right", rail, linear_range), text);
+      append(rangeWarning(side, rail, linear_range), text);
     }
   }
   return text;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "wheel_rail_contact/ros/conversions.h"
+
 namespace wheel_rail_contact
 {
 namespace
@@ -112,7 +114,12 @@ std::uint64_t ContactStatistics::answered() const
 
 std::uint64_t ContactStatistics::usable() const
 {
-  return answers[WheelsetContactMsg::OK] + answers[WheelsetContactMsg::LIFT_OFF];
+  std::uint64_t sum = 0;
+  for (std::uint8_t status = 0; status < statuses; ++status)
+  {
+    sum += isUsable(status) ? answers[status] : 0;
+  }
+  return sum;
 }
 
 std::uint64_t ContactStatistics::dropped() const

@@ -65,6 +65,11 @@ ContactStatus statusFromMessage(std::uint8_t status)
   throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
 }
 
+bool isUsable(std::uint8_t status)
+{
+  return status == WheelsetContactMsg::OK || status == WheelsetContactMsg::LIFT_OFF;
+}
+
 WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose)
 {
   const Eigen::Vector3d axle = pose.linear().col(1);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wheel_rail_contact/ros/conversions.h"
+
 namespace wheel_rail_contact
 {
 namespace
@@ -18,9 +20,8 @@ RailForce forceOn(const RailDeflectionMsg& rail)
 
 std::array<RailForce, 2> forcesOf(const WheelsetContactMsg& answer)
 {
-  const bool usable = answer.status == WheelsetContactMsg::OK || answer.status == WheelsetContactMsg::LIFT_OFF;
-  return usable ? std::array<RailForce, 2>{forceOn(answer.left_rail), forceOn(answer.right_rail)}
-                : std::array<RailForce, 2>{};
+  return isUsable(answer.status) ? std::array<RailForce, 2>{forceOn(answer.left_rail), forceOn(answer.right_rail)}
+                                 : std::array<RailForce, 2>{};
 }
 }  // namespace
 

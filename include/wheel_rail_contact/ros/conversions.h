@@ -17,6 +17,8 @@ std::uint8_t toMessage(ContactStatus status);
 /// NO_TRANSFORM, of which the core knows nothing, becomes invalid_input.
 /// @throw std::invalid_argument for a number that is no status.
 ContactStatus statusFromMessage(std::uint8_t status);
+/// True if an answer of this status, a constant of the message, holds a result.
+bool isUsable(std::uint8_t status);
 
 /// Track axes. Wheels are bodies of revolution, so only the axle's direction (ax, ay, az) counts: roll = asin(az) and
 /// yaw = atan2(-ax, ay), the fixed-axis roll and yaw of an orientation Rz(yaw) Rx(roll) Ry(any rotation about the
