@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/replay/csv_rows.h"
 
-#include <array>
 #include <charconv>
 #include <cinttypes>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
 #include "wheel_rail_contact/ros/contact_statistics.h"
+#include "wheel_rail_contact/ros/text.h"
 
 namespace wheel_rail_contact
 {
@@ -29,9 +28,7 @@ constexpr const char* no_patch = ",,,,,,,,,,,";
 /// Nine digits are more than any tolerance asks for.
 std::string cell(double value)
 {
-  std::array<char, 32> text{};
-  const int length = std::snprintf(text.data(), text.size(), "%.9g,", value);
-  return {text.data(), static_cast<std::size_t>(length)};
+  return formatted("%.9g,", value);
 }
 
 std::string quoted(const std::string& text)
@@ -46,9 +43,7 @@ std::string quoted(const std::string& text)
 
 std::string stamp(const ros::Time& time)
 {
-  std::array<char, 32> text{};
-  const int length = std::snprintf(text.data(), text.size(), "%" PRIu32 ".%09" PRIu32, time.sec, time.nsec);
-  return {text.data(), static_cast<std::size_t>(length)};
+  return formatted("%" PRIu32 ".%09" PRIu32, time.sec, time.nsec);
 }
 
 std::string cells(const RailDeflectionMsg& rail)
@@ -91,13 +86,18 @@ std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, cons
   return rows;
 }
 
-CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), uncut_(resume)
+void CsvFile::requirePlace(const std::string& path, bool resume)
 {
   if (std::filesystem::exists(path) != resume)
   {
     throw std::runtime_error(path + (resume ? ": does not exist; resume with the table of the first run"
                                             : ": exists already; it is not overwritten"));
   }
+}
+
+CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), uncut_(resume)
+{
+  requirePlace(path, resume);
   if (!resume)
   {
     file_.open(path);

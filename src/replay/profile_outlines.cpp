@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/replay/profile_outlines.h"
 
 #include <sstream>
+#include <utility>
 
 #include "wheel_rail_contact/geometry/placement.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/replay/replay.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 
 #include "wheel_rail_contact/replay/profile_outlines.h"
 #include "wheel_rail_contact/replay/progress.h"
+#include "wheel_rail_contact/ros/text.h"
 
 namespace wheel_rail_contact
 {
@@ -37,34 +37,48 @@ BagConnection answerConnection(const std::string& wheelset, const std::string& d
 
 std::string percent(std::uint64_t part, std::uint64_t all)
 {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
-  return text.data();
+  return formatted("%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
+}
+
+/// What needs nothing of the input is refused before that is read: one without index is read whole.
+ReplayOptions withFreshOutputs(ReplayOptions options)
+{
+  if (std::filesystem::exists(options.output))
+  {
+    if (!options.resume)
+    {
+      throw std::runtime_error(options.output + ": exists already; it is not overwritten (--resume goes on with it)");
+    }
+  }
+  else
+  {
+    options.resume = false;
+  }
+  if (!options.csv.empty())
+  {
+    CsvFile::requirePlace(options.csv, options.resume);
+  }
+  return options;
 }
 }  // namespace
 
 Replay::Replay(ReplayOptions options)
-    : options_(std::move(options)),
+    : options_(withFreshOutputs(std::move(options))),
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
       source_(options_.input, config_, options_.wheelsets, options_.keep_topics),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       queue_(queue_budget)
 {
-  const bool resume = options_.resume && std::filesystem::exists(options_.output);
-  if (resume)
+  if (options_.resume)
   {
     bag_ = resumeOutput();
   }
-  else if (std::filesystem::exists(options_.output))
-  {
-    throw std::runtime_error(options_.output + ": exists already; it is not overwritten (--resume goes on with it)");
-  }
   if (!options_.csv.empty())
   {
-    csv_ = std::make_unique<CsvFile>(options_.csv, resume);
+    csv_ = std::make_unique<CsvFile>(options_.csv, options_.resume);
   }
-  if (!resume)
+  if (!options_.resume)
   {
     bag_ = std::make_unique<BagWriter>(options_.output, options_.compression);
   }
@@ -155,12 +169,7 @@ void Replay::read(EvaluationPool& pool)
     {
       const bool wanted = messages++ >= remains_.messages;
       OutputItem item;
-      item.wheelset = event->wheelset;
-      item.connection_id = event->connection_id;
-      item.connection = event->connection;
-      item.time = event->time;
-      item.read = event->read;
-      item.data = std::move(event->data);
+      static_cast<ReplayItem&>(item) = std::move(static_cast<ReplayItem&>(*event));
       item.ready = !event->wheelset || !wanted;
       if (event->wheelset)
       {

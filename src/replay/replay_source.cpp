@@ -17,15 +17,6 @@ namespace
 /// How long an input waits for its transform [ns].
 constexpr auto patience = static_cast<std::uint64_t>(InputPreparation::transform_patience * 1e9);
 
-}  // namespace
-
-std::string answerTopic(const std::string& wheelset)
-{
-  return wheelset + "/contact_node/contact";
-}
-
-namespace
-{
 /// A topic without a slash before it is played to one with it.
 std::string absolute(const std::string& topic)
 {
@@ -60,21 +51,25 @@ std::pair<std::string, std::string> typeAndSum()
 }
 }  // namespace
 
+std::string answerTopic(const std::string& wheelset)
+{
+  return wheelset + "/contact_node/contact";
+}
+
 ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets,
                            bool keep)
-    : uses_(usesOf(config, wheelsets)),
-      answers_(answerTopics(wheelsets)),
+    : answers_(answerTopics(wheelsets)),
+      uses_(usesOf(config, wheelsets)),
       keep_(keep),
       wheelsets_(wheelsets.size(),
                  Wheelset{InputPairing(config), InputPreparation(config), NeighbourForces(config), {}}),
       stream_(bag, [this](const std::string& topic) { return wants(topic); })
 {
-  requireOthersAnswers();
   requireTopics();
   requireTypes();
 }
 
-ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets)
+ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const
 {
   const InputPairing pairing(config);
   Uses uses{{"/tf", {Role::transform, 0}}, {"/tf_static", {Role::static_transform, 0}}};
@@ -94,7 +89,9 @@ ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vec
     for (std::size_t k = 0; k < config.neighbours.size(); ++k)
     {
       const std::string& topic = config.neighbours[k].topic;
-      uses.insert({topic[0] == '/' ? topic : wheelsets[i] + "/" + topic, {Role::neighbour, i, k}});
+      const std::string name = topic[0] == '/' ? topic : wheelsets[i] + "/" + topic;
+      requireAnotherRuns(name);
+      uses.insert({name, {Role::neighbour, i, k}});
     }
   }
   return uses;
@@ -107,16 +104,13 @@ bool ReplaySource::wants(const std::string& topic) const
 }
 
 /// The answers that this run makes are not in its input; those there are another run's.
-void ReplaySource::requireOthersAnswers() const
+void ReplaySource::requireAnotherRuns(const std::string& topic) const
 {
-  for (const auto& [topic, use] : uses_)
+  if (answers_.count(topic) > 0)
   {
-    if (use.role == Role::neighbour && answers_.count(topic) > 0)
-    {
-      throw std::invalid_argument("rail_bending/neighbours: topic " + topic +
-                                  " is answered in this same run; answer that wheelset first, with --keep-topics, and "
-                                  "replay the bag that comes of it for the other");
-    }
+    throw std::invalid_argument("rail_bending/neighbours: topic " + topic +
+                                " is answered in this same run; answer that wheelset first, with --keep-topics, and "
+                                "replay the bag that comes of it for the other");
   }
 }
 

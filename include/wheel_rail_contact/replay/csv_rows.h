@@ -17,8 +17,11 @@ std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, cons
 class CsvFile
 {
  public:
+  /// @throw std::runtime_error if the file exists, or with `resume` does not.
+  static void requirePlace(const std::string& path, bool resume);
+
   /// @param resume true: goes on with the file that is there, which is left as it is until write() or finish()
-  /// @throw std::runtime_error if the file exists, or with `resume` does not, or cannot be written.
+  /// @throw std::runtime_error as requirePlace() does, or if the file cannot be written.
   CsvFile(const std::string& path, bool resume);
 
   /// Adds the rows of an answer. When a table is resumed, the first rows replace those of this answer and after it.

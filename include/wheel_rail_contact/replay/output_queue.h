@@ -6,26 +6,19 @@
 #include <deque>
 #include <exception>
 #include <mutex>
-#include <optional>
 #include <string>
 
-#include "wheel_rail_contact/bag/bag_contents.h"
+#include "wheel_rail_contact/replay/replay_item.h"
 
 namespace wheel_rail_contact
 {
 /// A message of the output, which may still be worked on.
-struct OutputItem
+struct OutputItem : ReplayItem
 {
-  std::optional<std::size_t> wheelset;  ///< whose answer this is; nothing: a message that is kept
-  std::uint64_t answer = 0;             ///< number of the answer in the output
-  std::uint32_t sequence = 0;           ///< number of the answer among those of its wheelset
-  std::uint32_t connection_id = 0;      ///< of a message that is kept, as in the input
-  const BagConnection* connection = nullptr;
-  std::uint64_t time = 0;  ///< [ns]
-  std::uint64_t read = 0;  ///< messages read from the input so far
-  bool ready = false;      ///< what follows is there
-  std::string data;
-  std::string csv;  ///< rows of the table
+  std::uint64_t answer = 0;    ///< number of the answer in the output
+  std::uint32_t sequence = 0;  ///< number of the answer among those of its wheelset
+  bool ready = false;          ///< `data` and what follows is there
+  std::string csv;             ///< rows of the table
   std::uint8_t status = 0;
   std::size_t charged = 0;  ///< by the queue [B]
 };

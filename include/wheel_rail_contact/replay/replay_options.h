@@ -34,6 +34,7 @@ void printReplayUsage(std::ostream& out);
 /// The parameters of a replay: those of config/default.yaml, and over them the files of the options.
 ParameterTree replayParameters(const ReplayOptions& options);
 
-/// Everything that decides what the answers are, as text: the output of one replay can only go on with the same.
+/// What an output goes on with must be the same as in its first run, as text: size of the input, options, parameters.
+/// Files that parameters name (profiles, tables) count by their names only.
 std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size);
 }  // namespace wheel_rail_contact

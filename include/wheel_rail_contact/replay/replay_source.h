@@ -13,21 +13,16 @@
 #include <vector>
 
 #include "wheel_rail_contact/bag/bag_stream.h"
+#include "wheel_rail_contact/replay/replay_item.h"
 #include "wheel_rail_contact/ros/contact_input.h"
 #include "wheel_rail_contact/ros/neighbour_forces.h"
 
 namespace wheel_rail_contact
 {
 /// What comes next in a replay: an input to be answered, or a message to be kept.
-struct ReplayEvent
+struct ReplayEvent : ReplayItem
 {
-  std::uint64_t time = 0;               ///< recording time at which the input was ready, or of the message [ns]
-  std::optional<std::size_t> wheelset;  ///< whose input this is; nothing: a message
-  PreparedInput input;
-  std::uint32_t connection_id = 0;
-  const BagConnection* connection = nullptr;
-  std::string data;        ///< the message
-  std::uint64_t read = 0;  ///< messages read from the bag so far
+  PreparedInput input;  ///< of an answer
 };
 
 /// Makes of a bag's messages the inputs that the live node would make of them: pairs them by their stamps, and brings
@@ -82,12 +77,12 @@ class ReplaySource
     std::deque<Waiting> waiting;  ///< for their transforms
   };
 
-  static Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets);
+  Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const;
   static std::pair<std::string, std::string> typeAndSumOf(Role role);
   bool wants(const std::string& topic) const;
   void requireTopics() const;
   void requireTypes() const;
-  void requireOthersAnswers() const;
+  void requireAnotherRuns(const std::string& topic) const;
   [[noreturn]] void refuseWithout(const std::string& topic, const std::string& type) const;
   void take(const BagMessage& message);
   void use(const Use& use, const BagMessage& message);
@@ -96,8 +91,8 @@ class ReplaySource
   void emit(std::size_t wheelset);
   void finish();
 
-  Uses uses_;
   std::set<std::string> answers_;  ///< topics
+  Uses uses_;
   bool keep_;
   std::vector<Wheelset> wheelsets_;
   tf2::BufferCore transforms_;
