@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""rviz loads the display and draws an answer: the colours of its pressure appear on the screen, and nothing is wrong."""
+"""rviz loads the display and draws the answers of a bag that replay.launch plays: the colours of their pressure appear on
+the screen, and nothing is wrong."""
 
 import math
 import os
+import pathlib
 import re
 import subprocess
 import tempfile
@@ -11,6 +13,7 @@ import time
 import unittest
 
 import numpy
+import rosbag
 import rospkg
 import rospy
 import rostest
@@ -60,16 +63,25 @@ def coloured(picture, half):
 
 class RvizDisplay(unittest.TestCase):
     def setUp(self):
-        self.log = tempfile.TemporaryFile("w+")
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        bag = self.folder / "answers.bag"
+        with rosbag.Bag(str(bag), "w") as file:
+            for i in range(20):
+                file.write("/contact_node/contact", answer(), rospy.Time(1 + 0.1 * i))
         self.screen = subprocess.Popen(
             ["Xvfb", "-displayfd", "1", "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24", "-nolisten", "tcp"],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.addCleanup(self.end, self.screen)
         os.environ["DISPLAY"] = ":" + self.screen.stdout.readline().strip()
-        config = os.path.join(rospkg.RosPack().get_path("wheel_rail_contact"), "launch", "track.rviz")
-        self.rviz = subprocess.Popen(["rosrun", "rviz", "rviz", "--display-config", config, "--fullscreen"],
-                                     stdout=self.log, stderr=subprocess.STDOUT, text=True)
-        self.addCleanup(self.end, self.rviz)
+        config = pathlib.Path(rospkg.RosPack().get_path("wheel_rail_contact")) / "config" / "manchester.yaml"
+        with open(self.folder / "roslaunch.log", "w", encoding="utf-8") as log:
+            self.launch = subprocess.Popen(
+                ["roslaunch", "wheel_rail_contact", "replay.launch", f"bag:={bag}", f"config:={config}",
+                 "view_options:=--fullscreen"],
+                stdout=log, stderr=subprocess.STDOUT, env={**os.environ, "ROS_LOG_DIR": str(self.folder)})
+        self.addCleanup(self.end, self.launch)
 
     def end(self, process):
         process.terminate()
@@ -80,31 +92,34 @@ class RvizDisplay(unittest.TestCase):
             process.wait()
 
     def output(self):
-        self.log.seek(0)
-        return self.log.read()
+        return "\n".join(path.read_text(errors="replace") for path in sorted(self.folder.rglob("*.log")))
 
     def wait_for(self, condition, what):
         end = time.time() + PATIENCE
         while not condition():
-            self.assertIsNone(self.rviz.poll(), "rviz has ended:\n" + self.output())
-            self.assertLess(time.time(), end, what + "; rviz says:\n" + self.output())
+            self.assertIsNone(self.launch.poll(), "roslaunch has ended:\n" + self.output())
+            self.assertLess(time.time(), end, what + "; the logs say:\n" + self.output())
             time.sleep(0.5)
 
-    def publish_and_count(self, publisher):
-        publisher.publish(answer())
-        picture = screenshot()
-        return [coloured(picture, half) for half in (0, 1)]
-
     def test_pressure_is_on_the_screen(self):
+        counts = []
+
+        def drawn():
+            picture = screenshot()
+            counts[:] = [coloured(picture, half) for half in (0, 1)]
+            return min(counts) > 1000
+
+        self.wait_for(drawn, "no pressure is drawn")
+        self.assertEqual(rospy.get_param("contact_node/rail/profile"), "UIC60_manchester")
         publisher = rospy.Publisher("contact_node/contact", WheelsetContact, queue_size=1)
         self.wait_for(publisher.get_num_connections, "rviz has not subscribed")
-        before = screenshot()
-        self.assertEqual([coloured(before, half) for half in (0, 1)], [0, 0], "colours without an answer")
 
-        self.wait_for(lambda: min(self.publish_and_count(publisher)) > 1000, "no pressure is drawn")
-        publisher.publish(WheelsetContact(header=answer().header, status=WheelsetContact.OFF_PROFILE))
-        self.wait_for(lambda: sum(coloured(screenshot(), half) for half in (0, 1)) == 0,
-                      "an answer that is not usable is drawn")
+        def cleared():
+            publisher.publish(WheelsetContact(header=answer().header, status=WheelsetContact.OFF_PROFILE))
+            drawn()
+            return sum(counts) == 0
+
+        self.wait_for(cleared, "an answer that is not usable is drawn")
         faults = [line for line in self.output().splitlines() if re.search(r"\[ ?(ERROR|FATAL|WARN)|Ogre.*Exception", line)]
         self.assertEqual(faults, [])
 
