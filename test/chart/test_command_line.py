@@ -9,11 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
-from wheel_rail_contact.chart import front, runner
+from wheel_rail_contact.chart import front
 from wheel_rail_contact.chart.command_line import main
-from wheel_rail_contact.chart.errors import ChartError
+from wheel_rail_contact.chart.measuring import RUNNER, measure
 from wheel_rail_contact.chart.progress import Progress
 from wheel_rail_contact.chart.table import Row
+from wheel_rail_contact.command import Failure, finish, pyplot, runner
 
 ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", "answered", "", 1e-3, 1e-3, 1e-3, 5, 0.01, 0.01,
           0.0, 0.0, 0.02, 1e-4)
@@ -39,10 +40,30 @@ class Misuse(unittest.TestCase):
 
     def test_a_missing_or_failing_runner_is_a_sentence(self):
         with mock.patch.dict(os.environ, {"CMAKE_PREFIX_PATH": ""}), mock.patch("sys.argv", ["nowhere/contact_chart"]):
-            with self.assertRaisesRegex(ChartError, "was not found"):
-                runner.find_runner()
-        with self.assertRaisesRegex(ChartError, "failed"):
-            runner.run("false", False, mock.Mock())
+            with self.assertRaisesRegex(Failure, "was not found"):
+                runner(RUNNER)
+        with self.assertRaisesRegex(Failure, "failed"):
+            measure("false", False, mock.Mock())
+
+
+class Ending(unittest.TestCase):
+    def end(self, work):
+        err = io.StringIO()
+        with contextlib.redirect_stderr(err):
+            return finish("name", work), err.getvalue()
+
+    def test_a_failure_is_a_sentence_and_an_interruption_is_told(self):
+        self.assertEqual(self.end(lambda: None), (0, ""))
+        self.assertEqual(self.end(mock.Mock(side_effect=Failure("why"))), (1, "name: why\n"))
+        status, err = self.end(lambda: open("/nowhere/absent", encoding="ascii"))
+        self.assertEqual((status, err.count("\n")), (1, 1))
+        self.assertEqual(self.end(mock.Mock(side_effect=KeyboardInterrupt)), (130, "\nname: interrupted\n"))
+
+    def test_missing_matplotlib_is_a_sentence(self):
+        with mock.patch.dict("sys.modules", {"matplotlib": None}):
+            status, err = self.end(pyplot)
+        self.assertEqual((status, err), (1, "name: matplotlib is not installed; on Debian: "
+                                            "apt install python3-matplotlib\n"))
 
 
 class ProgressBar(unittest.TestCase):

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 from rails import CONFIG, bar, rail_60e1
 
+from wheel_rail_contact.command import Failure
 from wheel_rail_contact.rail_fe import outline_60e1
-from wheel_rail_contact.rail_fe.errors import RailError
 from wheel_rail_contact.rail_fe.section import Section, read_section
 
 SQUARE = np.array([[-1.0, 0.0], [1.0, 0.0], [1.0, 2.0], [-1.0, 2.0]])
@@ -71,11 +71,11 @@ class AnyOutline(unittest.TestCase):
         np.testing.assert_allclose(section.project(section.points(arcs)), arcs, atol=1e-9)
 
     def test_outline_that_crosses_itself_is_refused(self):
-        with self.assertRaisesRegex(RailError, "crosses itself"):
+        with self.assertRaisesRegex(Failure, "crosses itself"):
             Section("bow tie", SQUARE[[0, 2, 1, 3]])
 
     def test_height_above_the_crown_is_refused(self):
-        with self.assertRaisesRegex(RailError, "does not reach z = 3 m"):
+        with self.assertRaisesRegex(Failure, "does not reach z = 3 m"):
             Section("square", SQUARE).gauge_face(3.0)
 
 
@@ -97,11 +97,11 @@ class File(unittest.TestCase):
                                 ("y_mm,z_mm\n0,0\n1,1\n", "at least three"),
                                 ("y_mm,z_mm\n0,0,1\n1,0,1\n", "two columns"),
                                 ("y_mm,z_mm\n0,0\n1,0\n0,nan\n", "finite")):
-            with self.subTest(text), self.assertRaisesRegex(RailError, complaint):
+            with self.subTest(text), self.assertRaisesRegex(Failure, complaint):
                 self.read(text)
 
     def test_missing_file_is_named(self):
-        with self.assertRaisesRegex(RailError, "nowhere.csv: cannot be read"):
+        with self.assertRaisesRegex(Failure, "nowhere.csv: cannot be read"):
             read_section("nowhere.csv")
 
 

@@ -1,39 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of contact_chart."""
 import argparse
-import sys
 import tempfile
 from pathlib import Path
 
+from ..command import Failure, finish, pyplot, runner
 from . import table
-from .errors import ChartError
 from .front import standing
-from .picture import draw, pyplot
+from .measuring import RUNNER, measure
+from .picture import draw
 from .progress import Progress
-from .runner import find_runner, run
 
 
 def main(arguments=None):
     """Run the command; returns its exit status."""
-    options = _parser().parse_args(arguments)
-    try:
-        _run(options)
-    except (ChartError, OSError) as error:
-        print(f"contact_chart: {error}", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print("\ncontact_chart: interrupted, nothing written", file=sys.stderr)
-        return 130
-    return 0
+    return finish("contact_chart", _run, _parser().parse_args(arguments))
 
 
 def _run(options):
     _check_folder(options.out)
     plot = pyplot()
-    program = find_runner()
+    program = runner(RUNNER)
     progress = Progress()
     try:
-        facts, lines = run(program, options.quick, progress)
+        facts, lines = measure(program, options.quick, progress)
     finally:
         progress.end()
     facts = {"machine": table.machine(), **facts}
@@ -45,14 +35,14 @@ def _run(options):
 
 
 def _check_folder(folder):
-    """Raises ChartError, before any time is spent, for a place that cannot be written to."""
+    """Raises Failure, before any time is spent, for a place that cannot be written to."""
     if not folder.is_dir():
-        raise ChartError(f"--out {folder}: there is no such folder")
+        raise Failure(f"--out {folder}: there is no such folder")
     try:
         with tempfile.TemporaryFile(dir=folder):
             pass
     except OSError as error:
-        raise ChartError(f"--out {folder}: cannot be written to ({error.strerror})") from error
+        raise Failure(f"--out {folder}: cannot be written to ({error.strerror})") from error
 
 
 def _report(rows):
@@ -74,7 +64,3 @@ def _parser():
     parser.add_argument("--quick", action="store_true",
                         help="fewer repetitions, no slow grids, a coarser truth: a look in a quarter of the time")
     return parser
-
-
-if __name__ == "__main__":
-    sys.exit(main())

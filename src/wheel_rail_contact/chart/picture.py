@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 
-from .errors import ChartError
 from .front import over_scenes, pareto
 
 # Colours that people with any colour vision can tell apart (Okabe and Ito 2008), and a marker for each.
@@ -47,17 +46,6 @@ class Point:
     error: float
     failure: str
     label: str = ""
-
-
-def pyplot():
-    """matplotlib's pyplot, drawing to files only; raises ChartError if it is not installed."""
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        from matplotlib import pyplot as plot
-    except ImportError as error:
-        raise ChartError("matplotlib is not installed; on Debian: apt install python3-matplotlib") from error
-    return plot
 
 
 def draw(plot, rows, facts, paths):

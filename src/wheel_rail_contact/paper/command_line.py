@@ -2,33 +2,31 @@
 """Command line of paper_study."""
 import argparse
 import subprocess
-import sys
 from pathlib import Path
 
+from ..command import Failure, finish, pyplot, runner, shipped
 from . import pictures, report
-from .files import StudyError, runner, share, tables
+
+RUNNER = "paper_study_runner"
+# The shipped compliance tables, the paper's rail first, then from stiff to soft pads.
+TABLES = ("paper", "pads_100_500", "pads_40_100", "pads_20_60", "pads_10_25")
 
 
 def main(arguments=None):
     """Run the command; returns its exit status."""
-    options = _parser().parse_args(arguments)
-    try:
-        _run(options.out)
-    except (StudyError, OSError) as error:
-        print(f"paper_study: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return finish("paper_study", _run, _parser().parse_args(arguments).out)
 
 
 def _run(folder):
-    program, config, rails = runner(), share() / "config" / "paper.yaml", tables()
-    pictures.check()
+    program, config = runner(RUNNER), shipped("config/paper.yaml")
+    rails = [shipped(f"config/rails/{name}.yaml") for name in TABLES]
+    plot = pyplot()
     folder.mkdir(parents=True, exist_ok=True)
     done = subprocess.run([program, folder, config, "cases", "forces", "scan", "--", *rails], check=False)
     if done.returncode != 0:
-        raise StudyError(f"the calculation ended with status {done.returncode}")
+        raise Failure(f"the calculation ended with status {done.returncode}")
     print(report.text(folder))
-    for picture in pictures.draw(folder):
+    for picture in pictures.draw(plot, folder):
         print(f"wrote {picture}")
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pressure and area against the lateral force, for each table and for the parts of one."""
-from .pictures import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED
+from .colours import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED
 
 TABLES = {"paper": ("paper's rail", BLACK, "o"), "pads_100_500": ("pads 100/500 kN/mm", BLUE, "s"),
           "pads_40_100": ("pads 40/100", GREEN, "^"), "pads_20_60": ("pads 20/60", ORANGE, "D"),

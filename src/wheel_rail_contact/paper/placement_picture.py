@@ -2,7 +2,7 @@
 """The paper's Figure 3 from our results: both placements, initial contact points, pressures on one scale."""
 import numpy as np
 
-from .pictures import BLACK, BLUE, RED
+from .colours import BLACK, BLUE, RED
 
 SHOWN = ("without", "shifted", "turned", "own_rail")
 TITLES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "and 13 mrad inward",

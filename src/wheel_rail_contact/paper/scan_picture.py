@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where settings lie in the plane of area and highest pressure, and the paper's two points in it."""
-from .pictures import BLACK, BLUE, GREEN, ORANGE, RED
+from .colours import BLACK, BLUE, GREEN, ORANGE, RED
 
 RAIL = "UIC60_manchester"
 PRINTED = {"without": (185, 1175), "with": (127, 1330)}

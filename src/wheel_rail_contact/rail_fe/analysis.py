@@ -48,7 +48,7 @@ class Solution:
 def solve(study, mesh_size, progress, deck_directory=None):
     """Solve the study on one mesh. `progress(text)` is told what begins; the deck is kept in `deck_directory` if given.
 
-    Raises RailError if a program is missing or fails.
+    Raises Failure if a program is missing or fails.
     """
     place = nullcontext(deck_directory) if deck_directory else tempfile.TemporaryDirectory(prefix="rail_compliance_")
     with place as directory:

@@ -6,14 +6,14 @@ import subprocess
 
 import numpy as np
 
-from .errors import RailError
+from ..command import Failure
 
 
 def program():
-    """Path of ccx; raises RailError if it is not installed."""
+    """Path of ccx; raises Failure if it is not installed."""
     path = shutil.which("ccx")
     if path is None:
-        raise RailError("CalculiX (ccx) is not installed; on Debian: apt install calculix-ccx")
+        raise Failure("CalculiX (ccx) is not installed; on Debian: apt install calculix-ccx")
     return path
 
 
@@ -28,7 +28,7 @@ def solve(directory, job, step_count, on_step):
     """Run ccx on `job`.inp in `directory`; calls on_step(k) when load step k = 1.. begins.
 
     Returns the printed displacements of each step: a list of dictionaries, node number -> array(3) [m].
-    Raises RailError if ccx is missing or fails.
+    Raises Failure if ccx is missing or fails.
     """
     with subprocess.Popen([program(), job], cwd=directory, text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT) as run:
@@ -41,7 +41,7 @@ def solve(directory, job, step_count, on_step):
                 complaints.append(line.strip())
     steps = _read_displacements(directory / f"{job}.dat") if (directory / f"{job}.dat").exists() else []
     if run.returncode != 0 or complaints or len(steps) != step_count:
-        raise RailError("ccx failed: " + (" ".join(complaints[:5]) or f"exit status {run.returncode}, "
+        raise Failure("ccx failed: " + (" ".join(complaints[:5]) or f"exit status {run.returncode}, "
                                           f"{len(steps)} of {step_count} steps solved"))
     return steps
 

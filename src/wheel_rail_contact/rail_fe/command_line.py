@@ -6,11 +6,11 @@ import sys
 import time
 from pathlib import Path
 
+from ..command import Failure, finish, pyplot, shipped
 from . import calculix, gmsh_mesh
 from .analysis import COARSER, estimated_error, solve
-from .errors import RailError
 from .mesh import FACES
-from .picture import pyplot, write_picture
+from .picture import write_picture
 from .section import read_section
 from .study import Study
 from .supports import KINDS, Pads
@@ -25,12 +25,7 @@ def main(arguments=None):
     """Run the command; returns its exit status."""
     arguments = sys.argv[1:] if arguments is None else arguments
     options = _parser().parse_args(arguments)
-    try:
-        _run(options, shlex.join(["rail_compliance", *arguments]))
-    except (RailError, OSError) as error:
-        print(f"rail_compliance: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return finish("rail_compliance", _run, options, shlex.join(["rail_compliance", *arguments]))
 
 
 def _run(options, command):
@@ -57,12 +52,12 @@ def _run(options, command):
 
 
 def _check_what_is_needed(options):
-    """Raises RailError for a missing program or folder before any time is spent."""
+    """Raises Failure for a missing program or folder before any time is spent."""
     gmsh_mesh.program()
     calculix.program()
     for path in (options.out, options.picture):
         if path and not path.parent.is_dir():
-            raise RailError(f"{path}: there is no folder {path.parent}")
+            raise Failure(f"{path}: there is no folder {path.parent}")
     if options.picture:
         pyplot()
 
@@ -75,7 +70,7 @@ def _report(study, fine, coarse):
 
 
 def _study(options):
-    """The study the options ask for; raises RailError for options that do not go together."""
+    """The study the options ask for; raises Failure for options that do not go together."""
     pads = _pads(options)
     length = options.length
     if length is None:
@@ -83,7 +78,7 @@ def _study(options):
     neighbours = options.neighbours
     if neighbours is None:
         neighbours = [distance for distance in NEIGHBOURS if pads and distance < 0.5 * length]
-    return Study(section=read_section(options.section or shipped_section()), supports=options.supports, pads=pads,
+    return Study(section=read_section(options.section or shipped("config/rails/sections/60E1.csv")), supports=options.supports, pads=pads,
                  length=length, young=options.young, poisson=options.poisson, element_type=options.element,
                  mesh_size=options.mesh_size, neighbours=tuple(sorted(set(neighbours))),
                  head_depth=options.head_depth, force=options.force, force_height=options.force_height)
@@ -95,22 +90,11 @@ def _pads(options):
     given = {name: value for name, value in given.items() if value is not None}
     if options.supports != "seats":
         if given:
-            raise RailError("options of seats (pads, --spacing, --bays) belong to --supports seats")
+            raise Failure("options of seats (pads, --spacing, --bays) belong to --supports seats")
         return None
     if "lateral" not in given or "vertical" not in given:
-        raise RailError("--supports seats needs --pad-lateral and --pad-vertical")
+        raise Failure("--supports seats needs --pad-lateral and --pad-vertical")
     return Pads(**given)
-
-
-def shipped_section():
-    """Path of the section that comes with the package, in the source tree or beside an installed one."""
-    beside = Path("config", "rails", "sections", "60E1.csv")
-    here = Path(__file__).resolve().parent
-    roots = [here.parents[2], *(parent / "share" / "wheel_rail_contact" for parent in here.parents)]
-    for root in roots:
-        if (root / beside).is_file():
-            return root / beside
-    raise RailError("the shipped section 60E1.csv was not found; name a file with --section")
 
 
 def _parser():
@@ -151,7 +135,3 @@ def _add_seat_options(add):
         help=f"number of bays; even: load between two seats, odd: over one (default: {Pads.bays})")
     add("--neighbours", type=float, nargs="*", metavar="M", help="distances along the rail at which another wheel's "
         f"influence is wanted (default: {' and '.join(map(str, NEIGHBOURS))})")
-
-
-if __name__ == "__main__":
-    sys.exit(main())

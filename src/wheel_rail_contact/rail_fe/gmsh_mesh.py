@@ -5,7 +5,7 @@ import subprocess
 
 import numpy as np
 
-from .errors import RailError
+from ..command import Failure
 from .mesh import Mesh
 
 # gmsh's element types and the places of its nodes in CalculiX's order.
@@ -28,23 +28,23 @@ Mesh.Binary = 0;
 def rail_mesh(section, cuts, size, element_type, directory):
     """Mesh of the section swept along the stations `cuts` [m], elements of about `size` [m] in the section.
 
-    `directory` (pathlib.Path) receives rail.geo and rail.msh. Raises RailError if gmsh is missing or fails.
+    `directory` (pathlib.Path) receives rail.geo and rail.msh. Raises Failure if gmsh is missing or fails.
     """
     (directory / "rail.geo").write_text(_script(section, cuts, size, element_type), encoding="ascii")
     run = subprocess.run([program(), "-3", "rail.geo", "-o", "rail.msh", "-nopopup"], cwd=directory, text=True,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if run.returncode != 0 or not (directory / "rail.msh").exists():
         complaints = [line for line in run.stdout.splitlines() if line.startswith(("Error", "terminate"))]
-        raise RailError(f"gmsh could not mesh section {section.name} with size {size:g} m: "
+        raise Failure(f"gmsh could not mesh section {section.name} with size {size:g} m: "
                         + (" ".join(complaints) or f"exit status {run.returncode}"))
     return _read(directory / "rail.msh", element_type)
 
 
 def program():
-    """Path of gmsh; raises RailError if it is not installed."""
+    """Path of gmsh; raises Failure if it is not installed."""
     path = shutil.which("gmsh")
     if path is None:
-        raise RailError("gmsh is not installed; on Debian: apt install gmsh")
+        raise Failure("gmsh is not installed; on Debian: apt install gmsh")
     return path
 
 
@@ -93,7 +93,7 @@ def _read(path, element_type):
     start = lines.index("$Elements") + 2
     rows = [line.split() for line in lines[start:start + int(lines[start - 1])]]
     if {row[1] for row in rows} != {str(TYPE_NUMBER[element_type])}:
-        raise RailError(f"gmsh did not fill the rail with {element_type} only: try another --mesh-size")
+        raise Failure(f"gmsh did not fill the rail with {element_type} only: try another --mesh-size")
     order = NODE_ORDER[element_type]
     elements = np.array(rows, dtype=int)[:, -len(order):][:, order]
     place = np.full(int(table[:, 0].max()) + 1, -1)

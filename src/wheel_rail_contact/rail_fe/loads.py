@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import RailError
+from ..command import Failure
 from .mesh import PLANE_TOLERANCE
 from .surface import FacePoints
 
@@ -48,7 +48,7 @@ class HeadSurface:
     def _case(self, arc, name, direction):
         inside = (np.abs(self._arc - arc) <= 0.5 * PATCH) & (self._points.position[..., 0] <= 0.5 * PATCH)
         if not inside.any():
-            raise RailError(f"load {name}: the mesh has no surface there")
+            raise Failure(f"load {name}: the mesh has no surface there")
         share = self._points.nodal(inside.astype(float), len(self._nodes))
         forces = np.outer(0.5 * share / share.sum(), direction)
         y, z = self._nodes[:, 1], self._nodes[:, 2] - (self._section.height - REFERENCE_DEPTH)

@@ -2,7 +2,7 @@
 """Picture of the loaded section: where the check load moves it, coloured by displacement."""
 import numpy as np
 
-from .errors import RailError
+from ..command import pyplot
 
 SUBTRIANGLES = {8: [(7, 0, 4), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 6), (4, 6, 7)],
                 6: [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)]}
@@ -10,7 +10,7 @@ SHOWN_SHARE = 0.12  # the largest displacement is drawn at most this share of th
 
 
 def write_picture(path, study, solution):
-    """PNG of the section at the load, deformed and undeformed. Raises RailError if matplotlib is missing."""
+    """PNG of the section at the load, deformed and undeformed. Raises Failure if matplotlib is missing."""
     plot = pyplot()
     faces = solution.mesh.plane_faces(0, 0.0)
     place, move = solution.mesh.nodes[:, 1:], solution.check[:, 1:]
@@ -31,17 +31,6 @@ def write_picture(path, study, solution):
     figure.tight_layout()
     figure.savefig(path, dpi=130)
     plot.close(figure)
-
-
-def pyplot():
-    """matplotlib's pyplot, drawing to files only; raises RailError if it is not installed."""
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        from matplotlib import pyplot as plot
-    except ImportError as error:
-        raise RailError("matplotlib is not installed; on Debian: apt install python3-matplotlib") from error
-    return plot
 
 
 def _draw_edges(axes, shown, faces):

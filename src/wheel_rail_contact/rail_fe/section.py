@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .errors import RailError
+from ..command import Failure
 
 CORNER_ANGLE = np.radians(20)       # a vertex that turns more than this is a corner: a mesh edge ends there
 LARGEST_EDGE_TURN = np.radians(60)  # a mesh edge turns at most this far, so fillets get smaller edges
@@ -19,7 +19,7 @@ class Section:
     """
 
     def __init__(self, name, outline):
-        """Raises RailError if the (n, 2) points [m] are no simple polygon."""
+        """Raises Failure if the (n, 2) points [m] are no simple polygon."""
         self.name = name
         self.outline = _checked_outline(np.asarray(outline, float), name)
         self._edge = np.roll(self.outline, -1, axis=0) - self.outline
@@ -75,12 +75,12 @@ class Section:
 
     def crossing(self, axis, value, side):
         """Arc length [m] where the coordinate `axis` (0: y, 1: z) takes `value` [m]: the candidate for which the other
-        coordinate times `side` is largest. Raises RailError if the outline does not reach that value."""
+        coordinate times `side` is largest. Raises Failure if the outline does not reach that value."""
         start, step = self.outline[:, axis], self._edge[:, axis]
         share = np.divide(value - start, step, out=np.full(len(step), -1.0), where=step != 0)
         hits = np.flatnonzero((share >= 0) & (share <= 1))
         if len(hits) == 0:
-            raise RailError(f"section {self.name}: the outline does not reach {'yz'[axis]} = {value:g} m")
+            raise Failure(f"section {self.name}: the outline does not reach {'yz'[axis]} = {value:g} m")
         other = self.outline[hits, 1 - axis] + share[hits] * self._edge[hits, 1 - axis]
         best = hits[np.argmax(side * other)]
         return float(self._arc[best] + share[best] * self._length[best])
@@ -111,20 +111,20 @@ class Section:
 def read_section(path):
     """Section from a CSV file: comment lines (#), the header y_mm,z_mm, one point [mm] a line; named by the file.
 
-    Raises RailError for an unreadable file or an outline that is no simple polygon.
+    Raises Failure for an unreadable file or an outline that is no simple polygon.
     """
     path = Path(path)
     try:
         lines = [line.strip() for line in path.read_text(encoding="utf-8").splitlines()]
     except (OSError, UnicodeDecodeError) as error:
-        raise RailError(f"section file {path}: cannot be read ({error})") from error
+        raise Failure(f"section file {path}: cannot be read ({error})") from error
     lines = [line for line in lines if line and not line.startswith("#")]
     if not lines or lines[0].replace(" ", "") != CSV_HEADER:
-        raise RailError(f"section file {path}: the first line after the comments must be {CSV_HEADER}")
+        raise Failure(f"section file {path}: the first line after the comments must be {CSV_HEADER}")
     try:
         outline = np.array([[float(number) for number in line.split(",")] for line in lines[1:]])
     except ValueError as error:
-        raise RailError(f"section file {path}: {error}") from error
+        raise Failure(f"section file {path}: {error}") from error
     return Section(path.stem, outline / 1000)
 
 
@@ -141,16 +141,16 @@ def _turns(outline):
 
 
 def _checked_outline(outline, name):
-    """Counter-clockwise, without repeated points, lowest point at z = 0; raises RailError if that cannot be."""
+    """Counter-clockwise, without repeated points, lowest point at z = 0; raises Failure if that cannot be."""
     if outline.ndim != 2 or outline.shape[1] != 2 or not np.isfinite(outline).all():
-        raise RailError(f"section {name}: needs two columns of finite numbers")
+        raise Failure(f"section {name}: needs two columns of finite numbers")
     outline = outline[np.linalg.norm(outline - np.roll(outline, -1, axis=0), axis=1) > 1e-9]
     if len(outline) < 3:
-        raise RailError(f"section {name}: a closed outline needs at least three different points")
+        raise Failure(f"section {name}: a closed outline needs at least three different points")
     if _turns(outline).sum() < 0:
         outline = outline[::-1]
     if _crosses_itself(outline):
-        raise RailError(f"section {name}: the outline crosses itself")
+        raise Failure(f"section {name}: the outline crosses itself")
     return outline - [0, outline[:, 1].min()]
 
 

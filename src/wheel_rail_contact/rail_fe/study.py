@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from .errors import RailError
+from ..command import Failure
 from .loads import REFERENCE_DEPTH
 from .mesh import FACES
 from .supports import ENDS, KINDS, Pads
@@ -27,7 +27,7 @@ class Study:
     force_height: float = None   # of the check load above the foot's underside [m]; None: the reference point's
 
     def validate(self):
-        """Raises RailError that names the value and the broken rule."""
+        """Raises Failure that names the value and the broken rule."""
         _demand(self.supports in KINDS, f"--supports is {self.supports}: must be one of {', '.join(KINDS)}")
         _demand(self.element_type in FACES, f"--element is {self.element_type}: must be one of {', '.join(FACES)}")
         for option, value in (("--length", self.length), ("--young", self.young), ("--mesh-size", self.mesh_size),
@@ -78,7 +78,7 @@ class Study:
 
 def _demand(rule, message):
     if not rule:
-        raise RailError(message)
+        raise Failure(message)
 
 
 def _demand_positive(option, value):

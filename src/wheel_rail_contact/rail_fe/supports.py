@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .errors import RailError
+from ..command import Failure
 from .surface import FacePoints
 
 FOOT = ("foot_clamped", "foot_and_ends_clamped")
@@ -98,7 +98,7 @@ def _nodal_area(nodes, faces):
 
 def _vertical_springs(y, area, vertical, roll):
     """Stiffness [N/m] of springs at y [m] on the areas [m^2]: a + b y^2 per area, with the seat's vertical [N/m] and
-    roll [N m/rad] stiffness as sums. Raises RailError if that would need a negative spring."""
+    roll [N m/rad] stiffness as sums. Raises Failure if that would need a negative spring."""
     moments = [np.sum(area * y**power) for power in (0, 2, 4)]
     level, bend = np.linalg.solve([moments[:2], moments[1:]], [vertical, roll])
     stiffness = area * (level + bend * y**2)
@@ -106,6 +106,6 @@ def _vertical_springs(y, area, vertical, roll):
         edge = np.abs(y).max()
         limits = [vertical * (moments[1] * edge**2 - moments[2]) / (moments[0] * edge**2 - moments[1]),
                   vertical * moments[2] / moments[1]]
-        raise RailError(f"--pad-roll is {roll:g} N m/rad: with a vertical stiffness of {vertical:g} N/m under this "
+        raise Failure(f"--pad-roll is {roll:g} N m/rad: with a vertical stiffness of {vertical:g} N/m under this "
                         f"foot it must lie between {limits[0]:.4g} and {limits[1]:.4g}")
     return stiffness

@@ -7,13 +7,11 @@ import numpy as np
 import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
+from ..command import Failure
+
 SIDES = ("left", "right")
 STATUSES = ("OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM")
 USABLE = (0, 1)
-
-
-class ReportError(Exception):
-    """A bag of which no report can be made; the message says why."""
 
 
 @dataclass
@@ -49,7 +47,7 @@ def find_topic(bag, wheelset):
     if wheelset is not None:
         topics = [t for t in topics if t.lstrip("/").startswith((wheelset.strip("/") + "/").lstrip("/"))]
     if len(topics) != 1:
-        raise ReportError(f"{len(topics)} topics with answers: {' '.join(sorted(topics)) or 'none'}"
+        raise Failure(f"{len(topics)} topics with answers: {' '.join(sorted(topics)) or 'none'}"
                           + (" (choose one with --wheelset)" if len(topics) > 1 else ""))
     return topics[0]
 
@@ -62,7 +60,7 @@ def read(path, wheelset=None):
             answers = _collect(messages(bag, topic))
             _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
     except rosbag.ROSBagException as error:
-        raise ReportError(f"{path}: {error}") from None
+        raise Failure(f"{path}: {error}") from None
     answers.outlines = {kind: np.array(_text(header[name]).split(), float).reshape(-1, 2)
                         for kind, name in OUTLINES.items() if name in header}
     answers.parameters = _text(header.get("contact_replay", ""))
@@ -90,7 +88,7 @@ def _collect(stream):
             patches.append((index, patch.side, o.position.y, o.position.z, *(getattr(patch, f) for f in PATCH_FIELDS)))
             names.append(patch.method)
     if not histories:
-        raise ReportError("the bag holds no answer")
+        raise Failure("the bag holds no answer")
     answers.stamp, status, answers.y, answers.z, answers.roll, answers.yaw = np.array(histories, float).T
     answers.status = status.astype(int)
     answers.rail = np.array(rails, float)

@@ -2,12 +2,12 @@
 """Command line of contact_report."""
 import argparse
 import pathlib
-import sys
 
 import numpy as np
 
+from ..command import finish, pyplot
 from . import figures, page
-from .answers import ReportError, full, read
+from .answers import full, read
 
 WORST = 2  # instants of highest pressure that are shown
 
@@ -42,7 +42,8 @@ def chosen_answers(answers, instants):
 
 
 def make_report(options):
-    """Writes page and pictures; returns the page's path."""
+    """Writes page and pictures; prints the page's path."""
+    pyplot()  # before any time is spent
     out = pathlib.Path(options.out)
     answers, topic = read(options.bag, options.wheelset)
     other = read(options.compare, options.wheelset)[0] if options.compare else None
@@ -59,15 +60,9 @@ def make_report(options):
         pictures.append(("Estimated errors", [figures.quality(answers, out / "errors.png")]))
     page.write(out / "report.html", f"{pathlib.Path(options.bag).name}, {topic}", answers, pictures,
                pathlib.Path(options.compare).name if options.compare else None)
-    return out / "report.html"
+    print(out / "report.html")
 
 
 def main(arguments=None):
     """Run the command; returns its exit status."""
-    options = _parser().parse_args(arguments)
-    try:
-        print(make_report(options))
-    except (ReportError, OSError) as error:
-        print(f"contact_report: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return finish("contact_report", make_report, _parser().parse_args(arguments))

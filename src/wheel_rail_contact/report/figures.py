@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report's pictures."""
-import matplotlib
 import numpy as np
 
+from ..command import pyplot
 from .answers import RAIL_FIELDS, SIDES, USABLE, of_answers
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plot  # noqa: E402  (after the choice of the backend)
 
 COLOURS = ("tab:blue", "tab:orange")
 MOST_POINTS = 4000  # of a history that are drawn; of more, the extremes of each piece
@@ -15,7 +12,7 @@ SMALLEST = 1e-12  # estimated error that is drawn
 
 def _save(figure, path):
     figure.savefig(path, dpi=110)
-    plot.close(figure)
+    pyplot().close(figure)
     return path
 
 
@@ -68,7 +65,7 @@ def histories(answers, other, path):
     """Everything over time; the other run, if given, dashed."""
     rows = _rows(answers)
     others = _rows(other) if other else [(None, [])] * len(rows)
-    figure, axes = plot.subplots(len(rows), 1, sharex=True, figsize=(10, 1.55 * len(rows)), constrained_layout=True)
+    figure, axes = pyplot().subplots(len(rows), 1, sharex=True, figsize=(10, 1.55 * len(rows)), constrained_layout=True)
     for axis, (label, lines), (_, other_lines) in zip(axes, rows, others):
         for values, name, colour in lines:
             axis.plot(*_thinned(answers.stamp, values), color=colour, label=name, linewidth=1.1)
@@ -104,9 +101,9 @@ def contact_points(answers, side):
 
 def bands(answers, path):
     """Where it runs: contact positions on both profiles, coloured by the highest pressure."""
-    figure, axes = plot.subplots(2, 2, figsize=(11, 6.2), constrained_layout=True)
+    figure, axes = pyplot().subplots(2, 2, figsize=(11, 6.2), constrained_layout=True)
     pressure = 1e-6 * answers.patches["max_pressure"]
-    scale = plot.Normalize(0, pressure.max() if len(pressure) else 1)
+    scale = pyplot().Normalize(0, pressure.max())
     for side in (0, 1):
         chosen = answers.patches["side"] == side
         for row, (kind, points) in enumerate(zip(("wheel", "rail"), contact_points(answers, side)[::-1])):
@@ -129,7 +126,7 @@ def pressure_maps(message, title, path):
     patches = [p for p in message.patches if p.grid.nx]
     columns = min(4, len(patches))
     rows = -(-len(patches) // columns)
-    figure, axes = plot.subplots(rows, columns, figsize=(3.6 * columns, 3.6 * rows), squeeze=False,
+    figure, axes = pyplot().subplots(rows, columns, figsize=(3.6 * columns, 3.6 * rows), squeeze=False,
                                  constrained_layout=True)
     for axis in axes.flat[len(patches):]:
         axis.remove()
@@ -150,12 +147,11 @@ def pressure_maps(message, title, path):
 
 def quality(answers, path):
     """Estimated errors of the patches, by method."""
-    figure, axis = plot.subplots(figsize=(7, 3), constrained_layout=True)
+    figure, axis = pyplot().subplots(figsize=(7, 3), constrained_layout=True)
     errors = np.maximum(answers.patches["error_estimate"], SMALLEST)
-    edges = np.geomspace(errors.min() / 1.1, errors.max() * 1.1, 40) if len(errors) else 10
+    edges = np.geomspace(errors.min() / 1.1, errors.max() * 1.1, 40)
     for method in sorted(set(answers.patches["method"])):
         axis.hist(errors[answers.patches["method"] == method], bins=edges, alpha=0.6, label=method)
     axis.set(xscale="log", xlabel="estimated relative error of a patch", ylabel="patches")
-    if len(errors):
-        axis.legend(fontsize="small")
+    axis.legend(fontsize="small")
     return _save(figure, path)

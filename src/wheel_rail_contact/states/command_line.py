@@ -2,9 +2,9 @@
 """Command line of contact_states."""
 import argparse
 import os
-import sys
 
-from .state import StateError, read_bag, write_bag
+from ..command import Failure, finish
+from .state import read_bag, write_bag
 from .table import AXES, COLUMNS, UNITS, WHEEL_LOADS, read_table, write_table
 
 DESCRIPTION = """Makes a bag of a table of wheelset states, as a vehicle simulation exports it, or a table of a bag."""
@@ -39,18 +39,17 @@ def main(arguments=None):
         parser.error("one of IN and OUT must be a .csv, the other a .bag")
     if not options.running_circles > 0:
         parser.error("--running-circles must be above 0")
+    return finish("contact_states", _convert, options, kinds[0] == ".csv")
+
+
+def _convert(options, from_table):
     wheelset = "/" + options.wheelset.strip("/") if options.wheelset.strip("/") else ""
-    try:
-        if os.path.exists(options.target):
-            raise StateError(f"{options.target}: exists already; it is not overwritten")
-        if kinds[0] == ".csv":
-            states = read_table(options.source, options.axes, options.running_circles, round(options.start * 1e9))
-            write_bag(options.target, states, wheelset)
-        else:
-            states = read_bag(options.source, wheelset)
-            write_table(options.target, states, options.axes)
-    except (StateError, OSError) as error:
-        print(f"contact_states: {error}", file=sys.stderr)
-        return 1
+    if os.path.exists(options.target):
+        raise Failure(f"{options.target}: exists already; it is not overwritten")
+    if from_table:
+        states = read_table(options.source, options.axes, options.running_circles, round(options.start * 1e9))
+        write_bag(options.target, states, wheelset)
+    else:
+        states = read_bag(options.source, wheelset)
+        write_table(options.target, states, options.axes)
     print(f"{len(states)} states")
-    return 0

@@ -8,11 +8,9 @@ import genpy
 import rosbag
 from geometry_msgs.msg import PoseStamped, WrenchStamped
 
+from ..command import Failure
+
 SIDES = ("left", "right")
-
-
-class StateError(Exception):
-    """A table or bag that cannot be used; the message says where and why."""
 
 
 @dataclass
@@ -86,7 +84,7 @@ def read_bag(path, wheelset=""):
             else:
                 others.append((kind, message))
     if not states:
-        raise StateError(f"{path}: no messages on {prefix}pose")
+        raise Failure(f"{path}: no messages on {prefix}pose")
     for kind, message in others:
         _add(states.get(message.header.stamp.to_nsec()), kind, message.wrench)
     return [states[time] for time in sorted(states)]

@@ -5,7 +5,8 @@ import decimal
 import math
 import re
 
-from .state import State, StateError
+from ..command import Failure
+from .state import State
 
 UNITS = {
     "time": {"s": 1.0, "ms": 1e-3},
@@ -38,14 +39,14 @@ class _Column:
     def __init__(self, index, title):
         match = TITLE.fullmatch(title)
         if not match:
-            raise StateError(f"column '{title.strip()}': must be a name with its unit, such as 'y [mm]'")
+            raise Failure(f"column '{title.strip()}': must be a name with its unit, such as 'y [mm]'")
         self.index, self.name, self.unit = index, match.group(1), match.group(2)
         kind = "time" if self.name == "time" else WHEEL_LOADS.get(self.name) or COLUMNS.get(self.name, (0, None))[1]
         if not kind:
             known = ", ".join(["time", *COLUMNS, *WHEEL_LOADS])
-            raise StateError(f"column '{self.name}': there is no such quantity; known are {known}")
+            raise Failure(f"column '{self.name}': there is no such quantity; known are {known}")
         if self.unit not in UNITS[kind]:
-            raise StateError(f"column '{self.name}': unit '{self.unit}' is none of {', '.join(UNITS[kind])}")
+            raise Failure(f"column '{self.name}': unit '{self.unit}' is none of {', '.join(UNITS[kind])}")
         self.factor = UNITS[kind][self.unit]
 
     def value(self, row):
@@ -55,7 +56,7 @@ class _Column:
         except ValueError:
             value = math.nan
         if not math.isfinite(value):
-            raise StateError(f"column '{self.name}': '{text}' is not a finite number")
+            raise Failure(f"column '{self.name}': '{text}' is not a finite number")
         return value if self.factor == 1 else value * self.factor
 
     def nanoseconds(self, row):
@@ -74,17 +75,17 @@ def _columns(titles):
     for index, title in enumerate(titles):
         column = _Column(index, title)
         if column.name in columns:
-            raise StateError(f"column '{column.name}' is there twice")
+            raise Failure(f"column '{column.name}' is there twice")
         columns[column.name] = column
     for name in REQUIRED:
         if name not in columns:
-            raise StateError(f"there is no column '{name}'")
+            raise Failure(f"there is no column '{name}'")
     if ("Q_left" in columns) != ("Q_right" in columns):
-        raise StateError("Q_left and Q_right come together")
+        raise Failure("Q_left and Q_right come together")
     if "Q_left" in columns and ("force_z" in columns or "torque_x" in columns):
-        raise StateError("the load is given twice: by force_z and torque_x, or by Q_left and Q_right")
+        raise Failure("the load is given twice: by force_z and torque_x, or by Q_left and Q_right")
     if "torque_x" in columns and "force_z" not in columns:
-        raise StateError("torque_x needs force_z")
+        raise Failure("torque_x needs force_z")
     return columns
 
 
@@ -106,23 +107,23 @@ def read_table(path, axes, running_circles, start_ns=0):
     with open(path, encoding="utf-8-sig", newline="") as file:
         lines = [(number, line) for number, line in enumerate(file, 1) if line.strip() and not line.startswith("#")]
     if not lines:
-        raise StateError(f"{path}: empty")
+        raise Failure(f"{path}: empty")
     delimiter = _delimiter(lines[0][1])
     rows = csv.reader((line for _, line in lines), delimiter=delimiter)
     try:
         columns = _columns(next(rows))
-    except StateError as error:
-        raise StateError(f"{path}: {error}") from None
+    except Failure as error:
+        raise Failure(f"{path}: {error}") from None
     states = []
     for (number, _), row in zip(lines[1:], rows):
         try:
             states.append(_state(columns, row, axes, running_circles, start_ns))
             if states[-1].time_ns <= 0:
-                raise StateError("time must be above 0, which ROS takes for unknown; --start 1 adds a second")
+                raise Failure("time must be above 0, which ROS takes for unknown; --start 1 adds a second")
             if len(states) > 1 and states[-1].time_ns <= states[-2].time_ns:
-                raise StateError("time must rise")
-        except StateError as error:
-            raise StateError(f"{path}:{number}: {error}") from None
+                raise Failure("time must rise")
+        except Failure as error:
+            raise Failure(f"{path}:{number}: {error}") from None
     return states
 
 
