@@ -102,6 +102,17 @@ class States(unittest.TestCase):
         self.assertIn("exists already", self.run_states("in.csv", "out.bag", status=1))
         self.assertEqual((self.folder / "out.bag").read_text(), "precious")
 
+    def test_bags_that_cannot_be_read_are_a_sentence(self):
+        (self.folder / "text.bag").write_text("no bag at all\n")
+        write_bag(self.folder / "whole.bag", [State(10**9 + i) for i in range(100)])
+        whole = (self.folder / "whole.bag").read_bytes()
+        (self.folder / "cut.bag").write_bytes(whole[:len(whole) // 2])
+        for name in ("text.bag", "cut.bag"):
+            printed = self.run_states(name, "out.csv", status=1)
+            self.assertIn(name, printed)
+            self.assertEqual(printed.count("\n"), 1, printed)
+            self.assertFalse((self.folder / "out.csv").exists())
+
     def test_hunting_example_is_answered_and_sways_as_klingel_says(self):
         subprocess.run([sys.executable, SCRIPTS / "make_hunting_states", self.folder / "hunting.csv"], check=True)
         self.run_states("hunting.csv", "hunting.bag")

@@ -11,6 +11,7 @@ from geometry_msgs.msg import PoseStamped, WrenchStamped
 from ..command import Failure
 
 SIDES = ("left", "right")
+FRAME = "track"
 
 
 @dataclass
@@ -32,14 +33,14 @@ def stamp_of(time_ns):
     return genpy.Time(time_ns // 10**9, time_ns % 10**9)
 
 
-def _header(message, state, frame):
+def _header(message, state):
     message.header.stamp = stamp_of(state.time_ns)
-    message.header.frame_id = frame
+    message.header.frame_id = FRAME
     return message
 
 
-def _pose(state, frame):
-    message = _header(PoseStamped(), state, frame)
+def _pose(state):
+    message = _header(PoseStamped(), state)
     message.pose.position.x, message.pose.position.y, message.pose.position.z = state.x, state.y, state.z
     # Rz(yaw) Rx(roll)
     cr, sr, cy, sy = (f(a / 2) for a in (state.roll, state.yaw) for f in (math.cos, math.sin))
@@ -48,46 +49,54 @@ def _pose(state, frame):
     return message
 
 
-def _wrench(state, frame, force_y=0.0, force_z=0.0, torque_x=0.0):
-    message = _header(WrenchStamped(), state, frame)
+def _wrench(state, force_y=0.0, force_z=0.0, torque_x=0.0):
+    message = _header(WrenchStamped(), state)
     message.wrench.force.y, message.wrench.force.z, message.wrench.torque.x = force_y, force_z, torque_x
     return message
 
 
-def write_bag(path, states, wheelset="", frame="track"):
+def write_bag(path, states, wheelset=""):
     """Writes states as contact_node and contact_replay read them. The same states give the same file."""
     topics = f"{wheelset}/wheelset/"
     with rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2) as bag:
         for state in states:
             stamp = stamp_of(state.time_ns)
-            bag.write(topics + "pose", _pose(state, frame), stamp)
+            bag.write(topics + "pose", _pose(state), stamp)
             if state.force_z is not None:
-                bag.write(topics + "load", _wrench(state, frame, 0.0, state.force_z, state.torque_x or 0.0), stamp)
+                bag.write(topics + "load", _wrench(state, 0.0, state.force_z, state.torque_x or 0.0), stamp)
             for side in SIDES:
                 force = getattr(state, f"{side}_lateral_force")
                 if force is not None:
-                    bag.write(f"{topics}{side}_rail_force", _wrench(state, frame, force_y=force), stamp)
+                    bag.write(f"{topics}{side}_rail_force", _wrench(state, force_y=force), stamp)
 
 
 def read_bag(path, wheelset=""):
     """The states of a bag in the order of their stamps; loads and forces belong to the pose of their stamp."""
+    prefix = f"{wheelset}/wheelset/"
     states = {}
     others = []
-    with rosbag.Bag(str(path)) as bag:
-        names = {topic: "/" + topic.lstrip("/") for topic in bag.get_type_and_topic_info().topics}
-        prefix = f"{wheelset}/wheelset/"
-        wanted = [topic for topic, name in names.items() if name.startswith(prefix)]
-        for topic, message, _ in bag.read_messages(topics=wanted) if wanted else ():
-            kind = names[topic][len(prefix):]
+    try:
+        for kind, message in _messages(path, prefix):
             if kind == "pose":
                 states[message.header.stamp.to_nsec()] = _state_of(message)
             else:
                 others.append((kind, message))
+    except rosbag.ROSBagException as error:
+        raise Failure(f"{path}: {error}") from None
     if not states:
         raise Failure(f"{path}: no messages on {prefix}pose")
     for kind, message in others:
         _add(states.get(message.header.stamp.to_nsec()), kind, message.wrench)
     return [states[time] for time in sorted(states)]
+
+
+def _messages(path, prefix):
+    """Each message of a bag whose topic begins with the prefix, and what follows in its topic."""
+    with rosbag.Bag(str(path)) as bag:
+        names = {topic: "/" + topic.lstrip("/") for topic in bag.get_type_and_topic_info().topics}
+        wanted = [topic for topic, name in names.items() if name.startswith(prefix)]
+        for topic, message, _ in bag.read_messages(topics=wanted) if wanted else ():
+            yield names[topic][len(prefix):], message
 
 
 def _state_of(message):
