@@ -3,6 +3,8 @@
 import math
 from dataclasses import dataclass, field
 
+from ..message_constants import SIDES, STATUSES, USABLE
+
 QUANTITIES = {  # of each patch, with units
     "max_pressure": "Pa",
     "area": "m^2",
@@ -11,9 +13,6 @@ QUANTITIES = {  # of each patch, with units
     "approach": "m",
     "error_estimate": "-",
 }
-SIDES = ("left", "right")
-STATUSES = ("OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM")
-USABLE = ("OK", "LIFT_OFF")
 
 
 class BadParameter(ValueError):
@@ -113,7 +112,7 @@ def complaint(check, limits, answers):
     if check == "answers":
         return _too_few(limits, answers)
     if check == "refusals":
-        return _too_many("refused", limits.refusals, [a for a in answers if STATUSES[a.status] not in USABLE])
+        return _too_many("refused", limits.refusals, [a for a in answers if a.status not in USABLE])
     if check == "lift_offs":
         return _too_many("with a wheel off the rail", limits.lift_offs,
                          [a for a in answers if STATUSES[a.status] == "LIFT_OFF"])

@@ -8,10 +8,7 @@ import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
 from ..command import Failure
-
-SIDES = ("left", "right")
-STATUSES = ("OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM")
-USABLE = (0, 1)
+from ..message_constants import USABLE
 
 
 @dataclass
@@ -35,10 +32,9 @@ OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force")
 
 
-def messages(bag, topic):
-    """Each answer of an open bag; grids as numpy arrays."""
-    for _, raw, _ in bag.read_messages(topics=[topic], raw=True):
-        yield WheelsetContact().deserialize_numpy(raw[1], np)
+def _answer(raw):
+    """A message from its bytes; grids as numpy arrays."""
+    return WheelsetContact().deserialize_numpy(raw[1], np)
 
 
 def find_topic(bag, wheelset):
@@ -57,7 +53,7 @@ def read(path, wheelset=None):
     try:
         with rosbag.Bag(str(path)) as bag:
             topic = find_topic(bag, wheelset)
-            answers = _collect(messages(bag, topic))
+            answers = _collect(_answer(raw) for _, raw, _ in bag.read_messages(topics=[topic], raw=True))
             _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
     except rosbag.ROSBagException as error:
         raise Failure(f"{path}: {error}") from None
@@ -102,16 +98,17 @@ def _collect(stream):
 
 
 def of_answers(values, answers, index, reduce):
-    """A value for each answer from those of its patches, such as the highest; not a number where there is none."""
+    """A value for each answer from those of its patches: "max" or "sum"; not a number where there is no patch."""
+    operation, start = {"max": (np.fmax, np.nan), "sum": (np.add, 0.0)}[reduce]
     result = np.full(len(answers.stamp), np.nan)
     chosen = answers.patches["answer"][index]
-    reduce = {"max": np.fmax, "sum": lambda a, b: np.where(np.isnan(a), b, a + b)}[reduce]
-    for answer, value in zip(chosen, values[index]):
-        result[answer] = reduce(result[answer], value)
+    result[chosen] = start
+    operation.at(result, chosen, values[index])
     return result
 
 
 def full(path, topic, wanted):
     """The messages of some answers, by their index, with grids."""
     with rosbag.Bag(str(path)) as bag:
-        return {index: message for index, message in enumerate(messages(bag, topic)) if index in wanted}
+        stored = enumerate(bag.read_messages(topics=[topic], raw=True))
+        return {index: _answer(raw) for index, (_, raw, _) in stored if index in wanted}

@@ -3,7 +3,8 @@
 import numpy as np
 
 from ..command import pyplot
-from .answers import RAIL_FIELDS, SIDES, USABLE, of_answers
+from ..message_constants import SIDES, USABLE
+from .answers import RAIL_FIELDS, of_answers
 
 COLOURS = ("tab:blue", "tab:orange")
 MOST_POINTS = 4000  # of a history that are drawn; of more, the extremes of each piece

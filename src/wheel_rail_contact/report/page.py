@@ -5,7 +5,7 @@ import html
 
 import numpy as np
 
-from .answers import SIDES, STATUSES, USABLE
+from ..message_constants import SIDES, STATUSES, USABLE
 
 STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; margin: 0.6em 0 } td, th { padding: 0.2em 0.8em; border: 1px solid #ccc; text-align: right }

@@ -9,8 +9,8 @@ import rosbag
 from geometry_msgs.msg import PoseStamped, WrenchStamped
 
 from ..command import Failure
+from ..message_constants import SIDES
 
-SIDES = ("left", "right")
 FRAME = "track"
 
 
