@@ -72,6 +72,25 @@ void validate(const RailBendingConfig& bending)
 }
 }  // namespace
 
+const char* toString(NormalMethod method)
+{
+  switch (method)
+  {
+    case NormalMethod::hertz:
+      return "hertz";
+    case NormalMethod::kik_piotrowski:
+      return "kik_piotrowski";
+    case NormalMethod::seidel:
+      return "seidel";
+    case NormalMethod::seidel_printed:
+      return "seidel_printed";
+    case NormalMethod::conjugate_gradient:
+      return "conjugate_gradient";
+    default:
+      return "auto";
+  }
+}
+
 void validate(const ContactModelConfig& config)
 {
   if (config.wheel_profile == nullptr)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "wheel_rail_contact/geometry/profile.h"
@@ -43,6 +44,13 @@ enum class NormalMethod
   seidel_printed,      ///< the paper's iteration as printed: point forces, load steps
   conjugate_gradient,  ///< on one grid
 };
+
+constexpr std::array<NormalMethod, 6> all_normal_methods{
+    NormalMethod::automatic, NormalMethod::hertz,          NormalMethod::kik_piotrowski,
+    NormalMethod::seidel,    NormalMethod::seidel_printed, NormalMethod::conjugate_gradient};
+
+/// Name as in the parameter `contact/method`, alive as long as the program.
+const char* toString(NormalMethod method);
 
 struct ContactConfig
 {

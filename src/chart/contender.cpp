@@ -3,25 +3,6 @@
 
 namespace wheel_rail_contact::chart
 {
-const char* methodName(NormalMethod method)
-{
-  switch (method)
-  {
-    case NormalMethod::hertz:
-      return "hertz";
-    case NormalMethod::kik_piotrowski:
-      return "kik_piotrowski";
-    case NormalMethod::seidel:
-      return "seidel";
-    case NormalMethod::seidel_printed:
-      return "seidel_printed";
-    case NormalMethod::conjugate_gradient:
-      return "conjugate_gradient";
-    default:
-      return "auto";
-  }
-}
-
 std::vector<Choice> allChoices()
 {
   const ContactModelConfig automatic;

@@ -24,9 +24,6 @@ struct Choice
   bool isSeidel() const { return method == NormalMethod::seidel || method == NormalMethod::seidel_printed; }
 };
 
-/// Name as in the parameter `contact/method`.
-const char* methodName(NormalMethod method);
-
 /// Every method on every grid of the ladder, coarse to fine, then auto at 10, 3, 1 and 0.3 %.
 std::vector<Choice> allChoices();
 

@@ -67,7 +67,6 @@ class GapContender : public Contender
     {
       prepare(scene, ladder.at(rung).size);
     }
-    prepare(scene, ladder.rough().size);
   }
 
   void answer(int offset) override

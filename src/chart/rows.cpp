@@ -22,7 +22,7 @@ void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choi
   const bool known = series.status == Series::Status::answered;
   const GridSize& grid = choice.isAutomatic() ? series.outcome.grid : choice.grid;
   std::fprintf(out, R"(%s,"%s",%s,%s,%d,%d,%g,%s,%s,"%s",)", scene.name().c_str(), scene.title().c_str(), scene.kind(),
-               methodName(choice.method), grid.along, grid.across, choice.tolerance, start, toString(series.status),
+               toString(choice.method), grid.along, grid.across, choice.tolerance, start, toString(series.status),
                series.reason.c_str());
   std::fprintf(out, "%.4g,%.4g,%.4g,%zu,", quantile(series.times, 0.5), quantile(series.times, 0.25),
                quantile(series.times, 0.75), run ? series.times.size() : 0);

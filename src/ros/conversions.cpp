@@ -17,17 +17,14 @@ constexpr std::array<std::uint8_t, 5> status_constants{
     WheelsetContactMsg::OK, WheelsetContactMsg::LIFT_OFF, WheelsetContactMsg::OFF_PROFILE,
     WheelsetContactMsg::NOT_CONVERGED, WheelsetContactMsg::INVALID_INPUT};
 
-/// Names of normal methods as they stand in messages, alive as long as the program.
-constexpr std::array<std::string_view, 5> method_names{"hertz", "kik_piotrowski", "seidel", "seidel_printed",
-                                                       "conjugate_gradient"};
-
+/// Name of a normal method in a patch, alive as long as the program: never `auto`, but the one it chose.
 std::string_view methodNamed(const std::string& name)
 {
-  for (const auto& known : method_names)
+  for (const NormalMethod method : all_normal_methods)
   {
-    if (known == name)
+    if (method != NormalMethod::automatic && name == toString(method))
     {
-      return known;
+      return toString(method);
     }
   }
   throw std::invalid_argument("contact patch: method '" + name + "' is unknown");

@@ -137,14 +137,12 @@ void readRailBending(ParameterReader& reader, RailBendingConfig& bending, FileNa
 
 void readContact(ParameterReader& reader, ContactConfig& contact)
 {
-  reader.read("contact/method",
-              {{"auto", NormalMethod::automatic},
-               {"hertz", NormalMethod::hertz},
-               {"kik_piotrowski", NormalMethod::kik_piotrowski},
-               {"seidel", NormalMethod::seidel},
-               {"seidel_printed", NormalMethod::seidel_printed},
-               {"conjugate_gradient", NormalMethod::conjugate_gradient}},
-              contact.method);
+  std::vector<std::pair<std::string, NormalMethod>> methods;
+  for (const NormalMethod method : all_normal_methods)
+  {
+    methods.emplace_back(toString(method), method);
+  }
+  reader.read("contact/method", methods, contact.method);
   reader.read("contact/tolerance", rules::finite, contact.tolerance);
   reader.read("contact/grid/along", rules::whole, contact.cells_along);
   reader.read("contact/grid/across", rules::whole, contact.cells_across);
