@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The calculations behind the command paper_study, which finds the files and draws the pictures:
-//   paper_study_runner OUT CONFIG.yaml cases|forces|scan... -- TABLE.yaml...
+//   paper_study_runner OUT CONFIG.yaml TABLE.yaml...
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,55 +15,34 @@ namespace
 {
 using namespace wheel_rail_contact;
 
-void run(const std::vector<std::string>& arguments)
+void run(const std::filesystem::path& folder, const std::string& config_file,
+         const std::vector<std::string>& table_files)
 {
-  const std::filesystem::path folder = arguments.at(0);
   const ContactModelConfig config =
-      readNodeConfig(readParameterFile(arguments.at(1)), "", std::filesystem::current_path().string()).model;
-  std::size_t next = 2;
-  std::vector<std::string> parts;
-  for (; next < arguments.size() && arguments[next] != "--"; ++next)
-  {
-    parts.push_back(arguments[next]);
-  }
+      readNodeConfig(readParameterFile(config_file), "", std::filesystem::current_path().string()).model;
   std::vector<paper::NamedTable> tables;
-  for (++next; next < arguments.size(); ++next)
+  for (const std::string& name : table_files)
   {
-    const ComplianceTableFile file = readComplianceTable(arguments[next]);
+    const ComplianceTableFile file = readComplianceTable(name);
     tables.push_back({file.name, file.table, file.linear_range});
   }
   const auto progress = [](const std::string& what) { std::cerr << "paper_study: " << what << std::endl; };
-  for (const std::string& part : parts)
-  {
-    if (part == "cases")
-    {
-      paper::writeCases(config, folder, progress);
-    }
-    else if (part == "forces")
-    {
-      paper::writeForces(config, tables, folder, progress);
-    }
-    else if (part == "scan")
-    {
-      paper::writeScan(config, tables, folder, progress);
-    }
-    else
-    {
-      throw std::invalid_argument(part + ": must be cases, forces or scan");
-    }
-  }
+  paper::writeCases(config, folder, progress);
+  paper::writeForces(config, tables, folder, progress);
+  paper::writeScan(config, tables, folder, progress);
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
+  if (argc < 4)
+  {
+    std::cerr << "usage: paper_study_runner OUT CONFIG.yaml TABLE.yaml...\n";
+    return 2;
+  }
   try
   {
-    if (argc < 4)
-    {
-      throw std::invalid_argument("needs OUT CONFIG.yaml cases|forces|scan... -- TABLE.yaml...");
-    }
-    run({argv + 1, argv + argc});
+    run(argv[1], argv[2], {argv + 3, argv + argc});
     return 0;
   }
   catch (const std::exception& error)

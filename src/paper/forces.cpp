@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "one_wheel.h"
+#include "placement.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 #include "wheel_rail_contact/wheelset_contact.h"
 
@@ -49,15 +50,8 @@ std::vector<ForceRow> coupled(const ContactModelConfig& config, const NamedTable
       state.rail_lateral_force = {force, force};
       contact.reset();
       const WheelsetResult& result = contact.evaluate(state);
-      const bool in_range = std::abs(force) <= table.linear_range * printed_wheel_load;
-      ForceRow row{table.name, DeflectionShare::whole, y, force, in_range, result.rail[0].deflection, {0, 0}};
-      for (const PatchResult& patch : result.patches)
-      {
-        const bool left = patch.side == Side::left;
-        row.figures.max_pressure = std::max(row.figures.max_pressure, left ? patch.max_pressure : 0);
-        row.figures.area += left ? patch.area : 0;
-      }
-      rows.push_back(row);
+      rows.push_back(
+          {table.name, DeflectionShare::whole, y, force, false, result.rail[0].deflection, leftFigures(result)});
     }
   }
   return rows;
@@ -81,8 +75,7 @@ std::vector<ForceRow> given(const ContactModelConfig& config, const NamedTable& 
       right.setRail(undeflected.deflected(moved));
       double roll = 0;
       const bool solved = rollToBalance(left, right, y, printed_wheel_load, roll);
-      const bool in_range = std::abs(force) <= table.linear_range * printed_wheel_load;
-      rows.push_back({table.name, share, y, force, in_range, moved, solved ? left.figures() : Figures{0, 0}});
+      rows.push_back({table.name, share, y, force, false, moved, solved ? left.figures() : Figures{0, 0}});
     }
   }
   return rows;
@@ -105,7 +98,12 @@ const char* toString(DeflectionShare share)
 std::vector<ForceRow> underForces(const ContactModelConfig& config, const NamedTable& table, DeflectionShare share,
                                   const std::vector<double>& positions, const std::vector<double>& forces)
 {
-  return share == DeflectionShare::whole ? coupled(config, table, positions, forces)
-                                         : given(config, table, share, positions, forces);
+  std::vector<ForceRow> rows = share == DeflectionShare::whole ? coupled(config, table, positions, forces)
+                                                               : given(config, table, share, positions, forces);
+  for (ForceRow& row : rows)
+  {
+    row.in_range = std::abs(row.lateral_force) <= table.linear_range * printed_wheel_load;
+  }
+  return rows;
 }
 }  // namespace wheel_rail_contact::paper

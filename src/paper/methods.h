@@ -22,9 +22,9 @@ struct MethodRow
   double counted_area;             ///< of all cells with pressure [m²]
 };
 
-/// Solves one wheel at the case's position on a rail deflected by `deflection` (of its reference point): accurately, by
-/// the repaired Seidel iteration, and by the printed one on square cells (to a few per cent) of several sizes, stopped
-/// early and late.
+/// Solves one wheel at the case's position on a rail deflected by `deflection` (of its reference point): accurately
+/// (the first row), by the repaired Seidel iteration, and by the printed one on square cells (to a few per cent) of
+/// several sizes, stopped early and late.
 /// @throw std::runtime_error if the accurate solution fails: the squares are cut after it.
 std::vector<MethodRow> compareMethods(const ContactModelConfig& config, const RailDeflection& deflection);
 }  // namespace wheel_rail_contact::paper

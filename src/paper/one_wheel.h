@@ -39,7 +39,6 @@ class OneWheel
   double countedArea() const;  ///< of all cells with pressure [m²]
   double height() const;       ///< of the axle's centre [m]
   const WheelContact& contact() const { return contact_; }
-  const ContactModelConfig& config() const { return config_; }
 
  private:
   ContactModelConfig config_;

@@ -12,22 +12,7 @@ namespace wheel_rail_contact::paper
 namespace
 {
 constexpr const char* own_rail = "own_rail";
-constexpr GridSize accurate_grid{64, 128};
 constexpr double drawing_step = 2e-4;  ///< along a profile [m]
-
-Figures leftFigures(const WheelsetResult& result)
-{
-  Figures sum{0, 0};
-  for (const PatchResult& patch : result.patches)
-  {
-    if (patch.side == Side::left)
-    {
-      sum.max_pressure = std::max(sum.max_pressure, patch.max_pressure);
-      sum.area += patch.area;
-    }
-  }
-  return sum;
-}
 
 ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
 {
@@ -38,14 +23,6 @@ ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
     changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.cant);
   }
   return changed;
-}
-
-Figures solveLevel(const ContactModelConfig& config, const PlacedRail& rail)
-{
-  ConjugateGradients solver;
-  OneWheel wheel(config, solver, accurate_grid);
-  wheel.setRail(rail);
-  return wheel.solve(case_position, 0, printed_wheel_load) ? wheel.figures() : Figures{0, 0};
 }
 
 void addOutlines(const ContactModelConfig& config, const PlacedRail& rail, Placement& placement)
@@ -73,6 +50,20 @@ void addOutlines(const ContactModelConfig& config, const PlacedRail& rail, Place
 }
 }  // namespace
 
+Figures leftFigures(const WheelsetResult& result)
+{
+  Figures sum{0, 0};
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == Side::left)
+    {
+      sum.max_pressure = std::max(sum.max_pressure, patch.max_pressure);
+      sum.area += patch.area;
+    }
+  }
+  return sum;
+}
+
 std::vector<Case> paperCases()
 {
   return {{"without", {}, printed_without_bending, Figures{1175.0e6, 187.2e-6}},
@@ -92,11 +83,10 @@ Placement solveCase(const ContactModelConfig& config, const Case& of)
   {
     throw std::runtime_error("case " + of.name + ": " + result.reason);
   }
-  Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, {}, {}};
+  Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, {}};
   std::copy_if(result.patches.begin(), result.patches.end(), std::back_inserter(placement.patches),
                [](const PatchResult& patch) { return patch.side == Side::left; });
   const PlacedRail rail = PlacedRail(config.rail_profile, config.track).deflected(placement.deflection);
-  placement.level = solveLevel(config, rail);
   addOutlines(config, rail, placement);
   return placement;
 }

@@ -25,6 +25,9 @@ struct Case
 /// and the wheel load; here without the displacement, which has to be found.
 std::vector<Case> paperCases();
 
+/// Of the left wheel's patches in an answer; zero where there are none.
+Figures leftFigures(const WheelsetResult& result);
+
 /// A case as placed and solved; the left wheel, at the flange, in side axes (which are those of the track there).
 struct Placement
 {
@@ -32,7 +35,6 @@ struct Placement
   RailDeflection deflection;      ///< of the left rail's head, at its reference point
   double roll;                    ///< of the balanced wheelset [rad]
   Figures balanced;               ///< of the left wheel, wheelset balanced
-  Figures level;                  ///< the same at roll 0
   std::vector<PlanePoint> rail;   ///< profile
   std::vector<PlanePoint> wheel;  ///< outline, lowered to first touch
   PlanePoint initial_contact;

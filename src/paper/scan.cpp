@@ -28,6 +28,12 @@ void solveRow(OneWheel& wheel, ScanRow& row)
   row.figures = wheel.solve(row.y, row.roll, row.load) ? wheel.figures() : Figures{0, 0};
 }
 
+void add(OneWheel& wheel, ScanRow row, std::vector<ScanRow>& rows)
+{
+  solveRow(wheel, row);
+  rows.push_back(std::move(row));
+}
+
 /// A row of a part that looks for pairs.
 ScanRow rowFrom(const ScanRow& start, const std::string& part)
 {
@@ -66,11 +72,9 @@ std::vector<ScanRow> Scan::start() const
       OneWheel wheel(configFor(rail, cant), solver_, scan_grid);
       for (const double load : ranges_.loads)
       {
-        for (int i = 0; i <= ranges_.position.steps; ++i)
+        for (const double y : ranges_.position.values())
         {
-          ScanRow row{"start", rail, cant, load, ranges_.position.at(i), 0, {}, {}, {}, {}};
-          solveRow(wheel, row);
-          rows.push_back(row);
+          add(wheel, {"start", rail, cant, load, y, 0, {}, {}, {}, {}}, rows);
         }
       }
     }
@@ -97,10 +101,10 @@ std::vector<ScanRow> Scan::nearestStarts(const std::vector<ScanRow>& rows, doubl
       }
       OneWheel wheel(configFor(rail, cant), solver_, scan_grid);
       ScanRow refined = *best;
-      for (int i = 0; i <= refined_position.steps; ++i)
+      for (const double way : refined_position.values())
       {
         ScanRow row = *best;
-        row.y += refined_position.at(i);
+        row.y += way;
         solveRow(wheel, row);
         refined = startDeviation(row) < startDeviation(refined) ? row : refined;
       }
@@ -119,12 +123,11 @@ std::vector<ScanRow> Scan::shift(const ScanRow& start) const
 {
   OneWheel wheel(configFor(start.rail, start.cant), solver_, scan_grid);
   std::vector<ScanRow> rows;
-  for (int i = 0; i <= ranges_.pure_shift.steps; ++i)
+  for (const double lateral : ranges_.pure_shift.values())
   {
     ScanRow row = rowFrom(start, "shift");
-    row.crown.lateral = ranges_.pure_shift.at(i);
-    solveRow(wheel, row);
-    rows.push_back(row);
+    row.crown.lateral = lateral;
+    add(wheel, row, rows);
   }
   return rows;
 }
@@ -133,19 +136,18 @@ std::vector<ScanRow> Scan::pair(const ScanRow& start) const
 {
   OneWheel wheel(configFor(start.rail, start.cant), solver_, scan_grid);
   std::vector<ScanRow> rows;
-  for (int i = 0; i <= ranges_.position_around_start.steps; ++i)
+  for (const double way : ranges_.position_around_start.values())
   {
     ScanRow row = rowFrom(start, "pair");
-    row.y += ranges_.position_around_start.at(i);
+    row.y += way;
     solveRow(wheel, row);
     row.without = row.figures;
     for (const double shift : ranges_.shift)
     {
-      for (int k = 0; k <= ranges_.turn.steps; ++k)
+      for (const double turn : ranges_.turn.values())
       {
-        row.crown = {shift, 0, ranges_.turn.at(k)};
-        solveRow(wheel, row);
-        rows.push_back(row);
+        row.crown = {shift, 0, turn};
+        add(wheel, row, rows);
       }
     }
   }
@@ -162,25 +164,24 @@ void Scan::addPairs(OneWheel& wheel, ScanRow row, const Range& turns, std::vecto
   {
     return;
   }
-  for (int k = 0; k <= turns.steps; ++k)
+  for (const double turn : turns.values())
   {
-    row.crown = {printed_displacement, 0, turns.at(k)};
-    solveRow(wheel, row);
-    rows.push_back(row);
+    row.crown = {printed_displacement, 0, turn};
+    add(wheel, row, rows);
   }
 }
 
 void Scan::refine(const ScanRow& best, std::vector<ScanRow>& rows) const
 {
   const Range turns{best.crown.roll + refined_turn.first, best.crown.roll + refined_turn.last, refined_turn.steps};
-  for (int i = 0; i <= refined_cant.steps; ++i)
+  for (const double change : refined_cant.values())
   {
     ScanRow row = best;
-    row.cant += refined_cant.at(i);
+    row.cant += change;
     OneWheel wheel(configFor(row.rail, row.cant), solver_, scan_grid);
-    for (int k = 0; k <= refined_pair_position.steps; ++k)
+    for (const double way : refined_pair_position.values())
     {
-      row.y = best.y + refined_pair_position.at(k);
+      row.y = best.y + way;
       addPairs(wheel, row, turns, rows);
     }
   }
@@ -189,14 +190,12 @@ void Scan::refine(const ScanRow& best, std::vector<ScanRow>& rows) const
 std::vector<ScanRow> Scan::inclination(const std::string& rail) const
 {
   std::vector<ScanRow> rows;
-  for (int i = 0; i <= ranges_.free_cant.steps; ++i)
+  for (const double cant : ranges_.free_cant.values())
   {
-    const double cant = ranges_.free_cant.at(i);
     OneWheel wheel(configFor(rail, cant), solver_, scan_grid);
-    for (int k = 0; k <= ranges_.position.steps; ++k)
+    for (const double y : ranges_.position.values())
     {
-      addPairs(wheel, {"inclination", rail, cant, printed_wheel_load, ranges_.position.at(k), 0, {}, {}, {}, {}},
-               ranges_.turn, rows);
+      addPairs(wheel, {"inclination", rail, cant, printed_wheel_load, y, 0, {}, {}, {}, {}}, ranges_.turn, rows);
     }
   }
   for (const double direction : {-1.0, 1.0})
@@ -219,15 +218,11 @@ std::vector<ScanRow> Scan::alone(const std::string& rail) const
 {
   OneWheel wheel(configFor(rail, config_.track.cant), solver_, scan_grid);
   std::vector<ScanRow> rows;
-  for (int i = 0; i <= ranges_.free_position.steps; ++i)
+  for (const double y : ranges_.free_position.values())
   {
-    for (int k = 0; k <= ranges_.free_turn.steps; ++k)
+    for (const double turn : ranges_.free_turn.values())
     {
-      ScanRow row{"alone", rail, config_.track.cant, printed_wheel_load, ranges_.free_position.at(i), 0, {}, {},
-                  {},      {}};
-      row.crown.roll = ranges_.free_turn.at(k);
-      solveRow(wheel, row);
-      rows.push_back(row);
+      add(wheel, {"alone", rail, config_.track.cant, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}}, rows);
     }
   }
   return rows;
@@ -239,13 +234,12 @@ std::vector<ScanRow> Scan::roll(const ScanRow& start) const
   std::vector<ScanRow> rows;
   for (const double shift : {-printed_displacement, 0.0, printed_displacement})
   {
-    for (int i = 0; i <= ranges_.roll.steps; ++i)
+    for (const double roll : ranges_.roll.values())
     {
       ScanRow row = rowFrom(start, "roll");
       row.crown.lateral = shift;
-      row.roll = ranges_.roll.at(i);
-      solveRow(wheel, row);
-      rows.push_back(row);
+      row.roll = roll;
+      add(wheel, row, rows);
     }
   }
   return rows;

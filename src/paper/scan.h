@@ -39,13 +39,24 @@ struct Range
   double first, last;
   int steps;  ///< >= 1
 
-  double at(int step) const { return first + (last - first) * step / steps; }
+  std::vector<double> values() const
+  {
+    std::vector<double> all;
+    for (int i = 0; i <= steps; ++i)
+    {
+      all.push_back(first + (last - first) * i / steps);
+    }
+    return all;
+  }
 };
+
+/// Names of the profiles that the paper's "UIC60" may mean.
+inline const std::vector<std::string> studied_rails{"UIC60_manchester", "60E1"};
 
 /// How widely and finely the scans go. The values that stand here are those of `paper_study`.
 struct ScanRanges
 {
-  std::vector<std::string> rails{"UIC60_manchester", "60E1"};
+  std::vector<std::string> rails = studied_rails;
   std::vector<double> cants{0, 1.0 / 40, 1.0 / 20};                                                         ///< [rad]
   std::vector<double> loads{100e3, 50e3};                                                                   ///< [N]
   Range position{-6e-3, 6.4e-3, 124};                                                                       ///< [m]

@@ -19,25 +19,18 @@ constexpr Range search_forces{0, 60e3, 12};          ///< [N]
 constexpr Range search_positions{2e-3, 8e-3, 24};    ///< [m]
 constexpr const char* parted_table = "pads_40_100";  ///< whose deflection is taken apart
 
-std::vector<double> values(const Range& range)
-{
-  std::vector<double> all;
-  for (int i = 0; i <= range.steps; ++i)
-  {
-    all.push_back(range.at(i));
-  }
-  return all;
-}
-
-void writeFigures(const std::vector<Placement>& placements, const std::filesystem::path& folder)
+/// @param level  figures of each placement at roll 0
+void writeFigures(const std::vector<Placement>& placements, const std::vector<Figures>& level,
+                  const std::filesystem::path& folder)
 {
   Csv csv(folder / "figures.csv",
           "case,max_pressure,area,level_max_pressure,level_area,reference_max_pressure,reference_area,"
           "printed_max_pressure,printed_area,deviation,wheelset_roll,rail_lateral,rail_vertical,rail_roll");
-  for (const Placement& at : placements)
+  for (std::size_t i = 0; i < placements.size(); ++i)
   {
+    const Placement& at = placements[i];
     const Figures reference = at.of.reference.value_or(Figures{0, 0});
-    csv.row(at.of.name, at.balanced.max_pressure, at.balanced.area, at.level.max_pressure, at.level.area,
+    csv.row(at.of.name, at.balanced.max_pressure, at.balanced.area, level[i].max_pressure, level[i].area,
             reference.max_pressure, reference.area, at.of.printed.max_pressure, at.of.printed.area,
             deviation(at.balanced, at.of.printed), at.roll, at.deflection.lateral, at.deflection.vertical,
             at.deflection.roll);
@@ -109,6 +102,7 @@ void writeScanRows(Csv& csv, const std::vector<ScanRow>& rows)
 void writeCases(const ContactModelConfig& config, const std::filesystem::path& folder, const Progress& progress)
 {
   std::vector<Placement> placements;
+  std::vector<Figures> level;
   Csv methods(folder / "methods.csv",
               "case,method,cells_along,cells_across,cell_along,cell_across,stop,iterations,max_pressure,area,"
               "counted_area");
@@ -116,13 +110,15 @@ void writeCases(const ContactModelConfig& config, const std::filesystem::path& f
   {
     progress("case " + of.name);
     placements.push_back(solveCase(config, of));
-    for (const MethodRow& row : compareMethods(config, placements.back().deflection))
+    const std::vector<MethodRow> rows = compareMethods(config, placements.back().deflection);
+    level.push_back(rows.front().figures);
+    for (const MethodRow& row : rows)
     {
       methods.row(of.name, row.method, row.size.along, row.size.across, row.cell_along, row.cell_across, row.stop,
                   row.iterations, row.figures.max_pressure, row.figures.area, row.counted_area);
     }
   }
-  writeFigures(placements, folder);
+  writeFigures(placements, level, folder);
   writeOutlines(placements, folder);
   writePatches(placements, folder);
 }
@@ -134,12 +130,12 @@ void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>
   for (const NamedTable& table : tables)
   {
     progress("lateral forces on " + table.name);
-    writeForceRows(csv, underForces(config, table, DeflectionShare::whole, {case_position}, values(chart_forces)));
+    writeForceRows(csv, underForces(config, table, DeflectionShare::whole, {case_position}, chart_forces.values()));
     for (const DeflectionShare share : {DeflectionShare::without_moment, DeflectionShare::shift_only})
     {
       if (table.name == parted_table)
       {
-        writeForceRows(csv, underForces(config, table, share, {case_position}, values(chart_forces)));
+        writeForceRows(csv, underForces(config, table, share, {case_position}, chart_forces.values()));
       }
     }
   }
@@ -166,9 +162,9 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
     writeScanRows(csv, scan.roll(start));
     writeScanRows(csv, scan.rails(start));
   }
-  for (const char* rail : {"UIC60_manchester", "60E1"})
+  for (const std::string& rail : studied_rails)
   {
-    progress(std::string("scan: other inclinations of ") + rail);
+    progress("scan: other inclinations of " + rail);
     writeScanRows(csv, scan.alone(rail));
     writeScanRows(csv, scan.inclination(rail));
   }
@@ -176,8 +172,8 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
   for (const NamedTable& table : tables)
   {
     progress("scan: positions and lateral forces on " + table.name);
-    writeForceRows(search,
-                   underForces(config, table, DeflectionShare::whole, values(search_positions), values(search_forces)));
+    writeForceRows(
+        search, underForces(config, table, DeflectionShare::whole, search_positions.values(), search_forces.values()));
   }
 }
 }  // namespace wheel_rail_contact::paper

@@ -22,7 +22,7 @@ def _run(folder):
     rails = [shipped(f"config/rails/{name}.yaml") for name in TABLES]
     plot = pyplot()
     folder.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run([program, folder, config, "cases", "forces", "scan", "--", *rails], check=False)
+    done = subprocess.run([program, folder, config, *rails], check=False)
     if done.returncode != 0:
         raise Failure(f"the calculation ended with status {done.returncode}")
     print(report.text(folder))

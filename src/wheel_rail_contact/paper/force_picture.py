@@ -8,7 +8,6 @@ TABLES = {"paper": ("paper's rail", BLACK, "o"), "pads_100_500": ("pads 100/500 
 SHARES = {"whole": ("whole deflection", GREEN, "^"),
           "without_moment": ("without the wheel load's moment", PURPLE, "x"),
           "shift_only": ("displacement only, no roll", BLACK, "+")}
-RANGE = 60  # beyond: Y/Q > 0.6 at 100 kN [kN]
 PANELS = (("max_pressure", 1e-6, "highest pressure [MPa]"), ("area", 1e6, "area [mm²]"))
 
 
@@ -16,6 +15,7 @@ def figure(folder, plot, read):
     """Tables on the left, parts of the deflection on the right."""
     rows = read(folder / "forces.csv")
     parted = next(row["table"] for row in rows if row["share"] != "whole")
+    end = max(1e-3 * row["lateral_force"] for row in rows if row["table"] == parted and row["in_range"])
     drawn, axes = plot.subplots(2, 2, figsize=(11, 7.4), sharex=True, sharey="row", constrained_layout=True)
     for line, (quantity, unit, label) in enumerate(PANELS):
         for key, look in TABLES.items():
@@ -24,7 +24,7 @@ def figure(folder, plot, read):
             _curve(axes[line, 1], [r for r in rows if (r["table"], r["share"]) == (parted, key)], quantity, unit, look)
         axes[line, 0].set_ylabel(label)
         for panel in axes[line]:
-            panel.axvspan(RANGE, 80, color="0.9", zorder=0)
+            panel.axvspan(end, 80, color="0.9", zorder=0)
             panel.grid(color="0.85", linewidth=0.6)
             panel.set_xlim(0, 80)
     for panel in axes[1]:
@@ -33,7 +33,7 @@ def figure(folder, plot, read):
     axes[0, 1].set_title(TABLES[parted][0] + " kN/mm, taken apart")
     axes[0, 0].legend(fontsize=8)
     axes[0, 1].legend(fontsize=8, loc="upper left")
-    axes[1, 0].text(RANGE + 1, axes[1, 0].get_ylim()[1], "Y/Q > 0.6:\npads may lift,\ntables too stiff", va="top",
+    axes[1, 0].text(end + 1, axes[1, 0].get_ylim()[1], "Y/Q > 0.6:\npads may lift,\ntables too stiff", va="top",
                     fontsize=8)
     return drawn
 
@@ -42,7 +42,7 @@ def _curve(axes, rows, quantity, unit, look):
     label, colour, marker = look
     forces = [1e-3 * row["lateral_force"] for row in rows]
     values = [unit * row[quantity] or float("nan") for row in rows]
-    inside = sum(force <= RANGE for force in forces)
+    inside = sum(row["in_range"] > 0 for row in rows)
     axes.plot(forces[:inside], values[:inside], "-", color=colour, marker=marker, markersize=5, linewidth=1.4,
               label=label, fillstyle="none")
     axes.plot(forces[inside - 1:], values[inside - 1:], ":", color=colour, linewidth=1.6)

@@ -4,7 +4,6 @@ from .files import read
 
 CASES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "the same, 13 mrad inward",
          "own_rail": "paper's rail, 30 kN, coupled"}
-RAILS = ("UIC60_manchester", "60E1")
 
 
 def text(folder):
@@ -42,7 +41,7 @@ def _scan(folder):
     yield (f"{'scan':32}{'rail':17}{'cant':>8}{'y, mm':>8}{'shift, mm':>10}{'turn, mrad':>11}{'without':>15}"
            f"{'with':>15}{'off, %':>8}")
     for title, part, key, chosen in _SEARCHES:
-        for rail in RAILS:
+        for rail in dict.fromkeys(row["rail"] for row in rows):
             found = [row for row in rows if row["part"] == part and row["rail"] == rail and chosen(row)]
             if found:
                 yield _nearest(title, min(found, key=lambda row: row[key]), key)

@@ -3,7 +3,6 @@
 from .colours import BLACK, BLUE, GREEN, ORANGE, RED
 
 RAIL = "UIC60_manchester"
-PRINTED = {"without": (185, 1175), "with": (127, 1330)}
 MARKED_TURNS = (-20, -16, -13, -10, -7, -4, 0, 4, 8, 12)  # [mrad]
 MARKED_SHIFTS = (-3, -1, 1, 2, 3, 4)  # [mm]
 
@@ -21,7 +20,9 @@ def figure(folder, plot, read):
            (RED, "o", "displaced 0.2435 mm and turned, outward positive"))
     _forces(axes, read(folder / "forces.csv"))
     _other_inclination(axes, rows)
-    for name, (area, pressure) in PRINTED.items():
+    for row in read(folder / "figures.csv")[:2]:
+        name = "without" if row["case"] == "without" else "with"
+        area, pressure = 1e6 * row["printed_area"], 1e-6 * row["printed_max_pressure"]
         axes.plot(area, pressure, "*", color=BLACK, markersize=16, zorder=6)
         axes.annotate(f"paper, {name} bending", (area, pressure), xytext=(10, 9 if name == "without" else -22),
                       textcoords="offset points", zorder=6, weight="bold",
