@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "../manchester_scene.h"
@@ -18,6 +19,15 @@ void registerSteps();
 void registerGrowth();
 /// Other solvers against conjugate gradients, both timed in turns.
 void registerRatios();
+
+/// How long some work takes [s].
+template <typename Work>
+double seconds(Work work)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 inline std::string nameOf(const GridSize& size)
 {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -13,8 +12,6 @@ namespace wheel_rail_contact
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
 /// Shortest of some cold solutions [s].
 double shortestSolution(OneWheel& one, const NormalProblem& problem)
 {
@@ -23,9 +20,7 @@ double shortestSolution(OneWheel& one, const NormalProblem& problem)
   NormalSolution solution;
   for (int k = 0; k < tries; ++k)
   {
-    const auto begin = Clock::now();
-    one.solver.solve(problem, false, solution);
-    shortest = std::min(shortest, std::chrono::duration<double>(Clock::now() - begin).count());
+    shortest = std::min(shortest, seconds([&] { one.solver.solve(problem, false, solution); }));
   }
   return shortest;
 }

@@ -40,7 +40,7 @@ void PolonskyKeer::begin(const NormalProblem& problem)
   last_norm_ = 0;
 }
 
-/// Root of the overlap at a level at which half of the grid's width and length touch.
+/// Square root of the overlap below the grid's mean gap.
 void PolonskyKeer::start(double load)
 {
   double mean = 0;

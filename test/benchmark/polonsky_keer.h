@@ -14,7 +14,7 @@ namespace wheel_rail_contact
 class PolonskyKeer
 {
  public:
-  /// Sets out from the pressure sqrt of the overlap at half the approach guessed, as the package's own solver does.
+  /// Sets out from the square root of the overlap below the grid's mean gap.
   /// @param residual  as that of ConjugateGradients, at which it ends
   explicit PolonskyKeer(double residual) : residual_(residual) {}
 

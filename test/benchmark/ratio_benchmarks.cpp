@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "benchmarks.h"
@@ -12,16 +11,6 @@ namespace wheel_rail_contact
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-template <typename Work>
-double seconds(Work work)
-{
-  const auto begin = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 /// Runs conjugate gradients and another solver in turns on one problem, both cold; `slower` is the ratio of the sums of
 /// their times. `other` returns the approach it found; `apart` is how far the two are from one another, relative.
 template <typename Other>

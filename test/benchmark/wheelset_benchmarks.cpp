@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include "benchmarks.h"
@@ -37,7 +36,6 @@ void evaluate(benchmark::State& state, const ContactModelConfig& config, Start s
 /// Spread of the times of 20 000 warm evaluations [us].
 void jitter(benchmark::State& state, const ContactModelConfig& config)
 {
-  using Clock = std::chrono::steady_clock;
   constexpr std::size_t count = 20000;
   WheelsetContact contact(config);
   Sweep sweep;
@@ -47,9 +45,7 @@ void jitter(benchmark::State& state, const ContactModelConfig& config)
   {
     for (double& time : times)
     {
-      const auto begin = Clock::now();
-      contact.evaluate(sweep.next());
-      time = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+      time = 1e6 * seconds([&] { contact.evaluate(sweep.next()); });
     }
   }
   std::sort(times.begin(), times.end());
