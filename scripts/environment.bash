@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by setup, test and demo: the same surroundings however and wherever they are called.
+# Sourced by setup, test, demo and pictures: the same surroundings however and wherever they are called.
 
 exec < /dev/null
 umask 022
