@@ -2,11 +2,10 @@
 """Command line of contact_animation."""
 import argparse
 import pathlib
-import sys
 
-from ..report.answers import SIDES, ReportError
+from ..command import Failure, finish, pyplot
+from ..message_constants import SIDES
 from .gif import write_gif
-from .picture import Picture
 from .run import read_run
 
 
@@ -24,37 +23,31 @@ def _parser():
     return parser
 
 
-def _checked(options):
+def _check(options):
     rules = ((len(options.bag) <= 2, "at most two bags"),
              (len(options.label) in (0, len(options.bag)), "--label: once for each bag, or not at all"),
              (options.frames >= 1, f"--frames {options.frames}: must be at least 1"),
              (0 < options.rate <= 50, f"--rate {options.rate}: must be above 0 and at most 50"))
     for holds, fault in rules:
         if not holds:
-            raise ReportError(fault)
-    return options
+            raise Failure(fault)
 
 
-def animate(options):
-    """Writes the animation; returns the number of its pictures."""
+def _animate(options):
+    _check(options)
+    plot = pyplot()
+    from .picture import Picture  # needs what pyplot() has found
     side = SIDES.index(options.side)
     labels = options.label or [pathlib.Path(bag).stem for bag in options.bag]
     runs = [read_run(bag, label, side, options.frames, options.wheelset) for bag, label in zip(options.bag, labels)]
     if any(list(run.stamp) != list(runs[0].stamp) for run in runs):
-        raise ReportError("the bags' stamps differ")
-    picture = Picture(runs, side)
-    write_gif(options.out, [picture.draw(k) for k in range(len(runs[0].stamp))], options.rate)
-    return len(runs[0].stamp)
+        raise Failure("the bags' stamps differ")
+    picture = Picture(plot, runs, side)
+    count = len(runs[0].stamp)
+    write_gif(options.out, [picture.draw(k) for k in range(count)], options.rate)
+    print(f"{options.out}: {count} pictures")
 
 
 def main(arguments=None):
     """Run the command; returns its exit status."""
-    parser = _parser()
-    options = parser.parse_args(arguments)
-    try:
-        count = animate(_checked(options))
-        print(f"{options.out}: {count} pictures")
-    except (ReportError, OSError) as error:
-        print(f"contact_animation: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return finish("contact_animation", _animate, _parser().parse_args(arguments))

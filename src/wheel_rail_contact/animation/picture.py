@@ -2,13 +2,10 @@
 """Draws one instant of one or two runs: section and plan of the contact for each, histories of both below."""
 import matplotlib
 import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import FancyArrowPatch
 
-from ..report.answers import SIDES, USABLE
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plot  # noqa: E402  (after the choice of the backend)
-from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
-from matplotlib.patches import FancyArrowPatch  # noqa: E402
+from ..message_constants import SIDES, USABLE
 
 SIZE, DPI = (9.6, 6.6), 100     # [inch], pixels per inch
 COLOURS = ("#D55E00", "#0072B2")  # of the runs; told apart with any colour vision (Okabe and Ito 2008)
@@ -26,11 +23,12 @@ FAINT = 0.02                    # of the end of the scale: pressure that is draw
 class Picture:
     """A figure that is drawn anew for each instant.
 
+    @param plot command.pyplot()
     @param runs animation.run.Run, one or two
     @param side index into SIDES
     """
 
-    def __init__(self, runs, side):
+    def __init__(self, plot, runs, side):
         self.runs, self.side = runs, side
         self.highest = max(np.nanmax(run.pressure) for run in runs)
         step = 10 ** np.floor(np.log10(self.highest / LEVELS))
@@ -50,7 +48,7 @@ class Picture:
         below = grid[2, :].subgridspec(2, 3, wspace=0.22, height_ratios=(1, 3))
         self.rows = [self.figure.add_subplot(below[1, k]) for k in range(3)]
         scale = self.figure.add_axes((0.915, 0.36, 0.016, 0.595))
-        bar = self.figure.colorbar(plot.cm.ScalarMappable(self.colours, self.map), cax=scale, spacing="proportional")
+        bar = self.figure.colorbar(matplotlib.cm.ScalarMappable(self.colours, self.map), cax=scale, spacing="proportional")
         bar.set_label("pressure [MPa]", fontsize=9)
         bar.ax.tick_params(labelsize=8)
 

@@ -4,7 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..report.answers import RAIL_FIELDS, STATUSES, USABLE, ReportError, full, of_answers, read
+from ..command import Failure
+from ..message_constants import STATUSES, USABLE
+from ..report.answers import RAIL_FIELDS, full, of_answers, read
 from .section import MM, MPA, section
 
 
@@ -39,12 +41,12 @@ def _text(message, side, lateral, force, pressure):
 
 
 def read_run(path, label, side, frames, wheelset):
-    """Raises ReportError for a bag that does not tell the profiles or holds no pressure."""
+    """Raises Failure for a bag that does not tell the profiles or holds no pressure."""
     answers, topic = read(path, wheelset)
     if "reference" not in answers.outlines:
-        raise ReportError(f"{path}: does not tell the profiles; make the answers with contact_replay")
+        raise Failure(f"{path}: does not tell the profiles; make the answers with contact_replay")
     if np.size(answers.patches["answer"]) == 0:
-        raise ReportError(f"{path}: no answer has a contact")
+        raise Failure(f"{path}: no answer has a contact")
     chosen = instants(len(answers.stamp), frames)
     messages = full(path, topic, set(chosen.tolist()))
     of_side = np.flatnonzero(answers.patches["side"] == side)
