@@ -45,6 +45,26 @@ ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const Ove
   return tangentPlane(wheel, rail, contact);
 }
 
+double middleOf(const OverlapZone& zone)
+{
+  return 0.5 * (zone.u_begin + zone.u_end);
+}
+
+double halfWidth(const OverlapZone& zone)
+{
+  return 0.5 * (zone.u_end - zone.u_begin);
+}
+
+/// The stretch made wider by a factor about its middle.
+OverlapZone widened(OverlapZone zone, double factor)
+{
+  const double middle = middleOf(zone);
+  const double half = factor * halfWidth(zone);
+  zone.u_begin = middle - half;
+  zone.u_end = middle + half;
+  return zone;
+}
+
 /// Widens the memory at sides where the grid cut the pressure off.
 void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory)
 {
@@ -69,11 +89,12 @@ PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const Whe
                      double grown)
 {
   const PressureExtent& extent = patch.extent;
-  const OverlapZone& zone = patch.zone;
-  const double middle = 0.5 * (zone.u_begin + zone.u_end);
-  const double half = 0.5 * (zone.u_end - zone.u_begin) * grown;
+  const OverlapZone zone = widened(patch.zone, grown);
+  const double middle = middleOf(zone);
+  const double half = halfWidth(zone);
   const auto fraction = [&](double t) { return (railParameter(grid, patch.columns, t) - middle) / half; };
   PatchMemory memory;
+  memory.zone = zone;
   memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
   memory.center = (memory.rail_u - middle) / half;
   memory.begin = fraction(extent.y_begin);
@@ -87,12 +108,12 @@ PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const Whe
   return memory;
 }
 
-void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, PatchMemory& memory,
+void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, bool held, PatchMemory& memory,
               WheelPatch& patch, Grid& grid)
 {
-  const OverlapZone& zone = patch.zone;
-  const double middle = 0.5 * (zone.u_begin + zone.u_end);
-  const double half = 0.5 * (zone.u_end - zone.u_begin);
+  const OverlapZone& zone = held && memory.zone ? *memory.zone : patch.zone;
+  const double middle = middleOf(zone);
+  const double half = halfWidth(zone);
   ContactPlane& plane = patch.plane;
   plane = planeAt(wheel, rail, zone, middle + memory.center * half);
   const bool symmetric = wheel.pose().yaw == 0;  // the bodies then are, about x = 0

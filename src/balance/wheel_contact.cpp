@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wheel_rail_contact/balance/descent_step.h"
 #include "wheel_rail_contact/balance/missed_pressure.h"
 #include "wheel_rail_contact/normal/hertz.h"
 
@@ -14,8 +15,8 @@ namespace
 constexpr int most_boxes = 10;               ///< grids tried in one call
 constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
 constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
-constexpr double descent_step_limit = 1.5;   ///< factor by which the descent may change from one grid to the next [-]
 constexpr double far_slip = 1e-4;  ///< way of the rail beyond which it is to be set anew before boxes are looked at [m]
+constexpr double rigid_lean = 0.1;  ///< turn of a plane against the normal of its first touch [rad]
 constexpr double descent_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
 
@@ -66,6 +67,7 @@ void WheelContact::reset()
 RigidTouch WheelContact::touch(const WheelsetPose& pose)
 {
   RigidTouch touch;
+  held_ = pose.y == learned_.y && pose.yaw == learned_.yaw && pose.roll == learned_.roll;
   wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
   search_.setWheel(*wheel_);
   touch.found = search_.nearest(touch.contact);
@@ -125,6 +127,7 @@ WheelStatus WheelContact::solveDescent(const RigidTouch& touch, double descent, 
 WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
 {
   problem_.modulus = modulus_;
+  DescentStep step;
   for (int attempt = 0; attempt < most_boxes; ++attempt)
   {
     if (!layBoxes(touch, size))
@@ -158,8 +161,7 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     {
       learn();
     }
-    solution_.approach =
-        std::clamp(solution_.approach, boxed_descent_ / descent_step_limit, boxed_descent_ * descent_step_limit);
+    solution_.approach = step.next(boxed_descent_, solution_.approach);
     if (railSlip() > far_slip)
     {
       return WheelStatus::solved;
@@ -208,7 +210,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     patch.zone = zones_[k];
     patch.touch_gap = patch.zone.contact.separation - touch.contact.separation;
     patch.half_overlap = std::sqrt(2 * (boxed_descent_ - patch.touch_gap) * wheelRadius(config_, patch.zone.contact));
-    layPatch(*wheel_, *rail_, size, recall(patch.zone), patch, gap.grid);
+    layPatch(*wheel_, *rail_, size, held_, recall(patch.zone), patch, gap.grid);
     gap.weight = std::cos(patch.plane.angle);
     const bool sound = gap.grid.dx > 0 && gap.grid.dy > 0;
     if (!sound || !buildGap(*wheel_, *rail_, patch.plane, gap.grid, gap.gap, patch.columns))
@@ -245,8 +247,10 @@ void WheelContact::measure()
 void WheelContact::learn()
 {
   memory_.clear();
+  learned_ = wheel_->pose();
+  held_ = true;
   const double grown =
-      std::sqrt(std::clamp(solution_.approach / boxed_descent_, 1 / descent_step_limit, descent_step_limit));
+      std::sqrt(std::clamp(solution_.approach / boxed_descent_, 1 / DescentStep::longest, DescentStep::longest));
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     if (!patches_[k].extent.empty)
@@ -326,6 +330,30 @@ double WheelContact::planeError() const
     error += solution_.patches[k].force * std::abs(patches_[k].slope);
   }
   return force > 0 ? error / force : 0;
+}
+
+bool WheelContact::leans() const
+{
+  double lean = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const double touched = std::atan(patches_[k].zone.contact.slope);
+    lean = std::max(lean, patches_[k].extent.empty ? 0 : std::abs(patches_[k].plane.angle - touched));
+  }
+  return lean > rigid_lean;
+}
+
+double WheelContact::rise() const
+{
+  double vertical = 0;
+  double sum = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const double angle = patches_[k].plane.angle;
+    vertical += solution_.patches[k].force * std::cos(angle);
+    sum += solution_.patches[k].force * std::sin(angle);
+  }
+  return vertical > 0 ? sum / vertical : 0;
 }
 
 double WheelContact::lever() const

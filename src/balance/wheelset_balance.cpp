@@ -21,7 +21,11 @@ constexpr double roll_step_limit = 5e-3;  ///< [rad]
 constexpr double height_per_tolerance = 1e-6;
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
-constexpr double least_fill = 0.8;           ///< share of its expected size that a pressure must have
+// A pass is far from the balance while a plane, a descent or the roll is off by more than this.
+constexpr double far_plane = 0.05;   ///< [rad]
+constexpr double far_descent = 0.1;  ///< relative [-]
+constexpr double far_roll = 1e-4;    ///< [rad]
+constexpr double least_fill = 0.8;   ///< share of its expected size that a pressure must have
 
 std::size_t index(Side side)
 {
@@ -180,6 +184,19 @@ bool WheelsetBalance::layoutFits(double slack)
   return all;
 }
 
+/// True if a pass is so far from the balance that a rough grid tells as well where to go.
+bool WheelsetBalance::isFar(double roll_change) const
+{
+  bool far = std::abs(roll_change) > far_roll;
+  for (const Side side : sides)
+  {
+    const WheelContact& wheel = wheel_[index(side)];
+    far = far ||
+          (loaded_[index(side)] && (wheel.planeError() > far_plane || std::abs(wheel.descentError()) > far_descent));
+  }
+  return far;
+}
+
 /// True if the estimated errors meet the tolerance or cannot be made smaller; otherwise finer grids are chosen.
 bool WheelsetBalance::fineEnough()
 {
@@ -193,7 +210,7 @@ bool WheelsetBalance::fineEnough()
   return enough;
 }
 
-/// Chooses the first grids after the rough pass.
+/// Chooses grids after the last rough pass.
 void WheelsetBalance::chooseGrids()
 {
   for (const Side side : sides)
@@ -217,9 +234,32 @@ bool WheelsetBalance::touchFirst()
   return touch_[0].found && touch_[1].found;
 }
 
+/// Rolls the wheelset as its last contacts ask for after it has moved sideways [m], if rigid touch does not tell.
+void WheelsetBalance::foresee(double moved)
+{
+  if (!warm_)
+  {
+    return;
+  }
+  double rise = 0;
+  bool leans = false;
+  for (const Side side : sides)
+  {
+    rise += loaded_[index(side)] ? wheel_[index(side)].rise() : touch_[index(side)].contact.slope;
+    leans = leans || (loaded_[index(side)] && wheel_[index(side)].leans());
+  }
+  if (leans)
+  {
+    const double levers = std::max(leverSum(), RollSecant::least_fall);
+    roll_ += std::clamp(rise * moved / levers, -roll_step_limit, roll_step_limit);
+    secant_.start(roll_, levers);
+  }
+}
+
 /// Sets out from the last answer: wheel loads, and descents to be expected under them.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
+  const double moved = state.y - state_.y;
   state_ = state;
   const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
   load_ = {-0.5 * state.force_z - transfer, -0.5 * state.force_z + transfer};
@@ -238,6 +278,7 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   {
     return false;
   }
+  foresee(moved);
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
@@ -284,14 +325,14 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
   {
     return failed(WheelStatus::beside_rail);
   }
+  bool rough = !warm_;
   for (int pass = 0; pass < most_passes; ++pass)
   {
-    const bool first = pass == 0 && !warm_;
     if (!place())
     {
       return failed(WheelStatus::beside_rail);
     }
-    const WheelStatus status = solveWheels(first);
+    const WheelStatus status = solveWheels(rough);
     if (status != WheelStatus::solved)
     {
       return failed(status);
@@ -303,16 +344,19 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
     const bool fits = layoutFits(slack);
     const bool level = std::abs(roll_change) < slack * roll_per_tolerance * config_.contact.tolerance;
     const bool settled = fits && level && open <= 1;
-    if (first)
+    const bool far = (isFar(roll_change) || open > 1) && pass < strict_passes;
+    if (rough && !far)
     {
       chooseGrids();
     }
-    else if (settled && fineEnough())
+    if (!rough && settled && fineEnough())
     {
       finish(roll_change);
       return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
     }
-    if (fits || !secant_.takesOver())
+    rough = far && (rough || (pass == 0 && ladder_.count() > 1));  // a grid given by hand is kept while warm
+    const bool steady = secant_.steady(roll_, difference);
+    if (fits || steady || !secant_.takesOver())
     {
       secant_.record(roll_, difference);
     }

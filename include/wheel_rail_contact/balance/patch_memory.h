@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "wheel_rail_contact/balance/wheel_patch.h"
 
 namespace wheel_rail_contact
@@ -8,9 +10,10 @@ namespace wheel_rail_contact
 /// Where a contact lay in its overlapping stretch.
 struct PatchMemory
 {
-  double rail_u = 0;  ///< place of the contact on the rail, to know it again [m]
-  double center = 0;  ///< middle of the pressure, in half-widths of the stretch from its middle [-]
-  double begin = 0;   ///< edges of the pressure, likewise [-]
+  std::optional<OverlapZone> zone;  ///< stretch expected at the solved descent, the wheel being where it was
+  double rail_u = 0;                ///< place of the contact on the rail, to know it again [m]
+  double center = 0;                ///< middle of the pressure, in half-widths of the stretch from its middle [-]
+  double begin = 0;                 ///< edges of the pressure, likewise [-]
   double end = 0;
   double half_length = 0;  ///< of the pressure along the track, in half-lengths of the overlap [-]
   double turn = 0;         ///< plane against the chord of the stretch [rad]
@@ -30,7 +33,8 @@ PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const Whe
                      double grown);
 
 /// Lays plane and grid over the patch's stretch (patch.zone and patch.half_overlap are given), as remembered; the
-/// memory keeps the grid.
-void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, PatchMemory& memory,
+/// memory keeps the grid. `held`: the wheel is where it was when the memory was made, but for its height; the patch
+/// then lies where it was, and does not move with a stretch whose far end comes and goes with the descent.
+void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, bool held, PatchMemory& memory,
               WheelPatch& patch, Grid& grid);
 }  // namespace wheel_rail_contact

@@ -116,6 +116,11 @@ class WheelContact
   bool widened() const { return widened_; }
   /// -d(axle height)/d(roll) at constant load [m].
   double lever() const;
+  /// d(axle height)/dy at constant load: the load-weighted slope of the planes [-].
+  double rise() const;
+  /// True if the load is carried elsewhere than where the bodies touch first: rigid touch then does not tell how the
+  /// axle moves.
+  bool leans() const;
   int solutions() const { return solutions_; }
 
   const std::vector<WheelPatch>& patches() const { return patches_; }
@@ -155,7 +160,9 @@ class WheelContact
   double box_fill_ = 1;
   bool box_cut_ = false;
   bool widened_ = false;
-  double load_ = 0;  ///< of the last usable solution [N]; 0: none
+  WheelsetPose learned_;  ///< pose of the wheel that memory is of
+  bool held_ = false;     ///< the wheel is at that pose, but for its height
+  double load_ = 0;       ///< of the last usable solution [N]; 0: none
   int solutions_ = 0;
 };
 }  // namespace wheel_rail_contact

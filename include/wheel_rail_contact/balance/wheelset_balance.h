@@ -57,6 +57,8 @@ class WheelsetBalance
   WheelStatus solveWheels(bool rough);
   double moveRails();
   bool layoutFits(double slack);
+  bool isFar(double roll_change) const;
+  void foresee(double moved);
   bool fineEnough();
   void chooseGrids();
   void finish(double roll_change);
