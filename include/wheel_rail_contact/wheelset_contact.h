@@ -22,31 +22,33 @@ struct PatchPose
   double angle = 0;            ///< rotation about x [rad]
 };
 
+/// One contact patch of an answer.
 struct PatchResult
 {
-  Side side = Side::left;
-  std::string_view method;
-  PatchPose pose;
+  Side side = Side::left;     ///< of the wheel
+  std::string_view method;    ///< that solved it, named as in `contact/method`
+  PatchPose pose;             ///< of the patch frame
   double contact_angle = 0;   ///< >= 0 [rad]
   double normal_force = 0;    ///< [N]
   double approach = 0;        ///< along the patch's normal [m]
   double area = 0;            ///< [m²]
   double max_pressure = 0;    ///< [Pa]
   double error_estimate = 0;  ///< relative [-]
-  int iterations = 0;
-  double residual = 0;
-  Grid grid;                 ///< never symmetric here: the whole patch, in the patch frame
-  Eigen::ArrayXXd pressure;  ///< nx × ny [Pa]
+  int iterations = 0;         ///< products with the influence matrix
+  double residual = 0;        ///< violation of the contact conditions over the approach [-]
+  Grid grid;                  ///< never symmetric here: the whole patch, in the patch frame
+  Eigen::ArrayXXd pressure;   ///< nx × ny [Pa]
 };
 
+/// The answer to one state.
 struct WheelsetResult
 {
-  ContactStatus status = ContactStatus::invalid_input;
-  std::string reason;                      ///< one sentence, empty when ok and within the tolerance
-  bool above_tolerance = false;            ///< a patch's error estimate is above contact/tolerance
-  double y = 0, z = 0, yaw = 0, roll = 0;  ///< axle centre [m, rad], with the solved height and roll
-  std::array<RailResult, 2> rail;          ///< by Side
-  std::vector<PatchResult> patches;        ///< empty unless usable
+  ContactStatus status = ContactStatus::invalid_input;  ///< whether the rest may be used
+  std::string reason;                                   ///< one sentence, empty when ok and within the tolerance
+  bool above_tolerance = false;                         ///< a patch's error estimate is above contact/tolerance
+  double y = 0, z = 0, yaw = 0, roll = 0;               ///< axle centre [m, rad], with the solved height and roll
+  std::array<RailResult, 2> rail;                       ///< by Side
+  std::vector<PatchResult> patches;                     ///< empty unless usable
 };
 
 /// The whole chain: pose and load -> placement -> search -> gap -> normal solution -> balance.
@@ -67,6 +69,7 @@ class WheelsetContact
   /// Forgets the last answer: the next evaluation starts cold.
   void reset();
 
+  /// As given when it was made.
   const ContactModelConfig& config() const;
 
  private:

@@ -14,8 +14,8 @@ namespace wheel_rail_contact
 /// Who published what on which topic.
 struct BagConnection
 {
-  std::string topic;
-  BagFields header;  ///< type, md5sum, message_definition, and what else the publisher said
+  std::string topic;  ///< as the publisher named it
+  BagFields header;   ///< type, md5sum, message_definition, and what else the publisher said
 };
 
 /// Part of a bag that is read in one go.
@@ -29,10 +29,10 @@ struct BagChunk
 /// What is in a bag, without its messages.
 struct BagContents
 {
-  std::map<std::uint32_t, BagConnection> connections;
-  std::map<std::uint32_t, std::uint64_t> messages;  ///< by connection
-  std::vector<BagChunk> chunks;                     ///< those with messages asked for, in the order of the file
-  std::string fault;                                ///< why the bag is not whole; empty if it is
+  std::map<std::uint32_t, BagConnection> connections;  ///< by number
+  std::map<std::uint32_t, std::uint64_t> messages;     ///< by connection
+  std::vector<BagChunk> chunks;                        ///< those with messages asked for, in the order of the file
+  std::string fault;                                   ///< why the bag is not whole; empty if it is
 };
 
 /// True for the topics whose messages are asked for.

@@ -18,7 +18,9 @@ class BagFile
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
+  /// As given.
   const std::string& path() const { return path_; }
+  /// Of the file [B].
   std::uint64_t size() const { return size_; }
 
   /// @throw BagError if they go beyond the end of the file.
@@ -27,13 +29,15 @@ class BagFile
   /// A record's header, and where its data stands.
   struct Place
   {
-    BagFields header;
+    BagFields header;          ///< its fields
     std::uint64_t data = 0;    ///< position in the file [B]
     std::uint64_t length = 0;  ///< of the data [B]
+    /// Where the next record begins [B].
     std::uint64_t end() const { return data + length; }
   };
   /// @throw BagError if there is no header of a record here; the data may go beyond the end of the file.
   Place recordAt(std::uint64_t position) const;
+  /// A record's data. @throw BagError if they go beyond the end of the file.
   std::string dataOf(const Place& place) const { return bytes(place.data, place.length); }
 
   /// Where the record after the bag header begins.

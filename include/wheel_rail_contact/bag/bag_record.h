@@ -31,6 +31,7 @@ enum class BagOp : std::uint8_t
   connection = 7   ///< conn, topic | the connection's own header: topic, type, md5sum, message_definition, ...
 };
 
+/// What every bag of version 2.0 begins with.
 inline constexpr std::string_view bag_magic = "#ROSBAG V2.0\n";
 /// Length of the bag header record with its blanks.
 inline constexpr std::size_t bag_header_length = 4096;
@@ -61,6 +62,7 @@ std::string bytesOf(Number number)
 
 /// Time as bags write it (seconds and nanoseconds, 4 bytes each) from and to nanoseconds.
 std::uint64_t timeAt(std::string_view bytes);
+/// The bytes of a time.
 std::string timeBytes(std::uint64_t nanoseconds);
 
 /// Fields of a header by name.
@@ -71,18 +73,24 @@ class BagFields
   /// @throw BagError if the bytes are no list of fields.
   explicit BagFields(std::string_view bytes);
 
+  /// True if there is a field of this name.
   bool has(const std::string& name) const { return fields_.count(name) > 0; }
   /// @throw BagError if there is none of the name.
   const std::string& text(const std::string& name) const;
+  /// A field as a little-endian number. @throw BagError if there is none, or it is too short.
   template <typename Number>
   Number number(const std::string& name) const
   {
     return numberAt<Number>(text(name));
   }
+  /// A field as a time [ns]. @throw BagError likewise.
   std::uint64_t time(const std::string& name) const { return timeAt(text(name)); }
+  /// What kind of record this header begins.
   BagOp op() const { return static_cast<BagOp>(number<std::uint8_t>("op")); }
 
+  /// Sets a field's bytes.
   BagFields& set(const std::string& name, std::string value);
+  /// Sets the kind of record.
   BagFields& set(BagOp op) { return set("op", bytesOf(static_cast<std::uint8_t>(op))); }
   /// As a header, in alphabetical order.
   std::string bytes() const;
@@ -94,8 +102,8 @@ class BagFields
 /// A record that stands in memory.
 struct BagRecord
 {
-  BagFields header;
-  std::string_view data;
+  BagFields header;        ///< its fields
+  std::string_view data;   ///< within the bytes it was read from
   std::size_t length = 0;  ///< of the whole record in bytes
 };
 
@@ -124,5 +132,6 @@ void forEachIndexTime(std::string_view entries, const Action& action)
   }
 }
 
+/// Appends a record to `bytes`.
 void appendRecord(const BagFields& header, std::string_view data, std::string& bytes);
 }  // namespace wheel_rail_contact

@@ -14,10 +14,10 @@ namespace wheel_rail_contact
 /// A message of a bag as it was published.
 struct BagMessage
 {
-  std::uint32_t connection_id = 0;
-  const BagConnection* connection = nullptr;
-  std::uint64_t time = 0;  ///< at which it was recorded [ns]
-  std::string_view data;   ///< valid until the next message is asked for
+  std::uint32_t connection_id = 0;            ///< number of the connection
+  const BagConnection* connection = nullptr;  ///< that of BagContents
+  std::uint64_t time = 0;                     ///< at which it was recorded [ns]
+  std::string_view data;                      ///< valid until the next message is asked for
 };
 
 /// Delivers the messages of a bag in the order of their recording times, as `rosbag play` does; messages of equal time
@@ -29,7 +29,9 @@ class BagStream
   /// @throw BagError if the file cannot be read or is no bag, not for damage further on.
   BagStream(const std::string& path, TopicFilter wanted);
 
+  /// As far as it could be read.
   const BagContents& contents() const { return contents_; }
+  /// Of the bag [B].
   std::uint64_t fileSize() const { return file_.size(); }
 
   /// The next message, nothing at the end.

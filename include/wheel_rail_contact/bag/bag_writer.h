@@ -15,10 +15,10 @@ namespace wheel_rail_contact
 /// The part of an unfinished bag that a BagWriter can go on from: its full chunks.
 struct BagRemains
 {
-  std::uint64_t messages = 0;
-  std::uint64_t end = 0;    ///< where the next chunk goes in the file [B]
-  std::string chunk_infos;  ///< records of the index section
-  std::uint32_t chunks = 0;
+  std::uint64_t messages = 0;  ///< in them
+  std::uint64_t end = 0;       ///< where the next chunk goes in the file [B]
+  std::string chunk_infos;     ///< records of the index section
+  std::uint32_t chunks = 0;    ///< number of them
 };
 
 /// Writes a bag from front to end. The same messages give the same file, to the last byte, also when the writing was

@@ -43,6 +43,7 @@ class BendingRail
   /// The answer stands.
   void finish(bool loaded);
 
+  /// Deflection and forces as they stand.
   const RailResult& result() const { return result_; }
 
  private:

@@ -12,8 +12,10 @@ template <int N>
 class FixedPoint
 {
  public:
+  /// The unknowns.
   using Vector = Eigen::Matrix<double, N, 1>;
 
+  /// Forgets the steps before.
   void reset() { known_ = 0; }
 
   /// Next x to try, after g(x) was found to be `image`.

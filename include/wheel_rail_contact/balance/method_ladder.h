@@ -13,7 +13,7 @@ namespace wheel_rail_contact
 /// A grid and what to expect of it: relative errors, the largest of max pressure, area and approach [-].
 struct Rung
 {
-  GridSize size;
+  GridSize size;            ///< of the grid
   double ordinary_error;    ///< that most scenes stay below
   double typical_estimate;  ///< error estimate in the median; its ratios tell what other rungs promise
 };
@@ -23,10 +23,14 @@ struct Rung
 class MethodLadder
 {
  public:
+  /// Copies what it needs of `config`; computes the coefficients of its grids.
   explicit MethodLadder(const ContactModelConfig& config);
 
+  /// The method, for all rungs.
   NormalSolver& solver() const { return *solver_; }
+  /// Number of rungs, >= 1.
   std::size_t count() const { return rungs_.size(); }
+  /// From 0, the coarsest.
   const Rung& at(std::size_t rung) const { return rungs_[rung]; }
   /// For the first pass from cold, where planes and boxes are still rough.
   const Rung& rough() const { return rough_; }
@@ -44,6 +48,7 @@ class RungChoice
   /// @param tolerance  wanted relative error [-]
   RungChoice(const MethodLadder& ladder, double tolerance) : ladder_(&ladder), tolerance_(tolerance) {}
 
+  /// The rung to solve on.
   const Rung& rung() const { return ladder_->at(rung_); }
 
   /// Sets out from cold, by the error estimated on the rough grid: the rung that is promised to do, at most the one

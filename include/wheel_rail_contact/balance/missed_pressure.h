@@ -10,7 +10,7 @@ namespace wheel_rail_contact
 /// A solved patch as missed pressure is looked for beside it.
 struct SolvedPatch
 {
-  const Grid& grid;
+  const Grid& grid;                 ///< it was solved on
   const Eigen::ArrayXXd& pressure;  ///< [Pa]
   double modulus;                   ///< contact modulus E* [Pa]
   double descent;                   ///< of the axle below the first touch [m]

@@ -14,14 +14,14 @@ struct PatchMemory
   double rail_u = 0;                ///< place of the contact on the rail, to know it again [m]
   double center = 0;                ///< middle of the pressure, in half-widths of the stretch from its middle [-]
   double begin = 0;                 ///< edges of the pressure, likewise [-]
-  double end = 0;
-  double half_length = 0;  ///< of the pressure along the track, in half-lengths of the overlap [-]
-  double turn = 0;         ///< plane against the chord of the stretch [rad]
-  double turned = 0;       ///< by how much this memory has turned the plane; for the same state, no swinging [rad]
-  double shift_x = 0;      ///< pressure's centre against the wheel's contact locus [m]
-  Grid grid;               ///< as laid after this memory; no cells: not laid yet
-  double width = 0;        ///< of the pressure as expected when the grid was laid [m]
-  double length = 0;       ///< likewise, along the track [m]
+  double end = 0;                   ///< likewise [-]
+  double half_length = 0;           ///< of the pressure along the track, in half-lengths of the overlap [-]
+  double turn = 0;                  ///< plane against the chord of the stretch [rad]
+  double turned = 0;   ///< by how much this memory has turned the plane; for the same state, no swinging [rad]
+  double shift_x = 0;  ///< pressure's centre against the wheel's contact locus [m]
+  Grid grid;           ///< as laid after this memory; no cells: not laid yet
+  double width = 0;    ///< of the pressure as expected when the grid was laid [m]
+  double length = 0;   ///< likewise, along the track [m]
 };
 
 /// What to expect of a contact never seen before.

@@ -11,7 +11,7 @@ namespace wheel_rail_contact
 /// outermost loaded cells, falls to zero (it is linear in the distance from the edge of any smooth contact).
 struct PressureExtent
 {
-  bool empty = true;
+  bool empty = true;                       ///< no cell carries pressure
   int first_column = 0, last_column = -1;  ///< with pressure
   int first_row = 0, last_row = -1;        ///< with pressure
   double y_begin = 0, y_end = 0;           ///< edges across, patch frame [m]
@@ -19,10 +19,14 @@ struct PressureExtent
 
   /// An edge lies outside the grid: it cuts the contact off.
   bool cutBegin(const Grid& grid) const { return y_begin < grid.y(0) - 0.5 * grid.dy; }
+  /// Likewise at the other end across.
   bool cutEnd(const Grid& grid) const { return y_end > grid.y(grid.ny - 1) + 0.5 * grid.dy; }
+  /// Likewise along.
   bool cutLength(const Grid& grid) const { return half_length > 0.5 * grid.nx * grid.dx; }
+  /// Any of them.
   bool cut(const Grid& grid) const { return cutBegin(grid) || cutEnd(grid) || cutLength(grid); }
 };
 
+/// The extent of a pressure [Pa] on its grid's stored cells.
 PressureExtent findExtent(const Grid& grid, const Eigen::ArrayXXd& pressure);
 }  // namespace wheel_rail_contact

@@ -12,6 +12,7 @@ namespace wheel_rail_contact
 class RailStep
 {
  public:
+  /// Forgets the steps before.
   void reset() { *this = RailStep(); }
 
   /// Share of the wanted way that the rail is to be moved by [-]. `slip`: length of the way along the contact planes

@@ -13,6 +13,7 @@ namespace wheel_rail_contact
 /// roll about the head's reference point [rad]; the forces along them: outward on the rail [N], up on the rail [N],
 /// moment on the head about that point [N m].
 Eigen::Vector3d toCoordinates(const RailDeflection& deflection);
+/// The deflection that has these coordinates.
 RailDeflection toDeflection(const Eigen::Vector3d& coordinates);
 
 /// Compliance of the coordinates, from a table for the upright rail, inclined by `cant` [rad].

@@ -16,6 +16,7 @@ class RollSecant
  public:
   static constexpr double least_fall = 0.1;  ///< of the difference with the roll, to be believed [m]
 
+  /// Forgets the passes before.
   void reset() { *this = RollSecant(); }
 
   /// Takes over from the start, where rigid touch tells nothing: with the first roll to try [rad] and an estimate of

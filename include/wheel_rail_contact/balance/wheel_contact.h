@@ -19,7 +19,7 @@ struct RigidTouch
   bool found = false;      ///< false: the wheel is beside the rail
   double axle_height = 0;  ///< z of the axle centre at which wheel and rail touch, at the pose's y, yaw and roll [m]
   double lever = 0;        ///< -d(axle_height)/d(roll) with the bodies in touch [m]
-  InitialContact contact;
+  InitialContact contact;  ///< where they touch
 };
 
 /// What a wheel's contact does to its rail, side axes.
@@ -32,9 +32,10 @@ struct WheelForces
 
 constexpr double flange_slope = 0.3;  ///< of a contact, above which it is the flange's [-]
 
+/// Why a wheel's solution ended.
 enum class WheelStatus
 {
-  solved,
+  solved,         ///< usable
   no_contact,     ///< asked height leaves the wheel above the rail, or no load was asked for
   beside_rail,    ///< wheel and rail share no stretch of the track's width
   off_profile,    ///< pressure beyond the end of a profile
@@ -61,6 +62,7 @@ class WheelContact
   void setRail(const PlacedRail& rail, const Support& support);
   /// Sets a rail that stays where it is.
   void setRail(const PlacedRail& rail) { setRail(rail, Support()); }
+  /// As it is set.
   const PlacedRail& rail() const { return *rail_; }
 
   /// First touch at a pose (its z is not used).
@@ -88,6 +90,7 @@ class WheelContact
   double elasticDescent() const { return solution_.approach; }
   /// The rest; none once the rail is set anew [m].
   double yielded() const { return yielded_; }
+  /// Of the last solution.
   const WheelForces& forces() const { return forces_; }
   /// Coordinates of the rail in the last solution: those it was set to, unless it yields.
   const Eigen::Vector3d& support() const { return problem_.support.placed; }
@@ -121,12 +124,17 @@ class WheelContact
   /// True if the load is carried elsewhere than where the bodies touch first: rigid touch then does not tell how the
   /// axle moves.
   bool leans() const;
+  /// Normal problems solved so far.
   int solutions() const { return solutions_; }
 
+  /// Of the last solution.
   const std::vector<WheelPatch>& patches() const { return patches_; }
+  /// The last one solved, a patch for each of patches().
   const NormalProblem& problem() const { return problem_; }
+  /// Its solution.
   const NormalSolution& solution() const { return solution_; }
 
+  /// Forgets the last answer.
   void reset();
 
  private:

@@ -12,25 +12,25 @@ namespace wheel_rail_contact
 /// Cells of the grid laid over a patch.
 struct GridSize
 {
-  int along = 0;
-  int across = 0;
+  int along = 0;   ///< cells along the track
+  int across = 0;  ///< cells across
 };
 
 /// One patch as solved, beside its pressure.
 struct WheelPatch
 {
-  OverlapZone zone;            ///< stretch it was laid over
-  double touch_gap = 0;        ///< vertical gap at the first touch of the whole wheel [m]
-  double half_overlap = 0;     ///< half-length of the overlap along the track [m]
-  double expected_width = 0;   ///< of the pressure, for which the grid was laid [m]
-  double expected_length = 0;  ///< likewise, along the track [m]
-  ContactPlane plane;
-  double turned = 0;  ///< by how much the plane was turned after the last solution of the same state [rad]
-  std::vector<GapColumn> columns;
-  PressureExtent extent;
-  double slope = 0;     ///< pressure-weighted mean of the common normal's slope against the plane [-]
-  double center_x = 0;  ///< pressure's centre in the patch frame [m]
-  double center_y = 0;  ///< [m]
+  OverlapZone zone;                ///< stretch it was laid over
+  double touch_gap = 0;            ///< vertical gap at the first touch of the whole wheel [m]
+  double half_overlap = 0;         ///< half-length of the overlap along the track [m]
+  double expected_width = 0;       ///< of the pressure, for which the grid was laid [m]
+  double expected_length = 0;      ///< likewise, along the track [m]
+  ContactPlane plane;              ///< in which it was solved
+  double turned = 0;               ///< by how much the plane was turned after the last solution of the same state [rad]
+  std::vector<GapColumn> columns;  ///< one for each column of the grid
+  PressureExtent extent;           ///< of the pressure
+  double slope = 0;                ///< pressure-weighted mean of the common normal's slope against the plane [-]
+  double center_x = 0;             ///< pressure's centre in the patch frame [m]
+  double center_y = 0;             ///< [m]
 };
 
 /// Parameter of the rail's profile at place `t` of the patch frame [m], from the columns, carried on beyond them.

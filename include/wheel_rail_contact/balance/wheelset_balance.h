@@ -29,16 +29,20 @@ class WheelsetBalance
   /// reason stands in reason() where the status is not ok.
   ContactStatus solve(const WheelsetState& state);
 
+  /// One sentence; empty where the status is ok.
   std::string_view reason() const { return reason_; }
   /// Axle centre, track frame [m].
   double height() const { return height_; }
   /// Track frame [rad].
   double roll() const { return roll_; }
+  /// One wheel as last solved.
   const WheelContact& wheel(Side side) const { return wheel_[static_cast<std::size_t>(side)]; }
   /// False where the wheel carries nothing.
   bool loaded(Side side) const { return loaded_[static_cast<std::size_t>(side)]; }
+  /// One rail's deflection and forces.
   const RailResult& rail(Side side) const { return rail_[static_cast<std::size_t>(side)].result(); }
 
+  /// Forgets the last answer.
   void reset();
 
  private:

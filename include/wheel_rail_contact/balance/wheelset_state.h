@@ -21,6 +21,7 @@ struct WheelsetState
   std::array<RailDeflection, 2> rail_offset{};
 };
 
+/// Whether an answer may be used, and if not, why.
 enum class ContactStatus
 {
   ok,             ///< every loaded wheel in contact, usable
@@ -30,9 +31,10 @@ enum class ContactStatus
   invalid_input   ///< NaN or infinite input, or angles out of range
 };
 
+/// What a rail does under its forces, axes of its side.
 struct RailResult
 {
-  RailDeflection deflection;
+  RailDeflection deflection;  ///< of the head
   double lateral_force = 0;   ///< that bends the rail, outward [N]
   double vertical_force = 0;  ///< down [N]
   double moment = 0;          ///< of both about the head's reference point, outward roll positive [N m]

@@ -30,7 +30,7 @@ struct OverlapZone
   InitialContact contact;                                     ///< its deepest place
   bool at_profile_end = false;                                ///< the stretch is cut off by the end of a profile
   double u_least = -std::numeric_limits<double>::infinity();  ///< beyond these the next stretch begins [m]
-  double u_most = std::numeric_limits<double>::infinity();
+  double u_most = std::numeric_limits<double>::infinity();    ///< likewise [m]
 };
 
 /// Separation at one place across the track.
@@ -50,6 +50,7 @@ struct Station
 class ContactSearch
 {
  public:
+  /// Samples the profiles; keeps no reference to them.
   ContactSearch(const Profile& wheel, const Profile& rail);
 
   /// Takes over a new place of the rail.

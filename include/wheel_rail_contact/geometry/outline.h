@@ -10,10 +10,11 @@ namespace wheel_rail_contact
 /// Equidistant places across the track, side axes: y = first + k spacing [m].
 struct Stations
 {
-  double first = 0;
-  double spacing = 0;
-  std::size_t count = 0;
+  double first = 0;       ///< y of the first [m]
+  double spacing = 0;     ///< [m], > 0
+  std::size_t count = 0;  ///< number of places
 
+  /// Place k, side axes [m].
   double y(std::size_t k) const { return first + static_cast<double>(k) * spacing; }
 };
 
@@ -29,12 +30,14 @@ struct OutlinePoint
 class Outline
 {
  public:
+  /// Which of several heights over a station stays.
   enum class Envelope
   {
-    lower,
-    upper
+    lower,  ///< the lowest: a wheel
+    upper   ///< the highest: a rail
   };
 
+  /// An outline without segments.
   explicit Outline(Envelope envelope) : sign_(envelope == Envelope::lower ? 1 : -1) {}
 
   /// Forgets all segments. Allocates only for more stations than before.

@@ -43,7 +43,9 @@ class PlacedRail
   /// The same rail with its head displaced from the undeflected place.
   PlacedRail deflected(const RailDeflection& deflection) const;
 
+  /// In its own frame.
   const Profile& profile() const { return *profile_; }
+  /// The point at the profile's parameter u [m].
   PlanePoint at(double u) const;
   /// A point of the profile frame (on the profile or not) in side axes.
   PlanePoint place(const CurvePoint& point) const;
@@ -63,7 +65,7 @@ class PlacedRail
 /// Point in side axes [m].
 struct SpacePoint
 {
-  double x, y, z;
+  double x, y, z;  ///< forward, outward, up
 };
 
 /// A wheel in side axes: its profile as a surface of revolution about the wheelset's axle.
@@ -84,7 +86,9 @@ class PlacedWheel
   /// profile at constant x. @return false if x is beyond the circle.
   bool section(const CurvePoint& p, double x, PlanePoint& out) const;
 
+  /// In its own frame.
   const Profile& profile() const { return *profile_; }
+  /// As given, side axes.
   const WheelsetPose& pose() const { return pose_; }
 
  private:

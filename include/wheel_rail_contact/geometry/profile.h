@@ -44,10 +44,10 @@ struct ArcSection
 /// z as a polynomial of y; the parameter is y - y0.
 struct PolynomialSection
 {
-  static constexpr std::size_t max_coefficients = 9;
-  double y0;                             ///< y at the section's start [m]
-  double coefficient[max_coefficients];  ///< z = sum coefficient[k] (y0 + t)^k, [m^(1-k)]
-  std::size_t count;                     ///< used coefficients
+  static constexpr std::size_t max_coefficients = 9;  ///< largest number of coefficients
+  double y0;                                          ///< y at the section's start [m]
+  double coefficient[max_coefficients];               ///< z = sum coefficient[k] (y0 + t)^k, [m^(1-k)]
+  std::size_t count;                                  ///< used coefficients
 };
 
 /// Both coordinates as cubics of the local parameter (a piece of a spline through measured points).
@@ -57,13 +57,14 @@ struct CubicSection
   double z[4];  ///< z = sum z[k] t^k [m^(1-k)]
 };
 
+/// Point of a section by its local parameter.
 using SectionLaw = std::variant<LineSection, ArcSection, PolynomialSection, CubicSection>;
 
 /// One section with the length of its parameter.
 struct ProfileSection
 {
-  SectionLaw law;
-  double length;  ///< range of the local parameter, t in [0, length] [m]
+  SectionLaw law;  ///< the curve
+  double length;   ///< range of the local parameter, t in [0, length] [m]
 };
 
 /// Wheel or rail profile: a plane curve made of sections, running from the gauge (flange) side to the field side.
@@ -77,6 +78,7 @@ class Profile
   /// a polynomial too many coefficients.
   Profile(std::string name, const std::vector<ProfileSection>& sections);
 
+  /// Name of a standard profile, or of the file.
   const std::string& name() const { return name_; }
   /// Largest value of the parameter [m]; the smallest is 0.
   double length() const { return start_.back(); }

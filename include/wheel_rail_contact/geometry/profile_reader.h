@@ -10,10 +10,11 @@
 
 namespace wheel_rail_contact
 {
+/// Whose profile a file holds.
 enum class ProfileKind
 {
-  wheel,
-  rail
+  wheel,  ///< origin on the running circle
+  rail    ///< origin on the crown
 };
 
 /// A profile file that cannot be used; what() reads "file:line: reason", or "file: reason" for the file as a whole.
@@ -23,8 +24,11 @@ class ProfileError : public std::runtime_error
   /// @param line counted from 1; 0 for the file as a whole.
   ProfileError(const std::string& file, std::size_t line, const std::string& reason);
 
+  /// The file's path.
   const std::string& file() const { return file_; }
+  /// Counted from 1; 0 for the file as a whole.
   std::size_t line() const { return line_; }
+  /// The rule that is broken.
   const std::string& reason() const { return reason_; }
 
  private:

@@ -7,6 +7,7 @@
 
 namespace wheel_rail_contact
 {
+/// When the iteration ends.
 struct ConjugateGradientsOptions
 {
   /// Residual at which the solution counts as converged [-], in (0, 1).

@@ -11,10 +11,11 @@ namespace wheel_rail_contact
 /// Estimated relative errors of one patch of a solution [-], all >= 0.
 struct ErrorEstimate
 {
-  double max_pressure = 0;
-  double area = 0;
-  double approach = 0;  ///< of the patch's own approach, from its first touch on
+  double max_pressure = 0;  ///< of the highest pressure
+  double area = 0;          ///< of the contact area
+  double approach = 0;      ///< of the patch's own approach, from its first touch on
 
+  /// The largest of the three [-].
   double largest() const;
 };
 
@@ -42,9 +43,9 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 /// Weights of the terms.
 struct ErrorWeights
 {
-  std::array<double, 3> max_pressure{};
-  std::array<double, 7> area{};
-  std::array<double, 3> approach{};
+  std::array<double, 3> max_pressure{};  ///< of ErrorTerms::max_pressure [-]
+  std::array<double, 7> area{};          ///< of ErrorTerms::area [-]
+  std::array<double, 3> approach{};      ///< of ErrorTerms::approach [-]
 };
 
 /// The weights in use.
@@ -55,11 +56,12 @@ const ErrorWeights& gridErrorWeights();
 /// is not common to both, over their mean · squared logarithm of the paraboloid's aspect.
 using ShapeTerms = std::array<double, 4>;
 
+/// Weights of ShapeTerms for each quantity [-].
 struct ShapeWeights
 {
-  ShapeTerms max_pressure{};
-  ShapeTerms area{};
-  ShapeTerms approach{};
+  ShapeTerms max_pressure{};  ///< of the highest pressure
+  ShapeTerms area{};          ///< of the contact area
+  ShapeTerms approach{};      ///< of the approach
 };
 
 /// Errors that mesh and algebra leave in patch `patch` of a usable solution by any method that puts pressure on the

@@ -30,5 +30,6 @@ struct GapCurvature
 /// Curvatures that are not positive, or values that are not finite, give invalid_problem: Hertz has no answer there. A
 /// force or approach that is not positive gives no_contact and zeros.
 HertzContact hertzForForce(const GapCurvature& gap, double modulus, double force);
+/// Likewise for an approach [m] in place of a force [N].
 HertzContact hertzForApproach(const GapCurvature& gap, double modulus, double approach);
 }  // namespace wheel_rail_contact

@@ -16,6 +16,7 @@ struct GapMinimum
   double angle = 0;        ///< from the x axis to the first principal direction [rad], in (-pi/2, pi/2]
   GapCurvature curvature;  ///< along the first and the second principal direction [1/m]
 
+  /// True if the paraboloid is a bowl.
   bool isPositive() const { return curvature.a > 0 && curvature.b > 0; }
 };
 
@@ -38,6 +39,7 @@ class HertzSolver : public NormalSolver
   /// From what tells the gap below half the approach from the paraboloid at its lowest place.
   ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
                               std::size_t patch) const override;
+  /// What the estimate is a weighted sum of.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
  private:

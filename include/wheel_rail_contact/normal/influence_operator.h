@@ -50,6 +50,7 @@ class InfluenceOperator
   InfluenceOperator(InfluenceOperator&&) noexcept;
   InfluenceOperator& operator=(InfluenceOperator&&) noexcept;
 
+  /// As given.
   const OperatorShape& shape() const;
 
   /// Doubles in a field, a multiple of eight.
@@ -57,6 +58,7 @@ class InfluenceOperator
 
   /// Place in a field of a stored cell (row and column counted as in Grid): the sum of these two.
   int rowOffset(int row) const { return row_offsets_[static_cast<std::size_t>(row)]; }
+  /// The column's part of the place.
   int columnOffset(int column) const { return column_offsets_[static_cast<std::size_t>(column)]; }
 
   /// displacement = A pressure. Padding of `pressure` must be zero; that of `displacement` is then zero too.

@@ -41,6 +41,7 @@ class KikPiotrowski : public NormalSolver
   /// From the method's own bias, and from what tells the overlap from that of the paraboloid of the same moments.
   ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
                               std::size_t patch) const override;
+  /// What the estimate is a weighted sum of, beside the method's bias.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
  private:

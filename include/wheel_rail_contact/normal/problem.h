@@ -31,8 +31,11 @@ struct Grid
   double y0 = 0;           ///< y of the first column's centres [m]
   bool symmetric = false;  ///< even in x, half stored
 
+  /// Stored cells along.
   int rows() const { return symmetric ? nx / 2 : nx; }
+  /// Centre of a stored row [m].
   double x(int row) const { return (row + (symmetric ? 0.5 : 0.5 - 0.5 * nx)) * dx; }
+  /// Centre of a column [m].
   double y(int column) const { return y0 + column * dy; }
   /// Area that one stored cell stands for [m²] (twice the cell on a symmetric grid).
   double cellArea() const { return (symmetric ? 2 : 1) * dx * dy; }
@@ -41,7 +44,7 @@ struct Grid
 /// Gap of one patch. Arrays are rows() × ny, so that x runs fastest in memory.
 struct PatchGap
 {
-  Grid grid;
+  Grid grid;  ///< cells in the patch's plane
   /// Distance of the undeformed surfaces along the patch's normal at zero approach [m]; negative: they overlap.
   Eigen::ArrayXXd gap;
   /// Share of the common approach that closes this patch, and of its normal force that counts in the common load [-]:
@@ -58,7 +61,7 @@ struct PatchGap
 /// half-spaces' does.
 struct Support
 {
-  bool yields = false;
+  bool yields = false;                                   ///< false: it is rigid, the rest means nothing
   Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();  ///< symmetric, positive semidefinite
   Eigen::Vector3d placed = Eigen::Vector3d::Zero();      ///< coordinates for which the gaps are given
 };
@@ -68,17 +71,18 @@ struct Support
 /// do not deform one another (patches near one another belong in one grid); they share the support.
 struct NormalProblem
 {
+  /// What is given.
   enum class Control
   {
     load,     ///< `value` is the load [N], > 0
     approach  ///< `value` is the common approach [m]
   };
 
-  std::vector<PatchGap> patches;
-  Support support;     ///< only for methods that solvesSupport()
-  double modulus = 0;  ///< contact modulus E* [Pa]
-  Control control = Control::load;
-  double value = 0;
+  std::vector<PatchGap> patches;    ///< at one approach
+  Support support;                  ///< only for methods that solvesSupport()
+  double modulus = 0;               ///< contact modulus E* [Pa]
+  Control control = Control::load;  ///< what `value` is
+  double value = 0;                 ///< load [N] or approach [m]
 };
 
 /// Why a solution ended, and whether it may be used.
@@ -96,6 +100,7 @@ enum class SolveStatus
 /// Text of a status for people.
 const char* toString(SolveStatus status);
 
+/// True if the solution's pressure may be used.
 inline bool isUsable(SolveStatus status)
 {
   return status == SolveStatus::converged || status == SolveStatus::no_contact;
@@ -116,11 +121,12 @@ struct PatchPressure
   bool touches_border = false;   ///< pressure in an outer cell of the grid: the box cut the patch
 };
 
+/// Answer of a NormalSolver.
 struct NormalSolution
 {
-  SolveStatus status = SolveStatus::invalid_problem;
-  std::vector<PatchPressure> patches;
-  double approach = 0;  ///< common approach [m]
+  SolveStatus status = SolveStatus::invalid_problem;  ///< whether the rest may be used
+  std::vector<PatchPressure> patches;                 ///< in the problem's order
+  double approach = 0;                                ///< common approach [m]
   /// The support's coordinates under the pressure, where it yields.
   Eigen::Vector3d support = Eigen::Vector3d::Zero();
   int iterations = 0;  ///< products with the influence matrix

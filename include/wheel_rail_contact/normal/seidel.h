@@ -7,14 +7,16 @@
 
 namespace wheel_rail_contact
 {
+/// Form of the iteration, and when it ends.
 struct SeidelOptions
 {
+  /// The iteration as the paper has it, or repaired.
   enum class Form
   {
     printed,  ///< point forces, approach in steps, stop at a small change; load by secant steps on the approach
     repaired  ///< exact coefficients, load held inside the iteration, stop at a small residual
   };
-  Form form = Form::repaired;
+  Form form = Form::repaired;  ///< which of the two
   /// Repaired: residual, as that of ConjugateGradients, at which the solution counts as converged [-], in (0, 1).
   double residual = 1e-4;
   /// Printed: root mean square change of the pressure in one sweep at which a step ends, over its root mean square [-],

@@ -11,8 +11,8 @@ namespace wheel_rail_contact
 /// of any sign: a rail on pads rises beside its load.
 struct RailInfluence
 {
-  double distance = 0;  ///< along the rail, in either direction [m], > 0
-  ComplianceTable influence;
+  double distance = 0;        ///< along the rail, in either direction [m], > 0
+  ComplianceTable influence;  ///< what unit forces do there
 };
 
 /// Influence at a distance [m]; between two listed ones linear in the distance.
@@ -23,8 +23,8 @@ ComplianceTable influenceAt(const std::vector<RailInfluence>& listed, double dis
 /// Force of another wheelset's wheel on the same rail, and what it does here.
 struct NeighbourForce
 {
-  ComplianceTable influence;
-  RailForce force;  ///< axes of the rail's side, at the other wheel
+  ComplianceTable influence;  ///< at the distance of that wheel
+  RailForce force;            ///< axes of the rail's side, at the other wheel
 };
 
 /// Deflection by all of them: their sum, small displacements. Track axes of the rail's side, the rail inclined by

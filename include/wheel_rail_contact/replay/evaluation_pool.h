@@ -20,10 +20,11 @@ namespace wheel_rail_contact
 class EvaluationPool
 {
  public:
+  /// What an answer is turned into.
   struct Format
   {
-    bool grids = true;
-    bool csv = false;
+    bool grids = true;                   ///< false leaves the pressure grids empty
+    bool csv = false;                    ///< true: rows of the table too
     std::vector<std::string> wheelsets;  ///< names, for the table
   };
 

@@ -19,8 +19,8 @@ struct OutputItem : ReplayItem
   std::uint32_t sequence = 0;  ///< number of the answer among those of its wheelset
   bool ready = false;          ///< `data` and what follows is there
   std::string csv;             ///< rows of the table
-  std::uint8_t status = 0;
-  std::size_t charged = 0;  ///< by the queue [B]
+  std::uint8_t status = 0;     ///< of the answer, as in the message
+  std::size_t charged = 0;     ///< by the queue [B]
 };
 
 /// The output in its order, between those who fill it and the one who writes it. Holds back the reader when too much is
@@ -38,11 +38,12 @@ class OutputQueue
   /// Reader: nothing more will come.
   void close();
 
+  /// What the writer is given.
   enum class State
   {
-    item,
+    item,   ///< the next item
     later,  ///< nothing is ready yet
-    end
+    end     ///< no more will come
   };
   /// Writer: takes the next item; waits for it a moment.
   /// @throw what stop() was given.

@@ -37,6 +37,7 @@ class Replay
   void printSummary(std::ostream& out) const;
   /// What could not be read, in sentences; empty if everything was.
   std::vector<std::string> faults() const { return source_.faults(); }
+  /// Answers written, those resumed among them.
   std::uint64_t answers() const { return answers_; }
 
  private:

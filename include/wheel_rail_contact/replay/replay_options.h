@@ -29,6 +29,7 @@ struct ReplayOptions
 /// @throw std::invalid_argument naming the argument and the broken rule.
 ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments);
 
+/// What --help prints.
 void printReplayUsage(std::ostream& out);
 
 /// The parameters of a replay: those of config/default.yaml, and over them the files of the options.

@@ -41,7 +41,9 @@ class ReplaySource
 
   /// Number of messages that will be read.
   std::uint64_t messages() const;
+  /// Of the bag [B].
   std::uint64_t fileSize() const { return stream_.fileSize(); }
+  /// Where a wheelset's messages went.
   const PairingCounts& counts(std::size_t wheelset) const { return wheelsets_[wheelset].pairing.counts(); }
   /// What could not be read so far, in sentences.
   std::vector<std::string> faults() const;

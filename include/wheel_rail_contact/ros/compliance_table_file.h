@@ -12,8 +12,8 @@ namespace wheel_rail_contact
 /// A rail's compliance as it stands in a file (config/rails/*.yaml; the schema stands at the head of each).
 struct ComplianceTableFile
 {
-  std::string name;
-  ComplianceTable table;
+  std::string name;                                               ///< of the rail and its supports
+  ComplianceTable table;                                          ///< of the upright rail
   double linear_range = std::numeric_limits<double>::infinity();  ///< largest |Y|/Q for which the table holds [-]
   std::vector<RailInfluence> neighbours;  ///< of forces along the rail, distances rising; may be empty
 };

@@ -16,8 +16,8 @@ namespace wheel_rail_contact
 /// Answer to one input, before it becomes messages and markers.
 struct ContactAnswer
 {
-  std_msgs::Header header;  ///< the pose's stamp, the track frame
-  std::uint8_t status = WheelsetContactMsg::INVALID_INPUT;
+  std_msgs::Header header;                                  ///< the pose's stamp, the track frame
+  std::uint8_t status = WheelsetContactMsg::INVALID_INPUT;  ///< constant of the message WheelsetContact
   std::string reason;                      ///< in words, empty when OK and within tolerance and linear range
   double x = 0;                            ///< axle centre along the track [m]
   WheelsetPose pose;                       ///< solved if usable, otherwise as given; zero if the input was unusable

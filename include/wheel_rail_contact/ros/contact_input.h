@@ -22,7 +22,7 @@ namespace wheel_rail_contact
 /// The messages that belong to one instant.
 struct ContactInput
 {
-  geometry_msgs::PoseStampedConstPtr pose;
+  geometry_msgs::PoseStampedConstPtr pose;    ///< never null
   geometry_msgs::WrenchStampedConstPtr load;  ///< null if height and roll are given
   /// By Side; null unless lateral forces come by topic.
   std::array<geometry_msgs::WrenchStampedConstPtr, 2> rail_force;
@@ -36,18 +36,24 @@ class InputPairing
   /// Greatest number of messages of one topic that wait for their partners.
   static constexpr std::size_t capacity = 1000;
 
+  /// Copies what it needs.
   explicit InputPairing(const NodeConfig& config);
 
+  /// True if the load takes part.
   bool usesLoad() const { return uses_load_; }
+  /// True if the rail forces take part.
   bool usesRailForces() const { return uses_rail_forces_; }
 
   /// Each takes a message. @return the input it completes, if any.
   std::optional<ContactInput> addPose(const geometry_msgs::PoseStampedConstPtr& pose);
+  /// Likewise; ignored unless usesLoad().
   std::optional<ContactInput> addLoad(const geometry_msgs::WrenchStampedConstPtr& load);
+  /// Likewise; ignored unless usesRailForces().
   std::optional<ContactInput> addRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force);
 
   /// Drops what still waits, at the end of a recording.
   void finish() { pairing_.finish(); }
+  /// Where the messages went so far.
   const PairingCounts& counts() const { return pairing_.counts(); }
 
  private:
@@ -68,7 +74,9 @@ class InputPairing
 class UnusableInput : public std::runtime_error
 {
  public:
+  /// `reason`: a sentence for people.
   UnusableInput(std::uint8_t status, const std::string& reason) : std::runtime_error(reason), status_(status) {}
+  /// INVALID_INPUT or NO_TRANSFORM.
   std::uint8_t status() const { return status_; }
 
  private:
@@ -78,8 +86,8 @@ class UnusableInput : public std::runtime_error
 /// State of a wheelset with its place along the track [m], which does not matter to the contact.
 struct PlacedState
 {
-  WheelsetState state;
-  double x = 0;
+  WheelsetState state;  ///< in the core's terms
+  double x = 0;         ///< of the axle centre, track frame [m]
 };
 
 /// True if tf can know a frame of this name: not empty, without a slash before it.
@@ -100,8 +108,8 @@ PlacedState toState(const ContactInput& input, const std::string& track_frame, c
 /// An input in the core's terms, or the reason why it has none: all that an evaluation needs to know.
 struct PreparedInput
 {
-  ros::Time stamp;  ///< of the pose
-  PlacedState placed;
+  ros::Time stamp;                               ///< of the pose
+  PlacedState placed;                            ///< what to evaluate
   std::uint8_t status = WheelsetContactMsg::OK;  ///< INVALID_INPUT or NO_TRANSFORM: `placed` means nothing
   std::string reason;                            ///< empty when OK
   bool starts_anew = true;                       ///< forget the answers before (FreshStartRule)
@@ -114,6 +122,7 @@ class InputPreparation
   /// An input that is not ready waits so long for its transform, counted from its arrival [s].
   static constexpr double transform_patience = 0.1;
 
+  /// Copies what it needs.
   explicit InputPreparation(const NodeConfig& config) : track_frame_(config.track_frame) {}
 
   /// True if nothing speaks against preparing the input at once: it needs no transform, or tf knows it already.

@@ -13,14 +13,14 @@ namespace wheel_rail_contact
 /// What the rviz display shows. The sides are those of `track`.
 struct SceneOptions
 {
-  PatchStyle patch;
-  TrackStyle track;
-  bool patches = true;
-  bool outlines = true;
-  bool forces = true;
-  bool labels = true;
-  bool wheels = true;
-  bool rails = true;
+  PatchStyle patch;             ///< how patches are drawn
+  TrackStyle track;             ///< how wheels and rails are drawn
+  bool patches = true;          ///< pressure as surfaces
+  bool outlines = true;         ///< edges of the contacts
+  bool forces = true;           ///< normal forces as arrows
+  bool labels = true;           ///< highest pressure and area
+  bool wheels = true;           ///< and the axle
+  bool rails = true;            ///< as they are deflected
   bool ghost = true;            ///< the rails at rest
   double deflection_scale = 1;  ///< of the rails [-], >= 0; patches and trail go with the rail, the wheels do not
   double trail_width = 0.001;   ///< diameter of the trail's points [m], > 0

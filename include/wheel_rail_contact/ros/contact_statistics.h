@@ -20,7 +20,7 @@ const char* dropName(DropReason reason);
 /// What a server has done since it started. Nothing that comes in is lost without being counted here.
 struct ContactStatistics
 {
-  static constexpr std::size_t statuses = 6;
+  static constexpr std::size_t statuses = 6;  ///< number of status constants
 
   PairingCounts pairing;                          ///< of single messages
   std::uint64_t overload = 0;                     ///< inputs pushed out by newer ones before their turn came
@@ -35,10 +35,14 @@ struct ContactStatistics
   std::string last_beyond_linear_range;           ///< figures of the newest of them
   std::string last_reason;                        ///< of the newest answer that had one
 
+  /// Adds an answer that took so long [s].
   void count(const ContactAnswer& answer, double solve_time);
 
+  /// Answers of any status.
   std::uint64_t answered() const;
+  /// Answers that may be used.
   std::uint64_t usable() const;
+  /// Inputs and single messages that got none.
   std::uint64_t dropped() const;
 };
 

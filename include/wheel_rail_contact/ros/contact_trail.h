@@ -13,7 +13,7 @@ namespace wheel_rail_contact
 /// Where the contact points were on the rails, and how much they carried.
 struct TrailPoint
 {
-  Side side = Side::left;
+  Side side = Side::left;   ///< of the rail
   PatchPose pose;           ///< x of the track frame; the rest on the rail at rest (see carriedByRail())
   double max_pressure = 0;  ///< [Pa]
 };
@@ -27,8 +27,10 @@ class ContactTrail
   void add(const ContactAnswer& answer, const PlacedRail* at_rest);
   /// Keeps at most so many points.
   void limit(std::size_t count);
+  /// Forgets all points.
   void clear() { points_.clear(); }
 
+  /// Oldest first.
   const std::deque<TrailPoint>& points() const { return points_; }
 
  private:

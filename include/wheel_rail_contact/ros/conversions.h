@@ -13,6 +13,7 @@ namespace wheel_rail_contact
 // Results of the core and messages. The core does not know the wheelset's place along the track: `x` [m] is added on
 // the way to a message and taken off on the way back. Units, axes and signs are the same on both sides.
 
+/// The constant of the message.
 std::uint8_t toMessage(ContactStatus status);
 /// NO_TRANSFORM, of which the core knows nothing, becomes invalid_input.
 /// @throw std::invalid_argument for a number that is no status.
@@ -24,9 +25,12 @@ bool isUsable(std::uint8_t status);
 /// yaw = atan2(-ax, ay), the fixed-axis roll and yaw of an orientation Rz(yaw) Rx(roll) Ry(any rotation about the
 /// axle).
 WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
+/// Axle centre at x, orientation Rz(yaw) Rx(roll).
 geometry_msgs::Pose toMessage(const WheelsetPose& pose, double x);
 
+/// Patch frame, `x` further along.
 geometry_msgs::Pose toMessage(const PatchPose& pose, double x);
+/// And back.
 PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x);
 
 /// @param pressure nx × ny [Pa], stored as float32
@@ -35,7 +39,9 @@ PressureGrid toMessage(const Grid& grid, const Eigen::ArrayXXd& pressure);
 /// @throw std::invalid_argument unless the message holds nx * ny values, with an origin at the grid's middle along x.
 void fromMessage(const PressureGrid& message, Grid& grid, Eigen::ArrayXXd& pressure);
 
+/// Field by field.
 RailDeflectionMsg toMessage(const RailResult& rail);
+/// And back.
 RailResult fromMessage(const RailDeflectionMsg& message);
 
 /// @param with_grid false leaves the message's grid empty

@@ -14,7 +14,7 @@ namespace wheel_rail_contact
 class FreshStartRule
 {
  public:
-  static constexpr int most_answers = 200;
+  static constexpr int most_answers = 200;  ///< in a slice
 
   /// Takes the stamps of the inputs in order.
   bool startsAnew(const ros::Time& stamp)

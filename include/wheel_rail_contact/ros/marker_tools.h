@@ -12,7 +12,9 @@
 namespace wheel_rail_contact
 {
 
+/// Shares of red, green, blue and opacity [-], in [0, 1].
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
+/// The same three numbers.
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 
 /// A marker to add, placed at the origin of its frame with unit scale.
@@ -36,8 +38,10 @@ void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::ve
 
 /// What makes a marker the same in rviz: namespace and number.
 using MarkerKey = std::pair<std::string, int>;
+/// Of several markers.
 using MarkerKeys = std::set<MarkerKey>;
 
+/// Keys of all of them.
 MarkerKeys keysOf(const visualization_msgs::MarkerArray& markers);
 
 /// Appends a DELETE for every marker that was shown before and is no more. @return the keys of what is shown now.

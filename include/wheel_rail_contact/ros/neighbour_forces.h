@@ -23,6 +23,7 @@ class NeighbourForces
   static constexpr double longest_age = 1.0;      ///< [s] of the stamps
   static constexpr std::size_t most_kept = 1000;  ///< answers of each neighbour
 
+  /// Copies what it needs.
   explicit NeighbourForces(const NodeConfig& config);
 
   /// Takes an answer of the neighbour of this number in NodeConfig::neighbours.

@@ -18,6 +18,7 @@ template <typename Entry>
 class NewestQueue
 {
  public:
+  /// @param capacity greatest number of entries, >= 1
   explicit NewestQueue(std::size_t capacity) : capacity_(capacity) {}
 
   /// Never blocks for long. Ignored after close().
@@ -67,6 +68,7 @@ class NewestQueue
     wake_.notify_all();
   }
 
+  /// True after close().
   bool closed() const
   {
     const std::lock_guard<std::mutex> lock(mutex_);

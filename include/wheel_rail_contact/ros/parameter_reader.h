@@ -13,8 +13,8 @@ namespace wheel_rail_contact
 /// What a number must meet, and how to say so: "must be " + text.
 struct NumberRule
 {
-  const char* text;
-  bool (*holds)(double);
+  const char* text;       ///< what the value must be
+  bool (*holds)(double);  ///< true for a value that is
 };
 
 namespace rules
@@ -33,11 +33,14 @@ class ParameterReader
   /// @param prefix is written before every name in messages: the node's namespace, or a file and ": "
   ParameterReader(ParameterTree tree, std::string prefix);
 
+  /// True if a value is given.
   bool has(const std::string& name) const { return tree_.count(name) > 0; }
 
   /// A number, or a string that is a number from end to end (YAML 1.1 readers deliver 210e9 as a string).
   void read(const std::string& name, const NumberRule& rule, double& value);
+  /// Likewise, a whole number.
   void read(const std::string& name, const NumberRule& rule, int& value);
+  /// A word; a number counts as the text it is written as.
   void read(const std::string& name, std::string& value);
   /// A list of words.
   void read(const std::string& name, std::vector<std::string>& words);
@@ -57,6 +60,7 @@ class ParameterReader
   /// Throws for the parameter `name`: full name, value if given, and the rule.
   [[noreturn]] void refuse(const std::string& name, const std::string& rule) const;
 
+  /// Every name that was asked for, given or not.
   const std::set<std::string>& askedNames() const { return asked_; }
 
  private:

@@ -23,13 +23,13 @@ struct NeighbourConfig
 /// Everything the live node and the replay are told by parameters.
 struct NodeConfig
 {
-  ContactModelConfig model;
+  ContactModelConfig model;  ///< what the core is told
   /// Largest |Y|/Q up to which the compliance table holds [-]; infinite without a table.
   double linear_range = std::numeric_limits<double>::infinity();
-  std::vector<NeighbourConfig> neighbours;
-  std::string track_frame = "track";  ///< tf name of the track frame
-  double slop = 0;                    ///< largest distance of the stamps of one pair [s], >= 0; 0: equal stamps
-  MarkerConfig markers;
+  std::vector<NeighbourConfig> neighbours;  ///< none unless the rails bend by a table
+  std::string track_frame = "track";        ///< tf name of the track frame
+  double slop = 0;                          ///< largest distance of the stamps of one pair [s], >= 0; 0: equal stamps
+  MarkerConfig markers;                     ///< how markers are drawn
 };
 
 /// Reads all parameters of the node. Schema (defaults: the structs above; config/default.yaml lists every name):

@@ -28,10 +28,10 @@ struct PatchStyle
 /// A patch and where its magnified picture stands.
 struct PatchPicture
 {
-  const PatchResult* patch = nullptr;
-  int id = 0;                  ///< side * 16 + place of the patch in the answer's side
-  Eigen::Isometry3d to_track;  ///< patch frame to track frame
-  Eigen::Vector3d zoom_place;  ///< of the middle of the grid, magnified [m]
+  const PatchResult* patch = nullptr;  ///< of the answer drawn
+  int id = 0;                          ///< side * 16 + place of the patch in the answer's side
+  Eigen::Isometry3d to_track;          ///< patch frame to track frame
+  Eigen::Vector3d zoom_place;          ///< of the middle of the grid, magnified [m]
 };
 
 /// Patches of one side, ordered across the track. A magnified picture stands above its patch by the lift; those of

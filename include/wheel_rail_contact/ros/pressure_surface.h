@@ -21,12 +21,18 @@ class PressureSurface
   /// @param points least number of points in either direction; cells are divided until there are so many
   PressureSurface(const Grid& grid, const Eigen::ArrayXXd& pressure, int points);
 
+  /// Points along.
   int rows() const { return static_cast<int>(square_.rows()); }
+  /// Points across.
   int columns() const { return static_cast<int>(square_.cols()); }
+  /// Patch frame [m].
   double x(int row) const { return x0_ + row * dx_; }
+  /// Patch frame [m].
   double y(int column) const { return y0_ + column * dy_; }
+  /// [Pa], >= 0.
   double pressure(int row, int column) const;
 
+  /// A point of the surface.
   struct Point
   {
     double x, y;      ///< patch frame [m]

@@ -27,12 +27,12 @@ enum class DropReason
 /// Where the samples went. At any time: received = paired + sum of dropped + waiting.
 struct PairingCounts
 {
-  static constexpr std::size_t reasons = 4;
+  static constexpr std::size_t reasons = 4;  ///< number of them
 
-  std::uint64_t received = 0;
-  std::uint64_t paired = 0;
+  std::uint64_t received = 0;                    ///< samples
+  std::uint64_t paired = 0;                      ///< samples in sets
   std::array<std::uint64_t, reasons> dropped{};  ///< by DropReason
-  std::uint64_t waiting = 0;
+  std::uint64_t waiting = 0;                     ///< for their partners
 };
 
 /// Puts samples of several channels together by their stamps: one of each channel, all stamps within `slop`.
@@ -106,6 +106,7 @@ class StampPairing
     }
   }
 
+  /// Where the samples went so far.
   const PairingCounts& counts() const { return counts_; }
 
  private:

@@ -19,6 +19,7 @@ std::string formatted(const char* format, Values... values)
   return {text.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), text.size() - 1)};
 }
 
+/// `left` or `right`.
 inline const char* sideName(Side side)
 {
   return side == Side::left ? "left" : "right";

@@ -14,8 +14,8 @@ namespace wheel_rail_contact
 /// How rails and wheelset are drawn.
 struct TrackStyle
 {
-  std::vector<Side> sides{Side::left, Side::right};
-  double rail_length = 0.4;           ///< [m], >= 0
+  std::vector<Side> sides{Side::left, Side::right};  ///< those drawn
+  double rail_length = 0.4;                          ///< [m], >= 0
   double wheel_sweep = 0.30;          ///< half the drawn part of a tread, about the axle [rad], in (0, pi]
   double wheel_alpha = 0.5;           ///< of the tread [-], in [0, 1]
   double profile_line_width = 0.004;  ///< [m]
