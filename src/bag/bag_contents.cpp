@@ -19,14 +19,20 @@ bool isWanted(const BagContents& contents, std::uint32_t connection, const Topic
   return found != contents.connections.end() && wanted(found->second.topic);
 }
 
-void addChunkInfo(const BagFields& header, std::string_view data, const TopicFilter& wanted, BagContents& contents)
+void addChunkInfo(const BagFields& header, std::string_view data, const TopicFilter& wanted, const BagSpan& span,
+                  BagContents& contents)
 {
+  if (header.time("end_time") < span.from)
+  {
+    return;
+  }
+  const bool touches = header.time("start_time") < span.to;
   bool holds_wanted = false;
   for (; data.size() >= pair_length; data.remove_prefix(pair_length))
   {
     const auto connection = numberAt<std::uint32_t>(data);
     const auto count = numberAt<std::uint32_t>(data.substr(sizeof(connection)));
-    contents.messages[connection] += count;
+    contents.messages[connection] += touches ? count : 0;
     holds_wanted = holds_wanted || (count > 0 && isWanted(contents, connection, wanted));
   }
   if (holds_wanted)
@@ -36,7 +42,7 @@ void addChunkInfo(const BagFields& header, std::string_view data, const TopicFil
 }
 
 /// @throw BagError if the index is not whole.
-BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted)
+BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, const BagSpan& span)
 {
   if (file.indexSection() == 0)
   {
@@ -53,7 +59,7 @@ BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted)
     }
     else if (record.header.op() == BagOp::chunk_info)
     {
-      addChunkInfo(record.header, data, wanted, contents);
+      addChunkInfo(record.header, data, wanted, span, contents);
     }
     position = record.end();
   }
@@ -243,11 +249,11 @@ std::string wholeRecords(std::string bytes)
 }
 }  // namespace
 
-BagContents readContents(const BagFile& file, const TopicFilter& wanted)
+BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span)
 {
   try
   {
-    return readIndexSection(file, wanted);
+    return readIndexSection(file, wanted, span);
   }
   catch (const BagError& error)
   {

@@ -19,8 +19,8 @@ bool BagStream::Later::operator()(const std::unique_ptr<OpenChunk>& a, const std
   return key(*a) > key(*b);
 }
 
-BagStream::BagStream(const std::string& path, TopicFilter wanted)
-    : wanted_(std::move(wanted)), file_(path), contents_(readContents(file_, wanted_))
+BagStream::BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span)
+    : wanted_(std::move(wanted)), from_(span.from), file_(path), contents_(readContents(file_, wanted_, span))
 {
   const auto earlier = [](const BagChunk& a, const BagChunk& b) { return a.start < b.start; };
   std::stable_sort(contents_.chunks.begin(), contents_.chunks.end(), earlier);
@@ -105,7 +105,7 @@ void BagStream::listMessages(OpenChunk& chunk)
                   {
                     contents_.connections.emplace(id, connectionOf(record.header, record.data));
                   }
-                  else if (record.header.op() == BagOp::message && isWanted(id))
+                  else if (record.header.op() == BagOp::message && isWanted(id) && record.header.time("time") >= from_)
                   {
                     chunk.entries.push_back({record.header.time("time"), id, record.data});
                   }

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "wheel_rail_contact/replay/lead_in.h"
 #include "wheel_rail_contact/replay/profile_outlines.h"
 #include "wheel_rail_contact/replay/progress.h"
 #include "wheel_rail_contact/ros/text.h"
@@ -15,8 +16,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t queue_budget = 96 << 20;               ///< [B]
-constexpr const char* description_field = "contact_replay";  ///< of the answers' connections
+constexpr std::size_t queue_budget = 96 << 20;  ///< [B]
 
 BagConnection answerConnection(const std::string& wheelset, const std::string& description,
                                const ContactModelConfig& model)
@@ -66,7 +66,8 @@ Replay::Replay(ReplayOptions options)
     : options_(withFreshOutputs(std::move(options))),
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
-      source_(options_.input, config_, options_.wheelsets, options_.keep_topics),
+      source_(options_.input, config_, options_.wheelsets, options_.keep_topics, options_.span,
+              leadInStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       queue_(queue_budget)
 {
@@ -167,6 +168,11 @@ void Replay::read(EvaluationPool& pool)
     std::vector<std::uint32_t> sequence(options_.wheelsets.size(), 0);
     while (auto event = source_.next())
     {
+      if (event->lead_in)
+      {
+        pool.add(*event->wheelset, std::move(event->input), nullptr);
+        continue;
+      }
       const bool wanted = messages++ >= remains_.messages;
       OutputItem item;
       static_cast<ReplayItem&>(item) = std::move(static_cast<ReplayItem&>(*event));
@@ -242,12 +248,12 @@ void Replay::printSummary(std::ostream& out) const
   }
   for (std::size_t i = 0; i < options_.wheelsets.size(); ++i)
   {
-    const PairingCounts& counts = source_.counts(i);
-    for (std::size_t reason = 0; reason < counts.dropped.size(); ++reason)
+    const auto dropped = source_.dropped(i);
+    for (std::size_t reason = 0; reason < dropped.size(); ++reason)
     {
-      if (counts.dropped[reason] > 0)
+      if (dropped[reason] > 0)
       {
-        out << "  " << options_.wheelsets[i] << "/wheelset: " << counts.dropped[reason]
+        out << "  " << options_.wheelsets[i] << "/wheelset: " << dropped[reason]
             << " messages dropped: " << dropName(static_cast<DropReason>(reason)) << "\n";
       }
     }

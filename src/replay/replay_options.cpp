@@ -72,6 +72,22 @@ int threadCount(const std::string& text)
   return count;
 }
 
+/// Recording time [ns] of a text such as 1700000000.25.
+std::uint64_t recordingTime(const std::string& option, const std::string& text)
+{
+  constexpr std::size_t most_seconds = 10, decimals = 9;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::string seconds = text.substr(0, point);
+  std::string fraction = point < text.size() ? text.substr(point + 1) : "";
+  const bool digits = (seconds + fraction).find_first_not_of("0123456789") == std::string::npos;
+  if (!digits || seconds.empty() || seconds.size() > most_seconds || fraction.size() > decimals)
+  {
+    throw std::invalid_argument(option + " = " + text + ": must be a recording time in seconds, to the nanosecond");
+  }
+  fraction.resize(decimals, '0');
+  return std::stoull(seconds) * 1000000000 + std::stoull(fraction);
+}
+
 /// "front", "/front/" and "/front" are the same; "/" is the namespace of a single wheelset.
 std::string asNamespace(const std::string& name)
 {
@@ -116,6 +132,14 @@ void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& 
   {
     const auto names = arguments.valuesOf(option);
     wheelsets.insert(wheelsets.end(), names.begin(), names.end());
+  }
+  else if (option == "--from")
+  {
+    options.span.from = recordingTime(option, arguments.valueOf(option));
+  }
+  else if (option == "--to")
+  {
+    options.span.to = recordingTime(option, arguments.valueOf(option));
   }
   else if (option == "--keep-topics")
   {
@@ -165,6 +189,10 @@ ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
   {
     return options;
   }
+  if (options.span.from >= options.span.to)
+  {
+    throw std::invalid_argument("--from must be before --to");
+  }
   if (files.size() != 2)
   {
     throw std::invalid_argument("needs two bags, IN.bag and OUT.bag, before --wheelset");
@@ -181,7 +209,7 @@ ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
 void printReplayUsage(std::ostream& out)
 {
   out << "usage: contact_replay IN.bag OUT.bag [--config F.yaml]... [--threads N] [--csv F.csv] [--wheelset NAME...]\n"
-         "                      [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
+         "                      [--from T] [--to T] [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
          "\n"
          "Answers every pair of pose and load in a bag as the live node does, as fast as the cores allow. The same "
          "bag\n"
@@ -191,6 +219,9 @@ void printReplayUsage(std::ostream& out)
          "  --threads N         threads that evaluate (default: one for each core)\n"
          "  --csv F.csv         also write a table, one row for each patch, units in its header\n"
          "  --wheelset NAME...  namespaces: NAME/wheelset/pose is answered at NAME/contact_node/contact (default: /)\n"
+         "  --from T, --to T    only what was recorded from T on, or before T [s]; each answer is the same as that of "
+         "the "
+         "whole bag\n"
          "  --keep-topics       copy the bag's other messages too\n"
          "  --no-grids          leave the pressure grids empty\n"
          "  --lz4               compress OUT.bag\n"
@@ -222,6 +253,10 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
   for (const auto& [name, value] : parameters)
   {
     text << name << ": " << YAML::Dump(value) << "\n";
+  }
+  if (!options.span.isWhole())
+  {
+    text << part_line << options.span.from << " ns to " << options.span.to << " ns\n";
   }
   return text.str();
 }

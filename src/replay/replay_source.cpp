@@ -57,13 +57,13 @@ std::string answerTopic(const std::string& wheelset)
 }
 
 ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets,
-                           bool keep)
-    : answers_(answerTopics(wheelsets)),
+                           bool keep, const BagSpan& span, std::uint64_t lead_in)
+    : span_(span),
+      answers_(answerTopics(wheelsets)),
       uses_(usesOf(config, wheelsets)),
       keep_(keep),
-      wheelsets_(wheelsets.size(),
-                 Wheelset{InputPairing(config), InputPreparation(config), NeighbourForces(config), {}}),
-      stream_(bag, [this](const std::string& topic) { return wants(topic); })
+      wheelsets_(wheelsets.size(), Wheelset(config)),
+      stream_(bag, [this](const std::string& topic) { return wants(topic); }, {lead_in, span.to})
 {
   requireTopics();
   requireTypes();
@@ -209,13 +209,17 @@ std::optional<ReplayEvent> ReplaySource::next()
   while (events_.empty() && !finished_)
   {
     const auto message = stream_.next();
-    if (message)
+    if (!message)
+    {
+      finish();
+    }
+    else if (message->time < span_.to)
     {
       take(*message);
     }
-    else
+    else  // what waits will be ready after the span
     {
-      finish();
+      finished_ = true;
     }
   }
   if (events_.empty())
@@ -231,8 +235,9 @@ void ReplaySource::take(const BagMessage& message)
 {
   ++read_;
   now_ = std::max(now_, message.time);
+  beginSpan();
   release(true);
-  if (keep_)
+  if (keep_ && in_span_)
   {
     ReplayEvent event;
     event.time = now_;
@@ -319,8 +324,47 @@ void ReplaySource::emit(std::size_t wheelset)
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
   event.input.placed.state.rail_offset = own.neighbours.deflectionAt(event.input.stamp);
   event.read = read_;
+  event.lead_in = !in_span_;
+  observe(own, event.input.stamp);
   own.waiting.pop_front();
   events_.push_back(std::move(event));
+}
+
+/// Drops from here on count.
+void ReplaySource::beginSpan()
+{
+  if (!in_span_ && (finished_ || now_ >= span_.from))
+  {
+    in_span_ = true;
+    for (Wheelset& wheelset : wheelsets_)
+    {
+      wheelset.dropped_before = wheelset.pairing.counts().dropped;
+    }
+  }
+}
+
+/// Looks at the stamps of a wheelset's inputs, see isCertain().
+void ReplaySource::observe(Wheelset& wheelset, const ros::Time& stamp)
+{
+  const bool fresh = wheelset.last_stamp && FreshStartRule::isSeam(*wheelset.last_stamp, stamp);
+  wheelset.certain = wheelset.certain || (fresh && wheelset.settled && wheelset.neighbours.reachBackFrom(stamp));
+  wheelset.settled = wheelset.settled || wheelset.pairing.isSettled();
+  wheelset.last_stamp = stamp;
+}
+
+bool ReplaySource::isCertain() const
+{
+  return std::all_of(wheelsets_.begin(), wheelsets_.end(), [](const Wheelset& wheelset) { return wheelset.certain; });
+}
+
+std::array<std::uint64_t, PairingCounts::reasons> ReplaySource::dropped(std::size_t wheelset) const
+{
+  auto dropped = wheelsets_[wheelset].pairing.counts().dropped;
+  for (std::size_t reason = 0; reason < dropped.size(); ++reason)
+  {
+    dropped[reason] -= wheelsets_[wheelset].dropped_before[reason];
+  }
+  return dropped;
 }
 
 /// What waits at the end of the bag waits in vain.
@@ -335,5 +379,6 @@ void ReplaySource::finish()
     wheelsets_[i].pairing.finish();
   }
   finished_ = true;
+  beginSpan();
 }
 }  // namespace wheel_rail_contact

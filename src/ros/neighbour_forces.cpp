@@ -47,6 +47,16 @@ void NeighbourForces::add(std::size_t neighbour, const WheelsetContactMsg& answe
   answers.push_back({answer.header.stamp, forcesOf(answer)});
 }
 
+bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
+{
+  return std::all_of(neighbours_.begin(), neighbours_.end(),
+                     [&stamp](const Neighbour& neighbour)
+                     {
+                       return !neighbour.answers.empty() &&
+                              stamp - neighbour.answers.front().stamp >= ros::Duration(longest_age);
+                     });
+}
+
 std::array<RailDeflection, 2> NeighbourForces::deflectionAt(const ros::Time& stamp) const
 {
   std::array<std::vector<NeighbourForce>, 2> forces;

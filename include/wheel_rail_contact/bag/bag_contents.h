@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,16 @@ struct BagConnection
   BagFields header;   ///< type, md5sum, message_definition, and what else the publisher said
 };
 
+/// A stretch of recording times: `from` belongs to it, `to` does not [ns].
+struct BagSpan
+{
+  std::uint64_t from = 0;                                        ///< [ns]
+  std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< [ns]
+
+  /// True if nothing lies outside.
+  bool isWhole() const { return from == 0 && to == std::numeric_limits<std::uint64_t>::max(); }
+};
+
 /// Part of a bag that is read in one go.
 struct BagChunk
 {
@@ -30,9 +41,10 @@ struct BagChunk
 struct BagContents
 {
   std::map<std::uint32_t, BagConnection> connections;  ///< by number
-  std::map<std::uint32_t, std::uint64_t> messages;     ///< by connection
-  std::vector<BagChunk> chunks;                        ///< those with messages asked for, in the order of the file
-  std::string fault;                                   ///< why the bag is not whole; empty if it is
+  std::map<std::uint32_t, std::uint64_t> messages;     ///< by connection, in the chunks that touch the span
+  /// Those with messages asked for, in the order of the file; none that ends before the span, as far as an index tells.
+  std::vector<BagChunk> chunks;
+  std::string fault;  ///< why the bag is not whole; empty if it is
 };
 
 /// True for the topics whose messages are asked for.
@@ -40,7 +52,7 @@ using TopicFilter = std::function<bool(const std::string& topic)>;
 
 /// Reads a bag's index; where there is none (the recorder crashed, the file was cut off), looks through the whole file.
 /// Memory: 24 B for each chunk.
-BagContents readContents(const BagFile& file, const TopicFilter& wanted);
+BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span = {});
 
 /// The chunk's records as they stand there; of loose records all that are whole.
 /// @throw BagError if the data is damaged.

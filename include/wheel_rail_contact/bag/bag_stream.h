@@ -26,8 +26,9 @@ struct BagMessage
 class BagStream
 {
  public:
+  /// @param span messages before it are passed over; those after it are delivered
   /// @throw BagError if the file cannot be read or is no bag, not for damage further on.
-  BagStream(const std::string& path, TopicFilter wanted);
+  BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span = {});
 
   /// As far as it could be read.
   const BagContents& contents() const { return contents_; }
@@ -66,6 +67,7 @@ class BagStream
   void report(const std::string& fault);
 
   TopicFilter wanted_;
+  std::uint64_t from_;  ///< [ns]
   BagFile file_;
   BagContents contents_;  ///< chunks by start
   std::size_t next_chunk_ = 0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "wheel_rail_contact/bag/bag_contents.h"
 #include "wheel_rail_contact/ros/parameters.h"
 
 namespace wheel_rail_contact
@@ -19,6 +20,7 @@ struct ReplayOptions
   std::vector<std::string> wheelsets{""};  ///< namespaces, "" or "/name"
   std::string csv;                         ///< table of patches to write; empty: none
   std::string compression = "none";        ///< of the output: none or lz4
+  BagSpan span;                            ///< what becomes ready in it is answered
   int threads = 1;                         ///< that evaluate, >= 1
   bool grids = true;                       ///< false leaves the pressure grids empty
   bool keep_topics = false;                ///< true copies the input's other messages
@@ -34,6 +36,11 @@ void printReplayUsage(std::ostream& out);
 
 /// The parameters of a replay: those of config/default.yaml, and over them the files of the options.
 ParameterTree replayParameters(const ReplayOptions& options);
+
+/// Field in the headers of the answers' connections that holds the description.
+constexpr const char* description_field = "contact_replay";
+/// How the last line of the description begins where only a part of the input was answered.
+constexpr const char* part_line = "part: ";
 
 /// What an output goes on with must be the same as in its first run, as text: size of the input, options, parameters.
 /// Files that parameters name (profiles, tables) count by their names only.

@@ -3,6 +3,7 @@
 
 #include <tf2/buffer_core.h>
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -22,7 +23,8 @@ namespace wheel_rail_contact
 /// What comes next in a replay: an input to be answered, or a message to be kept.
 struct ReplayEvent : ReplayItem
 {
-  PreparedInput input;  ///< of an answer
+  PreparedInput input;   ///< of an answer
+  bool lead_in = false;  ///< not asked for, but the answers after it may start from it
 };
 
 /// Makes of a bag's messages the inputs that the live node would make of them: pairs them by their stamps, and brings
@@ -33,8 +35,11 @@ class ReplaySource
  public:
   /// @param wheelsets namespaces, "" or "/name"
   /// @param keep true: all messages are delivered too, but for answers of an earlier run
+  /// @param span what becomes ready in it is delivered
+  /// @param lead_in where to begin to read, at or before the span [ns]; see leadInStart()
   /// @throw BagError if the bag cannot be read.
-  ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets, bool keep);
+  ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets, bool keep,
+               const BagSpan& span = {}, std::uint64_t lead_in = 0);
 
   /// The next event, nothing at the end.
   std::optional<ReplayEvent> next();
@@ -43,8 +48,11 @@ class ReplaySource
   std::uint64_t messages() const;
   /// Of the bag [B].
   std::uint64_t fileSize() const { return stream_.fileSize(); }
-  /// Where a wheelset's messages went.
-  const PairingCounts& counts(std::size_t wheelset) const { return wheelsets_[wheelset].pairing.counts(); }
+  /// Messages dropped in the span, by DropReason.
+  std::array<std::uint64_t, PairingCounts::reasons> dropped(std::size_t wheelset) const;
+  /// True if every wheelset's next input will be what it is to one who has read the bag from its beginning, and its
+  /// answer as well: there was a fresh start after pairs had come out even. (For equal stamps, and without transforms.)
+  bool isCertain() const;
   /// What could not be read so far, in sentences.
   std::vector<std::string> faults() const;
 
@@ -73,10 +81,16 @@ class ReplaySource
   };
   struct Wheelset
   {
+    explicit Wheelset(const NodeConfig& config) : pairing(config), preparation(config), neighbours(config) {}
+
     InputPairing pairing;
     InputPreparation preparation;
     NeighbourForces neighbours;
-    std::deque<Waiting> waiting;  ///< for their transforms
+    std::deque<Waiting> waiting;                                         ///< for their transforms
+    std::array<std::uint64_t, PairingCounts::reasons> dropped_before{};  ///< the span
+    std::optional<ros::Time> last_stamp;
+    bool settled = false;  ///< pairs have come out even
+    bool certain = false;  ///< see isCertain()
   };
 
   Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const;
@@ -92,7 +106,11 @@ class ReplaySource
   void release(bool only_overdue);
   void emit(std::size_t wheelset);
   void finish();
+  void beginSpan();
+  static void observe(Wheelset& wheelset, const ros::Time& stamp);
 
+  BagSpan span_;
+  bool in_span_ = false;
   std::set<std::string> answers_;  ///< topics
   Uses uses_;
   bool keep_;

@@ -55,6 +55,8 @@ class InputPairing
   void finish() { pairing_.finish(); }
   /// Where the messages went so far.
   const PairingCounts& counts() const { return pairing_.counts(); }
+  /// True if nothing waits for its partners.
+  bool isSettled() const { return pairing_.isSettled(); }
 
  private:
   struct Sample

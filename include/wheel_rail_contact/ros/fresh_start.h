@@ -16,10 +16,16 @@ class FreshStartRule
  public:
   static constexpr int most_answers = 200;  ///< in a slice
 
+  /// True if there is a fresh start between inputs of these stamps, however many answers were before.
+  static bool isSeam(const ros::Time& before, const ros::Time& stamp)
+  {
+    return stamp.sec != before.sec || stamp <= before;
+  }
+
   /// Takes the stamps of the inputs in order.
   bool startsAnew(const ros::Time& stamp)
   {
-    const bool anew = count_ == 0 || count_ == most_answers || stamp.sec != last_.sec || stamp <= last_;
+    const bool anew = count_ == 0 || count_ == most_answers || isSeam(last_, stamp);
     last_ = stamp;
     count_ = anew ? 1 : count_ + 1;
     return anew;

@@ -29,6 +29,9 @@ class NeighbourForces
   /// Takes an answer of the neighbour of this number in NodeConfig::neighbours.
   void add(std::size_t neighbour, const WheelsetContactMsg& answer);
 
+  /// True if answers of every neighbour reach back so far that those before them do not count at the stamp, nor later.
+  bool reachBackFrom(const ros::Time& stamp) const;
+
   /// Deflection of each rail by Side that the neighbours cause here at the stamp, track axes of its side.
   std::array<RailDeflection, 2> deflectionAt(const ros::Time& stamp) const;
 

@@ -109,6 +109,13 @@ class StampPairing
   /// Where the samples went so far.
   const PairingCounts& counts() const { return counts_; }
 
+  /// True if nothing waits for a partner, nor for a channel to follow another back in time.
+  bool isSettled() const
+  {
+    return counts_.waiting == 0 &&
+           std::none_of(channels_.begin(), channels_.end(), [](const Channel& channel) { return channel.gone_back; });
+  }
+
  private:
   struct Entry
   {

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_replay --from --to: parts of a bag, joined, are the file that one replay of the whole bag writes."""
+
+import os
+import subprocess
+
+import rosbag
+from geometry_msgs.msg import TransformStamped
+from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
+from wheel_rail_contact.msg import WheelsetContact
+
+from replay_case import ANSWERS, MISUSED, PROGRAM, ReplayCase, load, pose, time
+
+JOIN = os.environ["CONTACT_JOIN"]
+START = 1_700_000_000 * 10**9  # recording time of the first message [ns]
+STEP = 10**9 // 20             # of the stamps [ns]
+CUTS = (4.013, 7.5, 7.6, 9.0)  # [s] after the start, in the middle of chunks, of seconds and between the partners of a pair
+LATE = 12_000_000              # a load is recorded so long after its pose [ns]
+
+
+class Parts(ReplayCase):
+    def setUp(self):
+        super().setUp()
+        self.bag = self.folder / "in.bag"
+
+    def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, **also):
+        """Pairs of stamps from 100 s on; `pace` is how much faster than the stamps the recorder's clock goes."""
+        with rosbag.Bag(str(self.bag), "w", chunk_threshold=3000) as bag:
+            for name, messages in also.items():
+                for at, message in messages:
+                    bag.write("/" + name, message, time(START + at))
+            for i in range(seconds * 20):
+                jump = 0 if back_at is None or i < back_at else 7.3e9
+                for wheelset in inputs:
+                    for topic, message, late in (("pose", pose(i, frame), 0), ("load", load(i), LATE)):
+                        message.header.stamp = time(100 * 10**9 + i * STEP - int(jump))
+                        if (i, topic) not in left_out:
+                            bag.write(f"{wheelset}/{topic}", message, time(START + pace * i * STEP + late))
+
+    def parts(self, *options, cuts=CUTS, status=0):
+        """Answers the parts. @return their bags."""
+        at = [None, *(f"{(START + round(1e9 * cut)) // 10**9}.{round(1e9 * cut) % 10**9:09}" for cut in cuts), None]
+        return [self.replay(self.bag, f"part_{k}.bag", *(("--from", start) if start else ()),
+                            *(("--to", end) if end else ()), *options, status=status)[0]
+                for k, (start, end) in enumerate(zip(at, at[1:]))]
+
+    def join(self, parts, *options, status=0):
+        out = self.folder / "joined.bag"
+        run = subprocess.run([JOIN, *options, out, *parts], capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, status, run.stdout + run.stderr)
+        return out, run.stderr
+
+    def assert_parts_are_the_whole(self, *options, cuts=CUTS, join=()):
+        whole, printed = self.replay(self.bag, "whole.bag", *options)
+        joined, _ = self.join(self.parts(*options, cuts=cuts), *join)
+        self.assert_same_file(whole, joined)
+        return whole, printed
+
+    def test_joined_parts_are_the_whole(self):
+        self.write(left_out={(i, "load") for i in range(3, 220, 17)})
+        whole, printed = self.assert_parts_are_the_whole("--no-grids")
+        self.assertIn("207 pairs", printed)
+        self.assertIn("13 messages dropped: no partner", printed)
+        self.assertEqual(len(self.answers(whole)), 207)
+
+    def test_stamps_need_not_go_with_the_recorders_clock(self):
+        self.write(seconds=4, pace=12)
+        self.assert_parts_are_the_whole("--no-grids", cuts=(20.3, 31, 40.001))
+
+    def test_time_that_goes_back_is_no_seam(self):
+        self.write(back_at=139)
+        self.assert_parts_are_the_whole("--no-grids", cuts=(6.955, 7.2, 8.5))
+
+    def test_wheelsets_kept_topics_and_compression(self):
+        remarks = [(k * 10**9 + 1, String(f"remark {k}")) for k in range(11)]
+        self.write(inputs=("/a/wheelset", "/b/wheelset"), remark=remarks)
+        whole, _ = self.assert_parts_are_the_whole("--wheelset", "a", "b", "--keep-topics", "--lz4", "--no-grids",
+                                                   cuts=(4.013, 8), join=["--lz4"])
+        self.assertEqual(len(self.answers(whole, "/remark")), 11)
+
+    def test_neighbours_of_the_second_before_count(self):
+        answer = WheelsetContact()
+        answer.left_rail.lateral_force = 20e3
+        messages = []
+        for i in range(11 * 20):
+            answer.header.stamp = time(100 * 10**9 + i * STEP)
+            answer.right_rail.lateral_force = 100 * i
+            messages.append((i * STEP + LATE, WheelsetContact(header=type(answer.header)(stamp=answer.header.stamp),
+                                                              left_rail=answer.left_rail,
+                                                              right_rail=type(answer.right_rail)(lateral_force=100 * i))))
+        self.write(neighbour=messages)
+        (self.folder / "n.yaml").write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
+                                            " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
+        self.assert_parts_are_the_whole("--config", self.folder / "n.yaml", "--no-grids", cuts=(7.513,))
+
+    def test_transforms_and_slop_reach_back_to_the_beginning(self):
+        transform = TransformStamped()
+        transform.header.frame_id, transform.child_frame_id = "track", "survey"
+        transform.transform.translation.y = 1e-3
+        transform.transform.rotation.w = 1
+        self.write(frame="survey", tf_static=[(0, TFMessage([transform]))])
+        (self.folder / "slop.yaml").write_text("sync: {slop: 0.06}\n")
+        whole, _ = self.assert_parts_are_the_whole("--no-grids", "--config", self.folder / "slop.yaml", cuts=(7.513,))
+        self.assertEqual({a.status for a in self.answers(whole)}, {WheelsetContact.OK})
+
+    def test_part_without_answers_is_empty(self):
+        self.write(seconds=1)
+        parts = self.parts("--no-grids", cuts=(5, 9))
+        self.assertEqual([len(self.answers(part)) for part in parts], [20, 0, 0])
+
+    def test_part_is_resumed_as_the_same_part_only(self):
+        self.write(seconds=1)
+        parts = self.parts("--no-grids", cuts=(0.5,))
+        _, printed = self.replay(self.bag, parts[0].name, "--no-grids", "--resume", status=1)
+        self.assertIn("cannot be resumed", printed)
+
+    def test_parts_that_do_not_follow_one_another_are_not_joined(self):
+        self.write(seconds=2)
+        parts = self.parts("--no-grids", cuts=(0.7,))
+        for wrong in (parts[::-1], [parts[0], parts[0]]):
+            _, printed = self.join(wrong, status=1)
+            self.assertIn("is not a later part of the same replay", printed)
+        parts[1].write_bytes(parts[1].read_bytes()[:-100])
+        _, printed = self.join(parts, status=1)
+        self.assertIn("part_1.bag", printed)
+
+    def test_times_are_checked(self):
+        self.write(seconds=1)
+        for options, reason in ((["--from", "soon"], "--from = soon: must be a recording time"),
+                                (["--from", "5", "--to", "4.9"], "--from must be before --to")):
+            _, printed = self.replay(self.bag, "out.bag", *options, status=MISUSED)
+            self.assertIn(reason, printed)
+
+
+if __name__ == "__main__":
+    import unittest
+    unittest.main()
