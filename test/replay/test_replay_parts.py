@@ -17,12 +17,15 @@ START = 1_700_000_000 * 10**9  # recording time of the first message [ns]
 STEP = 10**9 // 20             # of the stamps [ns]
 CUTS = (4.013, 7.5, 7.6, 9.0)  # [s] after the start, in the middle of chunks, of seconds and between the partners of a pair
 LATE = 12_000_000              # a load is recorded so long after its pose [ns]
+GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # starts quickly
 
 
 class Parts(ReplayCase):
     def setUp(self):
         super().setUp()
         self.bag = self.folder / "in.bag"
+        (self.folder / "grid.yaml").write_text(GRID)
+        self.options = ["--no-grids", "--config", self.folder / "grid.yaml"]
 
     def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, **also):
         """Pairs of stamps from 100 s on; `pace` is how much faster than the stamps the recorder's clock goes."""
@@ -42,7 +45,7 @@ class Parts(ReplayCase):
         """Answers the parts. @return their bags."""
         at = [None, *(f"{(START + round(1e9 * cut)) // 10**9}.{round(1e9 * cut) % 10**9:09}" for cut in cuts), None]
         return [self.replay(self.bag, f"part_{k}.bag", *(("--from", start) if start else ()),
-                            *(("--to", end) if end else ()), *options, status=status)[0]
+                            *(("--to", end) if end else ()), *self.options, *options, status=status)[0]
                 for k, (start, end) in enumerate(zip(at, at[1:]))]
 
     def join(self, parts, *options, status=0):
@@ -52,30 +55,30 @@ class Parts(ReplayCase):
         return out, run.stderr
 
     def assert_parts_are_the_whole(self, *options, cuts=CUTS, join=()):
-        whole, printed = self.replay(self.bag, "whole.bag", *options)
+        whole, printed = self.replay(self.bag, "whole.bag", *self.options, *options)
         joined, _ = self.join(self.parts(*options, cuts=cuts), *join)
         self.assert_same_file(whole, joined)
         return whole, printed
 
     def test_joined_parts_are_the_whole(self):
         self.write(left_out={(i, "load") for i in range(3, 220, 17)})
-        whole, printed = self.assert_parts_are_the_whole("--no-grids")
+        whole, printed = self.assert_parts_are_the_whole()
         self.assertIn("207 pairs", printed)
         self.assertIn("13 messages dropped: no partner", printed)
         self.assertEqual(len(self.answers(whole)), 207)
 
     def test_stamps_need_not_go_with_the_recorders_clock(self):
         self.write(seconds=4, pace=12)
-        self.assert_parts_are_the_whole("--no-grids", cuts=(20.3, 31, 40.001))
+        self.assert_parts_are_the_whole(cuts=(20.3, 31, 40.001))
 
     def test_time_that_goes_back_is_no_seam(self):
         self.write(back_at=139)
-        self.assert_parts_are_the_whole("--no-grids", cuts=(6.955, 7.2, 8.5))
+        self.assert_parts_are_the_whole(cuts=(6.955, 7.2, 8.5))
 
     def test_wheelsets_kept_topics_and_compression(self):
         remarks = [(k * 10**9 + 1, String(f"remark {k}")) for k in range(11)]
         self.write(inputs=("/a/wheelset", "/b/wheelset"), remark=remarks)
-        whole, _ = self.assert_parts_are_the_whole("--wheelset", "a", "b", "--keep-topics", "--lz4", "--no-grids",
+        whole, _ = self.assert_parts_are_the_whole("--wheelset", "a", "b", "--keep-topics", "--lz4",
                                                    cuts=(4.013, 8), join=["--lz4"])
         self.assertEqual(len(self.answers(whole, "/remark")), 11)
 
@@ -92,7 +95,7 @@ class Parts(ReplayCase):
         self.write(neighbour=messages)
         (self.folder / "n.yaml").write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
                                             " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
-        self.assert_parts_are_the_whole("--config", self.folder / "n.yaml", "--no-grids", cuts=(7.513,))
+        self.assert_parts_are_the_whole("--config", self.folder / "n.yaml", cuts=(7.513,))
 
     def test_transforms_and_slop_reach_back_to_the_beginning(self):
         transform = TransformStamped()
@@ -101,23 +104,23 @@ class Parts(ReplayCase):
         transform.transform.rotation.w = 1
         self.write(frame="survey", tf_static=[(0, TFMessage([transform]))])
         (self.folder / "slop.yaml").write_text("sync: {slop: 0.06}\n")
-        whole, _ = self.assert_parts_are_the_whole("--no-grids", "--config", self.folder / "slop.yaml", cuts=(7.513,))
+        whole, _ = self.assert_parts_are_the_whole("--config", self.folder / "slop.yaml", cuts=(7.513,))
         self.assertEqual({a.status for a in self.answers(whole)}, {WheelsetContact.OK})
 
     def test_part_without_answers_is_empty(self):
         self.write(seconds=1)
-        parts = self.parts("--no-grids", cuts=(5, 9))
+        parts = self.parts(cuts=(5, 9))
         self.assertEqual([len(self.answers(part)) for part in parts], [20, 0, 0])
 
     def test_part_is_resumed_as_the_same_part_only(self):
         self.write(seconds=1)
-        parts = self.parts("--no-grids", cuts=(0.5,))
-        _, printed = self.replay(self.bag, parts[0].name, "--no-grids", "--resume", status=1)
+        parts = self.parts(cuts=(0.5,))
+        _, printed = self.replay(self.bag, parts[0].name, *self.options, "--resume", status=1)
         self.assertIn("cannot be resumed", printed)
 
     def test_parts_that_do_not_follow_one_another_are_not_joined(self):
         self.write(seconds=2)
-        parts = self.parts("--no-grids", cuts=(0.7,))
+        parts = self.parts(cuts=(0.7,))
         for wrong in (parts[::-1], [parts[0], parts[0]]):
             _, printed = self.join(wrong, status=1)
             self.assertIn("is not a later part of the same replay", printed)
