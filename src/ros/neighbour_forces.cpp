@@ -49,12 +49,10 @@ void NeighbourForces::add(std::size_t neighbour, const WheelsetContactMsg& answe
 
 bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
 {
-  return std::all_of(neighbours_.begin(), neighbours_.end(),
-                     [&stamp](const Neighbour& neighbour)
-                     {
-                       return !neighbour.answers.empty() &&
-                              stamp - neighbour.answers.front().stamp >= ros::Duration(longest_age);
-                     });
+  return std::all_of(
+      neighbours_.begin(), neighbours_.end(),
+      [&stamp](const Neighbour& neighbour)
+      { return !neighbour.answers.empty() && stamp - neighbour.answers.front().stamp >= ros::Duration(longest_age); });
 }
 
 std::array<RailDeflection, 2> NeighbourForces::deflectionAt(const ros::Time& stamp) const
