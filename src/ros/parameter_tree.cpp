@@ -10,25 +10,51 @@ namespace wheel_rail_contact
 {
 namespace
 {
-void collect(const YAML::Node& group, const std::string& prefix, ParameterTree& tree)
+constexpr int deepest = 16;          ///< groups within one another
+constexpr int most_entries = 10000;  ///< by aliases a short file can hold any number, and itself
+
+/// Takes the parameters of a document out of its groups.
+class Collector
 {
-  for (const auto& entry : group)
+ public:
+  void collect(const YAML::Node& group, const std::string& prefix, int depth)
   {
-    if (!entry.first.IsScalar())
+    if (depth > deepest)
+    {
+      throw std::invalid_argument("parameters: more than " + std::to_string(deepest) + " groups within one another");
+    }
+    for (const auto& entry : group)
+    {
+      take(entry.first, entry.second, prefix, depth);
+    }
+  }
+
+  ParameterTree tree;
+
+ private:
+  void take(const YAML::Node& key, const YAML::Node& value, const std::string& prefix, int depth)
+  {
+    if (!key.IsScalar())
     {
       throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is no name");
     }
-    const std::string name = prefix + entry.first.Scalar();
-    if (entry.second.IsMap())
+    if (++entries_ > most_entries)
     {
-      collect(entry.second, name + "/", tree);
+      throw std::invalid_argument("parameters: more than " + std::to_string(most_entries) + " names");
     }
-    else if (!tree.emplace(name, entry.second).second)
+    const std::string name = prefix + key.Scalar();
+    if (value.IsMap())
+    {
+      collect(value, name + "/", depth + 1);
+    }
+    else if (!tree.emplace(name, value).second)
     {
       throw std::invalid_argument("parameter " + name + " is given twice");
     }
   }
-}
+
+  int entries_ = 0;
+};
 
 std::string digits(double value)
 {
@@ -63,17 +89,17 @@ YAML::Node groupToYaml(const XmlRpc::XmlRpcValue& value)
 
 ParameterTree parameterTree(const YAML::Node& document)
 {
-  ParameterTree tree;
   if (!document.IsDefined() || document.IsNull())
   {
-    return tree;
+    return {};
   }
   if (!document.IsMap())
   {
     throw std::invalid_argument("parameters: a map of names and values is wanted");
   }
-  collect(document, "", tree);
-  return tree;
+  Collector collector;
+  collector.collect(document, "", 1);
+  return collector.tree;
 }
 
 ParameterTree readParameterFile(const std::string& file)

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameter files and compliance tables: read, or refused by std::invalid_argument.
+#include <stdexcept>
+
+#include "scratch_folder.h"
+#include "wheel_rail_contact/ros/compliance_table_file.h"
+#include "wheel_rail_contact/ros/parameters.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  using namespace wheel_rail_contact;
+  static const fuzz::ScratchFolder folder;
+  const std::string file = folder.write("input.yaml", data, size);
+  try
+  {
+    readNodeConfig(readParameterFile(file), "", "");
+  }
+  catch (const std::invalid_argument&)  // refused with a reason
+  {
+  }
+  try
+  {
+    readComplianceTable(file);
+  }
+  catch (const std::invalid_argument&)  // refused with a reason
+  {
+  }
+  return 0;
+}
