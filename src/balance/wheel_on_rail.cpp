@@ -70,15 +70,18 @@ void WheelContact::settleSupport()
   }
 }
 
-/// Gaps and approach as if the rail had been set at the end of the way.
+/// Gaps, first touches and approach as if the rail had been set at the end of the way.
 void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
 {
-  for (PatchGap& patch : problem_.patches)
+  for (std::size_t k = 0; k < patches_.size(); ++k)
   {
+    PatchGap& patch = problem_.patches[k];
+    const double before = patch.gap.minCoeff();
     for (Eigen::Index j = 0; j < patch.opening.rows(); ++j)
     {
       patch.gap.col(j) += patch.opening.row(j).matrix().dot(way) - patch.weight * yielded_;
     }
+    patches_[k].touch_gap += (patch.gap.minCoeff() - before) / patch.weight;
   }
   solution_.approach -= yielded_;
 }
