@@ -171,7 +171,8 @@ class WheelsetContact::Chain
     out.approach = wheel.patchApproach(k);
     out.area = pressure.area;
     out.max_pressure = pressure.max_pressure;
-    out.error_estimate = ladder_.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
+    const double of_grid = ladder_.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
+    out.error_estimate = std::hypot(of_grid, wheel.layoutError(k));
     out.iterations = wheel.solution().iterations;
     out.residual = wheel.solution().residual;
     spread(side, wheel.problem().patches[k].grid, pressure.pressure, out);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "wheel_rail_contact/balance/descent_step.h"
 #include "wheel_rail_contact/balance/missed_pressure.h"
@@ -313,6 +314,21 @@ double WheelContact::errorEstimate() const
     error = std::max(error, solver_.estimateError(problem_, solution_, k).largest());
   }
   return error;
+}
+
+double WheelContact::layoutError(std::size_t patch) const
+{
+  const WheelPatch& p = patches_[patch];
+  const double slip = (solution_.approach - boxed_descent_) * std::sin(p.plane.angle);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (int j = p.extent.first_column; !p.extent.empty && j <= p.extent.last_column; ++j)
+  {
+    least = std::min(least, p.columns[static_cast<std::size_t>(j)].slope);
+    most = std::max(most, p.columns[static_cast<std::size_t>(j)].slope);
+  }
+  const double uneven = p.extent.empty ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
+  return uneven + std::abs(p.slope * std::tan(p.plane.angle));
 }
 
 double WheelContact::descentError() const

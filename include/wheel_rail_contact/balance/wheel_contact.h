@@ -111,6 +111,12 @@ class WheelContact
   double planeError() const;
   /// Estimated relative error of the last solution: the largest of its patches' [-].
   double errorEstimate() const;
+  /// Estimated relative error of a patch in the last solution by what its layout leaves open [-].
+  ///
+  /// A gap is built for the descent known beforehand. If the one found differs by D, the wheel slides by D sin(angle)
+  /// along the plane, which opens the gap by that times the surface's slope: its uneven part counts over twice the
+  /// approach. A plane that is off by an angle takes the normal force off by its tangent's share.
+  double layoutError(std::size_t patch) const;
   /// Solved descent against the one that the gap was built for, relative [-].
   double descentError() const;
   /// Smallest ratio of a pressure's length or width to those its grid was laid for [-].
