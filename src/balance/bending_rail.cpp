@@ -90,6 +90,7 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
 {
   mixing_.reset();
   step_.reset();
+  yield_left_ = 0;
   if (mode_ == Mode::held)
   {
     return;
@@ -103,8 +104,7 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   }
   else if (mode_ == Mode::solved && !straight_ && loaded_)
   {
-    const bool known = config_.wheelset.solve_height_and_roll;
-    const double ratio = known ? std::max(load, 0.0) / result_.vertical_force : 1;
+    const double ratio = std::max(load, 0.0) / result_.vertical_force;
     if (elsewhere || std::abs(ratio - 1) > same_load || slipOver() > early_move)
     {
       set(ratio * own_);
@@ -141,20 +141,47 @@ RigidTouch BendingRail::letFlangeDown(const RigidTouch& touch, const WheelsetPos
   return wheel_.touch(pose);
 }
 
+RigidTouch BendingRail::touchAtRest(const WheelsetPose& pose, double given_lateral, const RailDeflection& offset)
+{
+  const Eigen::Vector3d rest = compliance_ * Eigen::Vector3d(lateralForce(0, given_lateral), 0, 0);
+  wheel_.setRail(undeflected_.deflected(toDeflection(rest + toCoordinates(offset))));
+  const RigidTouch touch = wheel_.touch(pose);
+  set(placed_);
+  return touch;
+}
+
+/// The lateral force that is to bend the rail.
+double BendingRail::lateralForce(double of_contact, double given) const
+{
+  using LateralForce = RailBendingConfig::LateralForce;
+  const RailBendingConfig& bending = config_.rail_bending;
+  return bending.lateral_force == LateralForce::topic      ? given
+         : bending.lateral_force == LateralForce::constant ? bending.lateral_force_value
+                                                           : of_contact;
+}
+
+double BendingRail::yieldPerLoad(const RigidTouch& touch) const
+{
+  const bool own = config_.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact;
+  const Eigen::Vector3d along(own ? touch.contact.slope : 0, -1, 0);
+  return along.dot(compliance_ * along);
+}
+
+double BendingRail::yieldPerLoad() const
+{
+  const WheelForces& forces = wheel_.forces();
+  const Eigen::Vector3d along(forces.outward, -forces.vertical, forces.moment);
+  Eigen::Vector3d more = along;
+  more[0] = config_.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact ? forces.outward : 0;
+  return along.dot(compliance_ * more) / (forces.vertical * forces.vertical);
+}
+
 /// Takes the forces of the last solution over to the results, with the lateral force that is to bend the rail.
 RailForce BendingRail::takeForce(bool loaded, double given_lateral)
 {
-  const RailBendingConfig& bending = config_.rail_bending;
   WheelForces forces = loaded ? wheel_.forces() : WheelForces();
   const double from_contact = forces.outward;
-  if (bending.lateral_force == RailBendingConfig::LateralForce::topic)
-  {
-    forces.outward = given_lateral;
-  }
-  else if (bending.lateral_force == RailBendingConfig::LateralForce::constant)
-  {
-    forces.outward = bending.lateral_force_value;
-  }
+  forces.outward = lateralForce(from_contact, given_lateral);
   forces.moment += (forces.outward - from_contact) * wheel_.heightOverReference();
   result_.lateral_force = forces.outward;
   result_.vertical_force = forces.vertical;
@@ -203,6 +230,8 @@ double BendingRail::followContact(bool loaded)
 double BendingRail::mix(const RailForce& force)
 {
   const Eigen::Vector3d due = toCoordinates(deflectionInTrack(config_.rail_bending.table, force, config_.track.cant));
+  const Eigen::Vector3d along(wheel_.forces().outward, -force.vertical, wheel_.forces().moment);
+  yield_left_ = force.vertical > 0 ? along.dot(due - placed_) / force.vertical : 0;
   if (due.isZero(0))
   {
     return setStraight();

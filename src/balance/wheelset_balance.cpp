@@ -39,7 +39,9 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodL
       wheel_{WheelContact(config, ladder.solver()), WheelContact(config, ladder.solver())},
       rail_{BendingRail(config, ladder.solver().solvesSupport(), wheel_[0]),
             BendingRail(config, ladder.solver().solvesSupport(), wheel_[1])},
-      choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)}
+      choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)},
+      finds_loads_(!config.wheelset.solve_height_and_roll &&
+                   config.rail_bending.model == RailBendingConfig::Model::compliance)
 {
   reset();
 }
@@ -132,7 +134,7 @@ WheelStatus WheelsetBalance::solveWheels(bool rough)
     WheelContact& wheel = wheel_[k];
     const GridSize& size = rough ? ladder_.rough().size : choice_[k].rung().size;
     WheelStatus status = WheelStatus::no_contact;
-    if (!config_.wheelset.solve_height_and_roll)
+    if (!config_.wheelset.solve_height_and_roll && !finds_loads_)
     {
       status = wheel.solveDescent(touch_[k], touch_[k].axle_height - state_.z, size);
     }
@@ -266,6 +268,8 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   for (const Side side : sides)
   {
     wheel_[index(side)].begin();
+    load_[index(side)] = finds_loads_ ? expectedLoad(side) : load_[index(side)];
+    load_search_[index(side)].begin(load_[index(side)]);
     rail_[index(side)].begin(!warm_, load_[index(side)], state.rail_offset[index(side)]);
   }
   secant_.reset();
@@ -303,6 +307,19 @@ bool WheelsetBalance::place()
 }
 
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
+{
+  const ContactStatus status = searchAround(state);
+  if (isUsable(status) || config_.wheelset.solve_height_and_roll ||
+      config_.rail_bending.model != RailBendingConfig::Model::compliance)
+  {
+    return status;
+  }
+  finds_loads_ = !finds_loads_;
+  return search(state);
+}
+
+/// From the last answer, from cold, and from beside the state.
+ContactStatus WheelsetBalance::searchAround(const WheelsetState& state)
 {
   const bool warm = warm_;
   ContactStatus status = search(state);
@@ -343,7 +360,8 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
     const double slack = pass < strict_passes ? 1.0 : late_slack;
     const bool fits = layoutFits(slack);
     const bool level = std::abs(roll_change) < slack * roll_per_tolerance * config_.contact.tolerance;
-    const bool settled = fits && level && open <= 1;
+    const bool high = heightsMeet();
+    const bool settled = fits && level && high && open <= 1;
     const bool far = (isFar(roll_change) || open > 1) && pass < strict_passes;
     if (rough && !far)
     {

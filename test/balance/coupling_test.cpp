@@ -112,6 +112,34 @@ TEST(Coupling, SoftRailAtTheFlangeIsSolved)
   }
 }
 
+// The height fixes the sum of what rail and contact give way; the rail gives way fifty times as far. A load is found to
+// what a tenth of the tolerance of the approach is on the rail's compliance, and the height itself is known to the
+// tolerance of the approach.
+TEST(Coupling, SolvedHeightAndRollGivenBackCarryTheSameLoads)
+{
+  for (const ComplianceTable& table : {softPads(), verySoftPads()})
+  {
+    ContactModelConfig config = onPads(table);
+    WheelsetContact solved(config);
+    config.wheelset.solve_height_and_roll = false;
+    WheelsetContact given(config);
+    for (const double y : {0.0, 1e-3, -2.5e-3, 4e-3, 6.5e-3, -8e-3})
+    {
+      const WheelsetResult& found = solved.evaluate(stateAt(y, wheel_load));
+      ASSERT_EQ(found.status, ContactStatus::ok) << found.reason << " at y = " << y;
+      WheelsetState back = stateAt(y, 0);
+      back.z = found.z;
+      back.roll = found.roll;
+      const WheelsetResult& again = given.evaluate(back);
+      ASSERT_EQ(again.status, ContactStatus::ok) << again.reason << " at y = " << y;
+      for (const Side side : {Side::left, Side::right})
+      {
+        EXPECT_NEAR(wheelTotal(again, side).vertical / wheel_load, 1, config.contact.tolerance) << "y " << y;
+      }
+    }
+  }
+}
+
 // The same states on the same grid with the rails' bending left out where it is judged too small, and always in.
 TEST(Coupling, LeavingItOutNeverCostsMoreThanTheTolerance)
 {

@@ -25,7 +25,7 @@ class BendingRail
   void reset();
 
   /// Sets out for another state: from cold, or from the last answer in proportion to the load.
-  /// @param load    of the wheel [N]; not used where it is not known beforehand
+  /// @param load    of the wheel, known or expected [N]
   /// @param offset  deflection that other forces than the wheel's cause
   void begin(bool cold, double load, const RailDeflection& offset);
 
@@ -34,6 +34,19 @@ class BendingRail
   /// @param touch  of the wheel at the pose, with the rail as it is set
   /// @return the first touch with the rail as it then is set
   RigidTouch letFlangeDown(const RigidTouch& touch, const WheelsetPose& pose, double load);
+
+  /// First touch on the rail as it lies with nothing but given forces on it. Leaves the rail where it is set.
+  /// @param given_lateral  outward force, for LateralForce::topic [N]
+  RigidTouch touchAtRest(const WheelsetPose& pose, double given_lateral, const RailDeflection& offset);
+
+  /// How far the wheel comes down with its rail under a newton more, the direction of the force being that of the last
+  /// solution's [m/N].
+  double yieldPerLoad() const;
+  /// The same for a force along the common normal of a first touch, without its moment [m/N].
+  double yieldPerLoad(const RigidTouch& touch) const;
+  /// How far the wheel would come down if the rail were set where the last solution's forces want it, beyond what
+  /// WheelContact::descent() counts [m].
+  double yieldLeft() const { return yield_left_; }
 
   /// Takes over the forces of the wheel's last solution, and moves the rail to where they want it.
   /// @param given_lateral  outward force, for LateralForce::topic [N]
@@ -58,6 +71,7 @@ class BendingRail
   void set(const Eigen::Vector3d& own);
   double setStraight();
   void moveTo(const Eigen::Vector3d& own);
+  double lateralForce(double of_contact, double given) const;
   RailForce takeForce(bool loaded, double given_lateral);
   double slipOver() const;
   double effectLimit() const;
@@ -75,6 +89,7 @@ class BendingRail
   bool straight_ = false;                             ///< own deflection left out of the gap
   bool straighten_ = false;                           ///< from the next state on
   bool loaded_ = false;                               ///< in the last answer
+  double yield_left_ = 0;                             ///< see yieldLeft() [m]
   FixedPoint<3> mixing_;
   RailStep step_;
   RailResult result_;

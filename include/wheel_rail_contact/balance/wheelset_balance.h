@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "wheel_rail_contact/balance/bending_rail.h"
+#include "wheel_rail_contact/balance/load_search.h"
 #include "wheel_rail_contact/balance/method_ladder.h"
 #include "wheel_rail_contact/balance/roll_secant.h"
 #include "wheel_rail_contact/balance/wheelset_state.h"
@@ -16,7 +17,8 @@ namespace wheel_rail_contact
 /// Unknown are the roll and, with model compliance, the displacement of both rail heads. One pass places the wheelset
 /// at the roll that lets both axle ends agree with the descents known so far (rigid touch only, cheap), solves both
 /// wheels there, and compares: heights of the axle from either side, deflections used and deflections due, planes used
-/// and pressure-weighted normals. Passes go on until all agree.
+/// and pressure-weighted normals. Passes go on until all agree. Where height and roll are given and rails bend by a
+/// table, the wheel loads are unknown instead.
 class WheelsetBalance
 {
  public:
@@ -47,6 +49,7 @@ class WheelsetBalance
 
  private:
   ContactStatus search(const WheelsetState& state);
+  ContactStatus searchAround(const WheelsetState& state);
   ContactStatus fail(ContactStatus status, std::string_view reason);
   ContactStatus failed(WheelStatus status);
   bool begin(const WheelsetState& state);
@@ -60,6 +63,8 @@ class WheelsetBalance
   double leverSum() const;
   WheelStatus solveWheels(bool rough);
   double moveRails();
+  double expectedLoad(Side side);
+  bool heightsMeet();
   bool layoutFits(double slack);
   bool isFar(double roll_change) const;
   void foresee(double moved);
@@ -80,6 +85,8 @@ class WheelsetBalance
   std::array<double, 2> error_{};                       ///< estimated, relative [-]
   SolveStatus normal_status_ = SolveStatus::converged;  ///< of the last solution that failed
   RollSecant secant_;
+  bool finds_loads_;  ///< under which the wheels lie at the height and roll given
+  std::array<LoadSearch, 2> load_search_;
   double height_ = 0;
   double roll_ = 0;
   bool warm_ = false;
