@@ -19,22 +19,37 @@ constexpr std::size_t fine_stations = 8;    ///< stretches of fewer stations are
 
 }  // namespace
 
-/// Points of a profile about `spacing` apart.
-std::vector<ContactSearch::Sample> ContactSearch::sample(const Profile& profile)
+/// Parameters of points of a profile about `spacing` apart.
+std::vector<double> ContactSearch::sample(const Profile& profile)
 {
   const long count = std::max(2L, std::lround(profile.length() / spacing) + 1);
-  std::vector<Sample> samples(static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  std::vector<double> u(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < u.size(); ++i)
   {
-    const double u = profile.length() * static_cast<double>(i) / static_cast<double>(count - 1);
-    samples[i] = {profile.at(u), u};
+    u[i] = profile.length() * static_cast<double>(i) / static_cast<double>(count - 1);
   }
-  return samples;
+  return u;
 }
 
 ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
-    : wheel_samples_(sample(wheel)), rail_samples_(sample(rail))
 {
+  rail_line_.u = sample(rail);
+  for (const double u : rail_line_.u)
+  {
+    rail_points_.push_back(rail.at(u));
+  }
+  wheel_line_.u = sample(wheel);
+  while (wheel_line_.u.size() % WheelPoints::together != 0)
+  {
+    wheel_line_.u.push_back(wheel_line_.u.back());
+  }
+  for (const double u : wheel_line_.u)
+  {
+    const CurvePoint point = wheel.at(u);
+    wheel_points_.y.push_back(point.y);
+    wheel_points_.z.push_back(point.z);
+    wheel_points_.slope.push_back(point.slope());
+  }
   // A rail is never wider than its profile is long: room for any place of it.
   const Stations most{0, spacing, static_cast<std::size_t>(rail.length() / spacing) + 2};
   wheel_outline_.start(most);
@@ -45,48 +60,27 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
 void ContactSearch::setRail(const PlacedRail& rail)
 {
   rail_ = rail;
-  double low = infinity;
-  double high = -infinity;
-  for (const Sample& sample : rail_samples_)
+  rail_line_.y.clear();
+  rail_line_.z.clear();
+  for (const CurvePoint& point : rail_points_)
   {
-    const double y = rail.place(sample.point).y;
-    low = std::min(low, y);
-    high = std::max(high, y);
+    const PlanePoint place = rail.place(point);
+    rail_line_.y.push_back(place.y);
+    rail_line_.z.push_back(place.z);
   }
-  stations_ = {low, spacing, static_cast<std::size_t>((high - low) / spacing) + 2};
+  const auto [low, high] = std::minmax_element(rail_line_.y.begin(), rail_line_.y.end());
+  stations_ = {*low, spacing, static_cast<std::size_t>((*high - *low) / spacing) + 2};
   rail_outline_.start(stations_);
+  rail_outline_.add(rail_line_);
   separation_.resize(stations_.count);
-  OutlinePoint before{};
-  for (const Sample& sample : rail_samples_)
-  {
-    const PlanePoint place = rail.place(sample.point);
-    const OutlinePoint here{place.y, place.z, sample.u};
-    if (sample.u > 0)
-    {
-      rail_outline_.add(before, here);
-    }
-    before = here;
-  }
 }
 
 void ContactSearch::setWheel(const PlacedWheel& wheel)
 {
   wheel_ = wheel;
   wheel_outline_.start(stations_);
-  OutlinePoint before{};
-  bool has_before = false;
-  for (const Sample& sample : wheel_samples_)
-  {
-    SpacePoint locus;
-    const bool has_here = wheel.locus(sample.point, locus);
-    const OutlinePoint here{locus.y, locus.z, sample.u};
-    if (has_before && has_here)
-    {
-      wheel_outline_.add(before, here);
-    }
-    before = here;
-    has_before = has_here;
-  }
+  wheel.loci(wheel_points_, wheel_line_.y, wheel_line_.z);
+  wheel_outline_.add(wheel_line_);
   for (std::size_t k = 0; k < stations_.count; ++k)
   {
     separation_[k] = wheel_outline_.z(k) - rail_outline_.z(k);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/geometry/placement.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -123,21 +124,39 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
   fz_ = -ax_ * az_ / planar;
 }
 
+/// Locus of one point, or of several at once; there is none where the sine of t is not between -1 and 1.
+template <typename Number>
+PlacedWheel::Locus<Number> PlacedWheel::locusAt(const Number& y, const Number& z, const Number& slope) const
+{
+  using std::sqrt;
+  // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) fx - r' ax vanishes.
+  const Number radius = radius_ - z;
+  const Number sine = -slope * ax_ / fx_;
+  const Number cosine = sqrt(1 - sine * sine);
+  const Number along = half_base_ + y;
+  return {sine, ax_ * along + radius * sine * fx_, pose_.y + ay_ * along + radius * (cosine * dy_ + sine * fy_),
+          pose_.z + az_ * along + radius * (cosine * dz_ + sine * fz_)};
+}
+
 bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
 {
-  // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) fx - r' ax vanishes.
-  const double radius = radius_ - p.z;
-  const double sine = -p.slope() * ax_ / fx_;
-  if (!(std::abs(sine) < 1))
+  const Locus<double> locus = locusAt(p.y, p.z, p.slope());
+  out = {locus.x, locus.y, locus.z};
+  return std::abs(locus.sine) < 1;
+}
+
+void PlacedWheel::loci(const WheelPoints& points, std::vector<double>& y, std::vector<double>& z) const
+{
+  using Group = Eigen::Array<double, WheelPoints::together, 1>;
+  y.resize(points.y.size());
+  z.resize(points.y.size());
+  for (std::size_t i = 0; i < points.y.size(); i += WheelPoints::together)
   {
-    return false;
+    const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
+    const Locus<Group> locus = locusAt<Group>(group(points.y), group(points.z), group(points.slope));
+    Group::Map(&y[i]) = (locus.sine.abs() < 1).select(locus.y, std::numeric_limits<double>::quiet_NaN());
+    Group::Map(&z[i]) = locus.z;
   }
-  const double cosine = std::sqrt(1 - sine * sine);
-  const double along = half_base_ + p.y;
-  out.x = ax_ * along + radius * sine * fx_;
-  out.y = pose_.y + ay_ * along + radius * (cosine * dy_ + sine * fy_);
-  out.z = pose_.z + az_ * along + radius * (cosine * dz_ + sine * fz_);
-  return true;
 }
 
 bool PlacedWheel::section(const CurvePoint& p, double x, PlanePoint& out) const

@@ -95,14 +95,11 @@ class ContactSearch
   static bool narrow(double separation, OverlapZone& zone);
   void mergeNeighbours(std::vector<OverlapZone>& zones) const;
 
-  struct Sample
-  {
-    CurvePoint point;
-    double u;
-  };
-  static std::vector<Sample> sample(const Profile& profile);
+  static std::vector<double> sample(const Profile& profile);
 
-  std::vector<Sample> wheel_samples_, rail_samples_;
+  WheelPoints wheel_points_;
+  std::vector<CurvePoint> rail_points_;
+  OutlinePoints wheel_line_, rail_line_;  ///< those points where they have been placed
   Stations stations_;
   Outline wheel_outline_{Outline::Envelope::lower};
   Outline rail_outline_{Outline::Envelope::upper};

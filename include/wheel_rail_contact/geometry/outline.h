@@ -18,15 +18,15 @@ struct Stations
   double y(std::size_t k) const { return first + static_cast<double>(k) * spacing; }
 };
 
-/// Point of an outline.
-struct OutlinePoint
+/// Points of a line, one after the other.
+struct OutlinePoints
 {
-  double y, z;  ///< side axes [m]
-  double u;     ///< parameter of the body's profile [m]
+  std::vector<double> y, z;  ///< side axes [m]; y NaN: the line is broken here
+  std::vector<double> u;     ///< parameter of the body's profile [m]
 };
 
-/// Outline of a body seen along the track: its lower or upper envelope as heights over stations. It is written segment
-/// by segment, in any order; where segments lie over one another the outer one stays.
+/// Outline of a body seen along the track: its lower or upper envelope as heights over stations. Where parts of its
+/// line lie over one another the outer one stays.
 class Outline
 {
  public:
@@ -40,10 +40,10 @@ class Outline
   /// An outline without segments.
   explicit Outline(Envelope envelope) : sign_(envelope == Envelope::lower ? 1 : -1) {}
 
-  /// Forgets all segments. Allocates only for more stations than before.
+  /// Forgets all lines. Allocates only for more stations than before.
   void start(const Stations& stations);
-  /// Writes the straight segment between two points.
-  void add(const OutlinePoint& a, const OutlinePoint& b);
+  /// Writes the straight segments between points. Allocates only for more points than before.
+  void add(const OutlinePoints& points);
 
   /// Height at a station [m]; infinite (up for a lower envelope, down for an upper one) where there is no body.
   double z(std::size_t k) const { return sign_ * height_[k]; }
@@ -51,9 +51,13 @@ class Outline
   double u(std::size_t k) const { return u_[k]; }
 
  private:
+  void addSegment(const OutlinePoints& points, std::size_t i);
+
   double sign_;
   Stations stations_;
   std::vector<double> height_;  ///< sign * z
   std::vector<double> u_;
+  std::vector<double> place_;         ///< of the points, in stations
+  std::vector<double> rise_, shift_;  ///< of the segments: change of sign * z and of u with y [-]
 };
 }  // namespace wheel_rail_contact

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "wheel_rail_contact/config.h"
 #include "wheel_rail_contact/geometry/profile.h"
@@ -68,6 +70,15 @@ struct SpacePoint
   double x, y, z;  ///< forward, outward, up
 };
 
+/// Points of a wheel's profile, ready for PlacedWheel::loci().
+struct WheelPoints
+{
+  static constexpr std::size_t together = 8;  ///< the number of points is a multiple of it
+
+  std::vector<double> y, z;   ///< profile frame [m]
+  std::vector<double> slope;  ///< CurvePoint::slope() [-]
+};
+
 /// A wheel in side axes: its profile as a surface of revolution about the wheelset's axle.
 class PlacedWheel
 {
@@ -81,6 +92,8 @@ class PlacedWheel
   /// Closed form: with axle direction a and radial direction e, the normal e - (dr/ds) a has no x component.
   /// @return false where no such point exists (profile too steep for the yaw).
   bool locus(const CurvePoint& p, SpacePoint& out) const;
+  /// y and z of the loci of many points, several at once; NaN where there is none.
+  void loci(const WheelPoints& points, std::vector<double>& y, std::vector<double>& z) const;
 
   /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
   /// profile at constant x. @return false if x is beyond the circle.
@@ -92,6 +105,14 @@ class PlacedWheel
   const WheelsetPose& pose() const { return pose_; }
 
  private:
+  template <typename Number>
+  struct Locus
+  {
+    Number sine, x, y, z;
+  };
+  template <typename Number>
+  Locus<Number> locusAt(const Number& y, const Number& z, const Number& slope) const;
+
   const Profile* profile_;
   WheelsetPose pose_;
   double radius_;        ///< of the running circle [m]
