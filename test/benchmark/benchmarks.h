@@ -17,6 +17,8 @@ void registerWheelsets();
 void registerSteps();
 /// How time grows with cells, patches and wheelsets.
 void registerGrowth();
+/// contact_replay from bag to bag against the evaluations alone.
+void registerReplay();
 /// Other solvers against conjugate gradients, both timed in turns.
 void registerRatios();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of the whole chain, of its steps, and against other methods. Report medians:
+// Speed of the whole chain, of its steps, of contact_replay, and against other methods. Report medians:
 //   contact_benchmark --benchmark_repetitions=9 --benchmark_report_aggregates_only
 #include <benchmark/benchmark.h>
 
@@ -16,6 +16,7 @@ int main(int argc, char** argv)
   wheel_rail_contact::registerSteps();
   wheel_rail_contact::registerGrowth();
   wheel_rail_contact::registerRatios();
+  wheel_rail_contact::registerReplay();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

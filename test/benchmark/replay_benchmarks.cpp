@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../pairs_bag.h"
+#include "benchmarks.h"
+#include "wheel_rail_contact/replay/replay.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr int pairs = 20000;
+constexpr int runs = 5;
+
+/// A folder for files that go with it.
+class Folder
+{
+ public:
+  Folder() : path_((std::filesystem::temp_directory_path() / "contact_benchmark.XXXXXX").string())
+  {
+    if (mkdtemp(path_.data()) == nullptr)
+    {
+      throw std::runtime_error("cannot make a folder " + path_);
+    }
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+/// What a run takes [s].
+struct Cost
+{
+  double wall = 0, cpu = 0;
+};
+
+template <typename Work>
+void addCost(const Work& work, Cost& sum)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const std::clock_t cpu = std::clock();  // of all threads
+  work();
+  sum.wall += std::chrono::duration<double>(Clock::now() - begin).count();
+  sum.cpu += static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+}
+
+/// The inputs of the bag, slice by slice (FreshStartRule).
+std::vector<std::vector<PreparedInput>> slicesOf(const std::vector<double>& lateral)
+{
+  std::vector<std::vector<PreparedInput>> slices;
+  FreshStartRule fresh_start;
+  for (int i = 0; i < pairs; ++i)
+  {
+    PreparedInput input;
+    input.stamp = stampOf(i);
+    input.placed.state = {lateral[static_cast<std::size_t>(i)], 0, 0, 0, -200e3, 0, {}};
+    input.starts_anew = fresh_start.startsAnew(input.stamp);
+    if (input.starts_anew)
+    {
+      slices.emplace_back();
+    }
+    slices.back().push_back(input);
+  }
+  return slices;
+}
+
+/// Nothing but the evaluations, each thread taking the next slice.
+void evaluateAll(const std::vector<std::vector<PreparedInput>>& slices, std::vector<ContactEvaluator>& evaluators)
+{
+  std::atomic<std::size_t> next{0};
+  std::vector<std::thread> threads;
+  for (ContactEvaluator& evaluator : evaluators)
+  {
+    threads.emplace_back(
+        [&]
+        {
+          for (std::size_t k = next++; k < slices.size(); k = next++)
+          {
+            for (const PreparedInput& input : slices[k])
+            {
+              benchmark::DoNotOptimize(evaluator.answer(input));
+            }
+          }
+        });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+/// The same pairs from bag to bag by contact_replay, and without bags, in turns. `wall` and `cpu` are the ratios of
+/// what both take, `per_s` the answers of the first in a second. The coefficients, which a process computes once, are
+/// there.
+void replay(benchmark::State& state, int threads)
+{
+  const Folder folder;
+  Sweep sweep;
+  std::vector<double> lateral(pairs);
+  for (double& y : lateral)
+  {
+    y = sweep.next().y;
+  }
+  writePairs(folder.file("in.bag"), pairs, [&](int i) { return lateral[static_cast<std::size_t>(i)]; });
+  std::ofstream(folder.file("a.yaml")) << "{rail: {profile: UIC60_manchester}, contact: {tolerance: 0.01}}\n";
+  ReplayOptions options;
+  options.input = folder.file("in.bag");
+  options.output = folder.file("out.bag");
+  options.configs = {folder.file("a.yaml")};
+  options.threads = threads;
+  const NodeConfig config = readNodeConfig(replayParameters(options), "", "/");
+  std::vector<ContactEvaluator> evaluators;
+  for (int i = 0; i < threads; ++i)
+  {
+    evaluators.emplace_back(config);
+  }
+  const auto slices = slicesOf(lateral);
+  const std::atomic<bool> interrupted{false};
+  Cost whole, pure;
+  for (auto _ : state)
+  {
+    addCost([&] { evaluateAll(slices, evaluators); }, pure);
+    std::filesystem::remove(options.output);
+    addCost([&] { Replay(options).run(interrupted); }, whole);
+  }
+  state.counters["per_s"] = runs * pairs / whole.wall;
+  state.counters["wall"] = whole.wall / pure.wall;
+  state.counters["cpu"] = whole.cpu / pure.cpu;
+}
+}  // namespace
+
+void registerReplay()
+{
+  for (const int threads : {1, 2})
+  {
+    benchmark::RegisterBenchmark(("replay/0.01/threads:" + std::to_string(threads)).c_str(),
+                                 [=](benchmark::State& state) { replay(state, threads); })
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(runs);
+  }
+}
+}  // namespace wheel_rail_contact
