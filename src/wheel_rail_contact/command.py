@@ -12,16 +12,16 @@ class Failure(Exception):
 
 
 def finish(name, work, *arguments):
-    """Runs the work of a command; returns its exit status. A failure is one sentence on standard error."""
+    """Runs the work of a command; returns its exit status: what the work returns, else 0. A failure is one sentence on
+    standard error."""
     try:
-        work(*arguments)
+        return work(*arguments) or 0
     except (Failure, OSError) as error:
         print(f"{name}: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print(f"\n{name}: interrupted", file=sys.stderr)
         return 130
-    return 0
 
 
 def shipped(name):

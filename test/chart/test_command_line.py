@@ -12,9 +12,9 @@ from unittest import mock
 from wheel_rail_contact.chart import front
 from wheel_rail_contact.chart.command_line import main
 from wheel_rail_contact.chart.measuring import RUNNER, measure
-from wheel_rail_contact.chart.progress import Progress
 from wheel_rail_contact.chart.table import Row
 from wheel_rail_contact.command import Failure, finish, pyplot, runner
+from wheel_rail_contact.progress import Progress
 
 ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", "answered", "", 1e-3, 1e-3, 1e-3, 5, 0.01, 0.01,
           0.0, 0.0, 0.02, 1e-4)

@@ -10,7 +10,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import ANSWERS, MISUSED, PROGRAM, ReplayCase, load, pose, time
+from replay_case import MISUSED, ReplayCase, load, pose, time
 
 JOIN = os.environ["CONTACT_JOIN"]
 START = 1_700_000_000 * 10**9  # recording time of the first message [ns]

@@ -5,11 +5,11 @@ import tempfile
 from pathlib import Path
 
 from ..command import Failure, finish, pyplot, runner
+from ..progress import Progress
 from . import table
 from .front import standing
 from .measuring import RUNNER, measure
 from .picture import draw
-from .progress import Progress
 
 
 def main(arguments=None):

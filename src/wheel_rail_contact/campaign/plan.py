@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a campaign has to do: which bags, cut where. Nothing here depends on the workers."""
+import hashlib
+import math
+from pathlib import Path
+
+import rosbag
+
+from ..command import Failure
+
+FORMAT = 1  # of the manifest
+
+
+def sha256(path):
+    """Checksum of a file, in hexadecimal digits."""
+    with open(path, "rb") as stream:
+        checksum = hashlib.sha256()
+        while block := stream.read(1 << 20):
+            checksum.update(block)
+    return checksum.hexdigest()
+
+
+def read_index(path):
+    """An open bag without the places of its messages; None for one that must be read whole (damaged, or no bag)."""
+    try:
+        return rosbag.Bag(str(path), skip_index=True)
+    except rosbag.ROSBagException:
+        return None
+
+
+def cuts(path, wheelsets, per_slice):
+    """Recording times [s], as text, between slices of about `per_slice` answers; none for a bag that is one slice."""
+    bag = read_index(path)
+    if bag is None:
+        return []
+    with bag:
+        poses = [f"{slash}{name.strip('/')}/wheelset/pose" if name.strip("/") else f"{slash}wheelset/pose"
+                 for name in wheelsets or [""] for slash in ("", "/")]
+        count = math.ceil(bag.get_message_count(poses) / per_slice)
+        if count < 2:
+            return []
+        start, end = bag.get_start_time(), bag.get_end_time()
+        return list(dict.fromkeys(f"{start + k * (end - start) / count:.6f}" for k in range(1, count)))
+
+
+def plan_of_bag(path, wheelsets, per_slice):
+    """The campaign's entry for a bag."""
+    state = path.stat()
+    at = [None, *cuts(path, wheelsets, per_slice), None]
+    return {"bag": str(path), "size": state.st_size, "modified": state.st_mtime_ns,
+            "slices": [[start, end] for start, end in zip(at, at[1:])]}
+
+
+def plan_of(options, before=None):
+    """The campaign as a dictionary, told by its manifest. Bags that have not changed since `before` keep its cuts."""
+    bags = [Path(name).resolve() for name in options.bags]
+    names = [bag.name for bag in bags]
+    for name in names:
+        if names.count(name) > 1:
+            raise Failure(f"two bags are named {name}: their answers would have one name")
+    plan = {"format": FORMAT, "folder": str(Path.cwd()), "options": replay_options(options), "slice": options.slice,
+            "configs": {str(Path(name).resolve()): sha256(name) for name in options.config}, "bags": {}}
+    for bag in bags:
+        known = (before or {}).get("bags", {}).get(bag.name)
+        state = bag.stat()
+        if known and (known["bag"], known["size"], known["modified"]) == (str(bag), state.st_size, state.st_mtime_ns):
+            plan["bags"][bag.name] = {key: known[key] for key in ("bag", "size", "modified", "slices")}
+        else:
+            plan["bags"][bag.name] = plan_of_bag(bag, options.wheelset, options.slice)
+    return plan
+
+
+def replay_options(options):
+    """What contact_replay is told beside the bag and the slice."""
+    words = [word for name in options.config for word in ("--config", str(Path(name).resolve()))]
+    words += ["--wheelset", *options.wheelset] if options.wheelset else []
+    return words + [f"--{name}" for name in ("keep-topics", "no-grids", "lz4") if getattr(options, name.replace("-", "_"))]

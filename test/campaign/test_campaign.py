@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_campaign: the files of contact_replay, whoever is killed on the way."""
+
+import contextlib
+import hashlib
+import io
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import unittest.mock
+
+from wheel_rail_contact.campaign.command_line import main
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PACKAGE / "test" / "replay"))
+from replay_case import ReplayCase  # noqa: E402  (stands beside other tests)
+
+COMMAND = PACKAGE / "scripts" / "contact_campaign"
+GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # starts quickly
+PATIENCE = 60  # [s] of the slowest machine
+PAIRS, SLICE, SLICES = 3000, 300, 10
+
+
+def wait_for(condition):
+    """What the condition gives as soon as that is true."""
+    end = time.monotonic() + PATIENCE
+    while not (found := condition()):
+        if time.monotonic() > end:
+            raise TimeoutError("waited in vain")
+        time.sleep(0.01)
+    return found
+
+
+def processes_of(folder):
+    """Command lines of running processes that name a folder."""
+    found = []
+    for place in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):
+            line = place.read_bytes().decode(errors="replace")
+            if str(folder) in line and int(place.parent.name) != os.getpid():
+                found.append(line.replace("\0", " "))
+    return found
+
+
+def run(*arguments):
+    """Exit status of the command and what it printed."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+        status = main([str(argument) for argument in arguments])
+    return status, printed.getvalue()
+
+
+class Cluster:
+    """A scheduler and workers, one core each, as processes of their own."""
+
+    def __init__(self, folder):
+        self.folder, self.processes = folder, []
+        self._start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--scheduler-file", "scheduler.json")
+        file = folder / "scheduler.json"
+        self.address = wait_for(lambda: file.exists() and file.read_text() and json.loads(file.read_text())["address"])
+
+    def _start(self, program, *arguments):
+        self.processes.append(subprocess.Popen(
+            [sys.executable, "-m", f"distributed.cli.{program}", *arguments, "--no-dashboard"], cwd=self.folder,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
+        return self.processes[-1]
+
+    def add_worker(self):
+        return self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--local-directory",
+                           str(self.folder))
+
+    def end(self):
+        for process in self.processes:
+            process.kill()
+            process.wait()
+
+
+class Case(ReplayCase):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "grid.yaml").write_text(GRID)
+        self.options = ["--config", self.folder / "grid.yaml", "--no-grids"]
+        self.out = self.folder / "out"
+
+    def command(self, *bags, slice=SLICE, more=()):
+        return [*bags, "--out", self.out, "--slice", slice, *self.options, *more]
+
+    def records(self):
+        """By slice, of those that are done and not joined."""
+        return {path.name: path.read_text() for path in self.out.glob("unfinished/*/*.bag.json")}
+
+    def manifest(self):
+        return json.loads((self.out / "manifest.json").read_text())
+
+    def assert_done(self, bag):
+        """Answers are those of one replay, and the manifest tells their checksums."""
+        whole, _ = self.replay(bag, "whole.bag", *self.options)
+        self.assert_same_file(whole, self.out / bag.name)
+        entry = self.manifest()["bags"][bag.name]
+        self.assertEqual(entry["sha256"], hashlib.sha256(whole.read_bytes()).hexdigest())
+        self.assertEqual(entry["answers"], len(self.answers(whole)))
+        self.assertEqual(len(entry["done"]), len(entry["slices"]))
+        self.assertFalse((self.out / "unfinished").exists())
+        whole.unlink()
+        return entry
+
+
+class OwnCluster(Case):
+    def test_killed_campaign_goes_on_and_does_nothing_twice(self):
+        bag = self.make_bag(PAIRS)
+        command = [str(word) for word in self.command(bag)]
+        with subprocess.Popen([sys.executable, COMMAND, *command], stderr=subprocess.DEVNULL) as first:
+            wait_for(lambda: len(self.records()) >= 3)
+            first.send_signal(signal.SIGKILL)
+        before = self.records()
+        self.assertLess(len(before), SLICES)
+        wait_for(lambda: not processes_of(self.folder))  # its workers and their replays end with it
+        before = self.records()
+        status, printed = run(*command)
+        self.assertEqual(status, 0, printed)
+        entry = self.assert_done(bag)
+        kept = {f"{k:06}.bag.json": record for k, record in enumerate(entry["done"])}
+        for name, record in before.items():
+            self.assertEqual(json.loads(record), kept[name])
+        self.assertIn(f"{PAIRS} answers of 1 bags", printed)
+        state = (self.out / bag.name).stat()
+        status, printed = run(*command)
+        self.assertEqual((status, printed), (0, f"{PAIRS} answers of 1 bags in {self.out}\n  OK: {PAIRS}\n"))
+        self.assertEqual((self.out / bag.name).stat(), state)
+
+
+class GivenCluster(Case):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.cluster = Cluster(pathlib.Path(folder.name))
+        cls.addClassCleanup(cls.cluster.end)
+        cls.worker = cls.cluster.add_worker()
+
+    def campaign(self, *bags, status=0, **options):
+        found, printed = run(*self.command(*bags, **options), "--scheduler", self.cluster.address)
+        self.assertEqual(found, status, printed)
+        return printed
+
+    def test_a_killed_workers_slices_are_answered_by_another(self):
+        bag = self.make_bag(PAIRS)
+        with subprocess.Popen([sys.executable, COMMAND, *map(str, self.command(bag)), "--scheduler",
+                               self.cluster.address], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as campaign:
+            wait_for(lambda: len(self.records()) >= 2 and any(self.out.glob("unfinished/*/*.partial")))
+            before = self.records()
+            self.worker.kill()
+            type(self).worker = self.cluster.add_worker()
+            self.assertEqual(campaign.wait(PATIENCE), 0)
+        workers = [record["worker"] for record in self.assert_done(bag)["done"]]
+        self.assertEqual(len(set(workers)), 2)
+        self.assertGreaterEqual(len(before), 2)
+
+    def test_long_and_short_bags(self):
+        bags = [self.make_bag(1230, "long.bag"), self.make_bag(30, "short.bag")]
+        printed = self.campaign(*bags)
+        self.assertIn("1260 answers of 2 bags", printed)
+        self.assertIn("OK: 1260", printed)
+        self.assertEqual([len(self.assert_done(bag)["slices"]) for bag in bags], [5, 1])
+
+    def test_a_bag_that_fails_does_not_stop_the_others(self):
+        good, bad = self.make_bag(30, "good.bag"), self.folder / "bad.bag"
+        bad.write_text("#ROSBAG V2.0\n")
+        printed = self.campaign(bad, good, status=1)
+        self.assertIn("1 tasks failed", printed)
+        self.assertIn("bad.bag: contact_replay:", printed)
+        self.assertEqual(len(self.answers(self.out / "good.bag")), 30)
+
+    def test_a_bag_without_index_is_one_slice_and_its_damage_is_told(self):
+        bag = self.make_bag(1000)
+        bag.write_bytes(bag.read_bytes()[:-20000])
+        printed = self.campaign(bag, status=3)
+        self.assertIn("has no usable index", printed)
+        self.assertEqual(len(self.manifest()["bags"][bag.name]["slices"]), 1)
+
+    def test_a_part_that_changed_on_the_disk_is_answered_again(self):
+        from wheel_rail_contact.campaign import work
+        from wheel_rail_contact.command import Failure
+        bag, part = self.make_bag(30), self.out / "parts" / "0.bag"
+        task = {"bag": str(bag), "part": str(part), "slice": [None, None], "folder": str(self.folder),
+                "options": [str(word) for word in self.options]}
+        record = work.answer_slice(task)
+        whole = part.read_bytes()
+        part.write_bytes(whole[:-1] + bytes([whole[-1] ^ 1]))
+        join = {"parts": [str(part)], "answers": str(self.out / "out.bag"), "options": []}
+        with self.assertRaisesRegex(Failure, "is not as it was written"):
+            work.join_slices(join)
+        self.assertEqual(work.answer_slice(task)["sha256"], record["sha256"])
+        self.assertEqual(work.join_slices(join)["sha256"], record["sha256"])
+
+
+class Misuse(Case):
+    def refuse(self, *arguments):
+        status, printed = run(*arguments)
+        self.assertEqual(status, 1)
+        return printed
+
+    def test_what_does_not_fit_the_folder_is_refused_by_name(self):
+        bag = self.make_bag(30)
+        self.out.mkdir()
+        (self.out / "letter.txt").write_text("precious")
+        self.assertIn("is not empty, and no campaign's folder", self.refuse(*self.command(bag)))
+        (self.out / "letter.txt").unlink()
+        absent = "tcp://127.0.0.1:9"
+        with unittest.mock.patch("wheel_rail_contact.campaign.cluster.PATIENCE", "0.5s"):
+            self.assertIn(f"--scheduler {absent}: no scheduler", self.refuse(*self.command(bag), "--scheduler", absent))
+        self.assertIn("slice 10 is not that of the campaign", self.refuse(*self.command(bag, slice=10)))
+        (self.folder / "grid.yaml").write_text(GRID + "track: {cant: 0.05}\n")
+        self.assertIn("configs", self.refuse(*self.command(bag)))
+        (self.folder / "grid.yaml").write_text(GRID)
+        self.assertIn("other.bag is not in the campaign", self.refuse(*self.command(bag, self.make_bag(9, "other.bag"))))
+        os.utime(bag, ns=(0, 0))
+        self.assertIn("in.bag is not in the campaign in this folder, or has changed", self.refuse(*self.command(bag)))
+
+    def test_two_bags_of_one_name_are_refused(self):
+        bag = self.make_bag(3)
+        self.assertIn("two bags are named in.bag", self.refuse(*self.command(bag, bag)))
+        self.assertIn("No such file", self.refuse(*self.command(self.folder / "none.bag")))
+
+
+if __name__ == "__main__":
+    unittest.main()
