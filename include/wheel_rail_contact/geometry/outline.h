@@ -21,8 +21,9 @@ struct Stations
 /// Points of a line, one after the other.
 struct OutlinePoints
 {
-  std::vector<double> y, z;  ///< side axes [m]; y NaN: the line is broken here
-  std::vector<double> u;     ///< parameter of the body's profile [m]
+  std::vector<double> y;  ///< outward, side axes [m]; NaN: the line is broken here
+  std::vector<double> z;  ///< up [m]
+  std::vector<double> u;  ///< parameter of the body's profile [m]
 };
 
 /// Outline of a body seen along the track: its lower or upper envelope as heights over stations. Where parts of its

@@ -75,7 +75,8 @@ struct WheelPoints
 {
   static constexpr std::size_t together = 8;  ///< the number of points is a multiple of it
 
-  std::vector<double> y, z;   ///< profile frame [m]
+  std::vector<double> y;      ///< profile frame [m]
+  std::vector<double> z;      ///< profile frame [m]
   std::vector<double> slope;  ///< CurvePoint::slope() [-]
 };
 
