@@ -15,6 +15,7 @@ import time
 import unittest
 import unittest.mock
 
+import distributed
 from wheel_rail_contact.campaign.command_line import main
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
@@ -143,6 +144,8 @@ class GivenCluster(Case):
         cls.cluster = Cluster(pathlib.Path(folder.name))
         cls.addClassCleanup(cls.cluster.end)
         cls.worker = cls.cluster.add_worker()
+        with distributed.Client(cls.cluster.address) as client:
+            client.wait_for_workers(1, timeout=PATIENCE)
 
     def campaign(self, *bags, status=0, **options):
         found, printed = run(*self.command(*bags, **options), "--scheduler", self.cluster.address)
