@@ -11,6 +11,7 @@ PATIENCE = "20s"  # for the scheduler, and for its first worker
 
 
 def _dask():
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "critical")  # here and in workers: lost ones are no fault
     try:
         import distributed
     except ImportError as error:
@@ -22,7 +23,6 @@ def _dask():
 def connect(scheduler):
     """A client of the scheduler at an address; of one of its own, with a worker for each core, if there is none."""
     distributed = _dask()
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # lost workers are no fault of the user's
     with contextlib.ExitStack() as stack:
         if scheduler:
             target = scheduler
@@ -30,7 +30,8 @@ def connect(scheduler):
             folder = stack.enter_context(tempfile.TemporaryDirectory())
             target = stack.enter_context(distributed.LocalCluster(
                 n_workers=len(os.sched_getaffinity(0)), threads_per_worker=1, memory_limit=0, host="127.0.0.1",
-                dashboard_address=None, local_directory=folder, silence_logs=logging.CRITICAL))
+                dashboard_address="127.0.0.1:0", local_directory=folder, preload=[f"{__package__}.no_interrupts"],
+                silence_logs=logging.CRITICAL))
         try:
             client = stack.enter_context(distributed.Client(target, timeout=PATIENCE))
             client.wait_for_workers(1, timeout=PATIENCE)
