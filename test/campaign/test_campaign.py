@@ -113,14 +113,20 @@ class Case(ReplayCase):
 
 
 class OwnCluster(Case):
-    def test_killed_campaign_goes_on_and_does_nothing_twice(self):
+    def test_broken_off_and_killed_campaign_goes_on_and_does_nothing_twice(self):
         bag = self.make_bag(PAIRS)
         command = [str(word) for word in self.command(bag)]
-        with subprocess.Popen([sys.executable, COMMAND, *command], stderr=subprocess.DEVNULL) as first:
-            wait_for(lambda: len(self.records()) >= 3)
-            first.send_signal(signal.SIGKILL)
-        before = self.records()
-        self.assertLess(len(before), SLICES)
+        with subprocess.Popen([sys.executable, COMMAND, *command], stderr=subprocess.PIPE, text=True,
+                              start_new_session=True) as first:
+            wait_for(lambda: len(self.records()) >= 2)
+            os.killpg(first.pid, signal.SIGINT)  # as a terminal does
+            told = first.stderr.read()
+        self.assertEqual((first.returncode, told.splitlines()[-1]), (130, "contact_campaign: interrupted"))
+        self.assertNotIn("Traceback", told)
+        with subprocess.Popen([sys.executable, COMMAND, *command], stderr=subprocess.DEVNULL) as second:
+            wait_for(lambda: len(self.records()) >= 5)
+            second.send_signal(signal.SIGKILL)
+        self.assertLess(len(self.records()), SLICES)
         wait_for(lambda: not processes_of(self.folder))  # its workers and their replays end with it
         before = self.records()
         status, printed = run(*command)
