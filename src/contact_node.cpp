@@ -1,23 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
 
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <exception>
+#include <future>
 #include <iostream>
+#include <memory>
+#include <thread>
+#include <utility>
 
 #include "wheel_rail_contact/ros/contact_server.h"
+
+namespace
+{
+using wheel_rail_contact::ContactServer;
+
+constexpr std::chrono::milliseconds patience(500);  ///< with the evaluation in hand, when the node ends
+
+/// Ends the server; if its evaluation takes too long, the process, for nobody waits for that answer any more.
+void end(std::unique_ptr<ContactServer> server)
+{
+  std::promise<void> ended;
+  std::thread guard(
+      [&ended]
+      {
+        if (ended.get_future().wait_for(patience) == std::future_status::timeout)
+        {
+          std::_Exit(EXIT_SUCCESS);
+        }
+      });
+  server.reset();
+  ended.set_value();
+  guard.join();
+}
+}  // namespace
 
 int main(int argc, char** argv)
 {
   try
   {
     ros::init(argc, argv, "contact_node");
-    const wheel_rail_contact::ContactServer server{ros::NodeHandle(), ros::NodeHandle("~")};
+    std::signal(SIGTERM, [](int) { ros::requestShutdown(); });  // as roscpp does at SIGINT
+    auto server = std::make_unique<ContactServer>(ros::NodeHandle(), ros::NodeHandle("~"));
     ros::spin();
-    return 0;
+    end(std::move(server));
+    return EXIT_SUCCESS;
   }
   catch (const std::exception& error)
   {
     std::cerr << "contact_node: " << error.what() << '\n';  // the ROS log is gone with the last node handle
-    return 1;
+    return EXIT_FAILURE;
   }
 }

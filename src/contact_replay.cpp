@@ -28,6 +28,7 @@ void interrupt(int signal)
 
 ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
 {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is told like a full disk
   wheel_rail_contact::Replay replay(options);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);

@@ -4,6 +4,7 @@
 #include <tf2/exceptions.h>
 
 #include <Eigen/Geometry>
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,19 @@ constexpr double quaternion_tolerance = 1e-3;
 [[noreturn]] void refuse(const std::string& reason)
 {
   throw UnusableInput(WheelsetContactMsg::INVALID_INPUT, reason);
+}
+
+/// A message as it is kept. A frame_id longer than any name is cut, so that messages that wait take bounded memory.
+template <typename Message>
+boost::shared_ptr<const Message> kept(const boost::shared_ptr<const Message>& message)
+{
+  if (message->header.frame_id.size() <= InputPairing::longest_frame_name)
+  {
+    return message;
+  }
+  auto shortened = boost::make_shared<Message>(*message);
+  shortened->header.frame_id = message->header.frame_id.substr(0, InputPairing::longest_frame_name) + "...";
+  return shortened;
 }
 
 template <typename Vector>
@@ -113,7 +127,7 @@ InputPairing::InputPairing(const NodeConfig& config)
 
 std::optional<ContactInput> InputPairing::addPose(const geometry_msgs::PoseStampedConstPtr& pose)
 {
-  return add(pose_channel, pose->header.stamp, {pose, nullptr});
+  return add(pose_channel, pose->header.stamp, {kept(pose), nullptr});
 }
 
 std::optional<ContactInput> InputPairing::addLoad(const geometry_msgs::WrenchStampedConstPtr& load)
@@ -122,7 +136,7 @@ std::optional<ContactInput> InputPairing::addLoad(const geometry_msgs::WrenchSta
   {
     return std::nullopt;
   }
-  return add(load_channel, load->header.stamp, {nullptr, load});
+  return add(load_channel, load->header.stamp, {nullptr, kept(load)});
 }
 
 std::optional<ContactInput> InputPairing::addRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force)
@@ -131,7 +145,7 @@ std::optional<ContactInput> InputPairing::addRailForce(Side side, const geometry
   {
     return std::nullopt;
   }
-  return add(firstRailForceChannel() + static_cast<std::size_t>(side), force->header.stamp, {nullptr, force});
+  return add(firstRailForceChannel() + static_cast<std::size_t>(side), force->header.stamp, {nullptr, kept(force)});
 }
 
 std::optional<ContactInput> InputPairing::add(std::size_t channel, const ros::Time& stamp, Sample sample)

@@ -13,11 +13,13 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t queue_size = 1000;       ///< of roscpp's queues; callbacks are short, so they stay empty
-constexpr std::uint32_t marker_queue_size = 2;   ///< pictures are only worth seeing when new
-constexpr double diagnostics_period = 1.0;       ///< [s]
-constexpr double transform_poll_period = 0.002;  ///< [s]
-constexpr double warning_period = 10.0;          ///< between warnings of one node [s]
+constexpr std::uint32_t queue_size = 1000;           ///< of roscpp's queues
+constexpr std::uint32_t input_queue_size = 1 << 16;  ///< of those of inputs: what they drop nobody counts, so they must
+                                                     ///< not fill in a flood before the callbacks, which are short, run
+constexpr std::uint32_t marker_queue_size = 2;       ///< pictures are only worth seeing when new
+constexpr double diagnostics_period = 1.0;           ///< [s]
+constexpr double transform_poll_period = 0.002;      ///< [s]
+constexpr double warning_period = 10.0;              ///< between warnings of one node [s]
 }  // namespace
 
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -63,17 +65,18 @@ void ContactServer::advertise()
 void ContactServer::subscribe()
 {
   const auto no_delay = ros::TransportHints().tcpNoDelay();
-  subscribers_.push_back(nh_.subscribe("wheelset/pose", queue_size, &ContactServer::receivePose, this, no_delay));
+  subscribers_.push_back(nh_.subscribe("wheelset/pose", input_queue_size, &ContactServer::receivePose, this, no_delay));
   if (pairing_.usesLoad())
   {
-    subscribers_.push_back(nh_.subscribe("wheelset/load", queue_size, &ContactServer::receiveLoad, this, no_delay));
+    subscribers_.push_back(
+        nh_.subscribe("wheelset/load", input_queue_size, &ContactServer::receiveLoad, this, no_delay));
   }
   if (pairing_.usesRailForces())
   {
     for (const Side side : {Side::left, Side::right})
     {
       subscribers_.push_back(nh_.subscribe<geometry_msgs::WrenchStamped>(
-          side == Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force", queue_size,
+          side == Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force", input_queue_size,
           [this, side](const geometry_msgs::WrenchStampedConstPtr& force) { receiveRailForce(side, force); }, nullptr,
           no_delay));
     }

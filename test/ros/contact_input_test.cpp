@@ -79,6 +79,26 @@ Eigen::Quaterniond turned(double yaw, double roll, double spin)
 }
 }  // namespace
 
+TEST(ContactInput, NameOfAFrameThatIsLongerThanAnyTakesNoRoomWhileItWaits)
+{
+  NodeConfig config;
+  InputPairing pairing(config);
+  auto named = pose();
+  auto load = wrench(0, -2e5, 3);
+  named.header.frame_id.assign(1 << 20, 'x');
+  load.header.frame_id = named.header.frame_id;
+  EXPECT_FALSE(pairing.addPose(shared(named)));
+  const auto pair = pairing.addLoad(shared(load));
+  ASSERT_TRUE(pair);
+  for (const std::string& name : {pair->pose->header.frame_id, pair->load->header.frame_id})
+  {
+    EXPECT_GT(name.size(), InputPairing::longest_frame_name) << "no frame has this name";
+    EXPECT_LT(name.capacity(), 2 * InputPairing::longest_frame_name);
+  }
+  EXPECT_EQ(pair->pose->pose, named.pose);
+  EXPECT_EQ(pair->load->wrench, load.wrench);
+}
+
 TEST(ContactInput, PoseAndLoadAreTakenOver)
 {
   const PlacedState placed = convert(input(pose()));

@@ -225,6 +225,31 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
   }
 }
 
+TEST(Parameters, EveryParameterRefusesAValueOfTheWrongTypeAndEveryNumberOneThatIsNone)
+{
+  const ParameterTree good = defaults();
+  const auto expect_refused = [&good](const std::string& name, const YAML::Node& value)
+  {
+    ParameterTree tree = good;
+    tree.erase(name);  // a node that is assigned to would change in all copies of the tree
+    tree.emplace(name, value);
+    EXPECT_TRUE(contains(refusal(tree), "/contact_node/" + name)) << name << " = " << value << ": " << refusal(tree);
+  };
+  for (const std::string& name : parameterNames())
+  {
+    expect_refused(name, YAML::Load("[[1, 2]]"));
+    expect_refused(name + "s", YAML::Load("1"));
+    double number = 0;
+    for (const char* none : {".nan", "nan", ".inf", "-.inf", "1e999", "one", "true"})
+    {
+      if (YAML::convert<double>::decode(good.at(name), number))
+      {
+        expect_refused(name, YAML::Node(none));
+      }
+    }
+  }
+}
+
 TEST(Parameters, MissingRequiredValueIsRefused)
 {
   const std::string prescribed =

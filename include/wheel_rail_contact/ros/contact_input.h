@@ -35,6 +35,8 @@ class InputPairing
  public:
   /// Greatest number of messages of one topic that wait for their partners.
   static constexpr std::size_t capacity = 1000;
+  /// Longest name of a frame that is kept; longer ones, which no frame has, are cut.
+  static constexpr std::size_t longest_frame_name = 1000;
 
   /// Copies what it needs.
   explicit InputPairing(const NodeConfig& config);

@@ -5,7 +5,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t queue_size = 1000;
+constexpr std::uint32_t queue_size = 0;  // any number: the client loses nothing
 }
 
 ContactClient::ContactClient(const std::string& inputs, const std::string& node) : nh_(inputs)

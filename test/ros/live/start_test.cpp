@@ -55,6 +55,7 @@ TEST(NodeStart, MistakesInParametersEndTheProcessWithTheNameInTheOutput)
   expectStopped(startNode("_track/gage:=1.435"), "/node_2/track/gage is unknown");
   expectStopped(startNode("_material/wheel/young:=-210e9"), "/node_3/material/wheel/young");
   expectStopped(startNode("_wheel/profile:=no_such_file.prw"), "no_such_file.prw");
+  expectStopped(startNode("_contact/tolerance:=nan"), "/node_5/contact/tolerance");
 }
 
 TEST(NodeStart, MissingProfileEndsTheProcess)

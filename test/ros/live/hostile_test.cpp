@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// contact_node under hostile input. After each of them every pair has an answer or is counted as dropped.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "contact_client.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+using Pose = geometry_msgs::PoseStamped;
+using Load = geometry_msgs::WrenchStamped;
+
+const std::string node = "/hostile/contact_node";
+
+std::uint64_t number(const Report& report, const std::string& key)
+{
+  const auto value = report.values.find(key);
+  return value == report.values.end() ? 0 : std::stoull(value->second);
+}
+
+std::uint64_t sumOf(const Report& report, const std::string& beginning)
+{
+  std::uint64_t sum = 0;
+  for (const auto& [key, value] : report.values)
+  {
+    sum += key.rfind(beginning, 0) == 0 ? std::stoull(value) : 0;
+  }
+  return sum;
+}
+
+/// A client that knows what the node had counted before.
+class Hostile : public testing::Test
+{
+ protected:
+  void SetUp() override
+  {
+    // The last reports of a test before: the next one begins with silence, which is told and harms nothing.
+    for (int i = 0; i < 3 && before_.message != "no input"; ++i)
+    {
+      before_ = nextReport(node);
+    }
+    EXPECT_EQ(before_.message, "no input");
+    EXPECT_EQ(before_.level, diagnostic_msgs::DiagnosticStatus::OK);
+  }
+
+  void sendPair(double y, const ros::Time& stamp)
+  {
+    client_.send(ContactClient::pose(y, stamp));
+    client_.send(ContactClient::load(-200e3, stamp));
+    sent_ += 2;
+  }
+
+  std::uint64_t change(const std::string& key) const { return number(after_, key) - number(before_, key); }
+
+  /// Waits until the node has dealt with all that was sent, and compares its books with it.
+  void expectAccount()
+  {
+    for (int i = 0; i < 20 && !settled(); ++i)
+    {
+      after_ = nextReport(node);
+    }
+    EXPECT_EQ(change("messages received"), sent_);
+    EXPECT_EQ(change("internal errors"), 0U);
+    EXPECT_TRUE(settled()) << change("answers") << " answers, " << change("inputs dropped: overload")
+                           << " inputs dropped, " << droppedMessages() << " messages dropped, " << waiting()
+                           << " waiting, of " << sent_;
+    spinUntil([&] { return client_.answers().size() >= change("answers"); });
+    EXPECT_EQ(client_.answers().size(), change("answers"));
+  }
+
+  std::uint64_t droppedMessages() const
+  {
+    return sumOf(after_, "messages dropped: ") - sumOf(before_, "messages dropped: ");
+  }
+  std::uint64_t waiting() const
+  {
+    return number(after_, "messages waiting for a partner") - number(before_, "messages waiting for a partner");
+  }
+  bool settled() const
+  {
+    return 2 * (change("answers") + change("inputs dropped: overload")) + droppedMessages() + waiting() == sent_;
+  }
+
+  ContactClient client_{"/hostile", node};
+  Report before_, after_;
+  std::uint64_t sent_ = 0;  ///< messages
+};
+
+/// True if no number of an answer is nonsense.
+bool isFinite(const WheelsetContactMsg& answer)
+{
+  const auto& p = answer.wheelset.position;
+  const auto& o = answer.wheelset.orientation;
+  bool finite = std::isfinite(p.x + p.y + p.z + o.x + o.y + o.z + o.w);
+  for (const RailDeflectionMsg& rail : {answer.left_rail, answer.right_rail})
+  {
+    finite = finite && std::isfinite(rail.lateral + rail.vertical + rail.roll + rail.lateral_force +
+                                     rail.vertical_force + rail.moment);
+  }
+  for (const ContactPatch& patch : answer.patches)
+  {
+    finite = finite && std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force);
+  }
+  return finite;
+}
+}  // namespace
+
+TEST_F(Hostile, EveryNumberOfAPairMayBeNonsense)
+{
+  constexpr std::size_t fields = 13;
+  constexpr double largest = std::numeric_limits<double>::max();
+  const std::vector<double> nonsense{std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::infinity(),
+                                     -std::numeric_limits<double>::infinity(),
+                                     largest,
+                                     -largest,
+                                     std::numeric_limits<double>::denorm_min(),
+                                     0.0};
+  for (std::size_t field = 0; field < fields; ++field)
+  {
+    for (const double value : nonsense)
+    {
+      const ros::Time stamp = ContactClient::nextStamp();
+      Pose pose = ContactClient::pose(0, stamp);
+      Load load = ContactClient::load(-200e3, stamp);
+      auto& p = pose.pose.position;
+      auto& o = pose.pose.orientation;
+      auto& f = load.wrench.force;
+      auto& t = load.wrench.torque;
+      *std::array<double*, fields>{
+          &p.x, &p.y, &p.z, &o.x, &o.y, &o.z, &o.w, &f.x, &f.y, &f.z, &t.x, &t.y, &t.z}[field] = value;
+      const auto answer = client_.ask(pose, load);
+      sent_ += 2;
+      ASSERT_TRUE(answer) << "field " << field << " = " << value;
+      EXPECT_TRUE(isFinite(*answer)) << "field " << field << " = " << value << "\n" << answer->status_text;
+      EXPECT_TRUE(std::isfinite(value) || answer->status == WheelsetContactMsg::INVALID_INPUT)
+          << "field " << field << " = " << value;
+    }
+  }
+  expectAccount();
+}
+
+TEST_F(Hostile, NamesOfFramesMayBeHugeEmptyOrBinary)
+{
+  using namespace std::string_literals;
+  for (const std::string& name :
+       {std::string(1 << 20, 'x'), std::string(1 << 20, '\0'), ""s, "/"s, "\xff\xfe\n\0 %s%n"s, "track\0"s, " track"s})
+  {
+    for (const bool of_load : {false, true})
+    {
+      const ros::Time stamp = ContactClient::nextStamp();
+      Pose pose = ContactClient::pose(0, stamp);
+      Load load = ContactClient::load(-200e3, stamp);
+      (of_load ? load.header : pose.header).frame_id = name;
+      const auto answer = client_.ask(pose, load);
+      sent_ += 2;
+      ASSERT_TRUE(answer) << name.substr(0, 20);
+      EXPECT_LT(answer->status_text.size(), 1000U);
+      EXPECT_EQ(answer->status == WheelsetContactMsg::OK, of_load && name.empty()) << name.substr(0, 20);
+    }
+  }
+  expectAccount();
+}
+
+TEST_F(Hostile, StampsMayBeZeroAndGoBackwards)
+{
+  for (const double stamp : {5000.0, 0.0, 10.003, 10.002, 10.001, 1e-9, 4e9})
+  {
+    const ros::Time time(stamp);
+    const auto answer = client_.ask(ContactClient::pose(0, time), ContactClient::load(-200e3, time));
+    sent_ += 2;
+    ASSERT_TRUE(answer) << stamp;
+    EXPECT_EQ(answer->header.stamp, time);
+    EXPECT_EQ(answer->status, WheelsetContactMsg::OK) << answer->status_text;
+  }
+  sendPair(0, ros::Time(4e9));  // again
+  expectAccount();
+  EXPECT_EQ(change("messages dropped: stamp given twice"), 2U);
+  // Poses may overtake loads on their way, so that not every pair of these finds together.
+  for (int i = 50; i >= 0; --i)
+  {
+    sendPair(0, ros::Time(0.001 * i));
+  }
+  expectAccount();
+}
+
+TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
+{
+  const std::uint64_t more = 30;
+  for (std::uint64_t i = 0; i < 1000 + more; ++i)  // InputPairing::capacity
+  {
+    client_.send(ContactClient::pose(0, ContactClient::nextStamp()));
+    ++sent_;
+    spinUntil([] { return true; });
+  }
+  expectAccount();
+  EXPECT_EQ(change("messages dropped: waited too long for a partner"), more);
+  EXPECT_EQ(change("answers"), 0U);
+  EXPECT_EQ(after_.level, diagnostic_msgs::DiagnosticStatus::WARN) << after_.message;
+  // Those that wait are of no use to a later pair.
+  sendPair(0, ContactClient::nextStamp());
+  expectAccount();
+  EXPECT_EQ(change("answers"), 1U);
+  EXPECT_EQ(number(after_, "messages waiting for a partner"), 0U);
+}
+
+TEST_F(Hostile, FloodIsAnsweredFromItsNewestPairsAndTheRestIsCounted)
+{
+  constexpr int pairs = 6000;
+  ros::Time last;
+  for (int i = 0; i < pairs; ++i)
+  {
+    last = ContactClient::nextStamp();
+    sendPair(1e-6 * i, last);
+  }
+  expectAccount();
+  EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
+  ASSERT_FALSE(client_.answers().empty());
+  EXPECT_EQ(client_.answers().back().header.stamp, last) << "the newest pair is answered";
+  EXPECT_TRUE(client_.ask(0.001)) << "the node goes on";
+}

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_node outlives its master, and ends when it is told to, also in the middle of an evaluation."""
+
+import os
+import signal
+import socket
+import subprocess
+import time
+import unittest
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import PoseStamped, WrenchStamped
+from wheel_rail_contact.msg import WheelsetContact
+
+NODE = os.environ["CONTACT_NODE"]
+PATIENCE = 60   # [s] for what must happen
+EXIT_TIME = 10  # [s] for a node to end; it takes less than 1 s, the evaluation that is going on minutes
+PROFILES = ["_wheel/profile:=S1002", "_rail/profile:=60E1"]
+# The slowest method on its largest grid.
+SLOW = ["_contact/method:=seidel", "_contact/grid/along:=256", "_contact/grid/across:=256"]
+
+
+def wait_for(condition):
+    end = time.monotonic() + PATIENCE
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.02)
+    return condition()
+
+
+def is_listened_to(address):
+    with socket.socket() as probe:
+        return probe.connect_ex(address) == 0
+
+
+def free_address():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()
+
+
+class Node:
+    """A contact node in a namespace of its own, and its client."""
+
+    def __init__(self, name, parameters):
+        self.answers = []
+        self.report = {}
+        self.poses = rospy.Publisher(f"/{name}/wheelset/pose", PoseStamped, queue_size=10)
+        self.loads = rospy.Publisher(f"/{name}/wheelset/load", WrenchStamped, queue_size=10)
+        self.listeners = [rospy.Subscriber(f"/{name}/contact_node/contact", WheelsetContact, self.answers.append),
+                          rospy.Subscriber("/diagnostics", DiagnosticArray, self.take_report)]
+        self.topic = f"{name}/contact_node"
+        self.process = subprocess.Popen([NODE, f"__ns:=/{name}", *PROFILES, *parameters], stdout=subprocess.DEVNULL)
+
+    def take_report(self, message):
+        for status in message.status:
+            if status.name.startswith(self.topic):
+                self.report = {value.key: value.value for value in status.values}
+
+    def is_connected(self):
+        return all(end.get_num_connections() > 0 for end in (self.poses, self.loads, *self.listeners))
+
+    def send(self, seconds):
+        pose, load = PoseStamped(), WrenchStamped()
+        pose.header.stamp = load.header.stamp = rospy.Time(seconds)
+        pose.header.frame_id = "track"
+        pose.pose.orientation.w = 1
+        load.wrench.force.z = -200e3
+        self.poses.publish(pose)
+        self.loads.publish(load)
+
+    def end(self, signal_number):
+        """@return exit status"""
+        self.process.send_signal(signal_number)
+        return self.process.wait(EXIT_TIME)
+
+
+class Endings(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.address = free_address()
+        os.environ["ROS_MASTER_URI"] = f"http://127.0.0.1:{cls.address[1]}"
+        cls.start_master()
+        rospy.init_node("endings", disable_signals=True, disable_rosout=True)
+
+    @classmethod
+    def start_master(cls):
+        cls.master = subprocess.Popen(["rosmaster", "--core", "-p", str(cls.address[1])], stdout=subprocess.DEVNULL,
+                                      stderr=subprocess.DEVNULL)
+        assert wait_for(lambda: is_listened_to(cls.address)), "the master does not start"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.master.kill()
+        cls.master.wait()
+
+    def start_node(self, name, *parameters):
+        node = Node(name, parameters)
+        self.addCleanup(node.process.wait)
+        self.addCleanup(node.process.kill)
+        self.assertTrue(wait_for(node.is_connected), "the node does not come up")
+        time.sleep(0.2)  # the node learns of its listener a moment later
+        return node
+
+    # unittest goes by the alphabet: the master is killed last, for rospy registers its old topics with no other.
+
+    def test_ends_at_signals_in_the_middle_of_an_evaluation(self):
+        for signal_number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=signal_number):
+                node = self.start_node(f"busy_{signal_number}", *SLOW)
+                node.send(1)
+                self.assertTrue(wait_for(lambda: node.report.get("messages received") == "2"), node.report)
+                self.assertEqual(node.report["messages waiting for a partner"], "0")
+                self.assertEqual(node.end(signal_number), 0)
+                self.assertEqual(node.answers, [], "the evaluation had ended")
+
+    def test_outlives_its_master(self):
+        node = self.start_node("alone")
+        node.send(1)
+        self.assertTrue(wait_for(lambda: len(node.answers) == 1))
+        self.master.kill()
+        self.master.wait()
+        node.send(2)
+        self.assertTrue(wait_for(lambda: len(node.answers) == 2), "no answer without a master")
+        self.start_master()
+        node.send(3)
+        self.assertTrue(wait_for(lambda: len(node.answers) == 3), "no answer beside another master")
+        self.assertEqual([answer.status for answer in node.answers], [WheelsetContact.OK] * 3)
+        self.assertEqual(node.end(signal.SIGTERM), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
