@@ -40,9 +40,15 @@ bool widenOverMissedPressure(const SolvedPatch& solved, const PlacedRail& rail, 
   const Grid& grid = solved.grid;
   const double clearance = missed_clearance * grid.ny * grid.dy;
   const double closing = (1 - missed_share) * solved.descent;
+  const double u_first = patch.columns.front().rail_u;
+  const double u_last = patch.columns.back().rail_u;
   bool missed = false;
   for (const Station& station : stations)
   {
+    if (station.rail_u >= u_first && station.rail_u <= u_last)
+    {
+      continue;  // within the grid
+    }
     const PlanePoint point = rail.at(station.rail_u);
     const double t = placeOnPlane(patch.plane, point);
     const double local = std::atan2(point.dz, point.dy);

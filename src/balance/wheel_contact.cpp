@@ -48,11 +48,30 @@ WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solve
 {
 }
 
-void WheelContact::begin()
+void WheelContact::begin(double moved)
 {
+  trend_.begin(moved);
+  expected_ = trend_.descent();
   for (PatchMemory& memory : memory_)
   {
     memory.turned = 0;
+  }
+  if (memory_.size() == 1)
+  {
+    memory_.front().turn += trend_.turn();
+  }
+}
+
+void WheelContact::finish()
+{
+  learn();
+  if (memory_.size() == 1 && load_ > 0)
+  {
+    trend_.finish(solution_.approach / std::cbrt(load_ * load_), memory_.front().turn);
+  }
+  else
+  {
+    trend_.reset();
   }
 }
 
@@ -63,6 +82,8 @@ void WheelContact::reset()
   solution_ = NormalSolution();
   forces_ = WheelForces();
   load_ = 0;
+  trend_.reset();
+  expected_ = 1;
 }
 
 RigidTouch WheelContact::touch(const WheelsetPose& pose)
@@ -85,7 +106,7 @@ double WheelContact::estimateDescent(const RigidTouch& touch, double load) const
 {
   if (load_ > 0)
   {
-    return solution_.approach * std::cbrt((load / load_) * (load / load_));
+    return expected_ * solution_.approach * std::cbrt((load / load_) * (load / load_));
   }
   const double cosine = 1 / std::hypot(1, touch.contact.slope);
   const double along = 0.5 * cosine / wheelRadius(config_, touch.contact);
@@ -105,6 +126,7 @@ WheelStatus WheelContact::solveLoad(const RigidTouch& touch, double load, const 
   problem_.control = NormalProblem::Control::load;
   problem_.value = load;
   solution_.approach = estimateDescent(touch, load);
+  expected_ = 1;
   const WheelStatus status = solve(touch, size);
   load_ = status == WheelStatus::solved ? load : 0;
   return status;

@@ -18,7 +18,7 @@ constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;        ///< [rad]
 constexpr double roll_step_limit = 5e-3;  ///< [rad]
 /// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m].
-constexpr double height_per_tolerance = 1e-6;
+constexpr double height_per_tolerance = 1e-5;
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
 // A pass is far from the balance while a plane, a descent or the roll is off by more than this.
@@ -236,13 +236,10 @@ bool WheelsetBalance::touchFirst()
   return touch_[0].found && touch_[1].found;
 }
 
-/// Rolls the wheelset as its last contacts ask for after it has moved sideways [m], if rigid touch does not tell.
+/// Rolls the wheelset as its last contacts ask for after it has moved sideways [m]. Where the load is carried elsewhere
+/// than at the first touch, rigid touch does not tell better, and the roll goes on from there.
 void WheelsetBalance::foresee(double moved)
 {
-  if (!warm_)
-  {
-    return;
-  }
   double rise = 0;
   bool leans = false;
   for (const Side side : sides)
@@ -250,10 +247,10 @@ void WheelsetBalance::foresee(double moved)
     rise += loaded_[index(side)] ? wheel_[index(side)].rise() : touch_[index(side)].contact.slope;
     leans = leans || (loaded_[index(side)] && wheel_[index(side)].leans());
   }
+  const double levers = std::max(leverSum(), RollSecant::least_fall);
+  roll_ += std::clamp(rise * moved / levers, -roll_step_limit, roll_step_limit);
   if (leans)
   {
-    const double levers = std::max(leverSum(), RollSecant::least_fall);
-    roll_ += std::clamp(rise * moved / levers, -roll_step_limit, roll_step_limit);
     secant_.start(roll_, levers);
   }
 }
@@ -267,7 +264,7 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   load_ = {-0.5 * state.force_z - transfer, -0.5 * state.force_z + transfer};
   for (const Side side : sides)
   {
-    wheel_[index(side)].begin();
+    wheel_[index(side)].begin(moved);
     load_[index(side)] = finds_loads_ ? expectedLoad(side) : load_[index(side)];
     load_search_[index(side)].begin(load_[index(side)]);
     rail_[index(side)].begin(!warm_, load_[index(side)], state.rail_offset[index(side)]);
@@ -278,11 +275,14 @@ bool WheelsetBalance::begin(const WheelsetState& state)
     roll_ = state.roll;
     return true;
   }
-  if (!warm_ && !touchFirst())
+  if (warm_)
+  {
+    foresee(moved);
+  }
+  else if (!touchFirst())
   {
     return false;
   }
-  foresee(moved);
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
@@ -389,7 +389,7 @@ void WheelsetBalance::finish(double roll_change)
   reason_ = {};
   for (const Side side : sides)
   {
-    wheel_[index(side)].learn();
+    wheel_[index(side)].finish();
     rail_[index(side)].finish(loaded_[index(side)]);
     choice_[index(side)].descend(error_[index(side)]);
   }

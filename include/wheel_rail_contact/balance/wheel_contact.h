@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "wheel_rail_contact/balance/answer_trend.h"
 #include "wheel_rail_contact/balance/patch_memory.h"
 #include "wheel_rail_contact/balance/rail_support.h"
 #include "wheel_rail_contact/config.h"
@@ -77,8 +78,11 @@ class WheelContact
   /// The same with the axle `descent` below the first touch [m].
   WheelStatus solveDescent(const RigidTouch& touch, double descent, const GridSize& size);
 
-  /// Sets out for another state.
-  void begin();
+  /// Sets out for another state, whose wheelset stands `moved` farther to the side than in the last answer [m]. After a
+  /// step like the one before, contacts are expected to change as in that one.
+  void begin(double moved);
+  /// Takes the last solution for the answer to the state.
+  void finish();
 
   /// Takes the last solution over into memory: the next call lays its planes and boxes after it.
   void learn();
@@ -174,6 +178,8 @@ class WheelContact
   double box_fill_ = 1;
   bool box_cut_ = false;
   bool widened_ = false;
+  AnswerTrend trend_;
+  double expected_ = 1;   ///< descent of the state set out for, over the last answer's [-]
   WheelsetPose learned_;  ///< pose of the wheel that memory is of
   bool held_ = false;     ///< the wheel is at that pose, but for its height
   double load_ = 0;       ///< of the last usable solution [N]; 0: none
