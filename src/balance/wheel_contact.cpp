@@ -328,12 +328,12 @@ double WheelContact::patchApproach(std::size_t patch) const
   return (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
 }
 
-double WheelContact::errorEstimate() const
+ErrorEstimate WheelContact::errorEstimate() const
 {
-  double error = 0;
+  ErrorEstimate error;
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    error = std::max(error, solver_.estimateError(problem_, solution_, k).largest());
+    error = largestOf(error, solver_.estimateError(problem_, solution_, k));
   }
   return error;
 }

@@ -206,7 +206,7 @@ bool WheelsetBalance::fineEnough()
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    error_[k] = loaded_[k] ? wheel_[k].errorEstimate() : 0;
+    error_[k] = loaded_[k] ? wheel_[k].errorEstimate() : ErrorEstimate();
     enough = !choice_[k].climb(error_[k]) && enough;
   }
   return enough;
@@ -217,7 +217,7 @@ void WheelsetBalance::chooseGrids()
 {
   for (const Side side : sides)
   {
-    choice_[index(side)].start(loaded_[index(side)] ? wheel_[index(side)].errorEstimate() : 0);
+    choice_[index(side)].start(loaded_[index(side)] ? wheel_[index(side)].errorEstimate() : ErrorEstimate());
   }
 }
 

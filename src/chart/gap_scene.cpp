@@ -92,7 +92,7 @@ class GapContender : public Contender
   Outcome outcome() const override
   {
     Outcome outcome = gapOutcome(scene_, *problem_, solution_);
-    outcome.estimate = estimate_;
+    outcome.estimate = estimate_.largest();
     return outcome;
   }
 
@@ -126,10 +126,10 @@ class GapContender : public Contender
       solver.solve(*problem_, false, solution_);
     }
     warm_ = isUsable(solution_.status);
-    estimate_ = 0;
+    estimate_ = {};
     for (std::size_t k = 0; warm_ && k < problem_->patches.size(); ++k)
     {
-      estimate_ = std::max(estimate_, solver.estimateError(*problem_, solution_, k).largest());
+      estimate_ = largestOf(estimate_, solver.estimateError(*problem_, solution_, k));
     }
   }
 
@@ -140,7 +140,7 @@ class GapContender : public Contender
   std::vector<Prepared> prepared_;
   const NormalProblem* problem_ = nullptr;
   NormalSolution solution_;
-  double estimate_ = 0;
+  ErrorEstimate estimate_;
   bool warm_ = false;
 };
 }  // namespace

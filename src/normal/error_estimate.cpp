@@ -12,6 +12,9 @@ namespace
 {
 using Eigen::Index;
 
+/// Factor of the area's error where the pressure reaches the outermost rows: the grid then does not show where it ends.
+constexpr double unseen_edge = 4.0 / 3;
+
 /// A line of cells through the crest; cells beyond the grid carry nothing, those beyond x = 0 of a symmetric grid are
 /// the mirror image.
 class CrestLine
@@ -180,6 +183,12 @@ double ErrorEstimate::largest() const
   return std::max({max_pressure, area, approach});
 }
 
+ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other)
+{
+  return {std::max(one.max_pressure, other.max_pressure), std::max(one.area, other.area),
+          std::max(one.approach, other.approach)};
+}
+
 ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double modulus, double residual)
 {
   const Grid& grid = gap.grid;
@@ -208,6 +217,11 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
                 few_along,
                 residual};
   terms.approach = {few_along, variation, residual};
+  if (loaded.along >= grid.nx)
+  {
+    std::transform(terms.area.begin(), terms.area.end(), terms.area.begin(),
+                   [](double term) { return unseen_edge * term; });
+  }
   return terms;
 }
 

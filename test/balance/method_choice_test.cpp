@@ -40,7 +40,8 @@ double trueError(const WheelsetBalance& found, const WheelsetBalance& truth)
 
 double estimate(const WheelsetBalance& found)
 {
-  return std::max(found.wheel(Side::left).errorEstimate(), found.wheel(Side::right).errorEstimate());
+  return std::max(found.wheel(Side::left).errorEstimate().largest(),
+                  found.wheel(Side::right).errorEstimate().largest());
 }
 
 /// How often answers keep what they promise.

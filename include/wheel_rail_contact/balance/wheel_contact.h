@@ -113,8 +113,8 @@ class WheelContact
   double patchApproach(std::size_t patch) const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;
-  /// Estimated relative error of the last solution: the largest of its patches' [-].
-  double errorEstimate() const;
+  /// Estimated errors of the last solution: the largest of its patches'.
+  ErrorEstimate errorEstimate() const;
   /// Estimated relative error of a patch in the last solution by what its layout leaves open [-].
   ///
   /// A gap is built for the descent known beforehand. If the one found differs by D, the wheel slides by D sin(angle)

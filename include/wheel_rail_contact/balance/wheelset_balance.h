@@ -82,7 +82,7 @@ class WheelsetBalance
   std::array<double, 2> descent_{};  ///< known so far [m]
   std::array<RigidTouch, 2> touch_;
   std::array<RungChoice, 2> choice_;
-  std::array<double, 2> error_{};                       ///< estimated, relative [-]
+  std::array<ErrorEstimate, 2> error_;
   SolveStatus normal_status_ = SolveStatus::converged;  ///< of the last solution that failed
   RollSecant secant_;
   bool finds_loads_;  ///< under which the wheels lie at the height and roll given

@@ -19,6 +19,9 @@ struct ErrorEstimate
   double largest() const;
 };
 
+/// The larger of each quantity's errors.
+ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other);
+
 /// What a solution on a grid shows of its own mesh error: the estimates are sums of these, each times its weight.
 ///
 /// Along the lines of cells through the highest cell, let q be the squared pressure over its maximum (a parabola in a
@@ -31,7 +34,8 @@ struct ErrorTerms
   /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded)
   /// over the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over
   /// the maximum, per cell of the area · variation of k over its mean and (cells across)² · 1 / (cells along)² ·
-  /// residual.
+  /// residual. All of them a third larger where the pressure reaches the grid's first and last row, which then do not
+  /// show where it ends: 12 % of the answers on 8 × 16 cells were off by more than their estimate without that.
   std::array<double, 7> area{};
   /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
   std::array<double, 3> approach{};
