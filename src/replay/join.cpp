@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/replay/join.h"
 
-#include <algorithm>
+#include <limits>
 #include <map>
-#include <memory>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "wheel_rail_contact/bag/bag_stream.h"
 #include "wheel_rail_contact/bag/bag_writer.h"
 #include "wheel_rail_contact/replay/replay_options.h"
+#include "wheel_rail_contact/replay/replay_source.h"
 
 namespace wheel_rail_contact
 {
@@ -34,57 +36,134 @@ Description descriptionOf(const BagConnection& connection)
   return description;
 }
 
-bool isAnswers(const BagConnection& connection)
+/// Topics of the answers, by the numbers of their connections, of a replay with this description.
+std::vector<std::string> topicsOf(const std::string& description)
 {
-  return connection.header.has(description_field);
+  std::vector<std::string> topics;
+  for (const std::string& wheelset : describedWheelsets(description))
+  {
+    topics.push_back(answerTopic(wheelset));
+  }
+  return topics;
 }
 
-/// Connections of answers by their numbers, which are those of the wheelsets.
+/// By their numbers.
 using Connections = std::map<std::uint32_t, BagConnection>;
 
-Connections answersOf(const std::vector<std::string>& parts)
+/// Topics of the parts' own answers. A bag whose topics were kept may hold answers of an earlier replay too; their
+/// connections are numbered after those of the wheelsets, so that the lowest number is the parts' own.
+std::vector<std::string> topicsOf(const std::vector<Connections>& parts)
 {
-  Connections answers;
-  std::string whole;
-  std::uint64_t end = 0;
-  for (const std::string& part : parts)
+  std::vector<std::string> topics;
+  std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
+  for (const Connections& connections : parts)
   {
-    const BagContents contents = readContents(BagFile(part), [](const std::string&) { return true; });
-    std::uint64_t own_end = end;
-    for (auto [number, connection] : contents.connections)
+    for (const auto& [number, connection] : connections)
     {
-      if (isAnswers(connection))
+      if (number < lowest && connection.header.has(description_field))
       {
-        const Description description = descriptionOf(connection);
-        if ((!whole.empty() && description.whole != whole) || description.span.from < end)
+        const std::vector<std::string> described = topicsOf(connection.header.text(description_field));
+        if (number < described.size() && described[number] == connection.topic)
         {
-          throw BagError(part + ": is not a later part of the same replay as those before it");
+          lowest = number;
+          topics = described;
         }
-        whole = description.whole;
-        own_end = description.span.to;
-        connection.header.set(description_field, whole);
-        answers.emplace(number, std::move(connection));
       }
     }
-    end = own_end;
   }
-  return answers;
+  return topics;
 }
+
+/// Collects the parts' answers and checks that the parts follow one another.
+class Answers
+{
+ public:
+  explicit Answers(const std::vector<std::string>& parts)
+  {
+    if (parts.empty())
+    {
+      throw std::invalid_argument("parts: must be one or more");
+    }
+    std::vector<Connections> connections;
+    connections.reserve(parts.size());
+    for (const std::string& part : parts)
+    {
+      connections.push_back(readContents(BagFile(part), [](const std::string&) { return true; }).connections);
+    }
+    topics_ = topicsOf(connections);
+    connections_.resize(topics_.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      take(parts[i], connections[i]);
+    }
+    requireNoGap(parts.back(), std::numeric_limits<std::uint64_t>::max());
+  }
+
+  /// By wheelset; empty for one without answers.
+  const std::vector<BagConnection>& connections() const { return connections_; }
+
+ private:
+  void take(const std::string& part, const Connections& connections)
+  {
+    const auto own_end = connections.lower_bound(static_cast<std::uint32_t>(topics_.size()));
+    BagSpan span;
+    for (auto own = connections.begin(); own != own_end; ++own)
+    {
+      span = take(part, own->first, own->second);
+    }
+    if (own_end == connections.begin())
+    {
+      is_end_known_ = false;
+      return;
+    }
+    requireNoGap(part, span.from);
+    end_ = span.to;
+    is_end_known_ = true;
+  }
+
+  BagSpan take(const std::string& part, std::uint32_t number, BagConnection connection)
+  {
+    const bool is_own = connection.topic == topics_[number] && connection.header.has(description_field);
+    const Description description = is_own ? descriptionOf(connection) : Description{};
+    if (!is_own || (!whole_.empty() && description.whole != whole_) || description.span.from < end_)
+    {
+      throw BagError(part + ": is not a later part of the same replay as those before it");
+    }
+    whole_ = description.whole;
+    connection.header.set(description_field, whole_);
+    connections_[number] = std::move(connection);
+    return description.span;
+  }
+
+  /// A part without answers does not tell its stretch: after it, how much is missing is not known.
+  void requireNoGap(const std::string& part, std::uint64_t next) const
+  {
+    if (is_end_known_ && end_ < next)
+    {
+      throw BagError(part + ": a part is missing that begins at " + std::to_string(end_) + " ns" +
+                     (next < std::numeric_limits<std::uint64_t>::max()
+                          ? ", before this one at " + std::to_string(next) + " ns"
+                          : ", after this one"));
+    }
+  }
+
+  std::vector<std::string> topics_;  ///< by wheelset
+  std::vector<BagConnection> connections_;
+  std::string whole_;         ///< description
+  std::uint64_t end_ = 0;     ///< of the last part with answers [ns]
+  bool is_end_known_ = true;  ///< no part without answers came after it
+};
 
 /// Writes one part after the other.
 class Joiner
 {
  public:
-  Joiner(const Connections& answers, const std::string& output, const std::string& compression)
-      : writer_(output, compression)
+  Joiner(const std::vector<BagConnection>& answers, const std::string& output, const std::string& compression)
+      : writer_(output, compression), sequence_(answers.size(), 0)
   {
-    for (const auto& [number, connection] : answers)
+    for (const BagConnection& connection : answers)
     {
-      while (wheelsets_ < number)  // has no answer, but its number
-      {
-        addWheelset({});
-      }
-      addWheelset(connection);
+      writer_.addConnection(connection);
     }
   }
 
@@ -109,17 +188,10 @@ class Joiner
   }
 
  private:
-  void addWheelset(const BagConnection& connection)
-  {
-    writer_.addConnection(connection);
-    sequence_.push_back(0);
-    ++wheelsets_;
-  }
-
   void write(const BagMessage& message)
   {
     ++messages_;
-    if (!isAnswers(*message.connection))
+    if (message.connection_id >= sequence_.size())
     {
       writer_.write(numberOf(message), message.time, message.data);
       return;
@@ -143,7 +215,6 @@ class Joiner
   }
 
   BagWriter writer_;
-  std::uint32_t wheelsets_ = 0;
   std::vector<std::uint32_t> sequence_;             ///< of the next answer, by wheelset
   std::map<std::uint32_t, std::uint32_t> kept_;     ///< numbers in the output by those in the part
   std::map<std::string, std::uint32_t> by_header_;  ///< numbers in the output of connections that were kept
@@ -154,7 +225,7 @@ class Joiner
 std::uint64_t joinParts(const std::vector<std::string>& parts, const std::string& output,
                         const std::string& compression)
 {
-  Joiner joiner(answersOf(parts), output, compression);
+  Joiner joiner(Answers(parts).connections(), output, compression);
   for (const std::string& part : parts)
   {
     joiner.add(part);

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "wheel_rail_contact/ros/file_names.h"
@@ -13,6 +14,9 @@ namespace wheel_rail_contact
 {
 namespace
 {
+/// How the lines of a description that name a wheelset begin and end.
+constexpr std::string_view wheelset_line = "wheelset: ", wheelset_inputs = "/wheelset";
+
 bool isOption(const std::string& argument)
 {
   return argument.size() > 1 && argument[0] == '-';
@@ -248,7 +252,7 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
        << options.compression << "\n";
   for (const std::string& name : options.wheelsets)
   {
-    text << "wheelset: " << name << "/wheelset\n";
+    text << wheelset_line << name << wheelset_inputs << "\n";
   }
   for (const auto& [name, value] : parameters)
   {
@@ -259,5 +263,20 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
     text << part_line << options.span.from << " ns to " << options.span.to << " ns\n";
   }
   return text.str();
+}
+
+std::vector<std::string> describedWheelsets(const std::string& description)
+{
+  std::vector<std::string> names;
+  std::istringstream lines(description);
+  std::string line;
+  std::getline(lines, line);  // of the input
+  std::getline(lines, line);  // of the options
+  while (std::getline(lines, line) && line.rfind(wheelset_line, 0) == 0)
+  {
+    const std::size_t both = wheelset_line.size() + wheelset_inputs.size();
+    names.push_back(line.substr(wheelset_line.size(), line.size() - both));
+  }
+  return names;
 }
 }  // namespace wheel_rail_contact

@@ -107,10 +107,26 @@ class Parts(ReplayCase):
         whole, _ = self.assert_parts_are_the_whole("--config", self.folder / "slop.yaml", cuts=(7.513,))
         self.assertEqual({a.status for a in self.answers(whole)}, {WheelsetContact.OK})
 
+    def test_answers_of_an_earlier_replay_are_kept_as_they_are(self):
+        wheelsets = "first", "second", "third"
+        self.write(seconds=2, inputs=[f"/{wheelset}/wheelset" for wheelset in wheelsets])
+        self.bag, _ = self.replay(self.bag, "before.bag", *self.options, "--wheelset", *wheelsets[:2], "--keep-topics")
+        whole, _ = self.assert_parts_are_the_whole("--wheelset", "third", "--keep-topics", cuts=(0.005, 0.013, 0.7))
+        for wheelset in wheelsets:
+            self.assertEqual(len(self.answers(whole, f"/{wheelset}/contact_node/contact")), 40)
+
+    def test_wheelset_without_answers_keeps_its_number(self):
+        self.write(seconds=1, inputs=("/a/wheelset",), **{"b/wheelset/pose": [(0, pose(0))],
+                                                          "b/wheelset/load": [(0, load(500))]})
+        whole, _ = self.assert_parts_are_the_whole("--wheelset", "a", "b", "--keep-topics", cuts=(0.5,))
+        self.assertEqual(len(self.answers(whole, "/a/contact_node/contact")), 20)
+
     def test_part_without_answers_is_empty(self):
         self.write(seconds=1)
+        whole, _ = self.replay(self.bag, "whole.bag", *self.options)
         parts = self.parts(cuts=(5, 9))
         self.assertEqual([len(self.answers(part)) for part in parts], [20, 0, 0])
+        self.assert_same_file(whole, self.join(parts)[0])
 
     def test_part_is_resumed_as_the_same_part_only(self):
         self.write(seconds=1)
@@ -121,12 +137,21 @@ class Parts(ReplayCase):
     def test_parts_that_do_not_follow_one_another_are_not_joined(self):
         self.write(seconds=2)
         parts = self.parts(cuts=(0.7,))
-        for wrong in (parts[::-1], [parts[0], parts[0]]):
-            _, printed = self.join(wrong, status=1)
-            self.assertIn("is not a later part of the same replay", printed)
+        _, printed = self.join([parts[0], parts[0]], status=1)
+        self.assertIn("is not a later part of the same replay", printed)
         parts[1].write_bytes(parts[1].read_bytes()[:-100])
         _, printed = self.join(parts, status=1)
         self.assertIn("part_1.bag", printed)
+
+    def test_missing_parts_are_told(self):
+        self.write(seconds=2)
+        parts = self.parts(cuts=(0.7, 1.3))
+        first, second = (f"{START + round(1e9 * cut)} ns" for cut in (0.7, 1.3))
+        for wrong, reason in ((parts[1:], f"part_1.bag: a part is missing that begins at 0 ns, before this one at {first}"),
+                              (parts[::2], f"part_2.bag: a part is missing that begins at {first}, before this one at {second}"),
+                              (parts[:2], f"part_1.bag: a part is missing that begins at {second}, after this one")):
+            _, printed = self.join(wrong, status=1)
+            self.assertIn(reason, printed)
 
     def test_times_are_checked(self):
         self.write(seconds=1)

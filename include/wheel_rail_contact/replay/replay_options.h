@@ -45,4 +45,7 @@ constexpr const char* part_line = "part: ";
 /// What an output goes on with must be the same as in its first run, as text: size of the input, options, parameters.
 /// Files that parameters name (profiles, tables) count by their names only.
 std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size);
+
+/// The wheelsets' namespaces of a replay, as its description names them.
+std::vector<std::string> describedWheelsets(const std::string& description);
 }  // namespace wheel_rail_contact
