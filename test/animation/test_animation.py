@@ -104,7 +104,14 @@ class Animation(unittest.TestCase):
         recorded = self.folder / "recorded.bag"
         with rosbag.Bag(str(recorded), "w") as bag:
             bag.write("/contact_node/contact", WheelsetContact(), genpy.Time(1))
-        for arguments, words in (((self.rigid, self.rigid, self.rigid), "at most two bags"),
+        lifted = self.folder / "lifted.bag"
+        with rosbag.Bag(str(lifted), "w") as bag, rosbag.Bag(str(self.rigid)) as whole:
+            for topic, message, time, header in whole.read_messages(return_connection_header=True):
+                if message._type == WheelsetContact._type:
+                    message.patches = [patch for patch in message.patches if patch.side == 1]
+                bag.write(topic, message, time, connection_header=header)  # which holds the profiles
+        for arguments, words in (((lifted,), "lifted.bag: no answer that would be shown has a contact on the left side"),
+                                 ((self.rigid, self.rigid, self.rigid), "at most two bags"),
                                  ((self.rigid, "--label", "a", "--label", "b"), "--label"),
                                  ((self.rigid, "--frames", 0), "--frames 0"), ((self.rigid, "--rate", -1), "--rate -1"),
                                  ((recorded,), "does not tell the profiles"), ((SWEEP,), "0 topics with answers")):

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_campaign: the files of contact_replay, whoever is killed on the way."""
 
+import collections
 import contextlib
+import gzip
 import hashlib
 import io
 import json
@@ -12,11 +14,15 @@ import subprocess
 import sys
 import tempfile
 import time
+import types
 import unittest
 import unittest.mock
 
 import distributed
+from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
 from wheel_rail_contact.campaign.command_line import main
+from wheel_rail_contact.campaign.folder import Folder
+from wheel_rail_contact.campaign.work import answer_slice, join_slices
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / "test" / "replay"))
@@ -181,9 +187,13 @@ class GivenCluster(Case):
     def test_a_bag_that_fails_does_not_stop_the_others(self):
         good, bad = self.make_bag(30, "good.bag"), self.folder / "bad.bag"
         bad.write_text("#ROSBAG V2.0\n")
-        printed = self.campaign(bad, good, status=1)
-        self.assertIn("1 tasks failed", printed)
-        self.assertIn("bad.bag: contact_replay:", printed)
+        packed = self.folder / "packed.bag"
+        packed.write_bytes(gzip.compress(good.read_bytes()))
+        printed = self.campaign(bad, packed, good, status=1)
+        self.assertIn("2 tasks failed", printed)
+        for name in ("bad.bag", "packed.bag"):
+            self.assertIn(f"{name}: is one slice, since its index cannot be read", printed)
+            self.assertIn(f"{name}: contact_replay:", printed)
         self.assertEqual(len(self.answers(self.out / "good.bag")), 30)
 
     def test_a_bag_without_index_is_one_slice_and_its_damage_is_told(self):
@@ -207,6 +217,40 @@ class GivenCluster(Case):
             work.join_slices(join)
         self.assertEqual(work.answer_slice(task)["sha256"], record["sha256"])
         self.assertEqual(work.join_slices(join)["sha256"], record["sha256"])
+
+
+class InOrder:
+    """Stands for Dask: one core, whose tasks come back in the order in which they were submitted, and do nothing."""
+
+    def __init__(self):
+        self.submitted, self.running = [], collections.deque()
+        self.add, self.count = self.running.append, self.running.__len__
+
+    def nthreads(self):
+        return {"worker": 1}
+
+    def submit(self, function, task, **_):
+        self.submitted.append((function, task["name"]))
+        return types.SimpleNamespace(key=len(self.submitted), status="finished", result=lambda: {"answers": 1})
+
+    def is_empty(self):
+        return not self.running
+
+    def __next__(self):
+        return self.running.popleft()
+
+
+class Order(unittest.TestCase):
+    def test_each_of_many_short_bags_is_answered_and_joined_once(self):
+        names = [f"{k}.bag" for k in range(2 * AHEAD + 1)]  # more than one core is given at a time
+        plan = {"folder": "", "options": [], "bags": {name: {"bag": name, "slices": [[None, None]]} for name in names}}
+        dask = InOrder()
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("distributed.as_completed", lambda: dask):
+            campaign = Campaign(dask, plan, Folder(folder))
+            campaign.run()
+        self.assertEqual(campaign.failures, [])
+        for function in (answer_slice, join_slices):
+            self.assertEqual([name for done, name in dask.submitted if done is function], names)
 
 
 class Misuse(Case):

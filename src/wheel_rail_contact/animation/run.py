@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..command import Failure
-from ..message_constants import STATUSES, USABLE
+from ..message_constants import SIDES, STATUSES, USABLE
 from ..report.answers import RAIL_FIELDS, full, of_answers, read
 from .section import MM, MPA, section
 
@@ -51,6 +51,8 @@ def read_run(path, label, side, frames, wheelset):
     messages = full(path, topic, set(chosen.tolist()))
     of_side = np.flatnonzero(answers.patches["side"] == side)
     pressure = MPA * of_answers(answers.patches["max_pressure"], answers, of_side, "max")[chosen]
+    if not np.nanmax(pressure, initial=0) > 0:
+        raise Failure(f"{path}: no answer that would be shown has a contact on the {SIDES[side]} side")
     lateral = MM * answers.rail[chosen, side, RAIL_FIELDS.index("lateral")]
     force = 1e-3 * answers.rail[chosen, side, RAIL_FIELDS.index("lateral_force")]
     return Run(label=label, stamp=answers.stamp[chosen], status=answers.status[chosen],

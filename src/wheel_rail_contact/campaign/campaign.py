@@ -60,7 +60,7 @@ class Campaign:
                 else:
                     yield answer_slice, {"name": name, "bag": entry["bag"], "slice": span, "part": str(part),
                                          "folder": self._plan["folder"], "options": self._plan["options"]}
-            if self._left[name] == 0:
+            if self._left.get(name) == 0:  # not known: its last slice has come back meanwhile, and it is being joined
                 yield self._join(name)
 
     def _join(self, name):

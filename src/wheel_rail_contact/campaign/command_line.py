@@ -81,8 +81,9 @@ def _parser():
     parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="Dask scheduler (default: one of its own)")
     parser.add_argument("--slice", type=_slice, default=SLICE, metavar="N",
                         help="answers in a slice, about (default: %(default)s)")
-    parser.add_argument("--config", action="append", default=[], metavar="F.yaml", help="as contact_replay takes it")
-    parser.add_argument("--wheelset", nargs="+", default=[], metavar="NAME", help="likewise")
+    parser.add_argument("--config", action="append", default=[], metavar="F.yaml",
+                        help="path of a parameter file, laid over the defaults and the files given before")
+    parser.add_argument("--wheelset", nargs="+", default=[], metavar="NAME", help="as contact_replay takes it")
     parser.add_argument("--keep-topics", action="store_true", help="likewise")
     parser.add_argument("--no-grids", action="store_true", help="likewise")
     parser.add_argument("--lz4", action="store_true", help="likewise")

@@ -2,6 +2,7 @@
 """What a campaign has to do: which bags, cut where. Nothing here depends on the workers."""
 import hashlib
 import math
+import sys
 from pathlib import Path
 
 import rosbag
@@ -20,27 +21,25 @@ def sha256(path):
     return checksum.hexdigest()
 
 
-def read_index(path):
-    """An open bag without the places of its messages; None for one that must be read whole (damaged, or no bag)."""
-    try:
-        return rosbag.Bag(str(path), skip_index=True)
-    except rosbag.ROSBagException:
-        return None
+def read_index(path, wheelsets):
+    """How many poses a bag holds, and when its recording begins and ends [s]."""
+    poses = [f"{slash}{name.strip('/')}/wheelset/pose" if name.strip("/") else f"{slash}wheelset/pose"
+             for name in wheelsets or [""] for slash in ("", "/")]
+    with rosbag.Bag(str(path), skip_index=True) as bag:  # without the places of its messages
+        count = bag.get_message_count(poses)
+        return (count, bag.get_start_time(), bag.get_end_time()) if count else (0, 0, 0)
 
 
 def cuts(path, wheelsets, per_slice):
-    """Recording times [s], as text, between slices of about `per_slice` answers; none for a bag that is one slice."""
-    bag = read_index(path)
-    if bag is None:
+    """Recording times [s], as text, between slices of about `per_slice` answers; none for a bag that is one slice, such as
+    one that must be read whole (damaged, or no bag), of which the user is told."""
+    try:
+        poses, start, end = read_index(path, wheelsets)
+    except Exception as error:  # rosbag lets decoders' own through
+        print(f"contact_campaign: {path}: is one slice, since its index cannot be read ({error})", file=sys.stderr)
         return []
-    with bag:
-        poses = [f"{slash}{name.strip('/')}/wheelset/pose" if name.strip("/") else f"{slash}wheelset/pose"
-                 for name in wheelsets or [""] for slash in ("", "/")]
-        count = math.ceil(bag.get_message_count(poses) / per_slice)
-        if count < 2:
-            return []
-        start, end = bag.get_start_time(), bag.get_end_time()
-        return list(dict.fromkeys(f"{start + k * (end - start) / count:.6f}" for k in range(1, count)))
+    count = math.ceil(poses / per_slice)
+    return list(dict.fromkeys(f"{start + k * (end - start) / count:.6f}" for k in range(1, count)))
 
 
 def plan_of_bag(path, wheelsets, per_slice):
