@@ -2,6 +2,7 @@
 // Height and roll given on rails that bend by a table: the rest of WheelsetBalance stands in wheelset_balance.cpp.
 #include <cmath>
 
+#include "both_sides.h"
 #include "wheel_rail_contact/balance/wheelset_balance.h"
 
 namespace wheel_rail_contact
@@ -15,7 +16,7 @@ constexpr double height_share = 0.1;  ///< of contact/tolerance, left open in a 
 /// far; none if it does not reach the rail at rest.
 double WheelsetBalance::expectedLoad(Side side)
 {
-  const auto k = static_cast<std::size_t>(side);
+  const auto k = index(side);
   BendingRail& rail = rail_[k];
   const RigidTouch touch =
       rail.touchAtRest(poseOf(side, state_.roll), state_.rail_lateral_force[k], state_.rail_offset[k]);

@@ -4,21 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "both_sides.h"
+
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::array<Side, 2> sides{Side::left, Side::right};
 constexpr int most_passes = 60;
 constexpr int strict_passes = 16;    ///< after these, planes and roll may be left open by late_slack times as much
 constexpr double late_slack = 10.0;  ///< where contact jumps between tread and flange [-]
 /// Where a state is not found from cold, it is approached from beside it, nearer to the track's centre [m].
 constexpr std::array<double, 2> detours{0.05e-3, 0.2e-3};
-constexpr int most_roll_steps = 60;
-constexpr double roll_limit = 0.2;        ///< [rad]
-constexpr double roll_step_limit = 5e-3;  ///< [rad]
-/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m].
-constexpr double height_per_tolerance = 1e-5;
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
 // A pass is far from the balance while a plane, a descent or the roll is off by more than this.
@@ -26,11 +22,6 @@ constexpr double far_plane = 0.05;   ///< [rad]
 constexpr double far_descent = 0.1;  ///< relative [-]
 constexpr double far_roll = 1e-4;    ///< [rad]
 constexpr double least_fill = 0.8;   ///< share of its expected size that a pressure must have
-
-std::size_t index(Side side)
-{
-  return static_cast<std::size_t>(side);
-}
 }  // namespace
 
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodLadder& ladder)
@@ -39,9 +30,7 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodL
       wheel_{WheelContact(config, ladder.solver()), WheelContact(config, ladder.solver())},
       rail_{BendingRail(config, ladder.solver().solvesSupport(), wheel_[0]),
             BendingRail(config, ladder.solver().solvesSupport(), wheel_[1])},
-      choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)},
-      finds_loads_(!config.wheelset.solve_height_and_roll &&
-                   config.rail_bending.model == RailBendingConfig::Model::compliance)
+      choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)}
 {
   reset();
 }
@@ -50,6 +39,7 @@ void WheelsetBalance::reset()
 {
   warm_ = false;
   roll_ = 0;
+  finds_loads_ = heightOnBendingRails();
   for (const Side side : sides)
   {
     wheel_[index(side)].reset();
@@ -78,52 +68,6 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
     default:
       return fail(ContactStatus::not_converged, toString(normal_status_));
   }
-}
-
-/// The state's pose at a roll, seen from a side; its height is left open.
-WheelsetPose WheelsetBalance::poseOf(Side side, double roll) const
-{
-  return toSide(side, {state_.y, 0, state_.yaw, roll});
-}
-
-bool WheelsetBalance::touchBoth(double roll)
-{
-  for (const Side side : sides)
-  {
-    touch_[index(side)] = wheel_[index(side)].touch(poseOf(side, roll));
-  }
-  return touch_[0].found && touch_[1].found;
-}
-
-double WheelsetBalance::heightDifference() const
-{
-  return (touch_[0].axle_height - descent_[0]) - (touch_[1].axle_height - descent_[1]);
-}
-
-/// The roll at which both axle ends agree, with the descents known so far: the height seen from the left falls with the
-/// roll, that from the right rises. Newton's steps, kept within the bracket seen so far.
-bool WheelsetBalance::findRoll()
-{
-  double low = -roll_limit;
-  double high = roll_limit;
-  for (int i = 0; i < most_roll_steps; ++i)
-  {
-    if (!touchBoth(roll_))
-    {
-      return false;
-    }
-    const double difference = heightDifference();
-    if (std::abs(difference) < height_per_tolerance * config_.contact.tolerance || high - low < 1e-12)
-    {
-      return true;
-    }
-    (difference > 0 ? low : high) = roll_;
-    const double levers = touch_[0].lever + touch_[1].lever;
-    const double step = std::clamp(difference / levers, -roll_step_limit, roll_step_limit);
-    const double next = roll_ + step;
-    roll_ = levers > 0 && next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return false;
 }
 
 WheelStatus WheelsetBalance::solveWheels(bool rough)
@@ -221,40 +165,6 @@ void WheelsetBalance::chooseGrids()
   }
 }
 
-/// First touch from cold, on rails that give way to a flange.
-bool WheelsetBalance::touchFirst()
-{
-  if (!touchBoth(roll_))
-  {
-    return false;
-  }
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    touch_[k] = rail_[k].letFlangeDown(touch_[k], poseOf(side, roll_), load_[k]);
-  }
-  return touch_[0].found && touch_[1].found;
-}
-
-/// Rolls the wheelset as its last contacts ask for after it has moved sideways [m]. Where the load is carried elsewhere
-/// than at the first touch, rigid touch does not tell better, and the roll goes on from there.
-void WheelsetBalance::foresee(double moved)
-{
-  double rise = 0;
-  bool leans = false;
-  for (const Side side : sides)
-  {
-    rise += loaded_[index(side)] ? wheel_[index(side)].rise() : touch_[index(side)].contact.slope;
-    leans = leans || (loaded_[index(side)] && wheel_[index(side)].leans());
-  }
-  const double levers = std::max(leverSum(), RollSecant::least_fall);
-  roll_ += std::clamp(rise * moved / levers, -roll_step_limit, roll_step_limit);
-  if (leans)
-  {
-    secant_.start(roll_, levers);
-  }
-}
-
 /// Sets out from the last answer: wheel loads, and descents to be expected under them.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
@@ -291,31 +201,20 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   return true;
 }
 
-/// Places the wheelset for the next pass.
-bool WheelsetBalance::place()
-{
-  if (!config_.wheelset.solve_height_and_roll)
-  {
-    return touchBoth(roll_);
-  }
-  if (secant_.takesOver())  // as long as planes and boxes do not fit, the roll stays
-  {
-    roll_ = secant_.roll();
-    return touchBoth(roll_);
-  }
-  return findRoll();
-}
-
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
   const ContactStatus status = searchAround(state);
-  if (isUsable(status) || config_.wheelset.solve_height_and_roll ||
-      config_.rail_bending.model != RailBendingConfig::Model::compliance)
+  if (isUsable(status) || !heightOnBendingRails())
   {
     return status;
   }
   finds_loads_ = !finds_loads_;
   return search(state);
+}
+
+bool WheelsetBalance::heightOnBendingRails() const
+{
+  return !config_.wheelset.solve_height_and_roll && config_.rail_bending.model == RailBendingConfig::Model::compliance;
 }
 
 /// From the last answer, from cold, and from beside the state.
@@ -327,12 +226,18 @@ ContactStatus WheelsetBalance::searchAround(const WheelsetState& state)
   {
     status = search(state);  // from cold
   }
+  std::string_view reason = reason_;
   for (auto beside = detours.begin(); !isUsable(status) && beside != detours.end(); ++beside)
   {
     WheelsetState nearer = state;
     nearer.y -= std::copysign(*beside, state.y);
-    status = isUsable(search(nearer)) ? search(state) : status;
+    if (isUsable(search(nearer)))
+    {
+      status = search(state);
+      reason = reason_;
+    }
   }
+  reason_ = reason;
   return status;
 }
 
@@ -402,15 +307,5 @@ void WheelsetBalance::finish(double roll_change)
   const double left = (touch_[0].axle_height - descent_[0]) - lever(Side::left) * roll_change;
   const double right = (touch_[1].axle_height - descent_[1]) + lever(Side::right) * roll_change;
   height_ = 0.5 * (left + right);
-}
-
-double WheelsetBalance::lever(Side side) const
-{
-  return loaded_[index(side)] ? wheel_[index(side)].lever() : touch_[index(side)].lever;
-}
-
-double WheelsetBalance::leverSum() const
-{
-  return lever(Side::left) + lever(Side::right);
 }
 }  // namespace wheel_rail_contact

@@ -56,3 +56,28 @@ TEST(ResetTest, ResetMakesAnObjectAsNew)
     expectSameBits(used.evaluate(state), fresh.evaluate(state));
   }
 }
+
+// Three centimetres off the track no search finds an answer, with loads found or with the height given to the normal
+// solution.
+TEST(ResetTest, AFailureWithHeightGivenOnBendingRailsLeavesNothing)
+{
+  ContactModelConfig scene = manchesterScene();
+  scene.rail_bending.model = RailBendingConfig::Model::compliance;
+  scene.rail_bending.table = softPads();
+  WheelsetContact by_load(scene);
+  WheelsetState given = stateAt(2e-3, 1e5);
+  const WheelsetResult& found = by_load.evaluate(given);
+  given.z = found.z;
+  given.roll = found.roll;
+  scene.wheelset.solve_height_and_roll = false;
+  WheelsetState lost = given;
+  lost.y = 0.03;
+
+  WheelsetContact used(scene);
+  EXPECT_FALSE(isUsable(used.evaluate(lost).status));
+  used.reset();
+  WheelsetContact fresh(scene);
+  const WheelsetResult& answer = used.evaluate(given);
+  ASSERT_TRUE(isUsable(answer.status)) << answer.reason;
+  expectSameBits(answer, fresh.evaluate(given));
+}

@@ -65,6 +65,7 @@ class WheelsetBalance
   double moveRails();
   double expectedLoad(Side side);
   bool heightsMeet();
+  bool heightOnBendingRails() const;
   bool layoutFits(double slack);
   bool isFar(double roll_change) const;
   void foresee(double moved);

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What WheelContact tells of its last solution: the rest of it stands in wheel_contact.cpp.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "wheel_rail_contact/balance/wheel_contact.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double rigid_lean = 0.1;  ///< turn of a plane against the normal of its first touch [rad]
+}  // namespace
+
+double WheelContact::patchApproach(std::size_t patch) const
+{
+  const WheelPatch& p = patches_[patch];
+  return (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
+}
+
+ErrorEstimate WheelContact::errorEstimate() const
+{
+  ErrorEstimate error;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    error = largestOf(error, solver_.estimateError(problem_, solution_, k));
+  }
+  return error;
+}
+
+double WheelContact::layoutError(std::size_t patch) const
+{
+  const WheelPatch& p = patches_[patch];
+  const double slip = (solution_.approach - boxed_descent_) * std::sin(p.plane.angle);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (int j = p.extent.first_column; !p.extent.empty && j <= p.extent.last_column; ++j)
+  {
+    least = std::min(least, p.columns[static_cast<std::size_t>(j)].slope);
+    most = std::max(most, p.columns[static_cast<std::size_t>(j)].slope);
+  }
+  const double uneven = p.extent.empty ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
+  return uneven + std::abs(p.slope * std::tan(p.plane.angle));
+}
+
+double WheelContact::descentError() const
+{
+  return solution_.approach / boxed_descent_ - 1;
+}
+
+double WheelContact::planeError() const
+{
+  double force = 0;
+  double error = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    force += solution_.patches[k].force;
+    error += solution_.patches[k].force * std::abs(patches_[k].slope);
+  }
+  return force > 0 ? error / force : 0;
+}
+
+bool WheelContact::leans() const
+{
+  double lean = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const double touched = std::atan(patches_[k].zone.contact.slope);
+    lean = std::max(lean, patches_[k].extent.empty ? 0 : std::abs(patches_[k].plane.angle - touched));
+  }
+  return lean > rigid_lean;
+}
+
+double WheelContact::rise() const
+{
+  double vertical = 0;
+  double sum = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const double angle = patches_[k].plane.angle;
+    vertical += solution_.patches[k].force * std::cos(angle);
+    sum += solution_.patches[k].force * std::sin(angle);
+  }
+  return vertical > 0 ? sum / vertical : 0;
+}
+
+double WheelContact::lever() const
+{
+  double vertical = 0;
+  double moment = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    const ContactPlane& plane = patches_[k].plane;
+    const double share = solution_.patches[k].force * std::cos(plane.angle);
+    vertical += share;
+    moment += share * (plane.y - wheel_->pose().y + (plane.z - wheel_->pose().z) * std::tan(plane.angle));
+  }
+  return vertical > 0 ? moment / vertical : 0;
+}
+}  // namespace wheel_rail_contact
