@@ -11,6 +11,7 @@ namespace wheel_rail_contact
 class AnswerTrend
 {
  public:
+  /// Forgets all answers.
   void reset() { *this = AnswerTrend(); }
 
   /// Sets out for a state `moved` beside the last answer [m].

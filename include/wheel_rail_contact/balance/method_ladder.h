@@ -14,7 +14,7 @@ namespace wheel_rail_contact
 /// A grid and what to expect of it.
 struct Rung
 {
-  GridSize size;
+  GridSize size;          ///< cells of the grid
   double ordinary_error;  ///< largest relative error that most scenes stay below [-]
   ErrorEstimate typical;  ///< estimates over those of the same scene on 24 × 56 cells, medians [-]
 };
