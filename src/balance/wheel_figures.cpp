@@ -64,10 +64,10 @@ double WheelContact::planeError() const
 bool WheelContact::leans() const
 {
   double lean = 0;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
+  for (const WheelPatch& patch : patches_)
   {
-    const double touched = std::atan(patches_[k].zone.contact.slope);
-    lean = std::max(lean, patches_[k].extent.empty ? 0 : std::abs(patches_[k].plane.angle - touched));
+    const double touched = std::atan(patch.zone.contact.slope);
+    lean = std::max(lean, patch.extent.empty ? 0 : std::abs(patch.plane.angle - touched));
   }
   return lean > rigid_lean;
 }

@@ -138,6 +138,7 @@ void readRailBending(ParameterReader& reader, RailBendingConfig& bending, FileNa
 void readContact(ParameterReader& reader, ContactConfig& contact)
 {
   std::vector<std::pair<std::string, NormalMethod>> methods;
+  methods.reserve(all_normal_methods.size());
   for (const NormalMethod method : all_normal_methods)
   {
     methods.emplace_back(toString(method), method);
