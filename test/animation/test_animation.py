@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_animation: drawn bodies touch where the answer says, and the file holds what was drawn."""
-import contextlib
-import io
-import os
 import pathlib
-import subprocess
-import tempfile
+import sys
 import unittest
 
 import genpy
@@ -18,8 +14,9 @@ from wheel_rail_contact.animation.section import section
 from wheel_rail_contact.msg import WheelsetContact
 from wheel_rail_contact.report.answers import full, read
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from sweep_case import SWEEP, SweepCase  # noqa: E402  (stands beside other tests)
+
 MOVED = """\
 rail: {profile: UIC60_manchester}
 rail_bending: {model: prescribed, prescribed: {lateral: 2.0e-3, vertical: -1.0e-3, roll: 20.0e-3}}
@@ -33,27 +30,15 @@ def distance(point, curve):
     return np.hypot(*(start + share[:, None] * way - point).T).min()
 
 
-class Animation(unittest.TestCase):
+class Animation(SweepCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        super().setUpClass()
         (cls.folder / "moved.yaml").write_text(MOVED)
-        cls.rigid = cls.replay("rigid.bag", PACKAGE / "config" / "manchester.yaml")
         cls.moved = cls.replay("moved.bag", cls.folder / "moved.yaml")
 
-    @classmethod
-    def replay(cls, name, config):
-        out = cls.folder / name
-        subprocess.run([os.environ["CONTACT_REPLAY"], SWEEP, out, "--config", config], check=True, capture_output=True)
-        return out
-
     def animate(self, *arguments, status=0):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-            self.assertEqual(main([str(a) for a in arguments]), status, printed.getvalue())
-        return printed.getvalue()
+        return self.run_command(main, *arguments, status=status)
 
     def test_bodies_touch_where_the_answer_says(self):
         answers, topic = read(self.moved)

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_report: a page of its own with pictures of what stands in the bag, and contact points that lie on the profiles."""
 import base64
-import contextlib
 import html.parser
 import io
-import os
 import pathlib
 import shutil
 import subprocess
-import tempfile
+import sys
 import unittest
 
 import genpy
@@ -20,8 +18,9 @@ from wheel_rail_contact.report import figures
 from wheel_rail_contact.report.answers import full, of_answers, read
 from wheel_rail_contact.report.command_line import main
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (stands beside other tests)
+
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
 BROWSER = "chromium-headless-shell"
 WINDOW = (1200, 6000)  # large enough for the whole page
@@ -47,28 +46,16 @@ class Page(html.parser.HTMLParser):
         self.text += data + "\n"
 
 
-class Report(unittest.TestCase):
+class Report(SweepCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        super().setUpClass()
         (cls.folder / "bend.yaml").write_text(
             f"rail: {{profile: UIC60_manchester}}\nrail_bending: {{model: compliance, table: {TABLE}}}\n")
-        cls.rigid = cls.replay("rigid.bag", PACKAGE / "config" / "manchester.yaml")
         cls.bending = cls.replay("bending.bag", cls.folder / "bend.yaml")
 
-    @classmethod
-    def replay(cls, name, config):
-        out = cls.folder / name
-        subprocess.run([os.environ["CONTACT_REPLAY"], SWEEP, out, "--config", config], check=True, capture_output=True)
-        return out
-
     def report(self, *arguments, status=0):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-            self.assertEqual(main([str(a) for a in arguments]), status, printed.getvalue())
-        return printed.getvalue()
+        return self.run_command(main, *arguments, status=status)
 
     def test_page_holds_its_pictures_and_tells_the_extremes(self):
         out = self.folder / "report"

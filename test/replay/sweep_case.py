@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of commands on answers share: the shipped sweep's replay, and a command's run."""
+
+import contextlib
+import io
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
+
+
+class SweepCase(unittest.TestCase):
+    """Tests of one command, with a folder for all of them."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.rigid = cls.replay("rigid.bag", PACKAGE / "config" / "manchester.yaml")
+
+    @classmethod
+    def replay(cls, name, config):
+        """@return the bag of answers to the sweep with these parameters."""
+        out = cls.folder / name
+        subprocess.run([os.environ["CONTACT_REPLAY"], SWEEP, out, "--config", config], check=True, capture_output=True)
+        return out
+
+    def run_command(self, main, *arguments, status=0):
+        """Calls the command's main. @return what it printed."""
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+            self.assertEqual(main([str(a) for a in arguments]), status, printed.getvalue())
+        return printed.getvalue()
