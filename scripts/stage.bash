@@ -1,10 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
 # Sourced by demo and pictures after environment.bash: programs in the background, with their output in files of the
-# folder $out; a virtual screen; a master of their own.
+# folder $out; a virtual screen; node and rviz with a master of their own.
 
-: "${out:?}"
+: "${root:?}" "${build:?}" "${out:?}"
 started=()  # leaders of the process groups to end
+
+# Builds what is missing, and makes the folder empty.
+set_up()
+{
+  say "setting up"
+  "$root/scripts/setup"
+  source_setup "$build/devel/setup.bash"
+  rm -rf "$out"
+  mkdir -p "$out"
+}
 
 # Starts a command in a process group of its own, with its output in a file.
 start()
@@ -66,12 +76,29 @@ start_virtual_screen()
 }
 
 # A master of its own on a free port: one that runs already is not disturbed.
-choose_port()
+choose_master()
 {
-  python3 -c 'import socket; s = socket.socket(); s.bind(("localhost", 0)); print(s.getsockname()[1])'
+  port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("localhost", 0)); print(s.getsockname()[1])')
+  export ROS_MASTER_URI=http://localhost:$port
 }
 
 subscribed()
 {
   rostopic info "$1" | sed '1,/^Subscribers/d' | grep --quiet " /$2"
+}
+
+# start_node CONFIG: the node with a file of config/, ready for pairs, and the master.
+start_node()
+{
+  start node roslaunch --port="$port" wheel_rail_contact contact.launch config:="$root/config/$1"
+  wait_for 60 subscribed /wheelset/load contact_node || fail "the node did not start"
+}
+
+# start_view TOPIC ARGUMENT...: rviz, ready for the node's answers or markers.
+start_view()
+{
+  local topic=$1
+  shift
+  start view roslaunch wheel_rail_contact view.launch "$@"
+  wait_for 60 subscribed "/contact_node/$topic" contact_view || fail "rviz did not start"
 }
