@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class MiniProfReader
   double number(const std::string& key, const std::string& value) const;
   void readColumns(const std::string& definition);
   void readPoint(const std::vector<std::string>& words);
+  /// Refuses points that do not reach across a wheel's running circle.
+  void checkTapeCircle() const;
   /// From X, Y [mm] to the profile frame [m].
   SampledPoint toFrame(double x, double y) const;
 
@@ -72,10 +75,29 @@ FileProfile MiniProfReader::read()
     file_.refuse("file ends after " + std::to_string(content_.points.size()) + " points of " +
                  std::to_string(static_cast<long>(stated_points_)) + " (XYPoints): cut off");
   }
+  checkTapeCircle();
   content_.noise = miniprof_noise;
   content_.overlap = overlap * mm;
   content_.height_from_tape = kind_ == ProfileKind::wheel;
   return content_;
+}
+
+void MiniProfReader::checkTapeCircle() const
+{
+  if (kind_ == ProfileKind::rail || content_.points.empty())
+  {
+    return;
+  }
+  const auto [left, right] = std::minmax_element(content_.points.begin(), content_.points.end(),
+                                                 [](const auto& a, const auto& b) { return a.point.y < b.point.y; });
+  if (left->point.y > 0.0 || right->point.y < 0.0)
+  {
+    std::ostringstream text;
+    text << "points of X = " << left->point.y / mm + tape_circle_ << " to " << right->point.y / mm + tape_circle_
+         << " mm do not reach across the running circle, X = " << tape_circle_
+         << " mm (WheelDiameterTaperline): X must be counted from the flange back to the field side";
+    file_.refuse(0, text.str());
+  }
 }
 
 void MiniProfReader::readHeader(std::string line)

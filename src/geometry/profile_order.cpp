@@ -208,11 +208,22 @@ void checkWheel(const ProfileFile& file, const FilePoints& points)
   const Box box(points);
   if (box.share(box.lowest.y) > 0.6)
   {
-    file.refuse(0, "lowest point is on the field side: not a wheel with its flange towards negative y");
+    file.refuse(0,
+                "lowest point is on the field side: not a wheel with its flange at the gauge side, or an axis is "
+                "reversed");
   }
   if (points.back().point.z - box.lowest.z < least_flange_height || box.share(box.lowest.y) > 0.4)
   {
     file.refuse(0, "no flange of at least " + millimetres(least_flange_height) + " on the gauge side: not a wheel");
+  }
+}
+/// Turned by half a turn a tread looks as before, but the flange stands up on the field side.
+void checkFlangeReachesDown(const ProfileFile& file, const FilePoints& points)
+{
+  if (Box(points).lowest.z > -least_flange_height)
+  {
+    file.refuse(0, "no flange reaches " + millimetres(least_flange_height) +
+                       " below the running circle: not a wheel, or both axes are reversed");
   }
 }
 }  // namespace
@@ -229,6 +240,10 @@ std::vector<SampledPoint> orderedPoints(const ProfileFile& file, const FileProfi
   checkExtent(file, points);
   (kind == ProfileKind::rail ? checkRail : checkWheel)(file, points);
   checkOrigin(file, points);
+  if (kind == ProfileKind::wheel)
+  {
+    checkFlangeReachesDown(file, points);
+  }
   std::vector<SampledPoint> ordered;
   for (const FilePoint& p : points)
   {

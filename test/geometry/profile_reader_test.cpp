@@ -159,8 +159,10 @@ TEST(ProfileFiles, mustHoldAPlausibleProfile)
                   [](const Point& p) {
                     return Point{-p.y, p.z};
                   }),
-          0, "flange towards negative y", ProfileKind::wheel);
+          0, "an axis is reversed", ProfileKind::wheel);
   refused(changed(wheel, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "not a wheel", ProfileKind::wheel);
+  const auto turned = changed(wheel, [](const Point& p) { return Point{-p.y, -p.z}; });
+  refused(turned, 0, "both axes are reversed", ProfileKind::wheel);
   refused(changed(wheel, [](const Point& p) { return Point{p.y + 0.07, p.z}; }), 0, "origin", ProfileKind::wheel);
   refused(changed(rail, [](const Point& p) { return Point{p.y, p.z + 0.172}; }), 0, "origin");
 
@@ -252,6 +254,17 @@ TEST(MiniProfProfile, wheelHasItsOriginOnTheRunningCircle)
                                        return Point{p.y - origin.y, p.z - origin.z};
                                      })),
             1e-11);
+}
+
+TEST(MiniProfProfile, wheelMustReachAcrossItsRunningCircle)
+{
+  const Folder folder;
+  const std::string points = lines(changed(pointsOf(s1002Wheel()), miniProfWheel), " ");
+  const auto refused = [&](const std::string& text, const std::string& reason)
+  { expectRefused(folder.write("bad.whl", text), ProfileKind::wheel, 0, reason); };
+  refused("WheelDiameterTaperline=920\n" + points, "X = 920 mm");
+  // Counted from the running circle, with the tread's end short of X = 70 mm.
+  refused("Xoffset=-70\n" + points, "X = 70 mm");
 }
 
 TEST(MiniProfProfile, railHasItsGaugeSideAtPositiveX)
