@@ -185,7 +185,9 @@ auto openFile(const std::string& name, const std::string& value, const Open& ope
   }
   catch (const std::exception& error)
   {
-    throw std::invalid_argument(name + " = " + value + ": " + error.what());
+    const std::string reason = error.what();
+    const bool names_file = reason.compare(0, value.size() + 1, value + ":") == 0;
+    throw std::invalid_argument(name + " = " + (names_file ? "" : value + ": ") + reason);
   }
 }
 

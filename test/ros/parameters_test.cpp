@@ -168,6 +168,7 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
       {"rail: {profile: package://no_such_package/rail.prr}", "rail/profile", "no_such_package"},
       {"rail: {profile: package://wheel_rail_contact/no.prr}", "rail/profile", "no.prr"},
       {"rail: {profile: /nowhere/rail.prr}", "rail/profile", "/nowhere/rail.prr"},
+      {"wheel: {profile: /nowhere/wheel.csv}", "wheel/profile = /nowhere/wheel.csv: no such file", "wheel.csv"},
       {"material: {wheel: {young: -2.1e11}}", "material/wheel/young", "-2"},
       {"material: {rail: {young: 0}}", "material/rail/young", "0"},
       {"material: {rail: {poisson: 0.6}}", "material/rail/poisson", "0.6"},
