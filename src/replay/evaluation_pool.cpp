@@ -139,6 +139,8 @@ void EvaluationPool::answer(ContactEvaluator& evaluator, const Job& job) const
   {
     csv = csvRows(message, job.item->answer, format_.wheelsets[*job.item->wheelset]);
   }
-  output_.complete(*job.item, serialized(message), std::move(csv), message.status);
+  const bool is_ok = message.status == WheelsetContactMsg::OK;
+  output_.complete(*job.item, serialized(message), std::move(csv), message.status,
+                   is_ok ? std::string() : message.status_text);
 }
 }  // namespace wheel_rail_contact

@@ -37,7 +37,7 @@ OutputItem* OutputQueue::append(OutputItem item)
   return &items_.back();
 }
 
-void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status)
+void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status, std::string reason)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (stopped_)
@@ -47,6 +47,7 @@ void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, 
   item.data = std::move(data);
   item.csv = std::move(csv);
   item.status = status;
+  item.reason = std::move(reason);
   item.ready = true;
   charge(item);
   largest_answer_ = std::max(largest_answer_, item.data.size() + item.csv.size());

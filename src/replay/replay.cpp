@@ -207,7 +207,10 @@ void Replay::write(const OutputItem& item)
   {
     ++answers_;
     answers_before_ += is_there ? 1U : 0U;
-    statuses_.at(item.status) += is_there ? 0U : 1U;
+  }
+  if (item.wheelset && !is_there && statuses_.at(item.status)++ == 0)
+  {
+    first_reasons_.at(item.status) = item.reason;
   }
   if (csv_ && item.wheelset && !is_there)
   {
@@ -243,7 +246,8 @@ void Replay::printSummary(std::ostream& out) const
     if (statuses_[status] > 0)
     {
       out << "  " << statusName(static_cast<std::uint8_t>(status)) << ": " << statuses_[status] << " ("
-          << percent(statuses_[status], evaluated) << " %)\n";
+          << percent(statuses_[status], evaluated) << " %)" << (first_reasons_[status].empty() ? "" : "; the first: ")
+          << first_reasons_[status] << "\n";
     }
   }
   for (std::size_t i = 0; i < options_.wheelsets.size(); ++i)

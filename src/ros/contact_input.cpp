@@ -99,7 +99,8 @@ Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std:
   catch (const tf2::TransformException& error)
   {
     throw UnusableInput(WheelsetContactMsg::NO_TRANSFORM, "pose: no transform from its frame '" + shown(frame) +
-                                                              "' to '" + track_frame + "': " + shown(error.what()));
+                                                              "' to '" + track_frame +
+                                                              "' (track/frame): " + shown(error.what()));
   }
 }
 

@@ -93,6 +93,7 @@ class WholeBags(ReplayCase):
         self.assertEqual([a.status for a in self.answers(out)], expected)
         self.assertIn("1 messages dropped: no partner", printed)
         self.assertIn("INVALID_INPUT: 1", printed)
+        self.assertIn("; the first: pose: no transform from its frame 'nowhere' to 'track' (track/frame)", printed)
         with open(self.folder / "out.csv", encoding="utf-8") as table:
             rows = list(csv.DictReader(table))
         self.assertEqual([r["status"] for r in rows if r["side"] == ""], ["NO_TRANSFORM", "INVALID_INPUT"])

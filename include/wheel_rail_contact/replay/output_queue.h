@@ -20,6 +20,7 @@ struct OutputItem : ReplayItem
   bool ready = false;          ///< `data` and what follows is there
   std::string csv;             ///< rows of the table
   std::uint8_t status = 0;     ///< of the answer, as in the message
+  std::string reason;          ///< of the status, as in the message; empty if it is OK
   std::size_t charged = 0;     ///< by the queue [B]
 };
 
@@ -34,7 +35,7 @@ class OutputQueue
   /// Reader: appends an item, as soon as there is room. @return the item, null once the queue has been stopped.
   OutputItem* append(OutputItem item);
   /// Workers: fills an item.
-  void complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status);
+  void complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status, std::string reason);
   /// Reader: nothing more will come.
   void close();
 

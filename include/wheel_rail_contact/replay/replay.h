@@ -61,6 +61,7 @@ class Replay
   std::uint64_t answers_before_ = 0;                         ///< that were there before
   std::uint64_t last_read_ = 0;                              ///< messages of the input that are dealt with
   std::array<std::uint64_t, ContactStatistics::statuses> statuses_{};
+  std::array<std::string, ContactStatistics::statuses> first_reasons_;  ///< of each status
   double seconds_ = 0;
 };
 }  // namespace wheel_rail_contact
