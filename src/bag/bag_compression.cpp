@@ -4,6 +4,10 @@
 #include <bzlib.h>
 #include <roslz4/lz4s.h>
 
+#include <algorithm>
+#include <new>
+#include <utility>
+
 #include "wheel_rail_contact/bag/bag_record.h"
 
 namespace wheel_rail_contact
@@ -11,21 +15,60 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr int lz4_block_size = 6;               ///< 1 MiB, roslz4_blockSizeFromIndex()
-constexpr std::size_t largest_chunk = 1 << 30;  ///< [B] a damaged header shall not fill the memory
+constexpr std::size_t bz2_step = 1 << 20;       ///< [B] of content to begin with
+constexpr std::size_t lz4_largest_ratio = 255;  ///< content to data: a byte of data stands for so many at most
 
-/// Runs `work(content, length of the content)`, which must fill the content to its end.
-template <typename Work>
-std::string filled(std::size_t size, const Work& work)
+[[noreturn]] void refuseDamaged()
 {
-  if (size > largest_chunk)
+  throw BagError("compressed data is damaged");
+}
+
+/// The room grows with the content, so that a size that is only claimed takes no memory.
+std::string unpackedBz2(std::string data, std::size_t size)
+{
+  std::string content;
+  bz_stream stream = {};
+  stream.next_in = data.data();
+  stream.avail_in = static_cast<unsigned int>(data.size());
+  if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK)
   {
-    throw BagError("a chunk claims to be larger than 1 GiB");
+    throw std::bad_alloc();
+  }
+  int state = BZ_OK;
+  std::size_t done = 0;
+  while (state == BZ_OK && done < size)
+  {
+    content.resize(std::min(size, std::max(bz2_step, 2 * done)));
+    stream.next_out = &content[done];
+    stream.avail_out = static_cast<unsigned int>(content.size() - done);
+    state = BZ2_bzDecompress(&stream);
+    if (state == BZ_OK && stream.avail_out > 0)  // the data ends before the content
+    {
+      state = BZ_UNEXPECTED_EOF;
+    }
+    done = content.size() - stream.avail_out;
+  }
+  BZ2_bzDecompressEnd(&stream);
+  if (state != BZ_STREAM_END || done != size)
+  {
+    refuseDamaged();
+  }
+  return content;
+}
+
+std::string unpackedLz4(std::string data, std::size_t size)
+{
+  if (size > lz4_largest_ratio * data.size())
+  {
+    refuseDamaged();
   }
   std::string content(size, '\0');
   auto length = static_cast<unsigned int>(size);
-  if (!work(content.data(), length) || length != size)
+  if (roslz4_buffToBuffDecompress(data.data(), static_cast<unsigned int>(data.size()), content.data(), &length) !=
+          ROSLZ4_OK ||
+      length != size)
   {
-    throw BagError("compressed data is damaged");
+    refuseDamaged();
   }
   return content;
 }
@@ -33,24 +76,24 @@ std::string filled(std::size_t size, const Work& work)
 
 std::string decompressed(const std::string& compression, std::string data, std::size_t size)
 {
-  const auto length = static_cast<unsigned int>(data.size());
+  if (size > largest_record)
+  {
+    throw BagError("a chunk claims to hold more than 256 MiB");
+  }
   if (compression == "none")
   {
     return data;
   }
   if (compression == "bz2")
   {
-    return filled(size, [&](char* content, unsigned int& room)
-                  { return BZ2_bzBuffToBuffDecompress(content, &room, data.data(), length, 0, 0) == BZ_OK; });
+    return unpackedBz2(std::move(data), size);
   }
   if (compression == "lz4")
   {
-    return filled(size, [&](char* content, unsigned int& room)
-                  { return roslz4_buffToBuffDecompress(data.data(), length, content, &room) == ROSLZ4_OK; });
+    return unpackedLz4(std::move(data), size);
   }
   throw BagError("unknown compression '" + compression + "'");
 }
-
 std::string compressed(const std::string& compression, std::string content)
 {
   if (compression == "none")

@@ -162,6 +162,10 @@ class Scan
   /// Ends at the end of the file.
   std::uint64_t takeLoose(std::uint64_t position)
   {
+    if (file_.size() - position > largest_record)
+    {
+      contents_.fault += "; of the chunk that was not closed only the first 256 MiB are read";
+    }
     chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), true};
     in_chunk_ = true;
     finishChunk();
@@ -265,7 +269,7 @@ std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
 {
   if (chunk.loose)
   {
-    return wholeRecords(file.bytes(chunk.position, file.size() - chunk.position));
+    return wholeRecords(file.bytes(chunk.position, std::min(file.size() - chunk.position, largest_record)));
   }
   const BagFile::Place record = file.recordAt(chunk.position);
   if (record.header.op() != BagOp::chunk)

@@ -64,6 +64,10 @@ std::string BagFile::bytes(std::uint64_t position, std::uint64_t length) const
   {
     throw BagError(path_ + ": the file ends in the middle of a record");
   }
+  if (length > largest_record)
+  {
+    throw BagError(path_ + ": " + std::to_string(length >> 20U) + " MiB in one piece, more than 256 MiB");
+  }
   std::string result(length, '\0');
   std::uint64_t done = 0;
   while (done < length)

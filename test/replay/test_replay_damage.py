@@ -2,12 +2,15 @@
 """contact_replay on bags of a recorder that crashed, cut off files, and damaged ones: all that can be read is answered,
 the rest is told, and the program does not end with 0."""
 
+import os
 import shutil
+import struct
+import subprocess
 
 import rosbag
 from std_msgs.msg import String
 
-from replay_case import DAMAGED, ReplayCase, stamp, write_pairs
+from replay_case import DAMAGED, PROGRAM, ReplayCase, stamp, write_pairs
 
 CHUNK = 20000  # bytes: about 30 pairs
 
@@ -24,6 +27,15 @@ class DamagedBags(ReplayCase):
         self.assertIn(complaint, printed)
         return self.answers(out)
 
+    def crashed_bag(self, count):
+        """One whose only chunk was not closed."""
+        crashed = self.folder / "crashed.bag"
+        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=10**7) as bag:
+            write_pairs(bag, count)
+            bag._file.flush()
+            shutil.copy(self.folder / "recording.bag", crashed)
+        return crashed
+
     def test_bag_of_a_crashed_recorder_is_answered_up_to_its_last_message(self):
         crashed = self.folder / "crashed.bag"
         with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=CHUNK) as bag:
@@ -34,11 +46,7 @@ class DamagedBags(ReplayCase):
         self.assertEqual(self.expect_damaged(crashed, "not closed"), self.whole)
 
     def test_chunk_in_hand_of_a_crashed_recorder_is_read_as_far_as_it_goes(self):
-        crashed = self.folder / "crashed.bag"
-        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=10**7) as bag:
-            write_pairs(bag, 200)
-            bag._file.flush()
-            shutil.copy(self.folder / "recording.bag", crashed)
+        crashed = self.crashed_bag(200)
         with open(crashed, "r+b") as file:
             file.truncate(crashed.stat().st_size - 100)
         self.assertEqual(self.expect_damaged(crashed, "not closed"), self.whole[:199])
@@ -86,6 +94,39 @@ class DamagedBags(ReplayCase):
         _, printed = self.replay(bag, "out.bag", status=1)
         self.assertIn("no topic /wheelset/", printed)
         self.assertIn("no usable index", printed)
+
+    def peak_memory(self, bag, status=DAMAGED):
+        """@return largest resident memory of a replay [MB], and what was printed"""
+        with open(self.folder / "printed", "w+", encoding="utf-8") as printed:
+            replay = subprocess.Popen([PROGRAM, bag, self.folder / f"{bag.stem}_out.bag"], stdout=printed, stderr=printed)
+            _, ended, usage = os.wait4(replay.pid, 0)
+            replay.returncode = os.waitstatus_to_exitcode(ended)
+            printed.seek(0)
+            text = printed.read()
+        self.assertEqual(replay.returncode, status, text)
+        return usage.ru_maxrss / 1e3, text
+
+    def test_sizes_that_are_only_claimed_take_no_memory(self):
+        usual, _ = self.peak_memory(self.folder / "whole.bag", 0)
+        for compression in ("bz2", "lz4"):
+            for size, complaint in ((2**32 - 1, "claims to hold more than 256 MiB"), (2**28, "compressed data is damaged")):
+                bag = self.make_bag(250, f"{compression}_{size}.bag", chunk_threshold=CHUNK, compression=compression)
+                content = bag.read_bytes()
+                field = content.index(b"size=") + len(b"size=")  # of the first chunk
+                bag.write_bytes(content[:field] + struct.pack("<I", size) + content[field + 4:])
+                peak, printed = self.peak_memory(bag)
+                self.assertIn(complaint, printed)
+                self.assertLess(peak, usual + 50, bag.name)
+
+    def test_hole_at_the_end_of_a_crashed_recording_takes_bounded_memory(self):
+        usual, _ = self.peak_memory(self.folder / "whole.bag", 0)
+        crashed = self.crashed_bag(200)
+        with open(crashed, "r+b") as file:
+            file.truncate(crashed.stat().st_size + 2 * 2**30)
+        peak, printed = self.peak_memory(crashed)
+        self.assertIn("only the first 256 MiB are read", printed)
+        self.assertLess(peak, usual + 300)  # 256 MiB are 268 MB
+        self.assertEqual(self.answers(self.folder / "crashed_out.bag")[-1].header.stamp, stamp(199))
 
     def test_what_is_no_bag_is_refused(self):
         for content in (b"", b"no bag", b"#ROSBAG V1.2\n"):

@@ -23,7 +23,7 @@ class BagFile
   /// Of the file [B].
   std::uint64_t size() const { return size_; }
 
-  /// @throw BagError if they go beyond the end of the file.
+  /// @throw BagError if they go beyond the end of the file, or are more than largest_record.
   std::string bytes(std::uint64_t position, std::uint64_t length) const;
 
   /// A record's header, and where its data stands.
@@ -37,7 +37,7 @@ class BagFile
   };
   /// @throw BagError if there is no header of a record here; the data may go beyond the end of the file.
   Place recordAt(std::uint64_t position) const;
-  /// A record's data. @throw BagError if they go beyond the end of the file.
+  /// A record's data. @throw BagError if they go beyond the end of the file, or are more than largest_record.
   std::string dataOf(const Place& place) const { return bytes(place.data, place.length); }
 
   /// Where the record after the bag header begins.

@@ -35,6 +35,9 @@ enum class BagOp : std::uint8_t
 inline constexpr std::string_view bag_magic = "#ROSBAG V2.0\n";
 /// Length of the bag header record with its blanks.
 inline constexpr std::size_t bag_header_length = 4096;
+/// The longest record that is read, and the largest chunk as it is unpacked: what claims to be larger is taken for
+/// damage that shall not fill the memory [B]. `rosbag record` makes chunks of 0.75 MiB unless told otherwise.
+inline constexpr std::uint64_t largest_record = 1 << 28;
 /// Length of one entry of an index record: time, offset.
 inline constexpr std::size_t index_entry_length = 12;
 
