@@ -13,13 +13,11 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t queue_size = 1000;           ///< of roscpp's queues
-constexpr std::uint32_t input_queue_size = 1 << 16;  ///< of those of inputs: what they drop nobody counts, so they must
-                                                     ///< not fill in a flood before the callbacks, which are short, run
-constexpr std::uint32_t marker_queue_size = 2;       ///< pictures are only worth seeing when new
-constexpr double diagnostics_period = 1.0;           ///< [s]
-constexpr double transform_poll_period = 0.002;      ///< [s]
-constexpr double warning_period = 10.0;              ///< between warnings of one node [s]
+constexpr std::uint32_t queue_size = 1000;       ///< of roscpp's queues
+constexpr std::uint32_t marker_queue_size = 2;   ///< pictures are only worth seeing when new
+constexpr double diagnostics_period = 1.0;       ///< [s]
+constexpr double transform_poll_period = 0.002;  ///< [s]
+constexpr double warning_period = 10.0;          ///< between warnings of one node [s]
 }  // namespace
 
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -64,27 +62,41 @@ void ContactServer::advertise()
 
 void ContactServer::subscribe()
 {
-  const auto no_delay = ros::TransportHints().tcpNoDelay();
-  subscribers_.push_back(nh_.subscribe("wheelset/pose", input_queue_size, &ContactServer::receivePose, this, no_delay));
+  using geometry_msgs::PoseStamped;
+  using geometry_msgs::WrenchStamped;
+  subscribeToInput<PoseStamped>("wheelset/pose", [this](const auto& pose) { return pairing_.addPose(pose); });
   if (pairing_.usesLoad())
   {
-    subscribers_.push_back(
-        nh_.subscribe("wheelset/load", input_queue_size, &ContactServer::receiveLoad, this, no_delay));
+    subscribeToInput<WrenchStamped>("wheelset/load", [this](const auto& load) { return pairing_.addLoad(load); });
   }
   if (pairing_.usesRailForces())
   {
     for (const Side side : {Side::left, Side::right})
     {
-      subscribers_.push_back(nh_.subscribe<geometry_msgs::WrenchStamped>(
-          side == Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force", input_queue_size,
-          [this, side](const geometry_msgs::WrenchStampedConstPtr& force) { receiveRailForce(side, force); }, nullptr,
-          no_delay));
+      subscribeToInput<WrenchStamped>(side == Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force",
+                                      [this, side](const auto& force) { return pairing_.addRailForce(side, force); });
     }
   }
-  subscribeToNeighbours(no_delay);
+  subscribeToNeighbours();
 }
 
-void ContactServer::subscribeToNeighbours(const ros::TransportHints& hints)
+template <typename Message, typename Take>
+void ContactServer::subscribeToInput(const std::string& topic, const Take& take)
+{
+  const auto receive = [this, take](const boost::shared_ptr<const Message>& message)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (auto input = take(message))
+    {
+      jobs_.push({std::move(*input), ros::WallTime::now()});
+    }
+  };
+  auto options = ros::SubscribeOptions::create<Message>(topic, queue_size, receive, nullptr, &immediate_);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  subscribers_.push_back(nh_.subscribe(options));
+}
+
+void ContactServer::subscribeToNeighbours()
 {
   for (std::size_t i = 0; i < config_.neighbours.size(); ++i)
   {
@@ -101,33 +113,8 @@ void ContactServer::subscribeToNeighbours(const ros::TransportHints& hints)
           const std::lock_guard<std::mutex> lock(neighbours_mutex_);
           neighbours_.add(i, *answer);
         },
-        nullptr, hints));
+        nullptr, ros::TransportHints().tcpNoDelay()));
   }
-}
-
-void ContactServer::receivePose(const geometry_msgs::PoseStampedConstPtr& pose)
-{
-  enqueue(pairing_.addPose(pose));
-}
-
-void ContactServer::receiveLoad(const geometry_msgs::WrenchStampedConstPtr& load)
-{
-  enqueue(pairing_.addLoad(load));
-}
-
-void ContactServer::receiveRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force)
-{
-  enqueue(pairing_.addRailForce(side, force));
-}
-
-void ContactServer::enqueue(std::optional<ContactInput> input)
-{
-  if (input)
-  {
-    jobs_.push({std::move(*input), ros::WallTime::now()});
-  }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  statistics_.pairing = pairing_.counts();
 }
 
 void ContactServer::work()
@@ -219,6 +206,7 @@ void ContactServer::publishMarkers(const ContactAnswer& answer)
 void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
+  statistics_.pairing = pairing_.counts();
   statistics_.overload = jobs_.dropped();
   diagnose(statistics_, reported_, status);
   reported_ = statistics_;

@@ -14,6 +14,7 @@
 #include "wheel_rail_contact/ros/contact_evaluator.h"
 #include "wheel_rail_contact/ros/contact_input.h"
 #include "wheel_rail_contact/ros/contact_statistics.h"
+#include "wheel_rail_contact/ros/immediate_callbacks.h"
 #include "wheel_rail_contact/ros/marker_tools.h"
 #include "wheel_rail_contact/ros/neighbour_forces.h"
 #include "wheel_rail_contact/ros/newest_queue.h"
@@ -23,8 +24,8 @@ namespace wheel_rail_contact
 {
 /// The live contact server behind node and nodelet: topics in, answers, markers and diagnostics out.
 ///
-/// Callbacks only pair what comes in; a thread of its own evaluates the pairs in order and publishes. If more comes in
-/// than can be answered, the newest inputs are kept and the others counted. No input stops the server.
+/// Callbacks only pair what comes in, as it arrives; a thread of its own evaluates the pairs in order and publishes. If
+/// more comes in than can be answered, the newest inputs are kept and the others counted. No input stops the server.
 class ContactServer
 {
  public:
@@ -47,11 +48,10 @@ class ContactServer
 
   void advertise();
   void subscribe();
-  void receivePose(const geometry_msgs::PoseStampedConstPtr& pose);
-  void receiveLoad(const geometry_msgs::WrenchStampedConstPtr& load);
-  void receiveRailForce(Side side, const geometry_msgs::WrenchStampedConstPtr& force);
-  void subscribeToNeighbours(const ros::TransportHints& hints);
-  void enqueue(std::optional<ContactInput> input);
+  /// `take` gives a message to the pairing.
+  template <typename Message, typename Take>
+  void subscribeToInput(const std::string& topic, const Take& take);
+  void subscribeToNeighbours();
 
   void work();
   void waitForTransform(const Job& job) const;
@@ -64,20 +64,21 @@ class ContactServer
 
   ros::NodeHandle nh_, private_nh_;
   const NodeConfig config_;
-  InputPairing pairing_;          ///< callbacks only; its counts are copied under `mutex_`
+  InputPairing pairing_;          ///< under `mutex_`, with what it gives to `jobs_`
   InputPreparation preparation_;  ///< worker only
   ContactEvaluator evaluator_;    ///< worker only
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
   NewestQueue<Job> jobs_;
 
-  std::mutex mutex_;  ///< guards the statistics
+  std::mutex mutex_;  ///< guards the statistics and the pairing
   ContactStatistics statistics_;
   ContactStatistics reported_;  ///< as they were at the last report
 
   std::mutex neighbours_mutex_;  ///< guards the neighbours' forces
   NeighbourForces neighbours_;
 
+  ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
   MarkerKeys shown_markers_;    ///< by the last array published, worker only

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact_client.h"
 
+#include <ros/network.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+
+#include <stdexcept>
+
 namespace wheel_rail_contact
 {
 namespace
@@ -103,5 +108,20 @@ Report nextReport(const std::string& node)
   const auto subscriber = nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", queue_size, receive);
   spinUntil([&count] { return count > 0; });
   return report;
+}
+int processOf(const std::string& node)
+{
+  XmlRpc::XmlRpcValue request, response, uri;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::master::execute("lookupNode", request, response, uri, false) || !ros::network::splitURI(uri, host, port))
+  {
+    throw std::runtime_error("no node " + node);
+  }
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port));
+  client.execute("getPid", request[0], response);
+  return response[2];
 }
 }  // namespace wheel_rail_contact

@@ -57,6 +57,9 @@ struct Report
 };
 Report nextReport(const std::string& node);
 
+/// Process id of a node.
+int processOf(const std::string& node);
+
 /// Handles callbacks until `done` or the time is up. @return done()
 template <typename Condition>
 bool spinUntil(const Condition& done, double seconds = 10)

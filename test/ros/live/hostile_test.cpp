@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "contact_client.h"
@@ -90,6 +91,26 @@ class Hostile : public testing::Test
   Report before_, after_;
   std::uint64_t sent_ = 0;  ///< messages
 };
+
+/// Memory of a node's process: a figure of /proc/PID/status [MB].
+double memory(const std::string& figure)
+{
+  std::ifstream status("/proc/" + std::to_string(processOf(node)) + "/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.rfind(figure + ":", 0) == 0)
+    {
+      return 1.024e-3 * std::stod(line.substr(figure.size() + 1));
+    }
+  }
+  return 0;
+}
+
+/// Memory of the node from here on is told as VmHWM.
+void forgetPeak()
+{
+  std::ofstream("/proc/" + std::to_string(processOf(node)) + "/clear_refs") << 5;
+}
 
 /// True if no number of an answer is nonsense.
 bool isFinite(const WheelsetContactMsg& answer)
@@ -211,16 +232,41 @@ TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
 
 TEST_F(Hostile, FloodIsAnsweredFromItsNewestPairsAndTheRestIsCounted)
 {
-  constexpr int pairs = 6000;
+  constexpr int pairs = 20000;  // a second of 20 kHz, as fast as they go
   ros::Time last;
   for (int i = 0; i < pairs; ++i)
   {
     last = ContactClient::nextStamp();
-    sendPair(1e-6 * i, last);
+    sendPair(1e-7 * i, last);
   }
   expectAccount();
   EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
   ASSERT_FALSE(client_.answers().empty());
   EXPECT_EQ(client_.answers().back().header.stamp, last) << "the newest pair is answered";
   EXPECT_TRUE(client_.ask(0.001)) << "the node goes on";
+}
+
+TEST_F(Hostile, FloodOfLongMessagesTakesBoundedMemory)
+{
+  constexpr int pairs = 5000;
+  const std::string name(100000, 'x');
+  ASSERT_TRUE(client_.ask(0.001));
+  sent_ += 2;
+  forgetPeak();
+  const double before = memory("VmRSS");
+  for (int i = 0; i < pairs; ++i)
+  {
+    const ros::Time stamp = ContactClient::nextStamp();
+    Pose pose = ContactClient::pose(0, stamp);
+    Load load = ContactClient::load(-200e3, stamp);
+    pose.header.frame_id = load.header.frame_id = name;
+    client_.send(pose);
+    client_.send(load);
+    sent_ += 2;
+  }
+  expectAccount();
+  EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
+  // The messages have 1000 MB.
+  EXPECT_LT(memory("VmHWM") - before, 100);
+  EXPECT_GT(before, 0);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_node outlives its master, and ends when it is told to, also in the middle of an evaluation."""
+"""contact_node outlives its master and garbled messages, and ends when it is told to, also in the middle of an evaluation."""
 
 import os
 import signal
@@ -37,6 +37,19 @@ def free_address():
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         return probe.getsockname()
+
+
+class GarbledPose(PoseStamped):
+    """Goes over the wire as the bytes given, whatever they are."""
+
+    _has_header = False  # which rospy would fill in
+
+    def __init__(self, content):
+        super().__init__()
+        self.content = content
+
+    def serialize(self, buff):
+        buff.write(self.content)
 
 
 class Node:
@@ -113,6 +126,16 @@ class Endings(unittest.TestCase):
                 self.assertEqual(node.report["messages waiting for a partner"], "0")
                 self.assertEqual(node.end(signal_number), 0)
                 self.assertEqual(node.answers, [], "the evaluation had ended")
+
+    def test_goes_on_after_bytes_that_are_no_message(self):
+        node = self.start_node("garbled")
+        for length in (0, 3, 12, 16, 40):
+            for filling in (b"\0", b"\xff"):
+                node.poses.publish(GarbledPose(filling * length))
+        node.send(1)
+        self.assertTrue(wait_for(lambda: len(node.answers) == 1), "no answer after garbled messages")
+        self.assertEqual(node.answers[0].status, WheelsetContact.OK)
+        self.assertEqual(node.end(signal.SIGINT), 0)
 
     def test_outlives_its_master(self):
         node = self.start_node("alone")
