@@ -127,11 +127,16 @@ def _too_few(limits, answers):
     return "" if len(answers) >= limits.answers else f"{len(answers)} answers, at least {limits.answers} are asked for"
 
 
+def _when(answer):
+    """The stamp to the millisecond, also where it is the time of day."""
+    return f"at {answer.header.stamp.to_sec():.3f} s"
+
+
 def _too_many(what, allowed, answers):
     if len(answers) <= allowed:
         return ""
     first = answers[0]
-    return (f"{len(answers)} answers {what}, {allowed} allowed; the first at {first.header.stamp.to_sec():.6g} s: "
+    return (f"{len(answers)} answers {what}, {allowed} allowed; the first {_when(first)}: "
             f"{STATUSES[first.status]}: {first.status_text}")
 
 
@@ -143,6 +148,6 @@ def _outside(quantity, is_inside, low, high, answers, prefix):
     value, answer, patch = max(outside, key=lambda entry: max(low - entry[0], entry[0] - high))
     unit = QUANTITIES[quantity]
     end = f"below {low:g}" if value < low else f"not below {high:g}" if value == high else f"above {high:g}"
-    return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} at {answer.header.stamp.to_sec():.6g} s, "
+    return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} {_when(answer)}, "
             f"{SIDES[patch.side]} wheel, y = {1e3 * answer.wheelset.position.y:.4g} mm "
             f"({len(outside)} of {len(patches)} patches are outside; this is the worst)")
