@@ -15,7 +15,7 @@ using Eigen::Index;
 /// Factor of the area's error where the pressure reaches the outermost rows: the grid then does not show where it ends.
 constexpr double unseen_edge = 4.0 / 3;
 
-/// A line of cells through the crest; cells beyond the grid carry nothing, those beyond x = 0 of a symmetric grid are
+/// A line of cells through a crest; cells beyond the grid carry nothing, those beyond x = 0 of a symmetric grid are
 /// the mirror image.
 class CrestLine
 {
@@ -48,12 +48,33 @@ class CrestLine
   double top_;
 };
 
+/// A cell that is the highest of its column, which is higher than its neighbours.
+struct Crest
+{
+  Index row = 0, column = 0;
+  Index first = 0, last = -1;  ///< outermost loaded columns of its row
+};
+
+void findLoadedColumns(const Eigen::ArrayXXd& pressure, Crest& crest)
+{
+  const auto row = pressure.row(crest.row);
+  crest.first = 0;
+  crest.last = pressure.cols() - 1;
+  while (!(row[crest.first] > 0))
+  {
+    ++crest.first;
+  }
+  while (!(row[crest.last] > 0))
+  {
+    --crest.last;
+  }
+}
+
 /// Where the pressure lies on its grid. Counts are of the whole grid, symmetric or not.
 struct Loaded
 {
-  Index row = 0, column = 0;     ///< of the highest cell
+  Crest crest;                   ///< the highest
   double along = 0, across = 0;  ///< loaded cells in its column and in its row
-  Index first = 0, last = -1;    ///< loaded columns of its row
   double thin_columns = 0;       ///< sum over loaded columns of 1 / loaded cells
   double thin_rows = 0;          ///< sum over loaded rows of 1 / loaded cells
 };
@@ -70,11 +91,11 @@ void scanColumns(const Grid& grid, const Eigen::ArrayXXd& pressure, Loaded& load
     if (highest > top)
     {
       top = highest;
-      loaded.column = j;
+      loaded.crest.column = j;
       loaded.along = count;
     }
   }
-  pressure.col(loaded.column).maxCoeff(&loaded.row);
+  pressure.col(loaded.crest.column).maxCoeff(&loaded.crest.row);
 }
 
 void scanRows(const Grid& grid, const Eigen::ArrayXXd& pressure, Loaded& loaded)
@@ -99,18 +120,8 @@ void scanRows(const Grid& grid, const Eigen::ArrayXXd& pressure, Loaded& loaded)
   }
   loaded.thin_rows *= grid.symmetric ? 2 : 1;
 
-  const auto crest = pressure.row(loaded.row);
-  loaded.across = static_cast<double>((crest > 0).count());
-  loaded.first = 0;
-  loaded.last = pressure.cols() - 1;
-  while (!(crest[loaded.first] > 0))
-  {
-    ++loaded.first;
-  }
-  while (!(crest[loaded.last] > 0))
-  {
-    --loaded.last;
-  }
+  loaded.across = static_cast<double>((pressure.row(loaded.crest.row) > 0).count());
+  findLoadedColumns(pressure, loaded.crest);
 }
 
 /// How the gap's second differences across change along the crest's row [m].
@@ -121,17 +132,17 @@ struct Bending
   double variation = 0;       ///< largest less smallest, over the mean [-]
 };
 
-Bending gapBending(const Eigen::ArrayXXd& gap, const Loaded& loaded)
+Bending gapBending(const Eigen::ArrayXXd& gap, const Crest& crest)
 {
-  const auto line = gap.row(loaded.row);
-  const Index first = std::max<Index>(loaded.first - 1, 1), last = std::min(loaded.last + 1, gap.cols() - 2);
+  const auto line = gap.row(crest.row);
+  const Index first = std::max<Index>(crest.first - 1, 1), last = std::min(crest.last + 1, gap.cols() - 2);
   Bending bending;
   double low = INFINITY, high = -INFINITY, sum = 0, before = 0;
   int count = 0;
   for (Index j = first; j <= last; ++j)
   {
     const double second = line[j + 1] - 2 * line[j] + line[j - 1];
-    if (j >= loaded.first && j <= loaded.last)
+    if (j >= crest.first && j <= crest.last)
     {
       low = std::min(low, second);
       high = std::max(high, second);
@@ -140,15 +151,86 @@ Bending gapBending(const Eigen::ArrayXXd& gap, const Loaded& loaded)
     }
     const double jump = j > first ? std::abs(second - before) : 0;
     const double place = static_cast<double>(j) - 0.5;
-    const double distance = std::abs(place - static_cast<double>(loaded.column)) + 0.5;
-    const double from_edge = std::min(std::abs(place - static_cast<double>(loaded.first)),
-                                      std::abs(place - static_cast<double>(loaded.last)));
+    const double distance = std::abs(place - static_cast<double>(crest.column)) + 0.5;
+    const double from_edge =
+        std::min(std::abs(place - static_cast<double>(crest.first)), std::abs(place - static_cast<double>(crest.last)));
     bending.jumps_at_crest += jump / (distance * distance);
     bending.jumps_at_edges += from_edge < 2.5 ? jump : 0;
     before = second;
   }
   bending.variation = count > 0 && sum != 0 ? (high - low) * count / std::abs(sum) : 0;
   return bending;
+}
+
+/// Terms of the pressure at a crest, `as_pressure` [1/m] making of a jump of the gap's second difference a pressure
+/// over that of the crest.
+std::array<double, 3> crestTerms(const PatchGap& gap, const Eigen::ArrayXXd& p, const Crest& crest, double jumps,
+                                 double as_pressure)
+{
+  const CrestLine along(p.data() + crest.column * p.rows(), 1, p.rows(), crest.row, gap.grid.symmetric);
+  const CrestLine across(p.data() + crest.row, p.rows(), p.cols(), crest.column, false);
+  const double jump = as_pressure * jumps;
+  return {along.bend() + across.bend(), along.thirdDifference() + across.thirdDifference(), jump * jump};
+}
+
+/// By how much a lower crest in column `column` may overtop the highest one by its own error, over the maximum [-].
+double byLowerCrest(const PatchGap& gap, const PatchPressure& pressure, double modulus, Index column)
+{
+  const Eigen::ArrayXXd& p = pressure.pressure;
+  Crest crest;
+  crest.column = column;
+  const double top = p.col(column).maxCoeff(&crest.row);
+  findLoadedColumns(p, crest);
+  const double jumps = gapBending(gap.gap, crest).jumps_at_crest;
+  const std::array<double, 3> terms = crestTerms(gap, p, crest, jumps, modulus / (gap.grid.dy * top));
+  return (1 + weighted(gridErrorWeights().max_pressure, terms)) * top / pressure.max_pressure - 1;
+}
+
+/// The most by which any lower crest may overtop the highest one, over the maximum [-]; 0 if none may. The narrower of
+/// two lobes grows with finer cells.
+double byLowerCrests(const PatchGap& gap, const PatchPressure& pressure, double modulus)
+{
+  const Eigen::ArrayXXd& p = pressure.pressure;
+  double most = 0, before = 0, here = p.col(0).maxCoeff();
+  for (Index j = 0; j < p.cols(); ++j)
+  {
+    const double after = j + 1 < p.cols() ? p.col(j + 1).maxCoeff() : 0;
+    if (here > before && here >= after)
+    {
+      most = std::max(most, byLowerCrest(gap, pressure, modulus, j));
+    }
+    before = here;
+    here = after;
+  }
+  return most;
+}
+
+/// By how much the gap steps up or down between columns j and j + 1 [m], 2 <= j < gap.cols() - 3; 0 where it bends
+/// smoothly, kinks or changes its curvature: only a step makes third differences that alternate (h, -2h, h).
+double stepAfter(const Eigen::ArrayXXd& gap, Index row, Index j)
+{
+  const auto third = [&](Index k) { return gap(row, k + 2) - 3 * gap(row, k + 1) + 3 * gap(row, k) - gap(row, k - 1); };
+  const double before = third(j - 1), here = -0.5 * third(j), after = third(j + 1);
+  const double least = std::min({before, here, after}), most = std::max({before, here, after});
+  return least > 0 ? least : most < 0 ? -most : 0;
+}
+
+/// By how much the pressure at steps of the gap in the crest's row overtops the highest one on cells four times finer,
+/// over the maximum [-]; 0 if it stays below. Beside a step h a half-space's pressure is E* h / (2 pi distance)
+/// (Johnson 1985, eq. 2.25b, inverted by Hilbert's transform): it has no highest value, and on cells about E* h / (pi
+/// dy) is added.
+double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Crest& crest)
+{
+  constexpr double finer = 4;
+  const double spike = finer * modulus / (std::acos(-1.0) * gap.grid.dy);
+  const auto p = pressure.pressure.row(crest.row);
+  double highest = 0;
+  for (Index j = std::max<Index>(crest.first, 2); j < std::min(crest.last, gap.gap.cols() - 3); ++j)
+  {
+    const double step = stepAfter(gap.gap, crest.row, j);
+    highest = step > 0 ? std::max(highest, std::max(p[j], p[j + 1]) + spike * step) : highest;
+  }
+  return std::max(highest / pressure.max_pressure - 1, 0.0);
 }
 
 double largestApproach(const NormalProblem& problem, const NormalSolution& solution)
@@ -173,8 +255,8 @@ ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& so
   const double residual = solution.residual * largest_approach / own;
   const ErrorTerms terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
   const ErrorWeights& weights = gridErrorWeights();
-  return {weighted(weights.max_pressure, terms.max_pressure), weighted(weights.area, terms.area),
-          weighted(weights.approach, terms.approach)};
+  return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.overtopping),
+          weighted(weights.area, terms.area), weighted(weights.approach, terms.approach)};
 }
 }  // namespace
 
@@ -196,19 +278,17 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   Loaded loaded;
   scanColumns(grid, p, loaded);
   scanRows(grid, p, loaded);
-  const CrestLine along(p.data() + loaded.column * p.rows(), 1, p.rows(), loaded.row, grid.symmetric);
-  const CrestLine across(p.data() + loaded.row, p.rows(), p.cols(), loaded.column, false);
-  const Bending bending = gapBending(gap.gap, loaded);
+  const Bending bending = gapBending(gap.gap, loaded.crest);
 
   const double per_cell = grid.dx * grid.dy / pressure.area;
   const double as_pressure = modulus / (grid.dy * pressure.max_pressure);
-  const double jump = as_pressure * bending.jumps_at_crest;
   const double longer = std::max(std::log(grid.dx / grid.dy), 0.0);
   const double mean_along = 1 / (per_cell * loaded.across);
   const double variation = bending.variation / (loaded.across * loaded.across);
   const double few_along = 1 / (loaded.along * loaded.along);
   ErrorTerms terms;
-  terms.max_pressure = {along.bend() + across.bend(), along.thirdDifference() + across.thirdDifference(), jump * jump};
+  terms.overtopping = std::max(byLowerCrests(gap, pressure, modulus), bySteps(gap, pressure, modulus, loaded.crest));
+  terms.max_pressure = crestTerms(gap, p, loaded.crest, bending.jumps_at_crest, as_pressure);
   terms.area = {longer / std::cbrt(mean_along * mean_along),
                 loaded.thin_columns * per_cell,
                 loaded.thin_rows * per_cell,

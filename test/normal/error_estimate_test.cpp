@@ -161,6 +161,75 @@ TEST(ErrorEstimate, seesACurvatureJumpUnderTheCrest)
   EXPECT_GT(solver.estimateError(jump, solution, 0).max_pressure, 4 * without);
 }
 
+/// True relative error of the highest pressure on a grid, against cells four times finer each way, and its estimate.
+struct PeakError
+{
+  double truth = 0, estimate = 0;
+};
+
+PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
+{
+  ConjugateGradients solver;
+  NormalSolution coarse, fine;
+  scenes::sample(gap, problem.patches[0]);
+  solver.solve(problem, false, coarse);
+  const double estimate = solver.estimateError(problem, coarse, 0).max_pressure;
+  problem.patches[0].grid = scenes::refined(problem.patches[0].grid, scenes::finer);
+  scenes::sample(gap, problem.patches[0]);
+  solver.solve(problem, false, fine);
+  EXPECT_EQ(coarse.status, SolveStatus::converged);
+  EXPECT_EQ(fine.status, SolveStatus::converged);
+  return {std::abs(coarse.patches[0].max_pressure / fine.patches[0].max_pressure - 1), estimate};
+}
+
+/// Patches of S1002 on a rail [m, N], with their true errors of the highest pressure.
+std::vector<ErrorSample> patchesOf(Profile (*rail)(), double y, double wheel_load, const GridSize& size)
+{
+  scenes::WheelsetScene scene;
+  scene.config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
+  scene.config.rail_profile = std::make_shared<Profile>(rail());
+  scene.state.y = y;
+  scene.state.force_z = -2 * wheel_load;
+  std::vector<ErrorSample> samples;
+  EXPECT_TRUE(scenes::WheelsetSampler(Method::grid).sample(scene, size, samples));
+  return samples;
+}
+
+// In the first, the highest cell lies on the wide one of two lobes and the true maximum on the narrow one, where the
+// rail's 300 mm meet its 80 mm. In the second, a patch of 0.5 mm lies over a step of 43 nm in the benchmark's rail.
+TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
+{
+  const std::vector<ErrorSample> lobes = patchesOf(rail60E1, 0.000115, 65190, {8, 16});
+  const std::vector<ErrorSample> step = patchesOf(railUic60Manchester, 0.004237, 1e5, {24, 56});
+  for (const std::vector<ErrorSample>& samples : {lobes, step})
+  {
+    double largest = 0;
+    for (const ErrorSample& sample : samples)
+    {
+      std::cout << "true " << sample.error.max_pressure << ", estimated " << sample.estimate.max_pressure << "\n";
+      EXPECT_LE(sample.error.max_pressure, sample.estimate.max_pressure);
+      largest = std::max(largest, sample.error.max_pressure);
+    }
+    EXPECT_GT(largest, 0.1);
+  }
+}
+
+// Pressure at a step of the gap has no highest value; on cells it grows as they shrink.
+TEST(ErrorEstimate, countsTheSpikeAtAStep)
+{
+  for (const double place : {0.45, 0.55, 0.65, 0.75})
+  {
+    const NormalProblem smooth = paraboloid({24, 56}, 1.1, 60);
+    const Grid& grid = smooth.patches[0].grid;
+    const double step = 6e-7, at = (place / 1.1 * 0.5) * grid.ny * grid.dy;
+    const auto gap = [=](double x, double y) { return 1.1 * x * x + 60 * y * y - (y > at ? step : 0); };
+    const PeakError error = peakError(smooth, gap);
+    std::cout << "place " << place << ", true " << error.truth << ", estimated " << error.estimate << "\n";
+    EXPECT_GE(error.estimate, error.truth);
+    EXPECT_GT(error.truth, 0.3);
+  }
+}
+
 TEST(ErrorEstimate, isZeroForAPatchWithoutPressure)
 {
   NormalProblem problem = paraboloid({16, 32}, 1.1, 2.0);

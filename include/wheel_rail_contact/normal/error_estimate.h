@@ -31,6 +31,9 @@ struct ErrorTerms
   /// Of max_pressure: bend of q at the crest, along plus across · third differences of q beside it, along plus across ·
   /// square of the jumps of k, weighted by 1 / (distance from the crest + 1/2)², as a pressure over the maximum.
   std::array<double, 3> max_pressure{};
+  /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
+  /// turn out higher, by its own terms and their weights, or one at a step of the gap, on cells four times finer.
+  double overtopping = 0;
   /// Of area: logarithm of the cells' aspect, if longer along, over (cells along)^(2/3) · sum of 1 / (cells loaded)
   /// over the columns, per cell of the area · the same over the rows · jumps of k near the edges, as a pressure over
   /// the maximum, per cell of the area · variation of k over its mean and (cells across)² · 1 / (cells along)² ·
