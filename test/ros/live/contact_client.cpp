@@ -11,7 +11,6 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr std::uint32_t queue_size = 0;  // any number: the client loses nothing
-constexpr double start_time = 60;        // [s] for a node to come up, also one with sanitizers
 }  // namespace
 
 ContactClient::ContactClient(const std::string& inputs, const std::string& node) : nh_(inputs)
@@ -20,7 +19,7 @@ ContactClient::ContactClient(const std::string& inputs, const std::string& node)
   load_publisher_ = nh_.advertise<geometry_msgs::WrenchStamped>("wheelset/load", queue_size);
   const auto connected = [this]
   { return pose_publisher_.getNumSubscribers() > 0 && load_publisher_.getNumSubscribers() > 0; };
-  bool ready = spinUntil(connected, start_time);
+  bool ready = spinUntil(connected);
   if (!node.empty())
   {
     subscriber_ = nh_.subscribe<WheelsetContactMsg>(

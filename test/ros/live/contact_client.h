@@ -60,9 +60,9 @@ Report nextReport(const std::string& node);
 /// Process id of a node.
 int processOf(const std::string& node);
 
-/// Handles callbacks until `done` or the time is up. @return done()
+/// Handles callbacks until `done` or the time is up: a node with sanitizers takes its time. @return done()
 template <typename Condition>
-bool spinUntil(const Condition& done, double seconds = 10)
+bool spinUntil(const Condition& done, double seconds = 60)
 {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
   while (!done() && ros::ok() && ros::WallTime::now() < end)
