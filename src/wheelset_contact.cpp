@@ -175,6 +175,7 @@ class WheelsetContact::Chain
     out.error_estimate = std::hypot(of_grid, wheel.layoutError(k));
     out.iterations = wheel.solution().iterations;
     out.residual = wheel.solution().residual;
+    out.half_space_ratio = wheel.halfSpaceRatio(k);
     spread(side, wheel.problem().patches[k].grid, pressure.pressure, out);
   }
 

@@ -25,19 +25,20 @@ struct PatchPose
 /// One contact patch of an answer.
 struct PatchResult
 {
-  Side side = Side::left;     ///< of the wheel
-  std::string_view method;    ///< that solved it, named as in `contact/method`
-  PatchPose pose;             ///< of the patch frame
-  double contact_angle = 0;   ///< >= 0 [rad]
-  double normal_force = 0;    ///< [N]
-  double approach = 0;        ///< along the patch's normal [m]
-  double area = 0;            ///< [m²]
-  double max_pressure = 0;    ///< [Pa]
-  double error_estimate = 0;  ///< relative [-]
-  int iterations = 0;         ///< products with the influence matrix
-  double residual = 0;        ///< violation of the contact conditions over the approach [-]
-  Grid grid;                  ///< never symmetric here: the whole patch, in the patch frame
-  Eigen::ArrayXXd pressure;   ///< nx × ny [Pa]
+  Side side = Side::left;       ///< of the wheel
+  std::string_view method;      ///< that solved it, named as in `contact/method`
+  PatchPose pose;               ///< of the patch frame
+  double contact_angle = 0;     ///< >= 0 [rad]
+  double normal_force = 0;      ///< [N]
+  double approach = 0;          ///< along the patch's normal [m]
+  double area = 0;              ///< [m²]
+  double max_pressure = 0;      ///< [Pa]
+  double error_estimate = 0;    ///< relative [-]
+  int iterations = 0;           ///< products with the influence matrix
+  double residual = 0;          ///< violation of the contact conditions over the approach [-]
+  double half_space_ratio = 0;  ///< half the angle through which wheel or rail turns over the patch [rad]
+  Grid grid;                    ///< never symmetric here: the whole patch, in the patch frame
+  Eigen::ArrayXXd pressure;     ///< nx × ny [Pa]
 };
 
 /// The answer to one state.

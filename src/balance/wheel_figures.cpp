@@ -44,6 +44,29 @@ double WheelContact::layoutError(std::size_t patch) const
   return uneven + std::abs(p.slope * std::tan(p.plane.angle));
 }
 
+double WheelContact::halfSpaceRatio(std::size_t patch) const
+{
+  const WheelPatch& p = patches_[patch];
+  const auto turn = [&](const Profile& profile, double GapColumn::*place)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (int j = p.extent.first_column; j <= p.extent.last_column; ++j)
+    {
+      const CurvePoint point = profile.at(p.columns[static_cast<std::size_t>(j)].*place);
+      const double angle = std::atan2(point.dz, point.dy);
+      least = std::min(least, angle);
+      most = std::max(most, angle);
+    }
+    return most - least;
+  };
+  if (p.extent.empty)
+  {
+    return 0;
+  }
+  return 0.5 * std::max(turn(*config_.wheel_profile, &GapColumn::wheel_u), turn(rail_->profile(), &GapColumn::rail_u));
+}
+
 double WheelContact::descentError() const
 {
   return solution_.approach / boxed_descent_ - 1;

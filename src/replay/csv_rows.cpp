@@ -22,8 +22,8 @@ constexpr const char* header =
     "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
     "right_vertical_force [N],"
     "side,patch_y [m],patch_z [m],contact_angle [rad],normal_force [N],approach [m],area [m^2],max_pressure [Pa],"
-    "error_estimate [-],iterations [-],residual [-],method\n";
-constexpr const char* no_patch = ",,,,,,,,,,,";
+    "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad]\n";
+constexpr const char* no_patch = ",,,,,,,,,,,,";
 
 /// Nine digits are more than any tolerance asks for.
 std::string cell(double value)
@@ -57,7 +57,7 @@ std::string cells(const ContactPatch& patch)
   return (patch.side == ContactPatch::LEFT ? "left," : "right,") + cell(patch.pose.position.y) +
          cell(patch.pose.position.z) + cell(patch.contact_angle) + cell(patch.normal_force) + cell(patch.approach) +
          cell(patch.area) + cell(patch.max_pressure) + cell(patch.error_estimate) + cell(patch.iterations) +
-         cell(patch.residual) + patch.method;
+         cell(patch.residual) + patch.method + formatted(",%.9g", patch.half_space_ratio);
 }
 
 /// Roll and yaw of an orientation without pitch: Rz(yaw) Rx(roll).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/replay/replay_options.h"
 
+#include <ros/message_traits.h>
 #include <algorithm>
 #include <ostream>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include <thread>
 
 #include "wheel_rail_contact/ros/file_names.h"
+#include "wheel_rail_contact/ros/messages.h"
 
 namespace wheel_rail_contact
 {
@@ -248,8 +250,8 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
 {
   std::ostringstream text;
   text << "input size: " << input_size << " B\n";
-  text << "options: grids " << options.grids << ", keep topics " << options.keep_topics << ", compression "
-       << options.compression << "\n";
+  text << "options: message " << ros::message_traits::md5sum<WheelsetContactMsg>() << ", grids " << options.grids
+       << ", keep topics " << options.keep_topics << ", compression " << options.compression << "\n";
   for (const std::string& name : options.wheelsets)
   {
     text << wheelset_line << name << wheelset_inputs << "\n";

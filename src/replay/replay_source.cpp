@@ -176,8 +176,10 @@ void ReplaySource::requireTypes() const
       const auto wanted = typeAndSumOf(use->second.role);
       if (connection.header.text("md5sum") != wanted.second)
       {
-        throw BagError("the bag's topic " + connection.topic + " is of type " + connection.header.text("type") +
-                       ", not of " + wanted.first);
+        const std::string type = connection.header.text("type");
+        throw BagError(
+            "the bag's topic " + connection.topic + " is of type " + type +
+            (type == wanted.first ? " as another version of its package defines it" : ", not of " + wanted.first));
       }
     }
   }

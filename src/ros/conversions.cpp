@@ -187,6 +187,7 @@ ContactPatch toMessage(const PatchResult& patch, double x, bool with_grid)
   message.error_estimate = patch.error_estimate;
   message.iterations = static_cast<std::uint32_t>(patch.iterations);
   message.residual = patch.residual;
+  message.half_space_ratio = patch.half_space_ratio;
   if (with_grid)
   {
     message.grid = toMessage(patch.grid, patch.pressure);
@@ -212,6 +213,7 @@ PatchResult fromMessage(const ContactPatch& message, double x)
   patch.error_estimate = message.error_estimate;
   patch.iterations = static_cast<int>(message.iterations);
   patch.residual = message.residual;
+  patch.half_space_ratio = message.half_space_ratio;
   fromMessage(message.grid, patch.grid, patch.pressure);
   return patch;
 }

@@ -73,6 +73,9 @@ TEST(HertzChainTest, ConesOnAnArcGiveHertzsPressureAndApproach)
                 patch.max_pressure / hertz.max_pressure - 1, patch.approach / hertz.approach - 1,
                 patch.area / hertz.area - 1);
     EXPECT_NEAR(patch.normal_force, load / cosine, 1e-4 * load);
+    // Half-width over the rail's radius; the outermost of the 116 loaded columns' centres lie within one cell of the
+    // edge.
+    EXPECT_NEAR(patch.half_space_ratio, hertz.semi_axis_y / crown_radius, 0.02 * hertz.semi_axis_y / crown_radius);
     EXPECT_NEAR(patch.max_pressure, hertz.max_pressure, 1.15e-3 * hertz.max_pressure);
     EXPECT_NEAR(patch.approach, hertz.approach, 1e-3 * hertz.approach);
     EXPECT_NEAR(patch.area, hertz.area, 5e-3 * hertz.area);

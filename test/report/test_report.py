@@ -149,6 +149,15 @@ class Report(SweepCase):
         self.assertIn("No such file", self.report(self.folder / "absent.bag", "--out", self.folder / "none", status=1))
         self.assertFalse((self.folder / "none").exists())
 
+    def test_answers_of_another_version_are_refused(self):
+        class Other(WheelsetContact):
+            _md5sum = "0" * 32
+
+        path = self.folder / "other.bag"
+        with rosbag.Bag(str(path), "w") as bag:
+            bag.write("/contact_node/contact", Other(), genpy.Time(1))
+        self.assertIn("another version", self.report(path, "--out", self.folder / "other", status=1))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -24,6 +24,7 @@ PatchResult examplePatch(Side side)
   patch.error_estimate = 0.004;
   patch.iterations = 17;
   patch.residual = 1e-7;
+  patch.half_space_ratio = 0.07;
   patch.grid.nx = 4;
   patch.grid.ny = 3;
   patch.grid.dx = 0.002;
@@ -64,6 +65,7 @@ void expectEqual(const PatchResult& a, const PatchResult& b)
   EXPECT_EQ(a.error_estimate, b.error_estimate);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.residual, b.residual);
+  EXPECT_EQ(a.half_space_ratio, b.half_space_ratio);
   EXPECT_EQ(a.grid.nx, b.grid.nx);
   EXPECT_EQ(a.grid.ny, b.grid.ny);
   EXPECT_EQ(a.grid.dx, b.grid.dx);

@@ -121,6 +121,9 @@ class WheelContact
   /// along the plane, which opens the gap by that times the surface's slope: its uneven part counts over twice the
   /// approach. A plane that is off by an angle takes the normal force off by its tangent's share.
   double layoutError(std::size_t patch) const;
+  /// How far a patch is from a contact of half-spaces: half the angle through which the section of the wheel or the
+  /// rail, whichever is larger, turns over the pressure; on an arc, the pressure's half-width over the radius [rad].
+  double halfSpaceRatio(std::size_t patch) const;
   /// Solved descent against the one that the gap was built for, relative [-].
   double descentError() const;
   /// Smallest ratio of a pressure's length or width to those its grid was laid for [-].

@@ -42,7 +42,8 @@ constexpr const char* description_field = "contact_replay";
 /// How the last line of the description begins where only a part of the input was answered.
 constexpr const char* part_line = "part: ";
 
-/// What an output goes on with must be the same as in its first run, as text: size of the input, options, parameters.
+/// What an output goes on with must be the same as in its first run, as text: size of the input, message type, options,
+/// parameters.
 /// Files that parameters name (profiles, tables) count by their names only.
 std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size);
 

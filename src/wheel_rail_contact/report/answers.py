@@ -39,7 +39,10 @@ def _answer(raw):
 
 def find_topic(bag, wheelset):
     """The topic of the answers, as the bag writes it."""
-    topics = [t for t, info in bag.get_type_and_topic_info().topics.items() if info.msg_type == WheelsetContact._type]
+    types, infos = bag.get_type_and_topic_info()
+    if types.get(WheelsetContact._type, WheelsetContact._md5sum) != WheelsetContact._md5sum:
+        raise Failure("its answers are those of another version of wheel_rail_contact; replay the states again")
+    topics = [t for t, info in infos.items() if info.msg_type == WheelsetContact._type]
     if wheelset is not None:
         topics = [t for t in topics if t.lstrip("/").startswith((wheelset.strip("/") + "/").lstrip("/"))]
     if len(topics) != 1:
