@@ -157,13 +157,13 @@ class WheelsetContact::Chain
     }
   }
 
-  void fill(Side side, const WheelContact& wheel, std::size_t k, PatchResult& out) const
+  static void fill(Side side, const WheelContact& wheel, std::size_t k, PatchResult& out)
   {
     const WheelPatch& patch = wheel.patches()[k];
     const PatchPressure& pressure = wheel.solution().patches[k];
     const double sign = sideSign(side);
     out.side = side;
-    out.method = ladder_.solver().name();
+    out.method = wheel.solver().name();
     const Eigen::Vector2d way = wheel.railWay(patch);
     out.pose = {patch.plane.x, sign * (patch.plane.y + way[0]), patch.plane.z + way[1], sign * patch.plane.angle};
     out.contact_angle = std::abs(patch.plane.angle);
@@ -171,8 +171,8 @@ class WheelsetContact::Chain
     out.approach = wheel.patchApproach(k);
     out.area = pressure.area;
     out.max_pressure = pressure.max_pressure;
-    const double of_grid = ladder_.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
-    out.error_estimate = std::hypot(of_grid, wheel.layoutError(k));
+    const double of_solution = wheel.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
+    out.error_estimate = std::hypot(of_solution, wheel.layoutError(k));
     out.iterations = wheel.solution().iterations;
     out.residual = wheel.solution().residual;
     out.half_space_ratio = wheel.halfSpaceRatio(k);

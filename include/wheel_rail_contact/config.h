@@ -41,7 +41,7 @@ struct WheelsetConfig
 /// Methods for the normal problem.
 enum class NormalMethod
 {
-  automatic,           ///< conjugate gradients on the coarsest grid whose estimated error meets the tolerance
+  automatic,           ///< Hertz between round bodies, else the coarsest grid whose estimated error meets the tolerance
   hertz,               ///< closed form with the local curvatures
   kik_piotrowski,      ///< strips over the virtual penetration
   seidel,              ///< the paper's iteration, repaired: exact coefficients, load inside
@@ -60,7 +60,7 @@ const char* toString(NormalMethod method);
 /// How the pressure is solved, and how finely.
 struct ContactConfig
 {
-  NormalMethod method = NormalMethod::automatic;  ///< `auto`: the coarsest grid that meets the tolerance
+  NormalMethod method = NormalMethod::automatic;  ///< `auto`: the cheapest that meets the tolerance
   double tolerance = 0.01;  ///< wanted relative error of max pressure, area and approach [-]; in (0, 1)
   int cells_along = 0;      ///< grid given by hand; 0: from the tolerance
   int cells_across = 0;     ///< both or none

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
-#include "wheel_rail_contact/normal/hertz_solver.h"
 #include "wheel_rail_contact/normal/kik_piotrowski.h"
 #include "wheel_rail_contact/normal/seidel.h"
 
@@ -17,6 +16,7 @@ namespace
 constexpr double coupled_residual = 1e-6;
 
 constexpr GridSize rough_grid{8, 24};
+constexpr GridSize closed_form_grid{8, 16};  ///< on which the gap is looked at and the ellipsoid is told
 
 /// Cells of the largest grid that is prepared for all shapes of patches. On a larger one, which can only be given by
 /// hand, a shape is prepared when it is first met: all of them would take seconds.
@@ -54,7 +54,7 @@ Rung rungFor(const ContactConfig& contact)
 {
   if (contact.cells_along > 0)
   {
-    return {{contact.cells_along, contact.cells_across}, 0, {1, 1, 1}};
+    return {{contact.cells_along, contact.cells_across}, 0, {1, 1, 1}, nullptr};
   }
   return *std::find_if(rungs.begin(), rungs.end() - 1,
                        [&](const Rung& rung) { return rung.ordinary_error <= contact.tolerance; });
@@ -106,7 +106,7 @@ std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const
 }
 }  // namespace
 
-MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}
+MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}, closed_form_{}
 {
   const bool free = config.contact.method == NormalMethod::automatic && config.contact.cells_along == 0;
   rungs_ = free ? std::vector<Rung>(rungs.begin(), rungs.end()) : std::vector<Rung>{rungFor(config.contact)};
@@ -115,11 +115,32 @@ MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}
       [](const Rung& rung) { return rung.size.along == rough_grid.along && rung.size.across == rough_grid.across; });
   rough_ = *rough;
   solver_ = makeSolver(config, rungs_);
+  for (Rung& rung : rungs_)
+  {
+    rung.solver = solver_.get();
+  }
+  rough_.solver = solver_.get();
+  if (free && config.rail_bending.model != RailBendingConfig::Model::compliance)
+  {
+    hertz_ = std::make_unique<HertzSolver>();
+    closed_form_ = {closed_form_grid, 0, {1, 1, 1}, hertz_.get()};
+  }
+}
+
+ErrorEstimate MethodLadder::closedFormErrors(const NormalProblem& problem, const NormalSolution& solution) const
+{
+  ErrorEstimate errors;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  {
+    errors = largestOf(errors, hertz_->estimateError(problem, solution, k));
+  }
+  return errors;
 }
 
 void RungChoice::start(const ErrorEstimate& rough)
 {
   rung_ = 0;
+  closed_form_ = false;
   const ErrorEstimate normal = normalised(rough, ladder_->rough());
   while (rung_ + 1 < ladder_->count() && rung().ordinary_error > tolerance_ && promised(normal, rung()) > tolerance_)
   {
@@ -129,6 +150,10 @@ void RungChoice::start(const ErrorEstimate& rough)
 
 bool RungChoice::climb(const ErrorEstimate& error)
 {
+  if (closed_form_)
+  {
+    return error.largest() > closedFormLimit() && leaveClosedForm();
+  }
   if (error.largest() <= tolerance_ || rung_ + 1 >= ladder_->count())
   {
     return false;
@@ -148,8 +173,34 @@ bool RungChoice::climb(const ErrorEstimate& error)
   return true;
 }
 
+void RungChoice::tryClosedForm(const NormalProblem& problem, const NormalSolution& solution)
+{
+  if (closed_form_ || ladder_->closedForm() == nullptr || --closed_form_wait_ > 0)
+  {
+    return;
+  }
+  closed_form_ = ladder_->closedFormErrors(problem, solution).largest() < descend_reserve * closedFormLimit();
+  closed_form_wait_ = between_tries;
+}
+
+double RungChoice::closedFormLimit() const
+{
+  return std::min(tolerance_, round_enough);
+}
+
+bool RungChoice::leaveClosedForm()
+{
+  const bool left = closed_form_;
+  closed_form_ = false;
+  return left;
+}
+
 void RungChoice::descend(const ErrorEstimate& error)
 {
+  if (closed_form_)
+  {
+    return;
+  }
   const ErrorEstimate faded{fading * lately_.max_pressure, fading * lately_.area, fading * lately_.approach};
   lately_ = largestOf(normalised(error, rung()), faded);
   const std::size_t before = rung_;

@@ -40,7 +40,7 @@ double wheelRadius(const ContactModelConfig& config, const InitialContact& conta
 
 WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solver)
     : config_(config),
-      solver_(solver),
+      solver_(&solver),
       modulus_(contactModulus(config.wheel_material, config.rail_material)),
       search_(*config.wheel_profile, *config.rail_profile)
 {
@@ -155,10 +155,10 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     {
       return WheelStatus::off_profile;
     }
-    solver_.solve(problem_, true, solution_);
+    solver_->solve(problem_, true, solution_);
     if (const SolveStatus status = solution_.status; !isUsable(status))
     {
-      solver_.solve(problem_, false, solution_);
+      solver_->solve(problem_, false, solution_);
     }
     ++solutions_;
     if (const SolveStatus status = solution_.status; !isUsable(status))

@@ -24,7 +24,7 @@ ErrorEstimate WheelContact::errorEstimate() const
   ErrorEstimate error;
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    error = largestOf(error, solver_.estimateError(problem_, solution_, k));
+    error = largestOf(error, solver_->estimateError(problem_, solution_, k));
   }
   return error;
 }

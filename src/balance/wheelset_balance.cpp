@@ -70,27 +70,35 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
   }
 }
 
+WheelStatus WheelsetBalance::solveWheel(Side side, const Rung& rung)
+{
+  const std::size_t k = index(side);
+  WheelContact& wheel = wheel_[k];
+  wheel.setSolver(*rung.solver);
+  if (!config_.wheelset.solve_height_and_roll && !finds_loads_)
+  {
+    return wheel.solveDescent(touch_[k], touch_[k].axle_height - state_.z, rung.size);
+  }
+  return load_[k] > 0 ? wheel.solveLoad(touch_[k], load_[k], rung.size) : WheelStatus::no_contact;
+}
+
 WheelStatus WheelsetBalance::solveWheels(bool rough)
 {
+  const auto failed = [](WheelStatus status)
+  { return status != WheelStatus::solved && status != WheelStatus::no_contact; };
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    WheelContact& wheel = wheel_[k];
-    const GridSize& size = rough ? ladder_.rough().size : choice_[k].rung().size;
-    WheelStatus status = WheelStatus::no_contact;
-    if (!config_.wheelset.solve_height_and_roll && !finds_loads_)
+    WheelStatus status = solveWheel(side, rough ? ladder_.rough() : choice_[k].rung());
+    if (failed(status) && !rough && choice_[k].leaveClosedForm())
     {
-      status = wheel.solveDescent(touch_[k], touch_[k].axle_height - state_.z, size);
-    }
-    else if (load_[k] > 0)
-    {
-      status = wheel.solveLoad(touch_[k], load_[k], size);
+      status = solveWheel(side, choice_[k].rung());
     }
     loaded_[k] = status == WheelStatus::solved;
-    descent_[k] = loaded_[k] ? wheel.descent() : 0;
-    if (!loaded_[k] && status != WheelStatus::no_contact)
+    descent_[k] = loaded_[k] ? wheel_[k].descent() : 0;
+    if (failed(status))
     {
-      normal_status_ = wheel.solution().status;
+      normal_status_ = wheel_[k].solution().status;
       return status;
     }
   }
@@ -161,7 +169,27 @@ void WheelsetBalance::chooseGrids()
 {
   for (const Side side : sides)
   {
-    choice_[index(side)].start(loaded_[index(side)] ? wheel_[index(side)].errorEstimate() : ErrorEstimate());
+    const std::size_t k = index(side);
+    choice_[k].start(loaded_[k] ? wheel_[k].errorEstimate() : ErrorEstimate());
+    tryClosedForm(side);
+  }
+}
+
+/// Their ellipses follow the curvature of a single place, which may keep passes from settling.
+void WheelsetBalance::leaveClosedForms()
+{
+  for (RungChoice& choice : choice_)
+  {
+    choice.leaveClosedForm();
+  }
+}
+
+void WheelsetBalance::tryClosedForm(Side side)
+{
+  const std::size_t k = index(side);
+  if (loaded_[k])
+  {
+    choice_[k].tryClosedForm(wheel_[k].problem(), wheel_[k].solution());
   }
 }
 
@@ -254,6 +282,10 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
     {
       return failed(WheelStatus::beside_rail);
     }
+    if (pass == strict_passes)
+    {
+      leaveClosedForms();
+    }
     const WheelStatus status = solveWheels(rough);
     if (status != WheelStatus::solved)
     {
@@ -297,6 +329,7 @@ void WheelsetBalance::finish(double roll_change)
     wheel_[index(side)].finish();
     rail_[index(side)].finish(loaded_[index(side)]);
     choice_[index(side)].descend(error_[index(side)]);
+    tryClosedForm(side);
   }
   if (!config_.wheelset.solve_height_and_roll)
   {

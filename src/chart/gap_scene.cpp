@@ -55,8 +55,8 @@ Outcome gapOutcome(const GapScene& scene, const NormalProblem& problem, const No
   return outcome;
 }
 
-/// Answers like one wheel of the whole chain: from cold a rough solution chooses the grid, each answer carries its
-/// error estimate, and the grid is kept, refined or coarsened by it.
+/// Answers like one wheel of the whole chain: from cold a rough solution chooses method and grid, each answer carries
+/// its error estimate, and the grid is kept, refined or coarsened by it.
 class GapContender : public Contender
 {
  public:
@@ -67,20 +67,26 @@ class GapContender : public Contender
     {
       prepare(scene, ladder.at(rung).size);
     }
+    if (ladder.closedForm() != nullptr)
+    {
+      prepare(scene, ladder.closedForm()->size);
+    }
   }
 
   void answer(int offset) override
   {
     if (!warm_ && ladder_.count() > 1)
     {
-      solveOn(ladder_.rough().size, offset);
+      solveOn(ladder_.rough(), offset);
       choice_.start(estimate_);
+      choice_.tryClosedForm(*problem_, solution_);
     }
     do
     {
-      solveOn(choice_.rung().size, offset);
-    } while (isUsable(solution_.status) && choice_.climb(estimate_));
+      solveOn(choice_.rung(), offset);
+    } while (warm_ ? choice_.climb(estimate_) : choice_.leaveClosedForm());
     choice_.descend(estimate_);
+    choice_.tryClosedForm(*problem_, solution_);
   }
 
   void forget() override
@@ -93,6 +99,7 @@ class GapContender : public Contender
   {
     Outcome outcome = gapOutcome(scene_, *problem_, solution_);
     outcome.estimate = estimate_.largest();
+    outcome.solver = solver_->name();
     return outcome;
   }
 
@@ -112,24 +119,25 @@ class GapContender : public Contender
     }
   }
 
-  void solveOn(const GridSize& size, int offset)
+  void solveOn(const Rung& rung, int offset)
   {
+    const GridSize& size = rung.size;
     problem_ = &std::find_if(prepared_.begin(), prepared_.end(),
                              [&](const Prepared& p) {
                                return p.size.along == size.along && p.size.across == size.across && p.offset == offset;
                              })
                     ->problem;
-    NormalSolver& solver = ladder_.solver();
-    solver.solve(*problem_, warm_, solution_);
+    solver_ = rung.solver;
+    solver_->solve(*problem_, warm_, solution_);
     if (warm_ && !isUsable(solution_.status))
     {
-      solver.solve(*problem_, false, solution_);
+      solver_->solve(*problem_, false, solution_);
     }
     warm_ = isUsable(solution_.status);
     estimate_ = {};
     for (std::size_t k = 0; warm_ && k < problem_->patches.size(); ++k)
     {
-      estimate_ = largestOf(estimate_, solver.estimateError(*problem_, solution_, k));
+      estimate_ = largestOf(estimate_, solver_->estimateError(*problem_, solution_, k));
     }
   }
 
@@ -138,6 +146,7 @@ class GapContender : public Contender
   double tolerance_;
   RungChoice choice_;
   std::vector<Prepared> prepared_;
+  NormalSolver* solver_ = nullptr;  ///< of the last solution
   const NormalProblem* problem_ = nullptr;
   NormalSolution solution_;
   ErrorEstimate estimate_;

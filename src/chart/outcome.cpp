@@ -8,11 +8,12 @@ namespace wheel_rail_contact::chart
 {
 namespace
 {
-void takeFiner(const Grid& grid, GridSize& size)
+void takeFiner(const Grid& grid, std::string_view solver, Outcome& outcome)
 {
-  if (grid.nx * grid.ny > size.along * size.across)
+  if (grid.nx * grid.ny > outcome.grid.along * outcome.grid.across)
   {
-    size = {grid.nx, grid.ny};
+    outcome.grid = {grid.nx, grid.ny};
+    outcome.solver = solver;
   }
 }
 }  // namespace
@@ -51,7 +52,7 @@ Outcome outcomeOf(const WheelsetResult& result)
   outcome.reason = outcome.usable ? "" : result.reason;
   for (const PatchResult& patch : result.patches)
   {
-    takeFiner(patch.grid, outcome.grid);
+    takeFiner(patch.grid, patch.method, outcome);
     outcome.estimate = std::max(outcome.estimate, patch.error_estimate);
     outcome.patches.push_back({static_cast<int>(patch.side), patch.max_pressure, patch.area, patch.approach});
   }
@@ -71,7 +72,7 @@ Outcome outcomeOf(const WheelsetBalance& balance, ContactStatus status)
       const PatchPressure& pressure = wheel.solution().patches[k];
       if (pressure.force > 0)
       {
-        takeFiner(wheel.problem().patches[k].grid, outcome.grid);
+        takeFiner(wheel.problem().patches[k].grid, wheel.solver().name(), outcome);
         outcome.patches.push_back(
             {static_cast<int>(side), pressure.max_pressure, pressure.area, wheel.patchApproach(k)});
       }

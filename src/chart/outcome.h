@@ -24,6 +24,7 @@ struct Outcome
   bool usable = false;
   std::string reason;   ///< why not, empty if usable
   GridSize grid;        ///< finest of the patches
+  std::string solver;   ///< method that solved that patch
   double estimate = 0;  ///< of the relative error, largest of the patches [-]
   std::vector<PatchOutcome> patches;
 };

@@ -6,7 +6,8 @@
 //                            [hertz, kik_piotrowski or grid; default: all]
 //
 // Half of the scenes are wheelsets (the whole chain), half random gaps; each is solved on a random grid of those in
-// use, and by conjugate gradients on one four times finer each way, whose answer counts as true. Weights of the terms
+// use, and by conjugate gradients on one four times finer each way, whose answer counts as true; gaps by Hertz, whose
+// errors do not fall with the cells, on one of 96 × 256 cells. Weights of the terms
 // are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as their mean;
 // then all are scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
 // patches (Kik–Piotrowski: 99 %), and on grids the weight of the area's 1 / (cells along)² is raised until that holds
@@ -40,7 +41,7 @@ std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long
     scenes::Random random(seeds());
     const GridSize& size = scenes::grids[random() % scenes::grids.size()];
     const bool done = i % 2 == 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
-                                 : gaps.sample(method, scenes::randomGapScene(random), size, random, samples);
+                                 : gaps.sample(method, scenes::randomGapScene(method, random), size, random, samples);
     left_out += done ? 0 : 1;
     if ((i + 1) % 20 == 0)
     {

@@ -87,6 +87,12 @@ class QuickChart(unittest.TestCase):
                 self.assertEqual(stand.scenes, len(SCENES))
                 self.assertGreaterEqual(stand.met, stand.scenes - 1, f"{start}, {stand.tolerance}")
 
+    def test_auto_takes_the_closed_form_between_round_bodies_and_nowhere_else(self):
+        for scene in SCENES:
+            round_bodies = scene in ("hertz_1_1", "hertz_1_5", "two_patches")
+            for row in self.of(scene, "auto").values():
+                self.assertEqual(row.solver, "hertz" if round_bodies else "conjugate_gradient", row)
+
     def test_points_on_long_cells_are_refused_not_wrong(self):
         # Point forces on cells ten times as long as wide.
         self.assertEqual({row.status for row in self.of("hertz_1_5", "seidel_printed").values()} - {"not_run"},

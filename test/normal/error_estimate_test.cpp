@@ -29,7 +29,7 @@ std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long se
     scenes::Random random(seeds());
     const GridSize& size = scenes::grids[random() % used_grids];
     i % 2 == 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
-               : gaps.sample(method, scenes::randomGapScene(random), size, random, samples);
+               : gaps.sample(method, scenes::randomGapScene(method, random), size, random, samples);
   }
   return samples;
 }

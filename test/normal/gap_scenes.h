@@ -11,6 +11,7 @@
 #include "wheel_rail_contact/balance/pressure_extent.h"
 #include "wheel_rail_contact/normal/aspect_ladder.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/normal/hertz.h"
 
 /// Random contacts given by the gap of two bodies, for tests and for the calibration of error estimates.
 namespace wheel_rail_contact::scenes
@@ -203,6 +204,31 @@ inline GapScene randomGapScene(Random& random)
     }
   }
   return scene;
+}
+
+/// A paraboloid with some other shape added, from next to nothing to a third of the approach at the contact's edge:
+/// curvatures that vary along and across, and a curvature jump. Without symmetry it is turned, too.
+inline GapScene randomBowlScene(Random& random)
+{
+  constexpr double modulus = 1.14e11;  // steel on steel [Pa]
+  const double load = 1e3 * spread(random, 5, 150);
+  const double along = 0.5 / spread(random, 0.1, 1), across = along * std::exp(uniform(random, -3, 3));
+  const HertzContact contact = hertzForForce({along, across}, modulus, load);
+  const double height = spread(random, 1e-4, 0.3) * contact.approach;
+  const bool even = !oneIn(random, 3);
+  std::array<double, 4> share{};
+  std::generate(share.begin(), share.end(), [&] { return height * uniform(random, -1, 1); });
+  const double joint = uniform(random, -1, 1), turn = even ? 0 : uniform(random, -0.5, 0.5);
+  const auto gap = [=](double x, double y)
+  {
+    const double turned_x = std::cos(turn) * x + std::sin(turn) * y, turned_y = std::cos(turn) * y - std::sin(turn) * x;
+    const double u = turned_x / contact.semi_axis_x, v = turned_y / contact.semi_axis_y,
+                 over = std::max(v - joint, 0.0);
+    const double other =
+        share[0] * v * v * v + share[1] * v * v * v * v + share[2] * u * u * v + share[3] * over * over;
+    return along * turned_x * turned_x + across * turned_y * turned_y + other;
+  };
+  return {"bowl", even, {gap}, load};
 }
 
 inline void sample(const Gap& gap, PatchGap& patch)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems.h"
+#include "wheel_rail_contact/normal/conjugate_gradients.h"
 
 namespace wheel_rail_contact
 {
@@ -139,6 +140,31 @@ TEST(HertzSolver, refusesAGapThatIsNoBowl)
   EXPECT_FALSE(isUsable(solution.status));
   solver.solve(underLoad(sampled(grid, [](double x, double y) { return y * y - 0.1 * x * x; }), 1e4), false, solution);
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
+}
+
+TEST(HertzSolver, tellsWhatItWouldLeaveInAContactSolvedOnAGrid)
+{
+  // Arcs that meet under the crest, 10 % apart in curvature: the estimate needs no more of a solution than its
+  // approach, which differs by less than a tenth.
+  const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
+  const auto joint = [](double x, double y) { return x * x + (y < 0 ? 1 : 1.1) * y * y; };
+  const NormalProblem problem = underLoad(sampled(grid, joint), 5e4);
+  HertzSolver hertz;
+  ConjugateGradients conjugate_gradients;
+  NormalSolution own, on_grid;
+  hertz.solve(problem, false, own);
+  conjugate_gradients.solve(problem, false, on_grid);
+  ASSERT_TRUE(isUsable(own.status) && isUsable(on_grid.status));
+  const ErrorEstimate left = hertz.estimateError(problem, own, 0);
+  const ErrorEstimate foreseen = hertz.estimateError(problem, on_grid, 0);
+  EXPECT_GT(left.largest(), 0.01);
+  EXPECT_NEAR(foreseen.max_pressure, left.max_pressure, 0.1 * left.max_pressure);
+  EXPECT_NEAR(foreseen.area, left.area, 0.1 * left.area);
+  EXPECT_NEAR(foreseen.approach, left.approach, 0.1 * left.approach);
+
+  NormalProblem saddle = problem;
+  saddle.patches[0] = sampled(grid, [](double x, double y) { return y * y - 1e-3 * x * x; });
+  EXPECT_TRUE(std::isinf(hertz.estimateError(saddle, on_grid, 0).largest()));
 }
 
 TEST(HertzSolver, tellsWhereTheGridCutsTheEllipse)

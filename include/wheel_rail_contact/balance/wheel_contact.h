@@ -58,6 +58,11 @@ class WheelContact
   /// Refers to `config` and `solver`, which must outlive it.
   WheelContact(const ContactModelConfig& config, NormalSolver& solver);
 
+  /// Solves by another method from now on; it must outlive this.
+  void setSolver(NormalSolver& solver) { solver_ = &solver; }
+  /// The method in use.
+  const NormalSolver& solver() const { return *solver_; }
+
   /// Sets the rail where it is, and how it yields there: then `support.placed` are its coordinates (rail_support.h). A
   /// support that has a compliance but does not yield in the solution is let down by the forces found, its gap kept.
   void setRail(const PlacedRail& rail, const Support& support);
@@ -162,7 +167,7 @@ class WheelContact
   bool boxesHold(const RigidTouch& touch);
 
   const ContactModelConfig& config_;
-  NormalSolver& solver_;
+  NormalSolver* solver_;
   double modulus_;
   ContactSearch search_;
   std::optional<PlacedRail> rail_;

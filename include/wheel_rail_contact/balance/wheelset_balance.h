@@ -61,6 +61,7 @@ class WheelsetBalance
   double heightDifference() const;
   double lever(Side side) const;
   double leverSum() const;
+  WheelStatus solveWheel(Side side, const Rung& rung);
   WheelStatus solveWheels(bool rough);
   double moveRails();
   double expectedLoad(Side side);
@@ -71,6 +72,8 @@ class WheelsetBalance
   void foresee(double moved);
   bool fineEnough();
   void chooseGrids();
+  void tryClosedForm(Side side);
+  void leaveClosedForms();
   void finish(double roll_change);
 
   const ContactModelConfig& config_;

@@ -59,8 +59,8 @@ struct ErrorWeights
 const ErrorWeights& gridErrorWeights();
 
 /// For methods that know a gap by a paraboloid only: the estimate of each quantity is a sum of these, each times its
-/// weight. One · |logarithm of the ratio of volumes| below a level of the gap and of the paraboloid · the volume that
-/// is not common to both, over their mean · squared logarithm of the paraboloid's aspect.
+/// weight. One · |logarithm of the ratio of volumes| below a level of the gap and of the paraboloid · the volume below
+/// a level that is not common to both, over their mean · squared logarithm of the paraboloid's aspect.
 using ShapeTerms = std::array<double, 4>;
 
 /// Weights of ShapeTerms for each quantity [-].

@@ -36,7 +36,9 @@ class HertzSolver : public NormalSolver
   const char* name() const override { return "hertz"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
-  /// From what tells the gap below half the approach from the paraboloid at its lowest place.
+  /// From what tells the overlap at half the approach, and at all of it, from that of the paraboloid at the gap's
+  /// lowest place. `solution` may be another method's of the same problem: the estimate then tells what Hertz would
+  /// leave; infinite where a loaded patch's gap is no bowl.
   ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
                               std::size_t patch) const override;
   /// What the estimate is a weighted sum of.

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 INTEGERS = ("cells_along", "cells_across", "samples")
-TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason")
+TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason", "solver")
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,7 @@ class Row:
     time_quartile_1: float
     time_quartile_3: float
     samples: int
+    solver: str  # the method at work: of auto the one it chose; empty unless answered
     error: float  # largest of the three; this and what follows is None unless answered
     error_max_pressure: float
     error_area: float
