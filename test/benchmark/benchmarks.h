@@ -19,7 +19,7 @@ void registerSteps();
 void registerGrowth();
 /// contact_replay from bag to bag against the evaluations alone.
 void registerReplay();
-/// Other solvers against conjugate gradients, both timed in turns.
+/// Other solvers against conjugate gradients, and rails that bend against rails that do not, timed in turns.
 void registerRatios();
 
 /// How long some work takes [s].

@@ -60,12 +60,35 @@ void polonskyKeer(benchmark::State& state, const GridSize& size)
     state.SkipWithError("Polonsky-Keer did not reach the residual");
   }
 }
+
+/// Warm answers of a wheelset on rails that bend by a table and on rails that do not, in turns over one sweep; `slower`
+/// is the ratio of the sums of their times.
+void bendingRails(benchmark::State& state)
+{
+  ContactModelConfig config = manchesterScene();
+  WheelsetContact rigid(config);
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = softPads();
+  WheelsetContact bending(config);
+  Sweep sweep;
+  double rigid_time = 0, bending_time = 0;
+  int refused = 0;
+  for (auto _ : state)
+  {
+    const WheelsetState& wheelset = sweep.next();
+    rigid_time += seconds([&] { refused += isUsable(rigid.evaluate(wheelset).status) ? 0 : 1; });
+    bending_time += seconds([&] { refused += isUsable(bending.evaluate(wheelset).status) ? 0 : 1; });
+  }
+  state.counters["slower"] = bending_time / rigid_time;
+  state.counters["refused"] = refused;
+}
 }  // namespace
 
 void registerRatios()
 {
   const auto add = [](const std::string& name, auto run)
   { benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond); };
+  add("ratio/bending_rails", bendingRails);
   for (const GridSize& size : {GridSize{16, 16}, GridSize{16, 32}, GridSize{32, 32}})
   {
     add("ratio/seidel_printed/" + nameOf(size),
