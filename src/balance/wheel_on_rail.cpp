@@ -28,12 +28,9 @@ WheelForces WheelContact::sumOfForces() const
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     const PatchGap& gap = problem_.patches[k];
-    const PatchPressure& patch = solution_.patches[k];
-    const double on_cells = gap.grid.cellArea() * patch.pressure.sum();
-    const double share = on_cells > 0 ? patch.force / on_cells : 0;  // a closed form's force is not that of its cells
     for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
     {
-      const double force = share * gap.grid.cellArea() * patch.pressure.col(j).sum();
+      const double force = gap.grid.cellArea() * solution_.patches[k].pressure.col(j).sum();
       sum += force * gap.opening.row(j).matrix().transpose();
     }
   }

@@ -84,6 +84,23 @@ void fillEllipsoid(const GapMinimum& minimum, const HertzContact& contact, const
   }
 }
 
+/// Raises loaded cells, those at the edge most, or lowers all alike, until together they carry the contact's force: the
+/// value at a cell's centre is not its mean.
+void fitToForce(const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
+{
+  const double sum = pressure.sum(), missing = contact.force / grid.cellArea() - sum;
+  const auto room = (pressure > 0).select(contact.max_pressure - pressure, 0.0);
+  const double most = room.sum();
+  if (missing > 0 && missing < most)
+  {
+    pressure += missing / most * room;
+  }
+  else if (missing < 0)
+  {
+    pressure *= 1 + missing / sum;
+  }
+}
+
 bool isCut(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid)
 {
   const double cosine = std::cos(minimum.angle), sine = std::sin(minimum.angle);
@@ -158,6 +175,10 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
     patch.area = contact.area;
     patch.touches_border = own > 0 && isCut(minimum, contact, gap.grid);
     fillEllipsoid(minimum, contact, gap.grid, patch.pressure);
+    if (!patch.touches_border)
+    {
+      fitToForce(contact, gap.grid, patch.pressure);
+    }
     touches = touches || own > 0;
   }
   solution.status = touches ? SolveStatus::converged : SolveStatus::no_contact;

@@ -16,8 +16,8 @@ from wheel_rail_contact.chart.table import Row
 from wheel_rail_contact.command import Failure, finish, pyplot, runner
 from wheel_rail_contact.progress import Progress
 
-ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", "answered", "", 1e-3, 1e-3, 1e-3, 5, 0.01, 0.01,
-          0.0, 0.0, 0.02, 1e-4)
+ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", "answered", "", 1e-3, 1e-3, 1e-3, 5, "hertz", 0.01,
+          0.01, 0.0, 0.0, 0.02, 1e-4)
 
 
 class Misuse(unittest.TestCase):
