@@ -94,6 +94,7 @@ std::string decompressed(const std::string& compression, std::string data, std::
   }
   throw BagError("unknown compression '" + compression + "'");
 }
+
 std::string compressed(const std::string& compression, std::string content)
 {
   if (compression == "none")

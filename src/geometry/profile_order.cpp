@@ -217,6 +217,7 @@ void checkWheel(const ProfileFile& file, const FilePoints& points)
     file.refuse(0, "no flange of at least " + millimetres(least_flange_height) + " on the gauge side: not a wheel");
   }
 }
+
 /// Turned by half a turn a tread looks as before, but the flange stands up on the field side.
 void checkFlangeReachesDown(const ProfileFile& file, const FilePoints& points)
 {

@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/replay/replay_options.h"
 
 #include <ros/message_traits.h>
+
 #include <algorithm>
 #include <ostream>
 #include <sstream>

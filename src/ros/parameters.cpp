@@ -175,6 +175,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
   reader.read("sync/slop", seconds, config.slop);
   readMarkers(reader, config.markers);
 }
+
 /// Runs `open` on the value of a parameter that names a file; errors get the parameter's name.
 template <typename Open>
 auto openFile(const std::string& name, const std::string& value, const Open& open)

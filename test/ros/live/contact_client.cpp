@@ -109,6 +109,7 @@ Report nextReport(const std::string& node)
   spinUntil([&count] { return count > 0; });
   return report;
 }
+
 int processOf(const std::string& node)
 {
   XmlRpc::XmlRpcValue request, response, uri;
