@@ -84,19 +84,19 @@ WheelStatus WheelsetBalance::solveWheel(Side side, const Rung& rung)
 
 WheelStatus WheelsetBalance::solveWheels(bool rough)
 {
-  const auto failed = [](WheelStatus status)
+  const auto is_failure = [](WheelStatus status)
   { return status != WheelStatus::solved && status != WheelStatus::no_contact; };
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
     WheelStatus status = solveWheel(side, rough ? ladder_.rough() : choice_[k].rung());
-    if (failed(status) && !rough && choice_[k].leaveClosedForm())
+    if (is_failure(status) && !rough && choice_[k].leaveClosedForm())
     {
       status = solveWheel(side, choice_[k].rung());
     }
     loaded_[k] = status == WheelStatus::solved;
     descent_[k] = loaded_[k] ? wheel_[k].descent() : 0;
-    if (failed(status))
+    if (is_failure(status))
     {
       normal_status_ = wheel_[k].solution().status;
       return status;
