@@ -111,7 +111,7 @@ void AnswerCheck::checkNumbers(const WheelsetResult& result)
   for (const PatchResult& p : result.patches)
   {
     sum += p.pose.x + p.pose.y + p.pose.z + p.pose.angle + p.contact_angle + p.normal_force + p.approach + p.area +
-           p.max_pressure + p.error_estimate + p.residual + p.pressure.sum();
+           p.max_pressure + p.error_estimate + p.residual + p.half_space_ratio + p.pressure.sum();
   }
   if (!std::isfinite(sum))
   {

@@ -125,7 +125,8 @@ bool isFinite(const WheelsetContactMsg& answer)
   }
   for (const ContactPatch& patch : answer.patches)
   {
-    finite = finite && std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force);
+    finite = finite && std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force +
+                                     patch.half_space_ratio);
   }
   return finite;
 }
