@@ -157,7 +157,7 @@ class WheelsetContact::Chain
     }
   }
 
-  static void fill(Side side, const WheelContact& wheel, std::size_t k, PatchResult& out)
+  void fill(Side side, const WheelContact& wheel, std::size_t k, PatchResult& out) const
   {
     const WheelPatch& patch = wheel.patches()[k];
     const PatchPressure& pressure = wheel.solution().patches[k];
@@ -172,7 +172,7 @@ class WheelsetContact::Chain
     out.area = pressure.area;
     out.max_pressure = pressure.max_pressure;
     const double of_solution = wheel.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
-    out.error_estimate = std::hypot(of_solution, wheel.layoutError(k));
+    out.error_estimate = std::hypot(of_solution, wheel.layoutError(k, balance_.openRoll()));
     out.iterations = wheel.solution().iterations;
     out.residual = wheel.solution().residual;
     out.half_space_ratio = wheel.halfSpaceRatio(k);

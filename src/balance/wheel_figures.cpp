@@ -29,7 +29,7 @@ ErrorEstimate WheelContact::errorEstimate() const
   return error;
 }
 
-double WheelContact::layoutError(std::size_t patch) const
+double WheelContact::layoutError(std::size_t patch, double open_roll) const
 {
   const WheelPatch& p = patches_[patch];
   const double slip = (solution_.approach - boxed_descent_) * std::sin(p.plane.angle);
@@ -41,7 +41,8 @@ double WheelContact::layoutError(std::size_t patch) const
     most = std::max(most, p.columns[static_cast<std::size_t>(j)].slope);
   }
   const double uneven = p.extent.empty ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
-  return uneven + std::abs(p.slope * std::tan(p.plane.angle));
+  const double parted = std::cos(p.plane.angle) * (leverOf(p) - lever()) * open_roll;
+  return uneven + std::abs(p.slope * std::tan(p.plane.angle)) + std::abs(parted) / patchApproach(patch);
 }
 
 double WheelContact::halfSpaceRatio(std::size_t patch) const
@@ -108,16 +109,21 @@ double WheelContact::rise() const
   return vertical > 0 ? sum / vertical : 0;
 }
 
+double WheelContact::leverOf(const WheelPatch& patch) const
+{
+  const ContactPlane& plane = patch.plane;
+  return plane.y - wheel_->pose().y + (plane.z - wheel_->pose().z) * std::tan(plane.angle);
+}
+
 double WheelContact::lever() const
 {
   double vertical = 0;
   double moment = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    const ContactPlane& plane = patches_[k].plane;
-    const double share = solution_.patches[k].force * std::cos(plane.angle);
+    const double share = solution_.patches[k].force * std::cos(patches_[k].plane.angle);
     vertical += share;
-    moment += share * (plane.y - wheel_->pose().y + (plane.z - wheel_->pose().z) * std::tan(plane.angle));
+    moment += share * leverOf(patches_[k]);
   }
   return vertical > 0 ? moment / vertical : 0;
 }

@@ -323,6 +323,7 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
 void WheelsetBalance::finish(double roll_change)
 {
   warm_ = true;
+  open_roll_ = roll_change;
   reason_ = {};
   for (const Side side : sides)
   {

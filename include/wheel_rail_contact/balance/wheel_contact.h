@@ -124,8 +124,9 @@ class WheelContact
   ///
   /// A gap is built for the descent known beforehand. If the one found differs by D, the wheel slides by D sin(angle)
   /// along the plane, which opens the gap by that times the surface's slope: its uneven part counts over twice the
-  /// approach. A plane that is off by an angle takes the normal force off by its tangent's share.
-  double layoutError(std::size_t patch) const;
+  /// approach. A plane that is off by an angle takes the normal force off by its tangent's share. A roll left open
+  /// [rad] moves the patches of a wheel against one another, by the difference of their levers along the normal.
+  double layoutError(std::size_t patch, double open_roll) const;
   /// How far a patch is from a contact of half-spaces: half the angle through which the section of the wheel or the
   /// rail, whichever is larger, turns over the pressure; on an arc, the pressure's half-width over the radius [rad].
   double halfSpaceRatio(std::size_t patch) const;
@@ -163,6 +164,7 @@ class WheelContact
   void settleSupport();
   void takeIntoGaps(const Eigen::Vector3d& way);
   void measure();
+  double leverOf(const WheelPatch& patch) const;
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
 

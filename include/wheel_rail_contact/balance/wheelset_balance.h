@@ -37,6 +37,8 @@ class WheelsetBalance
   double height() const { return height_; }
   /// Track frame [rad].
   double roll() const { return roll_; }
+  /// What the last pass left open of the roll [rad]: roll() contains it, the wheels as last solved do not.
+  double openRoll() const { return open_roll_; }
   /// One wheel as last solved.
   const WheelContact& wheel(Side side) const { return wheel_[static_cast<std::size_t>(side)]; }
   /// False where the wheel carries nothing.
@@ -93,6 +95,7 @@ class WheelsetBalance
   std::array<LoadSearch, 2> load_search_;
   double height_ = 0;
   double roll_ = 0;
+  double open_roll_ = 0;
   bool warm_ = false;
   std::string_view reason_;
 };
