@@ -168,6 +168,11 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       return WheelStatus::normal_failed;
     }
     measure();
+    if (solution_.status == SolveStatus::no_contact)
+    {
+      reset();
+      return WheelStatus::no_contact;
+    }
     settleSupport();
     widened_ = widened_ && attempt > 0;
     const bool hold = boxesHold(touch);

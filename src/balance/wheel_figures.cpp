@@ -16,7 +16,9 @@ constexpr double rigid_lean = 0.1;  ///< turn of a plane against the normal of i
 double WheelContact::patchApproach(std::size_t patch) const
 {
   const WheelPatch& p = patches_[patch];
-  return (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
+  const PatchGap& gap = problem_.patches[patch];
+  const double at_first_touch = (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
+  return std::max(at_first_touch, gap.weight * elasticDescent() - gap.gap.minCoeff());
 }
 
 ErrorEstimate WheelContact::errorEstimate() const

@@ -66,49 +66,105 @@ void setPrincipal(double xx, double xy, double yy, GapMinimum& minimum)
   minimum.curvature.b = 0.5 * (along_x ? mean - radius : mean + radius);
 }
 
-/// Ellipsoidal pressure at the cells' centres; zero for a contact without area.
+/// An ellipse by its sections along x.
+class Sections
+{
+ public:
+  Sections(const GapMinimum& minimum, const HertzContact& contact)
+  {
+    const double cosine = std::cos(minimum.angle), sine = std::sin(minimum.angle);
+    const double first = 1 / (contact.semi_axis_x * contact.semi_axis_x);
+    const double second = 1 / (contact.semi_axis_y * contact.semi_axis_y);
+    const double xx = cosine * cosine * first + sine * sine * second;
+    const double xy = cosine * sine * (first - second);
+    lean_ = -xy / xx;
+    reach_ = 1 / std::sqrt(xx);
+    half_x_ = std::hypot(cosine * contact.semi_axis_x, sine * contact.semi_axis_y);
+    half_y_ = std::hypot(sine * contact.semi_axis_x, cosine * contact.semi_axis_y);
+  }
+
+  double halfX() const { return half_x_; }  ///< the ellipse's extent along x from its centre [m]
+  double halfY() const { return half_y_; }  ///< likewise, along y [m]
+
+  double middle(double y) const { return lean_ * y; }  ///< x of a section's middle, from the ellipse's centre [m]
+  /// Half-length of the section at y, which lies within the extent, from the ellipse's centre [m].
+  double halfLength(double y) const { return reach_ * std::sqrt(std::max(1 - y * y / (half_y_ * half_y_), 0.0)); }
+  double longest() const { return reach_; }  ///< half-length of the section through the centre [m]
+
+ private:
+  double lean_ = 0, reach_ = 0, half_x_ = 0, half_y_ = 0;
+};
+
+/// Integral of sqrt(1 - t²) from the left end of a section to t, in its half-lengths.
+double semicircle(double t)
+{
+  constexpr double quarter = 0.78539816339744831;  // pi / 4
+  if (std::abs(t) >= 1)
+  {
+    return t > 0 ? 2 * quarter : 0;
+  }
+  return quarter + 0.5 * (t * std::sqrt(1 - t * t) + std::asin(t));
+}
+
+/// Adds to a column of cells what a section carries on each of them: `factor` times its integral along x.
+void addSection(const Grid& grid, double middle, double half_length, double factor, Eigen::ArrayXXd::ColXpr column)
+{
+  const auto up_to = [&](int row) { return semicircle((grid.x(row) - 0.5 * grid.dx - middle) / half_length); };
+  double before = up_to(0);
+  for (int i = 0; i < grid.rows(); ++i)
+  {
+    const double after = up_to(i + 1);
+    column(i) += factor * (after - before);
+    before = after;
+  }
+}
+
+/// Means of the ellipsoidal pressure over the cells; zero for a contact without area. Exact along x; across by Gauss's
+/// rule of two points over the loaded part of each column, which is exact for its sum: together the cells carry the
+/// force, to rounding.
 void fillEllipsoid(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
 {
-  const double cosine = std::cos(minimum.angle), sine = std::sin(minimum.angle);
   pressure.setZero(grid.rows(), grid.ny);
-  for (int j = 0; contact.area > 0 && j < grid.ny; ++j)
+  if (!(contact.area > 0))
   {
-    const double y = grid.y(j) - minimum.y;
-    for (int i = 0; i < grid.rows(); ++i)
+    return;
+  }
+  const Sections sections(minimum, contact);
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    const double begin = std::max(grid.y(j) - 0.5 * grid.dy - minimum.y, -sections.halfY());
+    const double end = std::min(grid.y(j) + 0.5 * grid.dy - minimum.y, sections.halfY());
+    for (const double place : {-std::sqrt(1.0 / 3), std::sqrt(1.0 / 3)})
     {
-      const double x = grid.x(i) - minimum.x;
-      const double first = (cosine * x + sine * y) / contact.semi_axis_x;
-      const double second = (cosine * y - sine * x) / contact.semi_axis_y;
-      pressure(i, j) = contact.max_pressure * std::sqrt(std::max(1 - first * first - second * second, 0.0));
+      const double y = 0.5 * (begin + end + place * (end - begin)), half_length = sections.halfLength(y);
+      if (end > begin && half_length > 0)
+      {
+        const double share = 0.5 * (end - begin) / grid.dy * half_length / grid.dx * half_length / sections.longest();
+        addSection(grid, minimum.x + sections.middle(y), half_length, share * contact.max_pressure, pressure.col(j));
+      }
     }
   }
 }
 
-/// Raises loaded cells, those at the edge most, or lowers all alike, until together they carry the contact's force: the
-/// value at a cell's centre is not its mean.
-void fitToForce(const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
+/// Adds what the grid's border cuts off to the loaded cells, most to those at the edge, so that together they carry the
+/// contact's force; as long as they have room for it below the highest pressure.
+void addCutOff(const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
 {
-  const double sum = pressure.sum(), missing = contact.force / grid.cellArea() - sum;
+  const double missing = contact.force / grid.cellArea() - pressure.sum();
   const auto room = (pressure > 0).select(contact.max_pressure - pressure, 0.0);
   const double most = room.sum();
   if (missing > 0 && missing < most)
   {
     pressure += missing / most * room;
   }
-  else if (missing < 0)
-  {
-    pressure *= 1 + missing / sum;
-  }
 }
 
 bool isCut(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid)
 {
-  const double cosine = std::cos(minimum.angle), sine = std::sin(minimum.angle);
-  const double half_x = std::hypot(cosine * contact.semi_axis_x, sine * contact.semi_axis_y);
-  const double half_y = std::hypot(sine * contact.semi_axis_x, cosine * contact.semi_axis_y);
+  const Sections sections(minimum, contact);
   const double end_x = 0.5 * grid.nx * grid.dx;
-  return std::abs(minimum.x) + half_x > end_x || minimum.y - half_y < grid.y(0) - 0.5 * grid.dy ||
-         minimum.y + half_y > grid.y(grid.ny - 1) + 0.5 * grid.dy;
+  return std::abs(minimum.x) + sections.halfX() > end_x || minimum.y - sections.halfY() < grid.y(0) - 0.5 * grid.dy ||
+         minimum.y + sections.halfY() > grid.y(grid.ny - 1) + 0.5 * grid.dy;
 }
 
 /// The contact at another approach: lengths and pressure grow with its root.
@@ -134,7 +190,8 @@ GapMinimum fitMinimum(const PatchGap& gap)
   const double gy = (cells.at(0, 1) - cells.at(0, -1)) / (2 * grid.dy);
   const double xx = (cells.at(1, 0) - 2 * cells.at(0, 0) + cells.at(-1, 0)) / (grid.dx * grid.dx);
   const double yy = (cells.at(0, 1) - 2 * cells.at(0, 0) + cells.at(0, -1)) / (grid.dy * grid.dy);
-  const double xy = (cells.at(1, 1) - cells.at(1, -1) - cells.at(-1, 1) + cells.at(-1, -1)) / (4 * grid.dx * grid.dy);
+  const double twist = cells.at(1, 1) - cells.at(1, -1) - cells.at(-1, 1) + cells.at(-1, -1);
+  const double xy = grid.symmetric ? 0 : twist / (4 * grid.dx * grid.dy);
   GapMinimum minimum;
   setPrincipal(xx, xy, yy, minimum);
   const double determinant = xx * yy - xy * xy;
@@ -175,9 +232,9 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
     patch.area = contact.area;
     patch.touches_border = own > 0 && isCut(minimum, contact, gap.grid);
     fillEllipsoid(minimum, contact, gap.grid, patch.pressure);
-    if (!patch.touches_border)
+    if (patch.touches_border)
     {
-      fitToForce(contact, gap.grid, patch.pressure);
+      addCutOff(contact, gap.grid, patch.pressure);
     }
     touches = touches || own > 0;
   }

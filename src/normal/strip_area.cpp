@@ -23,6 +23,13 @@ double squaredLength(const Strip& strip, double level)
   return strip.bend > 0 ? (level - strip.gap) / strip.bend : -std::numeric_limits<double>::infinity();
 }
 
+/// Between the values in two neighbouring columns [m²]; the one at an end counts nothing at the other, and may be
+/// infinite.
+double squaredBetween(double first, double last, double share)
+{
+  return share <= 0 ? first : share >= 1 ? last : (1 - share) * first + share * last;
+}
+
 /// Loaded part of the interval between two neighbouring columns, l² being linear between them.
 struct Interval
 {
@@ -72,22 +79,23 @@ double compliance(const StripGap& gap, const StripArea& area)
 {
   const auto place = [&](double column) { return area.across * (gap.y0 + column * gap.dy - gap.y); };
   const auto regular_at = [&](double squared, double y)
-  { return squared > 0 ? regularInfluence(area.along * std::sqrt(squared), y) : 2 * std::log(std::abs(y)); };
-  double sum = 0, squared = squaredLength(gap.strips[0], area.level);
-  double regular = squared > 0 ? regular_at(squared, place(0)) : 0;
+  { return squared > 0 ? regularInfluence(area.along * std::sqrt(squared), y) : 0; };
+  const auto at_edge = [](double y) { return 2 * std::log(std::abs(y)); };
+  double sum = 0, squared = squaredLength(gap.strips[0], area.level), regular = regular_at(squared, place(0));
   for (std::size_t j = 0; j + 1 < gap.strips.size(); ++j)
   {
+    const auto column = static_cast<double>(j);
     const double next = squaredLength(gap.strips[j + 1], area.level);
+    const double regular_next = regular_at(next, place(column + 1));
     const Interval interval(squared, next);
-    if (interval.end > interval.begin)
+    const double begin = place(column + interval.begin), end = place(column + interval.end);
+    if (end > begin)
     {
-      const auto column = static_cast<double>(j);
-      const double begin = place(column + interval.begin), end = place(column + interval.end);
-      const double regular_begin = squared > 0 ? regular : regular_at(0, begin);
-      regular = regular_at(next, end);
-      sum += interval.lengths * (0.5 * (regular_begin + regular) - 2 * meanLogarithm(begin, end));
+      const double ends = (squared > 0 ? regular : at_edge(begin)) + (next > 0 ? regular_next : at_edge(end));
+      sum += interval.lengths * (0.5 * ends - 2 * meanLogarithm(begin, end));
     }
     squared = next;
+    regular = regular_next;
   }
   return sum * area.along * area.across * gap.dy;
 }
@@ -219,7 +227,7 @@ void fillPressure(const Grid& grid, const StripGap& gap, const StripArea& area, 
     const auto low = static_cast<std::size_t>(std::min(column, last - 1));
     const double share = column - static_cast<double>(low);
     const Strip &before = gap.strips[low], &after = gap.strips[low + 1];
-    const double squared = (1 - share) * squaredLength(before, area.level) + share * squaredLength(after, area.level);
+    const double squared = squaredBetween(squaredLength(before, area.level), squaredLength(after, area.level), share);
     const double middle = before.x + share * (after.x - before.x), reach = area.along * area.along * squared;
     for (int i = 0; i < grid.rows(); ++i)
     {

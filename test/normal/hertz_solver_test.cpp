@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
@@ -52,45 +53,60 @@ TEST(HertzSolver, isExactOnBowls)
   }
 }
 
-TEST(HertzSolver, fillsTheGridWithTheEllipsoid)
+TEST(HertzSolver, fillsTheGridWithTheEllipsoidsMeans)
 {
-  const auto hertz = hertzCase(3, 64, 64, true, 1.1, 0.5);
+  const auto hertz = hertzCase(3, 16, 32, true, 1.1, 0.5);
   HertzSolver solver;
   NormalSolution solution;
   solver.solve(hertz.problem, false, solution);
   const PatchPressure& patch = solution.patches[0];
   const Grid& grid = patch.grid;
-  Eigen::ArrayXXd exact(grid.rows(), grid.ny);
-  for (int j = 0; j < grid.ny; ++j)
+  constexpr int parts = 50;
+  Eigen::ArrayXXd means = Eigen::ArrayXXd::Zero(grid.rows(), grid.ny);
+  for (int j = 0; j < grid.ny * parts; ++j)
   {
-    for (int i = 0; i < grid.rows(); ++i)
+    const double y = (grid.y(0) + ((j + 0.5) / parts - 0.5) * grid.dy) / hertz.exact.semi_axis_y;
+    for (int i = 0; i < grid.rows() * parts; ++i)
     {
-      const double x = grid.x(i) / hertz.exact.semi_axis_x, y = grid.y(j) / hertz.exact.semi_axis_y;
-      exact(i, j) = hertz.exact.max_pressure * std::sqrt(std::max(1 - x * x - y * y, 0.0));
+      const double x = (i + 0.5) / parts * grid.dx / hertz.exact.semi_axis_x;
+      means(i / parts, j / parts) += std::sqrt(std::max(1 - x * x - y * y, 0.0)) / (parts * parts);
     }
   }
-  // The midpoint rule on an ellipsoid of 58 cells' width is 1e-3 off: that is added where the pressure falls off.
-  EXPECT_NEAR(patch.pressure.sum() * grid.cellArea() / patch.force, 1, 1e-9);
-  EXPECT_LT((patch.pressure - exact).abs().maxCoeff(), 2e-3 * hertz.exact.max_pressure);
+  // Two Gauss points across a column miss the root at the edge by 0.6 % of the highest pressure.
+  EXPECT_LT((patch.pressure / hertz.exact.max_pressure - means).abs().maxCoeff(), 8e-3);
   EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure);
-  EXPECT_TRUE(((patch.pressure > 0) == (exact > 0)).all());
 }
 
-TEST(HertzSolver, pressuresOnFewCellsCarryTheForce)
+TEST(HertzSolver, pressuresOnAnyGridCarryTheForce)
 {
-  for (const int cells : {4, 6, 8, 16})
+  // Ellipses of 11 mm by 1.7 mm: on some thousand cells, cut off by the border, and hidden between the centres of four.
+  struct Cells
   {
-    for (const double shift : {0.0, 0.3, 0.5})
+    double size;  // [mm]
+    int along, across;
+    bool cut;
+  };
+  HertzSolver solver;
+  NormalSolution solution;
+  for (const Cells& cells : {Cells{0.15, 100, 90, false}, {1, 12, 12, false}, {1, 9, 6, true}, {20, 4, 4, false}})
+  {
+    for (const double angle : {0.0, 0.7})
     {
-      const auto hertz = hertzCase(2, cells, 2 * cells, false, 1.3, shift);
-      HertzSolver solver;
-      NormalSolution solution;
-      solver.solve(hertz.problem, false, solution);
-      const PatchPressure& patch = solution.patches[0];
-      ASSERT_FALSE(patch.touches_border) << cells << ", " << shift;
-      EXPECT_NEAR(patch.pressure.sum() * patch.grid.cellArea() / patch.force, 1, 1e-9) << cells << ", " << shift;
-      EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure);
-      EXPECT_GE(patch.pressure.minCoeff(), 0);
+      for (const double shift : {-0.4, 0.1, 0.5})
+      {
+        const double size = 1e-3 * cells.size;
+        const Grid grid{cells.along, cells.across, size, size, (shift - 0.5 * cells.across) * size, false};
+        const GapCurvature curvature{2, 90};
+        const NormalProblem problem = underLoad(sampled(grid, turnedBowl(curvature, angle, 0, 0)), 2e4);
+        solver.solve(problem, false, solution);
+        const PatchPressure& patch = solution.patches[0];
+        const std::string what = std::to_string(cells.size) + " mm, turned " + std::to_string(angle);
+        ASSERT_EQ(solution.status, SolveStatus::converged) << what;
+        EXPECT_EQ(patch.touches_border, cells.cut) << what;
+        EXPECT_NEAR(patch.pressure.sum() * grid.cellArea() / problem.value, 1, 1e-9) << what;
+        EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure) << what;
+        EXPECT_GE(patch.pressure.minCoeff(), 0) << what;
+      }
     }
   }
 }

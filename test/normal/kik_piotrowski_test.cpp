@@ -111,6 +111,27 @@ TEST(KikPiotrowski, pressureCarriesTheLoad)
   }
 }
 
+TEST(KikPiotrowski, besideAWallMirroredGapsGiveMirroredPressures)
+{
+  // A ridge with a slope on one side and, on the other, a step up to a plane that does not open along x.
+  const double width = std::ldexp(1.0, -11);  // so that the deepest column lies in its strip to the last digit
+  const Grid grid{8, 5, 1e-3, width, -2 * width, false};
+  NormalProblem problem;
+  problem.modulus = problems::steel();
+  problem.control = NormalProblem::Control::approach;
+  problem.value = 1e-4;
+  problem.patches = {sampled(grid, [](double x, double y) { return 0.2 * std::abs(y) + (y <= 0 ? 2 * x * x : 0); })};
+  const NormalSolution solution = solved(problem);
+  problem.patches[0].gap = problem.patches[0].gap.rowwise().reverse().eval();
+  const NormalSolution mirrored = solved(problem);
+  ASSERT_GT(solution.patches[0].force, 0);
+  ASSERT_TRUE(solution.patches[0].pressure.allFinite());
+  EXPECT_NEAR(mirrored.patches[0].force / solution.patches[0].force, 1, 1e-12);
+  EXPECT_NEAR(mirrored.patches[0].max_pressure / solution.patches[0].max_pressure, 1, 1e-12);
+  const Eigen::ArrayXXd reversed = mirrored.patches[0].pressure.rowwise().reverse();
+  EXPECT_LT((reversed - solution.patches[0].pressure).abs().maxCoeff(), 1e-9 * solution.patches[0].max_pressure);
+}
+
 TEST(KikPiotrowski, loadGrowsLikeHertzsOnEllipses)
 {
   NormalProblem problem = hertzCase(3, 32, 64, true, 1.3).problem;

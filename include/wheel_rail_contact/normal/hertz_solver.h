@@ -28,8 +28,8 @@ GapMinimum fitMinimum(const PatchGap& gap);
 ///
 /// Several patches share the approach: their forces are summed in closed form, and the approach that carries the load
 /// is found by Newton's method. max_pressure, area, force and approach are those of the ellipses; `pressure` holds the
-/// ellipsoid's values at the cells' centres, fitted so that their sum is the force; not if touches_border says that the
-/// grid cuts the ellipse off, nor on so few cells that they have no room for it below max_pressure. The residual is
+/// ellipsoid's means over the cells, which sum up to the force. Where touches_border says that the grid cuts the
+/// ellipse off, the part beyond is spread over the cells as far as they have room below max_pressure. The residual is
 /// zero: nothing is iterated on cells. Status no_positive_curvature (not usable) where a patch's gap is no bowl.
 class HertzSolver : public NormalSolver
 {
