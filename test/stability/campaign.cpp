@@ -9,10 +9,13 @@
 // method, tolerance, grid and rail, and walked through in 30 states (random_scene.h); each answer is checked from
 // outside (answer_check.h) and, where only 1 um of y lies between, against the one before (continuity.h). Prints
 // refusals by reason and region, the slowest state, and what was wrong, with the scene's seed. Ends with 1 if anything
-// was wrong, or if more answers than usual are rough (tally.cpp). The same seed gives the same states.
+// was wrong or, over many scenes, if more answers than usual are rough (tally.cpp). The same seed gives the same
+// states.
 //
-// A short form runs with the tests. The long one, a quarter of an hour:
+// A short form runs with the tests, as do some scenes in which long ones found faults. The long one, a quarter of an
+// hour, and a million states, over an hour of processor time, in two halves side by side:
 //   build/devel/lib/wheel_rail_contact/stability_campaign config/rails minutes 15 2
+//   build/devel/lib/wheel_rail_contact/stability_campaign config/rails states 500000 SEED
 #include <ctime>
 
 #include <algorithm>
@@ -145,7 +148,8 @@ void Campaign::compare(const std::string& where, const WheelsetResult& result)
 int run(const std::string& tables, const std::string& mode, const std::string& amount, unsigned long seed)
 {
   Campaign campaign(tables);
-  if (mode == "scene")
+  const bool one_scene = mode == "scene";
+  if (one_scene)
   {
     campaign.runScene(std::stoul(amount), true);
   }
@@ -166,7 +170,8 @@ int run(const std::string& tables, const std::string& mode, const std::string& a
     }
   }
   campaign.tally().print();
-  return campaign.tally().isGood() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool good = one_scene ? !campaign.tally().hasFaults() : campaign.tally().isGood();
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 }  // namespace
 

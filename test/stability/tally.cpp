@@ -185,7 +185,7 @@ double Tally::tornShare() const
 
 bool Tally::isGood() const
 {
-  return faults_.empty() && violatingShare() <= most_violating && tornShare() <= most_torn;
+  return !hasFaults() && violatingShare() <= most_violating && tornShare() <= most_torn;
 }
 
 void Tally::print() const

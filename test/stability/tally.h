@@ -41,6 +41,8 @@ class Tally
   long states() const { return states_; }
   /// No fault, and no more rough answers than are known to come.
   bool isGood() const;
+  /// Something was wrong with an answer.
+  bool hasFaults() const { return !faults_.empty(); }
   void print() const;
 
  private:
