@@ -21,6 +21,7 @@ constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each
 constexpr double far_plane = 0.05;   ///< [rad]
 constexpr double far_descent = 0.1;  ///< relative [-]
 constexpr double far_roll = 1e-4;    ///< [rad]
+constexpr double least_load = 1e-9;  ///< of a wheel; the approach under less is rounding of its place [N]
 constexpr double least_fill = 0.8;   ///< share of its expected size that a pressure must have
 }  // namespace
 
@@ -203,7 +204,8 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   for (const Side side : sides)
   {
     wheel_[index(side)].begin(moved);
-    load_[index(side)] = finds_loads_ ? expectedLoad(side) : load_[index(side)];
+    double& load = load_[index(side)];
+    load = finds_loads_ ? expectedLoad(side) : load < least_load ? std::min(load, 0.0) : load;
     load_search_[index(side)].begin(load_[index(side)]);
     rail_[index(side)].begin(!warm_, load_[index(side)], state.rail_offset[index(side)]);
   }

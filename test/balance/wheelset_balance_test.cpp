@@ -136,6 +136,22 @@ TEST_F(WheelsetBalanceTest, UnloadedWheelLiftsOffAndTheOtherCarriesAll)
   }
 }
 
+// What rounding leaves of two forces that should cancel is no load.
+TEST_F(WheelsetBalanceTest, LoadOfRoundingIsNone)
+{
+  for (const double left : {1e-11, 1e-15, 1e-300})
+  {
+    WheelsetContact contact(scene_);
+    WheelsetState state = stateAt(6e-3, left);
+    EXPECT_EQ(contact.evaluate(state).status, ContactStatus::lift_off) << left;
+    state = stateAt(6e-3, 5e4);
+    state.torque_x = (1 - left / 5e4) * 1e5 * scene_.wheelset.halfBase();
+    const WheelsetResult& result = contact.evaluate(state);
+    EXPECT_EQ(result.status, ContactStatus::lift_off) << left << " N of 5e4 N: " << result.reason;
+    EXPECT_EQ(result.rail[0].vertical_force, 0);
+  }
+}
+
 TEST_F(WheelsetBalanceTest, WheelsetWithoutLoadTouchesAndCarriesNothing)
 {
   WheelsetContact contact(scene_);
