@@ -19,6 +19,15 @@ bool isWanted(const BagContents& contents, std::uint32_t connection, const Topic
   return found != contents.connections.end() && wanted(found->second.topic);
 }
 
+/// Those of a connection that the bag does not describe are nobody's.
+void countMessages(BagContents& contents, std::uint32_t connection, std::uint64_t count)
+{
+  if (contents.connections.count(connection) > 0)
+  {
+    contents.messages[connection] += count;
+  }
+}
+
 void addChunkInfo(const BagFields& header, std::string_view data, const TopicFilter& wanted, const BagSpan& span,
                   BagContents& contents)
 {
@@ -32,7 +41,7 @@ void addChunkInfo(const BagFields& header, std::string_view data, const TopicFil
   {
     const auto connection = numberAt<std::uint32_t>(data);
     const auto count = numberAt<std::uint32_t>(data.substr(sizeof(connection)));
-    contents.messages[connection] += touches ? count : 0;
+    countMessages(contents, connection, touches ? count : 0);
     holds_wanted = holds_wanted || (count > 0 && isWanted(contents, connection, wanted));
   }
   if (holds_wanted)
@@ -55,7 +64,7 @@ BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, con
     const std::string data = file.dataOf(record);
     if (record.header.op() == BagOp::connection)
     {
-      contents.connections[record.header.number<std::uint32_t>("conn")] = connectionOf(record.header, data);
+      addConnection(record.header, data, contents);
     }
     else if (record.header.op() == BagOp::chunk_info)
     {
@@ -114,11 +123,8 @@ class Scan
       case BagOp::message:
         return takeLoose(position);
       case BagOp::connection:
-      {
-        const std::string data = file_.dataOf(record);
-        contents_.connections[record.header.number<std::uint32_t>("conn")] = connectionOf(record.header, data);
+        addConnection(record.header, file_.dataOf(record), contents_);
         return record.end();
-      }
       default:
         return record.end();
     }
@@ -150,13 +156,15 @@ class Scan
       tryToLookThrough(false);
     }
     holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
+    std::uint64_t count = 0;
     forEachIndexTime(data,
                      [&](std::uint64_t time)
                      {
                        chunk_.start = std::min(chunk_.start, time);
-                       ++contents_.messages[connection];
-                       indexed_ = true;
+                       ++count;
                      });
+    countMessages(contents_, connection, count);
+    indexed_ = indexed_ || count > 0;
   }
 
   /// Ends at the end of the file.
@@ -205,15 +213,15 @@ class Scan
     forEachRecord(chunkRecords(file_, chunk),
                   [&](const BagRecord& record)
                   {
-                    const auto connection = record.header.number<std::uint32_t>("conn");
                     if (record.header.op() == BagOp::connection)
                     {
-                      contents_.connections[connection] = connectionOf(record.header, record.data);
+                      addConnection(record.header, record.data, contents_);
                     }
                     else if (record.header.op() == BagOp::message && with_messages)
                     {
                       chunk.start = std::min(chunk.start, record.header.time("time"));
-                      ++contents_.messages[connection];
+                      const auto connection = record.header.number<std::uint32_t>("conn");
+                      countMessages(contents_, connection, 1);
                       holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
                     }
                   });
@@ -280,11 +288,17 @@ std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
                       record.header.number<std::uint32_t>("size"));
 }
 
-BagConnection connectionOf(const BagFields& record_header, std::string_view data)
+void addConnection(const BagFields& record_header, std::string_view data, BagContents& contents)
 {
-  BagConnection connection;
-  connection.topic = record_header.text("topic");
-  connection.header = BagFields(data);
-  return connection;
+  const auto number = record_header.number<std::uint32_t>("conn");
+  if (contents.connections.count(number) > 0)
+  {
+    return;
+  }
+  if (contents.connections.size() == most_connections)
+  {
+    throw BagError("more than " + std::to_string(most_connections) + " connections");
+  }
+  contents.connections[number] = {record_header.text("topic"), BagFields(data)};
 }
 }  // namespace wheel_rail_contact

@@ -103,7 +103,7 @@ void BagStream::listMessages(OpenChunk& chunk)
                   const auto id = record.header.number<std::uint32_t>("conn");
                   if (record.header.op() == BagOp::connection)
                   {
-                    contents_.connections.emplace(id, connectionOf(record.header, record.data));
+                    addConnection(record.header, record.data, contents_);
                   }
                   else if (record.header.op() == BagOp::message && isWanted(id) && record.header.time("time") >= from_)
                   {

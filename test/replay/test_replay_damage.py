@@ -15,6 +15,13 @@ from replay_case import DAMAGED, PROGRAM, ReplayCase, stamp, write_pairs
 CHUNK = 20000  # bytes: about 30 pairs
 
 
+def head(length, **fields):
+    """Of a record of the format: its fields, and how long its data are."""
+    header = b"".join(struct.pack("<I", len(name) + 1 + len(value)) + name.encode() + b"=" + value
+                      for name, value in fields.items())
+    return struct.pack("<I", len(header)) + header + struct.pack("<I", length)
+
+
 class DamagedBags(ReplayCase):
     def setUp(self):
         super().setUp()
@@ -127,6 +134,36 @@ class DamagedBags(ReplayCase):
         self.assertIn("only the first 256 MiB are read", printed)
         self.assertLess(peak, usual + 300)  # 256 MiB are 268 MB
         self.assertEqual(self.answers(self.folder / "crashed_out.bag")[-1].header.stamp, stamp(199))
+
+    def test_connections_that_are_only_claimed_take_no_memory(self):
+        usual, _ = self.peak_memory(self.folder / "whole.bag", 0)
+        content = (self.folder / "whole.bag").read_bytes()
+        # Written in parts: the peak of a process begins with the memory of the one that started it.
+        thousands = [range(first, first + 1000) for first in range(10**6, 2 * 10**6, 1000)]
+
+        counted = self.folder / "counted.bag"  # in the index, with a message each
+        with open(counted, "wb") as file:
+            file.write(content + head(8 * 10**6, op=b"\x06", chunk_pos=struct.pack("<Q", 4117),
+                                      start_time=struct.pack("<II", 1, 0), end_time=struct.pack("<II", 2, 0)))
+            for numbers in thousands:
+                file.write(b"".join(struct.pack("<II", number, 1) for number in numbers))
+        peak, _ = self.peak_memory(counted, 0)
+        self.assertLess(peak, usual + 30)  # the record has 8 MB
+
+        described = self.folder / "described.bag"  # in a chunk of a bag without index
+        field = content.index(b"index_pos=") + len(b"index_pos=")
+        end, = struct.unpack("<Q", content[field:field + 8])
+        connection = head(0, op=b"\x07", topic=b"/t", conn=bytes(4))
+        size = 10**6 * len(connection)
+        with open(described, "wb") as file:
+            file.write(content[:field] + bytes(8) + content[field + 8:end])
+            file.write(head(size, op=b"\x05", compression=b"none", size=struct.pack("<I", size)))
+            for numbers in thousands:
+                file.write(b"".join(connection[:-8] + struct.pack("<II", number, 0) for number in numbers))
+        peak, printed = self.peak_memory(described)
+        self.assertIn("more than 65536 connections", printed)
+        self.assertLess(peak, usual + 90)  # the chunk has 40 MB
+        self.assertEqual(len(self.answers(self.folder / "described_out.bag")), len(self.whole))
 
     def test_what_is_no_bag_is_refused(self):
         for content in (b"", b"no bag", b"#ROSBAG V1.2\n"):

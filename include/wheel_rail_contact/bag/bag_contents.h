@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wheel_rail_contact/bag/bag_file.h"
@@ -58,6 +60,10 @@ BagContents readContents(const BagFile& file, const TopicFilter& wanted, const B
 /// @throw BagError if the data is damaged.
 std::string chunkRecords(const BagFile& file, const BagChunk& chunk);
 
-/// Connection described by a connection record.
-BagConnection connectionOf(const BagFields& record_header, std::string_view data);
+/// Greatest number of a bag's connections: what has more is damaged, and shall not fill the memory.
+inline constexpr std::size_t most_connections = 1 << 16;
+
+/// Adds the connection that a connection record describes, unless one of its number is there already.
+/// @throw BagError if the record is damaged, or there are too many.
+void addConnection(const BagFields& record_header, std::string_view data, BagContents& contents);
 }  // namespace wheel_rail_contact
