@@ -261,6 +261,10 @@ void Replay::printSummary(std::ostream& out) const
             << " messages dropped: " << dropName(static_cast<DropReason>(reason)) << "\n";
       }
     }
+    if (const std::uint64_t lacking = source_.lackingNeighbour(i))
+    {
+      out << "  " << answerTopic(options_.wheelsets[i]) << ": " << lacking << " answers lack a neighbour's forces\n";
+    }
   }
 }
 }  // namespace wheel_rail_contact

@@ -325,8 +325,11 @@ void ReplaySource::emit(std::size_t wheelset)
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
   event.input.placed.state.rail_offset = own.neighbours.deflectionAt(event.input.stamp);
+  event.input.lacks_neighbour = !own.neighbours.isCompleteAt(event.input.stamp);
   event.read = read_;
   event.lead_in = !in_span_;
+  const bool is_evaluated = event.input.status == WheelsetContactMsg::OK;
+  own.lacking_neighbour += in_span_ && is_evaluated && event.input.lacks_neighbour ? 1U : 0U;
   observe(own, event.input.stamp);
   own.waiting.pop_front();
   events_.push_back(std::move(event));

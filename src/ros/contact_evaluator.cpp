@@ -62,6 +62,7 @@ ContactAnswer ContactEvaluator::answer(const PreparedInput& input)
   const WheelsetResult& result = contact_.evaluate(state);
   answer.status = toMessage(result.status);
   answer.reason = result.reason;
+  answer.lacks_neighbour = input.lacks_neighbour;
   answer.x = input.placed.x;
   answer.pose = {state.y, state.z, state.yaw, state.roll};
   if (isUsable(result.status))

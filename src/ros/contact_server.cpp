@@ -83,14 +83,21 @@ void ContactServer::subscribe()
 template <typename Message, typename Take>
 void ContactServer::subscribeToInput(const std::string& topic, const Take& take)
 {
-  const auto receive = [this, take](const boost::shared_ptr<const Message>& message)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (auto input = take(message))
-    {
-      jobs_.push({std::move(*input), ros::WallTime::now()});
-    }
-  };
+  subscribeAtOnce<Message>(topic,
+                           [this, take](const boost::shared_ptr<const Message>& message)
+                           {
+                             const std::lock_guard<std::mutex> lock(mutex_);
+                             if (auto input = take(message))
+                             {
+                               jobs_.push({std::move(*input), ros::WallTime::now()});
+                             }
+                           });
+}
+
+template <typename Message>
+void ContactServer::subscribeAtOnce(const std::string& topic,
+                                    const boost::function<void(const boost::shared_ptr<const Message>&)>& receive)
+{
   auto options = ros::SubscribeOptions::create<Message>(topic, queue_size, receive, nullptr, &immediate_);
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   subscribers_.push_back(nh_.subscribe(options));
@@ -106,14 +113,12 @@ void ContactServer::subscribeToNeighbours()
       throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
                                   topic + " is this node's own");
     }
-    subscribers_.push_back(nh_.subscribe<WheelsetContactMsg>(
-        topic, queue_size,
-        [this, i](const WheelsetContactMsg::ConstPtr& answer)
-        {
-          const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-          neighbours_.add(i, *answer);
-        },
-        nullptr, ros::TransportHints().tcpNoDelay()));
+    subscribeAtOnce<WheelsetContactMsg>(topic,
+                                        [this, i](const WheelsetContactMsg::ConstPtr& answer)
+                                        {
+                                          const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+                                          neighbours_.add(i, *answer);
+                                        });
   }
 }
 
@@ -151,6 +156,7 @@ PreparedInput ContactServer::prepare(const ContactInput& input)
   PreparedInput prepared = preparation_.prepare(input, transforms_);
   const std::lock_guard<std::mutex> lock(neighbours_mutex_);
   prepared.placed.state.rail_offset = neighbours_.deflectionAt(prepared.stamp);
+  prepared.lacks_neighbour = !neighbours_.isCompleteAt(prepared.stamp);
   return prepared;
 }
 

@@ -51,6 +51,11 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   {
     report.summary(DiagnosticStatus::WARN, "what comes in finds no partner");
   }
+  else if (now.lacking_neighbour > before.lacking_neighbour)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers lack a neighbour's forces",
+                    now.lacking_neighbour - before.lacking_neighbour, answered);
+  }
   else if (now.beyond_linear_range > before.beyond_linear_range)
   {
     report.summary(DiagnosticStatus::WARN, now.last_beyond_linear_range);
@@ -99,6 +104,7 @@ void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
     last_beyond_linear_range = answer.beyond_linear_range;
   }
   above_tolerance += answer.above_tolerance ? 1U : 0U;
+  lacking_neighbour += answer.lacks_neighbour ? 1U : 0U;
   solve_time_sum += solve_time;
   solve_time_max = std::max(solve_time_max, solve_time);
   if (!answer.reason.empty())
@@ -147,6 +153,7 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   report.add("answers beyond the table's linear range", now.beyond_linear_range);
   report.add("last beyond the table's linear range", now.last_beyond_linear_range);
   report.add("answers with an error estimate above contact/tolerance", now.above_tolerance);
+  report.add("answers that lack a neighbour's forces", now.lacking_neighbour);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);
   addTimes(now, before, report);

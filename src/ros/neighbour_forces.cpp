@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "wheel_rail_contact/ros/conversions.h"
 
@@ -10,18 +11,23 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Of one rail; none if a number of a foreign message is not finite.
-RailForce forceOn(const RailDeflectionMsg& rail)
+constexpr auto longest_age_ns = static_cast<std::int64_t>(1e9 * NeighbourForces::longest_age);
+
+/// From one stamp to another [ns]. (ros::Duration throws above 68 years, and stamps may be anything.)
+std::int64_t ageAt(const ros::Time& stamp, const ros::Time& earlier)
 {
-  const bool finite =
-      std::isfinite(rail.lateral_force) && std::isfinite(rail.vertical_force) && std::isfinite(rail.moment);
-  return finite ? RailForce{rail.lateral_force, rail.vertical_force, rail.moment} : RailForce{};
+  return static_cast<std::int64_t>(stamp.toNSec()) - static_cast<std::int64_t>(earlier.toNSec());
 }
 
-std::array<RailForce, 2> forcesOf(const WheelsetContactMsg& answer)
+RailForce forceOn(const RailDeflectionMsg& rail)
 {
-  return isUsable(answer.status) ? std::array<RailForce, 2>{forceOn(answer.left_rail), forceOn(answer.right_rail)}
-                                 : std::array<RailForce, 2>{};
+  return {rail.lateral_force, rail.vertical_force, rail.moment};
+}
+
+/// A foreign message may hold anything.
+bool isFinite(const RailForce& force)
+{
+  return std::isfinite(force.lateral) && std::isfinite(force.vertical) && std::isfinite(force.moment);
 }
 }  // namespace
 
@@ -47,12 +53,24 @@ void NeighbourForces::add(std::size_t neighbour, const WheelsetContactMsg& answe
   answers.push_back({answer.header.stamp, forcesOf(answer)});
 }
 
+std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const WheelsetContactMsg& answer)
+{
+  const Forces forces{forceOn(answer.left_rail), forceOn(answer.right_rail)};
+  return isUsable(answer.status) && isFinite(forces[0]) && isFinite(forces[1]) ? std::optional(forces) : std::nullopt;
+}
+
 bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
 {
   return std::all_of(
       neighbours_.begin(), neighbours_.end(),
       [&stamp](const Neighbour& neighbour)
-      { return !neighbour.answers.empty() && stamp - neighbour.answers.front().stamp >= ros::Duration(longest_age); });
+      { return !neighbour.answers.empty() && ageAt(stamp, neighbour.answers.front().stamp) >= longest_age_ns; });
+}
+
+bool NeighbourForces::isCompleteAt(const ros::Time& stamp) const
+{
+  return std::all_of(neighbours_.begin(), neighbours_.end(),
+                     [&stamp](const Neighbour& neighbour) { return forcesAt(neighbour, stamp) != nullptr; });
 }
 
 std::array<RailDeflection, 2> NeighbourForces::deflectionAt(const ros::Time& stamp) const
@@ -60,17 +78,17 @@ std::array<RailDeflection, 2> NeighbourForces::deflectionAt(const ros::Time& sta
   std::array<std::vector<NeighbourForce>, 2> forces;
   for (const Neighbour& neighbour : neighbours_)
   {
-    if (const Answer* answer = newestBefore(neighbour, stamp))
+    if (const Forces* known = forcesAt(neighbour, stamp))
     {
-      forces[0].push_back({neighbour.influence, answer->force[0]});
-      forces[1].push_back({neighbour.influence, answer->force[1]});
+      forces[0].push_back({neighbour.influence, (*known)[0]});
+      forces[1].push_back({neighbour.influence, (*known)[1]});
     }
   }
   return {neighbourDeflection(forces[0], cant_), neighbourDeflection(forces[1], cant_)};
 }
 
-/// Null if there is none, or the newest is too old.
-const NeighbourForces::Answer* NeighbourForces::newestBefore(const Neighbour& neighbour, const ros::Time& stamp)
+/// Of the newest answer before the stamp; null if there is none, or it is too old or not usable.
+const NeighbourForces::Forces* NeighbourForces::forcesAt(const Neighbour& neighbour, const ros::Time& stamp)
 {
   const auto& answers = neighbour.answers;
   const auto after = std::lower_bound(answers.begin(), answers.end(), stamp,
@@ -80,6 +98,6 @@ const NeighbourForces::Answer* NeighbourForces::newestBefore(const Neighbour& ne
     return nullptr;
   }
   const Answer& newest = *(after - 1);
-  return stamp - newest.stamp <= ros::Duration(longest_age) ? &newest : nullptr;
+  return newest.forces && ageAt(stamp, newest.stamp) <= longest_age_ns ? &*newest.forces : nullptr;
 }
 }  // namespace wheel_rail_contact

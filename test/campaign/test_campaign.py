@@ -19,14 +19,16 @@ import unittest
 import unittest.mock
 
 import distributed
+import rosbag
 from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
 from wheel_rail_contact.campaign.command_line import main
 from wheel_rail_contact.campaign.folder import Folder
 from wheel_rail_contact.campaign.work import answer_slice, join_slices
+from wheel_rail_contact.msg import WheelsetContact
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / "test" / "replay"))
-from replay_case import ReplayCase  # noqa: E402  (stands beside other tests)
+from replay_case import ReplayCase, pose, stamp  # noqa: E402  (stands beside other tests)
 
 COMMAND = PACKAGE / "scripts" / "contact_campaign"
 GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # starts quickly
@@ -183,6 +185,17 @@ class GivenCluster(Case):
         self.assertIn("1260 answers of 2 bags", printed)
         self.assertIn("OK: 1260", printed)
         self.assertEqual([len(self.assert_done(bag)["slices"]) for bag in bags], [5, 1])
+
+    def test_answers_that_lack_a_neighbours_forces_are_counted_over_the_slices(self):
+        soft = self.folder / "soft.yaml"
+        soft.write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
+                        " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
+        self.options += ["--config", soft]
+        bag = self.make_bag(500)
+        with rosbag.Bag(str(bag), "a") as file:
+            file.write("/neighbour", WheelsetContact(header=pose(399).header), stamp(399))
+        self.assertIn("/contact_node/contact: 400 answers lack a neighbour's forces", self.campaign(bag))
+        self.assertEqual(len(self.assert_done(bag)["done"]), 2)
 
     def test_a_bag_that_fails_does_not_stop_the_others(self):
         good, bad = self.make_bag(30, "good.bag"), self.folder / "bad.bag"

@@ -49,7 +49,8 @@ class Neighbours(ReplayCase):
     def test_forces_of_the_step_before_bend_the_rails(self):
         both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
                               "--keep-topics")
-        out, _ = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
+        out, printed = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
+        self.assertIn("/behind/contact_node/contact: 1 answers lack a neighbour's forces", printed)
         front, behind = self.answers(both, "/front" + ANSWERS), self.answers(out, "/behind" + ANSWERS)
         self.assertEqual(len(behind), PAIRS)
         influence = TABLE["neighbours"][1]

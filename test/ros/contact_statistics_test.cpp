@@ -88,6 +88,19 @@ TEST(ContactStatistics, InputWithoutPartnerWarns)
   EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
 }
 
+TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
+{
+  ContactStatistics now;
+  ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "");
+  now.count(answer, 0.001);
+  answer.lacks_neighbour = true;
+  now.count(answer, 0.001);
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(report.message, "1 of 2 answers lack a neighbour's forces");
+  EXPECT_EQ(valueOf(report, "answers that lack a neighbour's forces"), "1");
+}
+
 TEST(ContactStatistics, RailBeyondItsTableWarns)
 {
   ContactStatistics now;

@@ -38,6 +38,18 @@ double countedAt(const NeighbourForces& forces, double time)
 }
 }  // namespace
 
+TEST(NeighbourForces, TellsWhetherEveryNeighboursForcesAreKnown)
+{
+  EXPECT_TRUE(NeighbourForces(configWith(0)).isCompleteAt(ros::Time(10)));
+  NeighbourForces forces(configWith(2));
+  forces.add(0, answerAt(10.0, 1e3));
+  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.2))) << "the second one is silent";
+  forces.add(1, answerAt(10.1, 0));
+  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.1)));
+  EXPECT_TRUE(forces.isCompleteAt(ros::Time(10.2))) << "no force is one that is known";
+  EXPECT_FALSE(forces.isCompleteAt(ros::Time(11.05))) << "the first one's is too old";
+}
+
 TEST(NeighbourForces, NewestAnswerBeforeTheStampCounts)
 {
   NeighbourForces forces(configWith(1));
@@ -58,6 +70,10 @@ TEST(NeighbourForces, AnswerOlderThanASecondCountsNoMore)
   forces.add(0, answerAt(10, 1e3));
   EXPECT_DOUBLE_EQ(countedAt(forces, 11), 1e3);
   EXPECT_EQ(countedAt(forces, 11.001), 0);
+  constexpr double last_stamp_there_is = 4294967295.0;  // in a ros::Time; a difference of stamps may not fit a Duration
+  EXPECT_EQ(countedAt(forces, last_stamp_there_is), 0);
+  EXPECT_FALSE(forces.isCompleteAt(ros::Time(last_stamp_there_is)));
+  EXPECT_TRUE(forces.reachBackFrom(ros::Time(last_stamp_there_is)));
 }
 
 TEST(NeighbourForces, UnusableAnswerIsNoForce)
@@ -68,12 +84,14 @@ TEST(NeighbourForces, UnusableAnswerIsNoForce)
   unusable.status = WheelsetContactMsg::NOT_CONVERGED;
   forces.add(0, unusable);
   EXPECT_EQ(countedAt(forces, 10.2), 0);
+  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.2)));
   WheelsetContactMsg lifted = answerAt(10.2, 3e3);
   lifted.status = WheelsetContactMsg::LIFT_OFF;
   forces.add(0, lifted);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);
   forces.add(0, answerAt(10.3, std::nan("")));
   EXPECT_EQ(countedAt(forces, 10.4), 0);
+  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.4)));
 }
 
 TEST(NeighbourForces, AnswersOfALoopBeforeAreForgotten)

@@ -50,6 +50,8 @@ class ReplaySource
   std::uint64_t fileSize() const { return stream_.fileSize(); }
   /// Messages dropped in the span, by DropReason.
   std::array<std::uint64_t, PairingCounts::reasons> dropped(std::size_t wheelset) const;
+  /// Inputs in the span that are evaluated without the forces of a neighbour.
+  std::uint64_t lackingNeighbour(std::size_t wheelset) const { return wheelsets_[wheelset].lacking_neighbour; }
   /// True if every wheelset's next input will be what it is to one who has read the bag from its beginning, and its
   /// answer as well: there was a fresh start after pairs had come out even. (For equal stamps, and without transforms.)
   bool isCertain() const;
@@ -88,6 +90,7 @@ class ReplaySource
     NeighbourForces neighbours;
     std::deque<Waiting> waiting;                                         ///< for their transforms
     std::array<std::uint64_t, PairingCounts::reasons> dropped_before{};  ///< the span
+    std::uint64_t lacking_neighbour = 0;                                 ///< inputs in the span
     std::optional<ros::Time> last_stamp;
     bool settled = false;  ///< pairs have come out even
     bool certain = false;  ///< see isCertain()

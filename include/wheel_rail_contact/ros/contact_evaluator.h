@@ -24,6 +24,7 @@ struct ContactAnswer
   const WheelsetResult* result = nullptr;  ///< null unless usable; valid until the next evaluation
   std::string beyond_linear_range;         ///< figures of a rail whose |Y|/Q is beyond its table's range, else empty
   bool above_tolerance = false;            ///< a patch's error estimate is above contact/tolerance
+  bool lacks_neighbour = false;            ///< evaluated without the forces of a neighbour (NeighbourForces)
 };
 
 /// One answer for each input: what the live node and the replay have in common. Not thread-safe.

@@ -117,6 +117,7 @@ struct PreparedInput
   std::uint8_t status = WheelsetContactMsg::OK;  ///< INVALID_INPUT or NO_TRANSFORM: `placed` means nothing
   std::string reason;                            ///< empty when OK
   bool starts_anew = true;                       ///< forget the answers before (FreshStartRule)
+  bool lacks_neighbour = false;                  ///< a neighbour's forces are not known and count as none
 };
 
 /// Prepares the inputs of one wheelset in their order.

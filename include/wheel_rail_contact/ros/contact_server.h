@@ -52,6 +52,10 @@ class ContactServer
   template <typename Message, typename Take>
   void subscribeToInput(const std::string& topic, const Take& take);
   void subscribeToNeighbours();
+  /// `receive` is called as each message arrives: none waits in a queue that could drop it.
+  template <typename Message>
+  void subscribeAtOnce(const std::string& topic,
+                       const boost::function<void(const boost::shared_ptr<const Message>&)>& receive);
 
   void work();
   void waitForTransform(const Job& job) const;

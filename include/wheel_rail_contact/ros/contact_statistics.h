@@ -28,6 +28,7 @@ struct ContactStatistics
   std::uint64_t internal_errors = 0;              ///< inputs that ended in an exception: mistakes of this program
   std::uint64_t beyond_linear_range = 0;          ///< answers with |Y|/Q beyond the compliance table's range
   std::uint64_t above_tolerance = 0;              ///< usable answers with an error estimate above contact/tolerance
+  std::uint64_t lacking_neighbour = 0;            ///< answers evaluated without the forces of a neighbour
   std::uint64_t messages_built = 0;               ///< answers turned into messages, because someone listened
   std::uint64_t marker_arrays_built = 0;          ///< answers turned into markers, because someone listened
   double solve_time_sum = 0;                      ///< of all answers [s]
@@ -47,7 +48,8 @@ struct ContactStatistics
 };
 
 /// Describes what happened between two reports. OK: every answer usable, nothing dropped. WARN: something dropped, an
-/// unusable answer, no partner for what came in, a rail beyond its table's range, or an error above the tolerance.
+/// unusable answer, no partner for what came in, a neighbour's forces unknown, a rail beyond its table's range, or an
+/// error above the tolerance.
 /// ERROR: answers, but none usable.
 void diagnose(const ContactStatistics& now, const ContactStatistics& before,
               diagnostic_updater::DiagnosticStatusWrapper& report);

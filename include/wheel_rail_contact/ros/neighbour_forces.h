@@ -3,6 +3,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "wheel_rail_contact/rail/neighbours.h"
@@ -15,8 +16,8 @@ namespace wheel_rail_contact
 ///
 /// For an input of stamp t counts each neighbour's newest answer of a stamp before t, never of t itself: which of two
 /// wheelsets is answered first in a step does not matter then. An answer that is not usable counts as no force, as does
-/// one older than `longest_age` or none at all. Where a neighbour's stamps go back, its answers from there on are
-/// forgotten. Not thread-safe.
+/// one older than `longest_age` or none at all; isCompleteAt() tells. Where a neighbour's stamps go back, its answers
+/// from there on are forgotten. Not thread-safe.
 class NeighbourForces
 {
  public:
@@ -32,21 +33,26 @@ class NeighbourForces
   /// True if answers of every neighbour reach back so far that those before them do not count at the stamp, nor later.
   bool reachBackFrom(const ros::Time& stamp) const;
 
+  /// True if the forces of every neighbour are known at the stamp.
+  bool isCompleteAt(const ros::Time& stamp) const;
+
   /// Deflection of each rail by Side that the neighbours cause here at the stamp, track axes of its side.
   std::array<RailDeflection, 2> deflectionAt(const ros::Time& stamp) const;
 
  private:
+  using Forces = std::array<RailForce, 2>;  ///< by Side
   struct Answer
   {
     ros::Time stamp;
-    std::array<RailForce, 2> force;  ///< by Side
+    std::optional<Forces> forces;  ///< none unless the answer is usable
   };
   struct Neighbour
   {
     ComplianceTable influence;
     std::deque<Answer> answers;  ///< stamps rising
   };
-  static const Answer* newestBefore(const Neighbour& neighbour, const ros::Time& stamp);
+  static const Forces* forcesAt(const Neighbour& neighbour, const ros::Time& stamp);
+  static std::optional<Forces> forcesOf(const WheelsetContactMsg& answer);
 
   double cant_;
   std::vector<Neighbour> neighbours_;

@@ -58,6 +58,8 @@ def _report(plan, folder):
             dropped[inputs, reason] += count
     for (inputs, reason), count in dropped.items():
         print(f"  {inputs}: {count} messages dropped: {reason}")
+    for answers, count in sum((Counter(record["lacking_neighbour"]) for record in slices), Counter()).items():
+        print(f"  {answers}: {count} answers lack a neighbour's forces")
     faults = list(dict.fromkeys(fault for record in slices for fault in record["faults"]))
     for fault in faults:
         print(f"  {fault}")

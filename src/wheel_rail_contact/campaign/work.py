@@ -19,6 +19,7 @@ DIES_WITH_ITS_WORKER = ("setpriv", "--pdeathsig", "KILL")
 ANSWERED = re.compile(r"(\d+) pairs answered")
 STATUS = re.compile(r"  ([A-Z_]+): (\d+) \(")
 DROPPED = re.compile(r"  (\S*): (\d+) messages dropped: (.*)")
+LACKING = re.compile(r"  (\S*): (\d+) answers lack a neighbour's forces")
 
 
 def answer_slice(task):
@@ -91,7 +92,9 @@ def _checked(part):
 def _summary(text):
     statuses = {name: int(count) for name, count in STATUS.findall(text)}
     dropped = [[inputs, int(count), reason] for inputs, count, reason in DROPPED.findall(text)]
-    return {"answers": int(ANSWERED.search(text).group(1)), "statuses": statuses, "dropped": dropped}
+    lacking = {answers: int(count) for answers, count in LACKING.findall(text)}
+    return {"answers": int(ANSWERED.search(text).group(1)), "statuses": statuses, "dropped": dropped,
+            "lacking_neighbour": lacking}
 
 
 def _faults(run):

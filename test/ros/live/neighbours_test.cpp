@@ -98,5 +98,10 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
   }
   EXPECT_GT(std::abs(offsetOf(behind.rail[0]).lateral - offsetOf(behind.rail[1]).lateral), 1e-5);
 
+  const std::string lacking = "answers that lack a neighbour's forces";
+  const int lacked = std::stoi(nextReport("/behind/contact_node").values[lacking]);
+  EXPECT_GE(lacked, 1) << "the first one";
   expectSameRails(askBehind(1e-3, front->header.stamp + ros::Duration(1.5)), alone_answer_);
+  EXPECT_EQ(std::stoi(nextReport("/behind/contact_node").values[lacking]), lacked + 1);
+  EXPECT_EQ(nextReport("/alone/contact_node").values[lacking], "0");
 }
