@@ -171,8 +171,7 @@ class WheelsetContact::Chain
     out.approach = wheel.patchApproach(k);
     out.area = pressure.area;
     out.max_pressure = pressure.max_pressure;
-    const double of_solution = wheel.solver().estimateError(wheel.problem(), wheel.solution(), k).largest();
-    out.error_estimate = std::hypot(of_solution, wheel.layoutError(k, balance_.openRoll()));
+    out.error_estimate = std::hypot(wheel.errors()[k].largest(), wheel.layoutError(k, balance_.openRoll()));
     out.iterations = wheel.solution().iterations;
     out.residual = wheel.solution().residual;
     out.half_space_ratio = wheel.halfSpaceRatio(k);

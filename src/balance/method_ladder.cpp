@@ -127,20 +127,11 @@ MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}, closed_
   }
 }
 
-ErrorEstimate MethodLadder::closedFormErrors(const NormalProblem& problem, const NormalSolution& solution) const
-{
-  ErrorEstimate errors;
-  for (std::size_t k = 0; k < solution.patches.size(); ++k)
-  {
-    errors = largestOf(errors, hertz_->estimateError(problem, solution, k));
-  }
-  return errors;
-}
-
 void RungChoice::start(const ErrorEstimate& rough)
 {
   rung_ = 0;
   closed_form_ = false;
+  closed_form_wait_ = 0;
   const ErrorEstimate normal = normalised(rough, ladder_->rough());
   while (rung_ + 1 < ladder_->count() && rung().ordinary_error > tolerance_ && promised(normal, rung()) > tolerance_)
   {
@@ -179,8 +170,12 @@ void RungChoice::tryClosedForm(const NormalProblem& problem, const NormalSolutio
   {
     return;
   }
-  closed_form_ = ladder_->closedFormErrors(problem, solution).largest() < descend_reserve * closedFormLimit();
   closed_form_wait_ = between_tries;
+  if (HertzSolver::canSolve(problem))
+  {
+    ladder_->closedForm()->solver->estimateErrors(problem, solution, scratch_);
+    closed_form_ = largestOf(scratch_).largest() < descend_reserve * closedFormLimit();
+  }
 }
 
 double RungChoice::closedFormLimit() const

@@ -78,6 +78,7 @@ void WheelContact::reset()
   memory_.clear();
   patches_.clear();
   solution_ = NormalSolution();
+  errors_.clear();
   forces_ = WheelForces();
   load_ = 0;
   trend_.reset();

@@ -21,14 +21,10 @@ double WheelContact::patchApproach(std::size_t patch) const
   return std::max(at_first_touch, gap.weight * elasticDescent() - gap.gap.minCoeff());
 }
 
-ErrorEstimate WheelContact::errorEstimate() const
+const std::vector<ErrorEstimate>& WheelContact::estimateErrors()
 {
-  ErrorEstimate error;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    error = largestOf(error, solver_->estimateError(problem_, solution_, k));
-  }
-  return error;
+  solver_->estimateErrors(problem_, solution_, errors_);
+  return errors_;
 }
 
 double WheelContact::layoutError(std::size_t patch, double open_roll) const

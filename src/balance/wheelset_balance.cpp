@@ -159,7 +159,7 @@ bool WheelsetBalance::fineEnough()
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    error_[k] = loaded_[k] ? wheel_[k].errorEstimate() : ErrorEstimate();
+    error_[k] = loaded_[k] ? largestOf(wheel_[k].estimateErrors()) : ErrorEstimate();
     enough = !choice_[k].climb(error_[k]) && enough;
   }
   return enough;
@@ -171,7 +171,7 @@ void WheelsetBalance::chooseGrids()
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    choice_[k].start(loaded_[k] ? wheel_[k].errorEstimate() : ErrorEstimate());
+    choice_[k].start(loaded_[k] ? largestOf(wheel_[k].estimateErrors()) : ErrorEstimate());
     tryClosedForm(side);
   }
 }

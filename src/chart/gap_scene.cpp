@@ -134,11 +134,12 @@ class GapContender : public Contender
       solver_->solve(*problem_, false, solution_);
     }
     warm_ = isUsable(solution_.status);
-    estimate_ = {};
-    for (std::size_t k = 0; warm_ && k < problem_->patches.size(); ++k)
+    errors_.clear();
+    if (warm_)
     {
-      estimate_ = largestOf(estimate_, solver_->estimateError(*problem_, solution_, k));
+      solver_->estimateErrors(*problem_, solution_, errors_);
     }
+    estimate_ = largestOf(errors_);
   }
 
   const GapScene& scene_;
@@ -149,7 +150,8 @@ class GapContender : public Contender
   NormalSolver* solver_ = nullptr;  ///< of the last solution
   const NormalProblem* problem_ = nullptr;
   NormalSolution solution_;
-  ErrorEstimate estimate_;
+  std::vector<ErrorEstimate> errors_;  ///< of each patch
+  ErrorEstimate estimate_;             ///< largest of them
   bool warm_ = false;
 };
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "patch_errors.h"
 
@@ -265,6 +266,12 @@ double ErrorEstimate::largest() const
   return std::max({max_pressure, area, approach});
 }
 
+ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors)
+{
+  return std::accumulate(errors.begin(), errors.end(), ErrorEstimate(),
+                         [](const ErrorEstimate& one, const ErrorEstimate& other) { return largestOf(one, other); });
+}
+
 ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other)
 {
   return {std::max(one.max_pressure, other.max_pressure), std::max(one.area, other.area),
@@ -319,9 +326,11 @@ double ownApproach(const NormalProblem& problem, const NormalSolution& solution,
   return gap.weight * solution.approach - gap.gap.minCoeff();
 }
 
-ErrorEstimate estimateGridError(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch)
+void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solution,
+                        std::vector<ErrorEstimate>& errors)
 {
   const double largest = largestApproach(problem, solution);
-  return inCommon(problem, solution, patch, [&](std::size_t k) { return errorsAlone(problem, solution, k, largest); });
+  inCommon(
+      problem, solution, [&](std::size_t k) { return errorsAlone(problem, solution, k, largest); }, errors);
 }
 }  // namespace wheel_rail_contact

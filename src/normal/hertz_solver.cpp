@@ -241,6 +241,12 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
   solution.status = touches ? SolveStatus::converged : SolveStatus::no_contact;
 }
 
+bool HertzSolver::canSolve(const NormalProblem& problem)
+{
+  return std::all_of(problem.patches.begin(), problem.patches.end(),
+                     [](const PatchGap& patch) { return isLargeEnough(patch) && fitMinimum(patch).isPositive(); });
+}
+
 /// Fits all patches; no_positive_curvature where one is no bowl.
 SolveStatus HertzSolver::fit(const NormalProblem& problem)
 {
@@ -310,12 +316,12 @@ ShapeTerms HertzSolver::errorTerms(const NormalProblem& problem, const NormalSol
   return {1, half.volume, full.shape, 0};
 }
 
-ErrorEstimate HertzSolver::estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                                         std::size_t patch) const
+void HertzSolver::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                                 std::vector<ErrorEstimate>& errors) const
 {
   const auto alone = [&](std::size_t k) {
     return solution.patches[k].force > 0 ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate();
   };
-  return inCommon(problem, solution, patch, alone);
+  inCommon(problem, solution, alone, errors);
 }
 }  // namespace wheel_rail_contact

@@ -166,12 +166,12 @@ ShapeTerms KikPiotrowski::errorTerms(const NormalProblem& problem, const NormalS
   return {1, mismatch.volume, mismatch.shape, aspect * aspect};
 }
 
-ErrorEstimate KikPiotrowski::estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                                           std::size_t patch) const
+void KikPiotrowski::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                                   std::vector<ErrorEstimate>& errors) const
 {
   const auto alone = [&](std::size_t k) {
     return solution.patches[k].force > 0 ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate();
   };
-  return inCommon(problem, solution, patch, alone);
+  inCommon(problem, solution, alone, errors);
 }
 }  // namespace wheel_rail_contact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <vector>
 
 #include "wheel_rail_contact/normal/error_estimate.h"
 
@@ -23,23 +24,29 @@ inline ErrorEstimate weighted(const ShapeWeights& weights, const ShapeTerms& ter
   return {weighted(weights.max_pressure, terms), weighted(weights.area, terms), weighted(weights.approach, terms)};
 }
 
-/// Errors of a patch among others, from `alone(k)`, the errors of each patch as if it carried its load alone. The
-/// common approach is off by as much as the patch whose own approach is worst known; with Hertz's laws (maximum ~
+/// Errors of all patches, from `alone(k)`, the errors of each patch as if it carried its load alone. The common
+/// approach is off by as much as the patch whose own approach is worst known; with Hertz's laws (maximum ~
 /// approach^1/2, area ~ approach) that adds to all of them.
 template <typename Alone>
-ErrorEstimate inCommon(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch, Alone alone)
+void inCommon(const NormalProblem& problem, const NormalSolution& solution, Alone alone,
+              std::vector<ErrorEstimate>& errors)
 {
-  const ErrorEstimate own = alone(patch);
-  if (own.largest() <= 0 || problem.patches.size() == 1)
-  {
-    return own;
-  }
+  const std::size_t count = problem.patches.size();
+  errors.resize(count);
   double shift = 0;
-  for (std::size_t k = 0; k < problem.patches.size(); ++k)
+  for (std::size_t k = 0; k < count; ++k)
   {
-    shift = std::max(shift, alone(k).approach * ownApproach(problem, solution, k));
+    errors[k] = alone(k);
+    shift = std::max(shift, count > 1 ? errors[k].approach * ownApproach(problem, solution, k) : 0);
   }
-  const double relative = shift / ownApproach(problem, solution, patch);
-  return {own.max_pressure + 0.5 * relative, own.area + relative, relative};
+  for (std::size_t k = 0; count > 1 && k < count; ++k)
+  {
+    ErrorEstimate& error = errors[k];
+    if (error.largest() > 0)
+    {
+      const double relative = shift / ownApproach(problem, solution, k);
+      error = {error.max_pressure + 0.5 * relative, error.area + relative, relative};
+    }
+  }
 }
 }  // namespace wheel_rail_contact

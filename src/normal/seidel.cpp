@@ -339,16 +339,19 @@ const char* Seidel::name() const
   return sweeps_->isPrinted() ? "seidel_printed" : "seidel";
 }
 
-ErrorEstimate Seidel::estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                                    std::size_t patch) const
+void Seidel::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                            std::vector<ErrorEstimate>& errors) const
 {
-  const ErrorEstimate grid = estimateGridError(problem, solution, patch);
-  if (!sweeps_->isPrinted() || grid.largest() <= 0)
+  estimateGridErrors(problem, solution, errors);
+  for (std::size_t k = 0; sweeps_->isPrinted() && k < errors.size(); ++k)
   {
-    return grid;
+    ErrorEstimate& error = errors[k];
+    if (error.largest() > 0)
+    {
+      const ErrorEstimate force = pointForceErrors(problem, solution, k);
+      error = {error.max_pressure + force.max_pressure, error.area + force.area, error.approach + force.approach};
+    }
   }
-  const ErrorEstimate force = pointForceErrors(problem, solution, patch);
-  return {grid.max_pressure + force.max_pressure, grid.area + force.area, grid.approach + force.approach};
 }
 
 void Seidel::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)

@@ -10,7 +10,9 @@
 #include <set>
 #include <string_view>
 
+#include "../normal/problems.h"
 #include "round_bodies.h"
+#include "wheel_rail_contact/balance/method_ladder.h"
 
 using namespace wheel_rail_contact;
 
@@ -122,6 +124,26 @@ TEST(ClosedForm, isLeftAtTheJointOfTwoArcs)
     seen.merge(methodsOf(result));
   }
   EXPECT_EQ(seen, (std::set<std::string_view>{"conjugate_gradient", "hertz"}));
+}
+
+// Setting out anew from a rough solution asks for the closed form at once, however lately it would not do.
+TEST(ClosedForm, isAskedForAtOnceAfterAJump)
+{
+  const MethodLadder ladder{ContactModelConfig()};
+  const Grid grid = problems::centredGrid(8, 24, 0.014, 0.014, true);
+  const auto gap = [&](double beyond)
+  { return problems::sampled(grid, [=](double x, double y) { return x * x + (y < 0 ? 1 : beyond) * y * y; }); };
+  const NormalProblem joint = problems::underLoad(gap(2), 5e4), round = problems::underLoad(gap(1), 5e4);
+  NormalSolution on_joint, on_round;
+  ladder.solver().solve(joint, false, on_joint);
+  ladder.solver().solve(round, false, on_round);
+  RungChoice choice(ladder, 0.01);
+  choice.tryClosedForm(joint, on_joint);
+  choice.tryClosedForm(round, on_round);
+  EXPECT_FALSE(choice.leaveClosedForm()) << "asked again too soon";
+  choice.start(ErrorEstimate());
+  choice.tryClosedForm(round, on_round);
+  EXPECT_TRUE(choice.leaveClosedForm());
 }
 
 // Between any two states the method may change. An answer from the last one and one from cold are each within the

@@ -40,8 +40,8 @@ double trueError(const WheelsetBalance& found, const WheelsetBalance& truth)
 
 double estimate(const WheelsetBalance& found)
 {
-  return std::max(found.wheel(Side::left).errorEstimate().largest(),
-                  found.wheel(Side::right).errorEstimate().largest());
+  return std::max(largestOf(found.wheel(Side::left).errors()).largest(),
+                  largestOf(found.wheel(Side::right).errors()).largest());
 }
 
 /// How often answers keep what they promise.

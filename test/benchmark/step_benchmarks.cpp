@@ -49,7 +49,7 @@ void estimate(benchmark::State& state, const GridSize& size)
   one.problemOn(size);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(one.wheel.errorEstimate());
+    benchmark::DoNotOptimize(one.wheel.estimateErrors().data());
   }
 }
 }  // namespace

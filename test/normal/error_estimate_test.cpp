@@ -123,7 +123,7 @@ TEST(ErrorEstimate, fallsWithTheCells)
     const NormalProblem problem = paraboloid(size, 1.1, 2.0);
     solver.solve(problem, false, solution);
     ASSERT_EQ(solution.status, SolveStatus::converged);
-    const double estimate = solver.estimateError(problem, solution, 0).largest();
+    const double estimate = errorsOf(solver, problem, solution)[0].largest();
     EXPECT_GT(estimate, 0);
     EXPECT_LT(estimate, 0.6 * before);
     before = estimate;
@@ -142,7 +142,7 @@ TEST(ErrorEstimate, isTheSameWithAndWithoutSymmetry)
   NormalSolution from_half, from_whole;
   solver.solve(half, false, from_half);
   solver.solve(whole, false, from_whole);
-  const ErrorEstimate a = solver.estimateError(half, from_half, 0), b = solver.estimateError(whole, from_whole, 0);
+  const ErrorEstimate a = errorsOf(solver, half, from_half)[0], b = errorsOf(solver, whole, from_whole)[0];
   EXPECT_NEAR(a.max_pressure, b.max_pressure, 1e-4 * a.max_pressure);
   EXPECT_NEAR(a.area, b.area, 1e-4 * a.area);
   EXPECT_NEAR(a.approach, b.approach, 1e-4 * a.approach);
@@ -156,9 +156,9 @@ TEST(ErrorEstimate, seesACurvatureJumpUnderTheCrest)
   ConjugateGradients solver;
   NormalSolution solution;
   solver.solve(smooth, false, solution);
-  const double without = solver.estimateError(smooth, solution, 0).max_pressure;
+  const double without = errorsOf(solver, smooth, solution)[0].max_pressure;
   solver.solve(jump, false, solution);
-  EXPECT_GT(solver.estimateError(jump, solution, 0).max_pressure, 4 * without);
+  EXPECT_GT(errorsOf(solver, jump, solution)[0].max_pressure, 4 * without);
 }
 
 /// True relative error of the highest pressure on a grid, against cells four times finer each way, and its estimate.
@@ -173,7 +173,7 @@ PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
   NormalSolution coarse, fine;
   scenes::sample(gap, problem.patches[0]);
   solver.solve(problem, false, coarse);
-  const double estimate = solver.estimateError(problem, coarse, 0).max_pressure;
+  const double estimate = errorsOf(solver, problem, coarse)[0].max_pressure;
   problem.patches[0].grid = scenes::refined(problem.patches[0].grid, scenes::finer);
   scenes::sample(gap, problem.patches[0]);
   solver.solve(problem, false, fine);
@@ -239,8 +239,8 @@ TEST(ErrorEstimate, isZeroForAPatchWithoutPressure)
   NormalSolution solution;
   solver.solve(problem, false, solution);
   ASSERT_EQ(solution.status, SolveStatus::converged);
-  EXPECT_EQ(solver.estimateError(problem, solution, 1).largest(), 0);
-  EXPECT_GT(solver.estimateError(problem, solution, 0).largest(), 0);
+  EXPECT_EQ(errorsOf(solver, problem, solution)[1].largest(), 0);
+  EXPECT_GT(errorsOf(solver, problem, solution)[0].largest(), 0);
 }
 }  // namespace
 }  // namespace wheel_rail_contact

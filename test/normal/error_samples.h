@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "errors_of.h"
 #include "gap_scenes.h"
 #include "wheel_rail_contact/balance/wheelset_balance.h"
 #include "wheel_rail_contact/geometry/standard_profiles.h"
@@ -105,7 +106,7 @@ inline ErrorSample describe(const char* kind, Method method, const NormalSolver&
       sample.shape = KikPiotrowski::errorTerms(problem, solution, patch);
       break;
   }
-  sample.estimate = solver.estimateError(problem, solution, patch);
+  sample.estimate = errorsOf(solver, problem, solution)[patch];
   return sample;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "errors_of.h"
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 
@@ -48,7 +49,7 @@ TEST(HertzSolver, isExactOnBowls)
       EXPECT_NEAR(patch.force / hertz.exact.force, 1, 1e-9) << ratio;
       EXPECT_FALSE(patch.touches_border);
       // The estimate has no reason to doubt: what it leaves is the truth's own error in calibration.
-      EXPECT_LT(solver.estimateError(hertz.problem, solution, 0).largest(), 0.01);
+      EXPECT_LT(errorsOf(solver, hertz.problem, solution)[0].largest(), 0.01);
     }
   }
 }
@@ -196,8 +197,8 @@ TEST(HertzSolver, tellsWhatItWouldLeaveInAContactSolvedOnAGrid)
   hertz.solve(problem, false, own);
   conjugate_gradients.solve(problem, false, on_grid);
   ASSERT_TRUE(isUsable(own.status) && isUsable(on_grid.status));
-  const ErrorEstimate left = hertz.estimateError(problem, own, 0);
-  const ErrorEstimate foreseen = hertz.estimateError(problem, on_grid, 0);
+  const ErrorEstimate left = errorsOf(hertz, problem, own)[0];
+  const ErrorEstimate foreseen = errorsOf(hertz, problem, on_grid)[0];
   EXPECT_GT(left.largest(), 0.01);
   EXPECT_NEAR(foreseen.max_pressure, left.max_pressure, 0.1 * left.max_pressure);
   EXPECT_NEAR(foreseen.area, left.area, 0.1 * left.area);
@@ -205,7 +206,22 @@ TEST(HertzSolver, tellsWhatItWouldLeaveInAContactSolvedOnAGrid)
 
   NormalProblem saddle = problem;
   saddle.patches[0] = sampled(grid, [](double x, double y) { return y * y - 1e-3 * x * x; });
-  EXPECT_TRUE(std::isinf(hertz.estimateError(saddle, on_grid, 0).largest()));
+  EXPECT_TRUE(std::isinf(errorsOf(hertz, saddle, on_grid)[0].largest()));
+}
+
+TEST(HertzSolver, tellsAProblemThatItRefuses)
+{
+  const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
+  const PatchGap bowl = sampled(grid, [](double x, double y) { return x * x + y * y; });
+  const PatchGap apart = sampled(grid, [](double x, double y) { return 1e-3 + y * y - 1e-3 * x * x; });
+  NormalProblem problem = underLoad(bowl, 1e4);
+  EXPECT_TRUE(HertzSolver::canSolve(problem));
+  problem.patches.push_back(apart);  // too far off to carry any load
+  EXPECT_FALSE(HertzSolver::canSolve(problem));
+  HertzSolver solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
 TEST(HertzSolver, tellsWhereTheGridCutsTheEllipse)

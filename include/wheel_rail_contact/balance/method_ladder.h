@@ -41,9 +41,6 @@ class MethodLadder
   /// Hertz, in place of any grid; null but for `method: auto` on rails that do not bend by a table, which a closed form
   /// does not solve together with the contact.
   const Rung* closedForm() const { return hertz_ ? &closed_form_ : nullptr; }
-  /// Errors that Hertz would leave in a contact that a grid has solved, the largest of its patches'. Not to be asked
-  /// without closedForm().
-  ErrorEstimate closedFormErrors(const NormalProblem& problem, const NormalSolution& solution) const;
 
  private:
   std::unique_ptr<NormalSolver> solver_;
@@ -64,7 +61,7 @@ class RungChoice
   const Rung& rung() const { return closed_form_ ? *ladder_->closedForm() : ladder_->at(rung_); }
 
   /// Sets out from cold, by the errors estimated on the rough grid: the rung that is promised to do, at most the one
-  /// that does in ordinary scenes.
+  /// that does in ordinary scenes. The closed form may be tried at once.
   void start(const ErrorEstimate& rough);
   /// Climbs if an estimated error is above the tolerance. @return true if there is a finer rung to solve on.
   bool climb(const ErrorEstimate& error);
@@ -90,6 +87,7 @@ class RungChoice
   bool descended_ = false;    ///< for the present answer
   int wait_ = 0;              ///< answers before the next try to descend
   int next_wait_ = first_wait;
+  std::vector<ErrorEstimate> scratch_;
 
   static constexpr int first_wait = 2;
   static constexpr int longest_wait = 64;

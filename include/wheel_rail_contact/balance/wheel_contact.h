@@ -118,8 +118,10 @@ class WheelContact
   double patchApproach(std::size_t patch) const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;
-  /// Estimated errors of the last solution: the largest of its patches'.
-  ErrorEstimate errorEstimate() const;
+  /// Estimates the errors of the last solution, of each of its patches.
+  const std::vector<ErrorEstimate>& estimateErrors();
+  /// As last estimated.
+  const std::vector<ErrorEstimate>& errors() const { return errors_; }
   /// Estimated relative error of a patch in the last solution by what its layout leaves open [-].
   ///
   /// A gap is built for the descent known beforehand. If the one found differs by D, the wheel slides by D sin(angle)
@@ -180,6 +182,7 @@ class WheelContact
   std::vector<PatchMemory> memory_;
   NormalProblem problem_;
   NormalSolution solution_;
+  std::vector<ErrorEstimate> errors_;
   WheelForces forces_;  ///< in the last solution
   Support support_;
   double yielded_ = 0;           ///< descent that the rail's yielding has added in the last solution [m]

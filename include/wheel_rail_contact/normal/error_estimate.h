@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "wheel_rail_contact/normal/problem.h"
 
@@ -21,6 +22,8 @@ struct ErrorEstimate
 
 /// The larger of each quantity's errors.
 ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other);
+/// The largest of each quantity's errors; zero of none.
+ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors);
 
 /// What a solution on a grid shows of its own mesh error: the estimates are sums of these, each times its weight.
 ///
@@ -71,12 +74,13 @@ struct ShapeWeights
   ShapeTerms approach{};      ///< of the approach
 };
 
-/// Errors that mesh and algebra leave in patch `patch` of a usable solution by any method that puts pressure on the
-/// grid's cells; zero for a patch without pressure.
+/// Errors that mesh and algebra leave in each patch of a usable solution by any method that puts pressure on the grid's
+/// cells; zero for a patch without pressure. `errors` gets one for each patch.
 ///
 /// Weights were fitted to random contacts, each against the same one on a grid four times finer each way, so that the
 /// largest of the three is at least the true one in 97.5 % of them; test/calibration does that again and prints the
 /// table. In several patches, one patch's error of approach shifts the load to the others: with Hertz's laws (maximum ~
 /// approach^1/2, area ~ approach) that is added in.
-ErrorEstimate estimateGridError(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
+void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solution,
+                        std::vector<ErrorEstimate>& errors);
 }  // namespace wheel_rail_contact

@@ -40,8 +40,11 @@ class HertzSolver : public NormalSolver
   /// From what tells the overlap at half the approach, and at all of it, from that of the paraboloid at the gap's
   /// lowest place. `solution` may be another method's of the same problem: the estimate then tells what Hertz would
   /// leave; infinite where a loaded patch's gap is no bowl.
-  ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                              std::size_t patch) const override;
+  void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                      std::vector<ErrorEstimate>& errors) const override;
+  /// True if every patch of a valid problem has cells enough and is a bowl, loaded or not: solve() then does not refuse
+  /// it.
+  static bool canSolve(const NormalProblem& problem);
   /// What the estimate is a weighted sum of.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 

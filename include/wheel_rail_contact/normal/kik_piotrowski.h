@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "wheel_rail_contact/normal/normal_solver.h"
 
@@ -39,8 +40,8 @@ class KikPiotrowski : public NormalSolver
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
   /// From the method's own bias, and from what tells the overlap from that of the paraboloid of the same moments.
-  ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                              std::size_t patch) const override;
+  void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                      std::vector<ErrorEstimate>& errors) const override;
   /// What the estimate is a weighted sum of, beside the method's bias.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "wheel_rail_contact/normal/error_estimate.h"
 #include "wheel_rail_contact/normal/problem.h"
 
@@ -23,13 +25,13 @@ class NormalSolver
   /// status tells.
   virtual void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) = 0;
 
-  /// Estimated errors of patch `patch` of a usable solution that this method found, against the exact answer; zero for
-  /// a patch without pressure. As it stands here: for methods that put pressure on the grid's cells
-  /// (estimateGridError).
-  virtual ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                                      std::size_t patch) const
+  /// Estimated errors of each patch of a usable solution that this method found, against the exact answer; zero for a
+  /// patch without pressure. `errors` gets one for each patch. As it stands here: for methods that put pressure on the
+  /// grid's cells (estimateGridErrors).
+  virtual void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                              std::vector<ErrorEstimate>& errors) const
   {
-    return estimateGridError(problem, solution, patch);
+    estimateGridErrors(problem, solution, errors);
   }
 };
 }  // namespace wheel_rail_contact

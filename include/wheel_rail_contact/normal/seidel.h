@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "wheel_rail_contact/normal/normal_solver.h"
 
@@ -58,8 +59,8 @@ class Seidel : public NormalSolver
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
   /// Printed: the grid's errors and those that come from putting the cells' forces into their centres.
-  ErrorEstimate estimateError(const NormalProblem& problem, const NormalSolution& solution,
-                              std::size_t patch) const override;
+  void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                      std::vector<ErrorEstimate>& errors) const override;
 
  private:
   class Sweeps;
