@@ -190,11 +190,12 @@ RailForce BendingRail::takeForce(bool loaded, double given_lateral)
 }
 
 /// The rail's way along the contact planes since it was set, over the one allowed: the gap takes it to first order, and
-/// slip²/(2R) is left.
+/// slip²/(2R) is left. What the wheel slides as it comes down by that way is not in the gap at all.
 double BendingRail::slipOver() const
 {
   const double left_open = slip_share * config_.contact.tolerance * wheel_.elasticDescent();
-  return wheel_.railSlip() / std::sqrt(2 * sharpest_radius * left_open);
+  return std::max(wheel_.railSlip() / std::sqrt(2 * sharpest_radius * left_open),
+                  wheel_.yieldError() / config_.contact.tolerance);
 }
 
 double BendingRail::effectLimit() const

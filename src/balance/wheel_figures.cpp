@@ -27,10 +27,10 @@ const std::vector<ErrorEstimate>& WheelContact::estimateErrors()
   return errors_;
 }
 
-double WheelContact::layoutError(std::size_t patch, double open_roll) const
+/// What a way of the wheel along the plane [m] that its gap does not know makes of a patch [-].
+double WheelContact::slipError(std::size_t patch, double slip) const
 {
   const WheelPatch& p = patches_[patch];
-  const double slip = (solution_.approach - boxed_descent_) * std::sin(p.plane.angle);
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   for (int j = p.extent.first_column; !p.extent.empty && j <= p.extent.last_column; ++j)
@@ -38,9 +38,51 @@ double WheelContact::layoutError(std::size_t patch, double open_roll) const
     least = std::min(least, p.columns[static_cast<std::size_t>(j)].slope);
     most = std::max(most, p.columns[static_cast<std::size_t>(j)].slope);
   }
-  const double uneven = p.extent.empty ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
+  return p.extent.empty ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
+}
+
+/// Way of the wheel along the plane as it comes down by what the rail has yielded [m]. The rail's own way down does not
+/// count: where both go down together nothing slides.
+double WheelContact::yieldSlip(const WheelPatch& patch) const
+{
+  return (yielded_ + railWay(patch)[1]) * std::sin(patch.plane.angle);
+}
+
+double WheelContact::layoutError(std::size_t patch, double open_roll) const
+{
+  const WheelPatch& p = patches_[patch];
+  const double slip = (solution_.approach - boxed_descent_) * std::sin(p.plane.angle) + yieldSlip(p);
+  return slipError(patch, slip) + std::abs(p.slope * std::tan(p.plane.angle)) + rollError(patch, open_roll);
+}
+
+/// At constant load the wheel's roll moves a patch along its plane: sideways by its depth below the axle, and with that
+/// up the plane.
+double WheelContact::rollError(std::size_t patch, double open_roll) const
+{
+  const WheelPatch& p = patches_[patch];
+  const double slip = (wheel_->pose().z - p.plane.z) / std::cos(p.plane.angle) * open_roll;
   const double parted = std::cos(p.plane.angle) * (leverOf(p) - lever()) * open_roll;
-  return uneven + std::abs(p.slope * std::tan(p.plane.angle)) + std::abs(parted) / patchApproach(patch);
+  return slipError(patch, slip) + std::abs(parted) / patchApproach(patch);
+}
+
+double WheelContact::rollError(double open_roll) const
+{
+  double largest = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    largest = std::max(largest, patches_[k].extent.empty ? 0 : rollError(k, open_roll));
+  }
+  return largest;
+}
+
+double WheelContact::yieldError() const
+{
+  double largest = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    largest = std::max(largest, slipError(k, yieldSlip(patches_[k])));
+  }
+  return largest;
 }
 
 double WheelContact::halfSpaceRatio(std::size_t patch) const

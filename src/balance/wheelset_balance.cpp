@@ -139,6 +139,18 @@ bool WheelsetBalance::layoutFits(double slack)
   return all;
 }
 
+/// True if the roll left open [rad] is small, and small for each patch: there no slack is given.
+bool WheelsetBalance::isLevel(double open_roll, double slack) const
+{
+  const double tolerance = config_.contact.tolerance;
+  bool level = std::abs(open_roll) < slack * roll_per_tolerance * tolerance;
+  for (const Side side : sides)
+  {
+    level = level && (!loaded_[index(side)] || wheel_[index(side)].rollError(open_roll) < tolerance);
+  }
+  return level;
+}
+
 /// True if a pass is so far from the balance that a rough grid tells as well where to go.
 bool WheelsetBalance::isFar(double roll_change) const
 {
@@ -298,7 +310,7 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
     const double open = moveRails();
     const double slack = pass < strict_passes ? 1.0 : late_slack;
     const bool fits = layoutFits(slack);
-    const bool level = std::abs(roll_change) < slack * roll_per_tolerance * config_.contact.tolerance;
+    const bool level = isLevel(roll_change, slack);
     const bool high = heightsMeet();
     const bool settled = fits && level && high && open <= 1;
     const bool far = (isFar(roll_change) || open > 1) && pass < strict_passes;

@@ -65,10 +65,10 @@ double difference(const PatchResult& one, const PatchResult& other)
 }
 }  // namespace
 
-TEST(OpenRoll, isCountedWhereItPartsTreadAndFlange)
+TEST(OpenRoll, doesNotPartTreadAndFlange)
 {
-  // A tenth of tolerance leaves up to 3e-5 rad open: 14 um sideways at the rail, which is as much as the flank's own
-  // approach where it begins to carry.
+  // A tenth of tolerance would leave up to 3e-5 rad open for a single contact: 14 um sideways at the rail, which is as
+  // much as the flank's own approach where it begins to carry.
   WheelsetContact loose(scene(0.1, 8, 24)), strict(scene(0.003, 24, 56));
   double worst = 0;
   int two = 0;
@@ -89,5 +89,5 @@ TEST(OpenRoll, isCountedWhereItPartsTreadAndFlange)
     }
   }
   EXPECT_GT(two, 10);
-  EXPECT_GT(worst, 0.1);  // else there was nothing to be counted
+  EXPECT_LT(worst, 0.1);  // the tolerance
 }

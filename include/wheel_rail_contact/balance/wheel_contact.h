@@ -126,9 +126,14 @@ class WheelContact
   ///
   /// A gap is built for the descent known beforehand. If the one found differs by D, the wheel slides by D sin(angle)
   /// along the plane, which opens the gap by that times the surface's slope: its uneven part counts over twice the
-  /// approach. A plane that is off by an angle takes the normal force off by its tangent's share. A roll left open
-  /// [rad] moves the patches of a wheel against one another, by the difference of their levers along the normal.
+  /// approach. A wheel that comes down because its rail yields slides as well, and so does one that rolls. A plane that
+  /// is off by an angle takes the normal force off by its tangent's share. A roll left open [rad] also moves the
+  /// patches of a wheel against one another, by the difference of their levers along the normal.
   double layoutError(std::size_t patch, double open_roll) const;
+  /// The part of it that a roll left open [rad] makes, the largest of all patches' [-].
+  double rollError(double open_roll) const;
+  /// The part of it by what the wheel slides as the rail yields from where it was set, the largest of all patches' [-].
+  double yieldError() const;
   /// How far a patch is from a contact of half-spaces: half the angle through which the section of the wheel or the
   /// rail, whichever is larger, turns over the pressure; on an arc, the pressure's half-width over the radius [rad].
   double halfSpaceRatio(std::size_t patch) const;
@@ -167,6 +172,9 @@ class WheelContact
   void takeIntoGaps(const Eigen::Vector3d& way);
   void measure();
   double leverOf(const WheelPatch& patch) const;
+  double rollError(std::size_t patch, double open_roll) const;
+  double slipError(std::size_t patch, double slip) const;
+  double yieldSlip(const WheelPatch& patch) const;
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
 

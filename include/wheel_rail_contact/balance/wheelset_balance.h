@@ -70,6 +70,7 @@ class WheelsetBalance
   bool heightsMeet();
   bool heightOnBendingRails() const;
   bool layoutFits(double slack);
+  bool isLevel(double open_roll, double slack) const;
   bool isFar(double roll_change) const;
   void foresee(double moved);
   bool fineEnough();
