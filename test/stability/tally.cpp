@@ -11,8 +11,8 @@ namespace
 constexpr std::size_t most_examples = 5;
 
 /// Answers that violate the contact conditions by more than this many tolerances, and the share of them that passes:
-/// descent, plane, roll and the rail's way may each be open by about one of them, descent and plane by more where passes
-/// do not settle early, which tells at conformal flanges. The short campaign (states 4000 1) finds 0.09 %.
+/// descent, plane, roll and the rail's way may each be open by about one of them, descent and plane by more where
+/// passes do not settle early, which tells at conformal flanges. The short campaign (states 4000 1) finds 0.09 %.
 constexpr double grave_violation = 3;
 constexpr double most_violating = 0.005;
 
