@@ -23,15 +23,40 @@ std::string absolute(const std::string& topic)
   return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
 }
 
+/// Calls `read` with a message's stream.
+template <typename Read>
+void readStream(std::string_view data, const Read& read)
+{
+  std::vector<std::uint8_t> bytes(data.begin(), data.end());  // the stream asks for data it could change
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  read(stream);
+}
+
 /// @throw ros::serialization::StreamOverrunException if the message is cut off.
 template <typename Message>
 boost::shared_ptr<Message> parse(std::string_view data)
 {
-  std::vector<std::uint8_t> bytes(data.begin(), data.end());  // the stream asks for data it could change
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   auto message = boost::make_shared<Message>();
-  ros::serialization::deserialize(stream, *message);
+  readStream(data, [&message](auto& stream) { stream.next(*message); });
   return message;
+}
+
+/// One by one, for a damaged message may claim to hold any number.
+/// @throw ros::serialization::StreamOverrunException if the message is cut off.
+std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data)
+{
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  readStream(data,
+             [&transforms](auto& stream)
+             {
+               std::uint32_t count = 0;
+               stream.next(count);
+               for (; count > 0; --count)
+               {
+                 stream.next(transforms.emplace_back());
+               }
+             });
+  return transforms;
 }
 
 std::set<std::string> answerTopics(const std::vector<std::string>& wheelsets)
@@ -268,8 +293,7 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
 {
   if (use.role == Role::transform || use.role == Role::static_transform)
   {
-    const auto transforms = parse<tf2_msgs::TFMessage>(message.data);
-    for (const auto& transform : transforms->transforms)
+    for (const auto& transform : parseTransforms(message.data))
     {
       transforms_.setTransform(transform, "bag", use.role == Role::static_transform);
     }
@@ -277,7 +301,7 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
   }
   if (use.role == Role::neighbour)
   {
-    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<WheelsetContactMsg>(message.data));
+    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<NeighbourAnswer>(message.data));
     return;
   }
   auto input = pair(use, message);

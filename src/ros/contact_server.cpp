@@ -113,12 +113,12 @@ void ContactServer::subscribeToNeighbours()
       throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
                                   topic + " is this node's own");
     }
-    subscribeAtOnce<WheelsetContactMsg>(topic,
-                                        [this, i](const WheelsetContactMsg::ConstPtr& answer)
-                                        {
-                                          const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-                                          neighbours_.add(i, *answer);
-                                        });
+    subscribeAtOnce<NeighbourAnswer>(topic,
+                                     [this, i](const boost::shared_ptr<const NeighbourAnswer>& answer)
+                                     {
+                                       const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+                                       neighbours_.add(i, *answer);
+                                     });
   }
 }
 

@@ -39,10 +39,10 @@ NeighbourForces::NeighbourForces(const NodeConfig& config) : cant_(config.model.
   }
 }
 
-void NeighbourForces::add(std::size_t neighbour, const WheelsetContactMsg& answer)
+void NeighbourForces::add(std::size_t neighbour, const NeighbourAnswer& answer)
 {
   std::deque<Answer>& answers = neighbours_.at(neighbour).answers;
-  while (!answers.empty() && answers.back().stamp >= answer.header.stamp)
+  while (!answers.empty() && answers.back().stamp >= answer.stamp)
   {
     answers.pop_back();
   }
@@ -50,10 +50,10 @@ void NeighbourForces::add(std::size_t neighbour, const WheelsetContactMsg& answe
   {
     answers.pop_front();
   }
-  answers.push_back({answer.header.stamp, forcesOf(answer)});
+  answers.push_back({answer.stamp, forcesOf(answer)});
 }
 
-std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const WheelsetContactMsg& answer)
+std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const NeighbourAnswer& answer)
 {
   const Forces forces{forceOn(answer.left_rail), forceOn(answer.right_rail)};
   return isUsable(answer.status) && isFinite(forces[0]) && isFinite(forces[1]) ? std::optional(forces) : std::nullopt;

@@ -9,6 +9,7 @@ import subprocess
 
 import rosbag
 from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
 
 from replay_case import DAMAGED, PROGRAM, ReplayCase, stamp, write_pairs
 
@@ -164,6 +165,18 @@ class DamagedBags(ReplayCase):
         self.assertIn("more than 65536 connections", printed)
         self.assertLess(peak, usual + 90)  # the chunk has 40 MB
         self.assertEqual(len(self.answers(self.folder / "described_out.bag")), len(self.whole))
+
+    def test_transforms_that_are_only_claimed_take_no_memory(self):
+        usual, _ = self.peak_memory(self.folder / "whole.bag", 0)
+        for count in (2**32 - 1, 2 * 10**6):
+            bag = self.make_bag(250, f"{count}.bag", chunk_threshold=CHUNK)
+            with rosbag.Bag(str(bag), "a") as file:
+                file.write("/tf", (TFMessage._type, struct.pack("<I", count), TFMessage._md5sum, TFMessage), stamp(100),
+                           raw=True)
+            peak, printed = self.peak_memory(bag)
+            self.assertIn("250 pairs answered", printed)
+            self.assertIn("1 messages are cut off", printed)
+            self.assertLess(peak, usual + 50)
 
     def test_what_is_no_bag_is_refused(self):
         for content in (b"", b"no bag", b"#ROSBAG V1.2\n"):

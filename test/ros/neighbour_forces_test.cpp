@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 using namespace wheel_rail_contact;
 
@@ -22,10 +25,10 @@ NodeConfig configWith(std::size_t neighbours)
 }
 
 /// An answer with lateral forces [N] on both rails at a time [s].
-WheelsetContactMsg answerAt(double time, double left, double right = 0)
+NeighbourAnswer answerAt(double time, double left, double right = 0)
 {
-  WheelsetContactMsg answer;
-  answer.header.stamp = ros::Time(time);
+  NeighbourAnswer answer;
+  answer.stamp = ros::Time(time);
   answer.left_rail.lateral_force = left;
   answer.right_rail.lateral_force = right;
   return answer;
@@ -37,6 +40,31 @@ double countedAt(const NeighbourForces& forces, double time)
   return forces.deflectionAt(ros::Time(time))[0].lateral / compliance;
 }
 }  // namespace
+
+// More patches are claimed than any memory holds.
+TEST(NeighbourForces, AnswerIsReadUpToItsPatches)
+{
+  WheelsetContactMsg message;
+  message.header.stamp = ros::Time(10);
+  message.header.frame_id = "track";
+  message.status = WheelsetContactMsg::LIFT_OFF;
+  message.status_text = "the left wheel carries nothing";
+  message.left_rail.lateral_force = 1e3;
+  message.right_rail.moment = 2e3;
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, message);
+  const std::size_t patches = bytes.size() - sizeof(message.solve_time) - sizeof(std::uint32_t);
+  std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(patches), sizeof(std::uint32_t), 0xff);
+
+  NeighbourAnswer answer;
+  ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::deserialize(in, answer);
+  EXPECT_EQ(answer.stamp, message.header.stamp);
+  EXPECT_EQ(answer.status, message.status);
+  EXPECT_EQ(answer.left_rail, message.left_rail);
+  EXPECT_EQ(answer.right_rail, message.right_rail);
+}
 
 TEST(NeighbourForces, TellsWhetherEveryNeighboursForcesAreKnown)
 {
@@ -80,12 +108,12 @@ TEST(NeighbourForces, UnusableAnswerIsNoForce)
 {
   NeighbourForces forces(configWith(1));
   forces.add(0, answerAt(10.0, 1e3));
-  WheelsetContactMsg unusable = answerAt(10.1, 2e3);
+  NeighbourAnswer unusable = answerAt(10.1, 2e3);
   unusable.status = WheelsetContactMsg::NOT_CONVERGED;
   forces.add(0, unusable);
   EXPECT_EQ(countedAt(forces, 10.2), 0);
   EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.2)));
-  WheelsetContactMsg lifted = answerAt(10.2, 3e3);
+  NeighbourAnswer lifted = answerAt(10.2, 3e3);
   lifted.status = WheelsetContactMsg::LIFT_OFF;
   forces.add(0, lifted);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);

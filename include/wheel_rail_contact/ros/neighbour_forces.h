@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "wheel_rail_contact/rail/neighbours.h"
-#include "wheel_rail_contact/ros/messages.h"
+#include "wheel_rail_contact/ros/neighbour_answer.h"
 #include "wheel_rail_contact/ros/parameters.h"
 
 namespace wheel_rail_contact
@@ -28,7 +28,7 @@ class NeighbourForces
   explicit NeighbourForces(const NodeConfig& config);
 
   /// Takes an answer of the neighbour of this number in NodeConfig::neighbours.
-  void add(std::size_t neighbour, const WheelsetContactMsg& answer);
+  void add(std::size_t neighbour, const NeighbourAnswer& answer);
 
   /// True if answers of every neighbour reach back so far that those before them do not count at the stamp, nor later.
   bool reachBackFrom(const ros::Time& stamp) const;
@@ -52,7 +52,7 @@ class NeighbourForces
     std::deque<Answer> answers;  ///< stamps rising
   };
   static const Forces* forcesAt(const Neighbour& neighbour, const ros::Time& stamp);
-  static std::optional<Forces> forcesOf(const WheelsetContactMsg& answer);
+  static std::optional<Forces> forcesOf(const NeighbourAnswer& answer);
 
   double cant_;
   std::vector<Neighbour> neighbours_;
