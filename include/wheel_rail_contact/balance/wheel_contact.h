@@ -114,7 +114,7 @@ class WheelContact
   double effectOf(const Eigen::Vector3d& way, double limit);
   /// Height of the forces' mean place over the rail head's reference point [m].
   double heightOverReference() const;
-  /// Approach of a patch along its normal, from its own first touch on [m].
+  /// Approach of a patch along its normal, from its own first touch on, at least what its cells overlap [m].
   double patchApproach(std::size_t patch) const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;

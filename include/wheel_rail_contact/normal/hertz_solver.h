@@ -29,8 +29,9 @@ GapMinimum fitMinimum(const PatchGap& gap);
 /// Several patches share the approach: their forces are summed in closed form, and the approach that carries the load
 /// is found by Newton's method. max_pressure, area, force and approach are those of the ellipses; `pressure` holds the
 /// ellipsoid's means over the cells, which sum up to the force. Where touches_border says that the grid cuts the
-/// ellipse off, the part beyond is spread over the cells as far as they have room below max_pressure. The residual is
-/// zero: nothing is iterated on cells. Status no_positive_curvature (not usable) where a patch's gap is no bowl.
+/// ellipse off, the part beyond is spread over the loaded cells, or left out if below max_pressure they have no room
+/// for it. The residual is zero: nothing is iterated on cells. Status no_positive_curvature (not usable) where a
+/// patch's gap is no bowl.
 class HertzSolver : public NormalSolver
 {
  public:

@@ -44,7 +44,7 @@ class NeighbourForces
   struct Answer
   {
     ros::Time stamp;
-    std::optional<Forces> forces;  ///< none unless the answer is usable
+    std::optional<Forces> forces;  ///< none unless usable and finite
   };
   struct Neighbour
   {
