@@ -32,6 +32,23 @@ void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
   }
 }
 
+/// See PatchGap::unseen_slope. With third differences t of the gap beside column j, a kink or a jump of the curvature
+/// makes slopes differ by no more than (|t_before| + |t_after|) / (4 dy).
+void fillUnseenSlope(const WheelPatch& patch, PatchGap& gap)
+{
+  const Eigen::Index columns = gap.gap.cols();
+  const auto row = gap.gap.row(gap.grid.symmetric ? 0 : gap.grid.nx / 2);
+  const auto third = [&](Eigen::Index j) { return row[j + 2] - 3 * row[j + 1] + 3 * row[j] - row[j - 1]; };
+  gap.unseen_slope.setZero(columns);
+  for (Eigen::Index j = 2; j < columns - 2; ++j)
+  {
+    const double shown = 0.5 * (row[j + 1] - row[j - 1]);
+    const double off = std::abs(patch.columns[static_cast<std::size_t>(j)].parting * gap.grid.dy - shown);
+    const double bends = 0.25 * (std::abs(third(j - 1)) + std::abs(third(j)));
+    gap.unseen_slope[j] = std::max(off - bends, 0.0) / gap.grid.dy;
+  }
+}
+
 double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
 {
   return config.wheelset.rolling_radius - config.wheel_profile->at(contact.wheel_u).z;
@@ -244,6 +261,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     {
       return false;
     }
+    fillUnseenSlope(patch, gap);
     gap.gap += gap.weight * boxed_descent_;
     clearBeyond(patch, gap.gap);
     fillOpening(*rail_, patch.plane, patch.columns, gap.opening);

@@ -48,11 +48,26 @@ double WheelContact::yieldSlip(const WheelPatch& patch) const
   return (yielded_ + railWay(patch)[1]) * std::sin(patch.plane.angle);
 }
 
+/// Way of the wheel along the plane since the gap was built [m].
+double WheelContact::slip(const WheelPatch& patch) const
+{
+  return (solution_.approach - boxed_descent_) * std::sin(patch.plane.angle) + yieldSlip(patch);
+}
+
+double WheelContact::slipError() const
+{
+  double largest = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    largest = std::max(largest, slipError(k, slip(patches_[k])));
+  }
+  return largest;
+}
+
 double WheelContact::layoutError(std::size_t patch, double open_roll) const
 {
   const WheelPatch& p = patches_[patch];
-  const double slip = (solution_.approach - boxed_descent_) * std::sin(p.plane.angle) + yieldSlip(p);
-  return slipError(patch, slip) + std::abs(p.slope * std::tan(p.plane.angle)) + rollError(patch, open_roll);
+  return slipError(patch, slip(p)) + std::abs(p.slope * std::tan(p.plane.angle)) + rollError(patch, open_roll);
 }
 
 /// At constant load the wheel's roll moves a patch along its plane: sideways by its depth below the axle, and with that

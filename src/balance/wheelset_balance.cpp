@@ -119,7 +119,8 @@ double WheelsetBalance::moveRails()
   return open;
 }
 
-/// True if planes and boxes fit the pressure; otherwise they are laid anew in the next pass.
+/// True if planes and boxes fit the pressure; otherwise they are laid anew in the next pass. What the wheel has slid
+/// along the planes since the gaps were built is given no slack.
 bool WheelsetBalance::layoutFits(double slack)
 {
   bool all = true;
@@ -127,9 +128,10 @@ bool WheelsetBalance::layoutFits(double slack)
   {
     WheelContact& wheel = wheel_[index(side)];
     const double tolerance = slack * config_.contact.tolerance;
-    const bool fits = !loaded_[index(side)] ||
-                      (wheel.planeError() < plane_per_tolerance * tolerance &&
-                       std::abs(wheel.descentError()) < tolerance && (wheel.boxFill() > least_fill || wheel.widened()));
+    const bool fits =
+        !loaded_[index(side)] ||
+        (wheel.planeError() < plane_per_tolerance * tolerance && std::abs(wheel.descentError()) < tolerance &&
+         (wheel.boxFill() > least_fill || wheel.widened()) && wheel.slipError() < config_.contact.tolerance);
     if (!fits)
     {
       wheel.learn();

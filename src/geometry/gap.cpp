@@ -122,6 +122,7 @@ class ColumnBuilder
     }
     height[0] -= rail.n;
     column.slope = 0.5 * (rail.slope + crest.slope);
+    column.parting = crest.slope - rail.slope;
     return true;
   }
 

@@ -234,6 +234,16 @@ double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulu
   return std::max(highest / pressure.max_pressure - 1, 0.0);
 }
 
+/// By how much the pressure may overtop the highest one on cells fine enough for the gap's features that are narrower
+/// than the present ones, over the maximum [-]. A wave of the gap with slopes up to s is pressed flat by E* s / 2
+/// (Johnson 1985, eq. 13.2). What one column shows may lie at the crest, between the columns.
+double byUnseenSlopes(const PatchGap& gap, double highest, double modulus, const Crest& crest)
+{
+  const bool known = gap.unseen_slope.size() > 0;
+  const double steepest = known ? gap.unseen_slope.segment(crest.first, crest.last - crest.first + 1).maxCoeff() : 0;
+  return 0.5 * modulus * steepest / highest;
+}
+
 double largestApproach(const NormalProblem& problem, const NormalSolution& solution)
 {
   double largest = 0;
@@ -294,7 +304,8 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   const double variation = bending.variation / (loaded.across * loaded.across);
   const double few_along = 1 / (loaded.along * loaded.along);
   ErrorTerms terms;
-  terms.overtopping = std::max(byLowerCrests(gap, pressure, modulus), bySteps(gap, pressure, modulus, loaded.crest));
+  terms.overtopping = std::max({byLowerCrests(gap, pressure, modulus), bySteps(gap, pressure, modulus, loaded.crest),
+                                byUnseenSlopes(gap, pressure.max_pressure, modulus, loaded.crest)});
   terms.max_pressure = crestTerms(gap, p, loaded.crest, bending.jumps_at_crest, as_pressure);
   terms.area = {longer / std::cbrt(mean_along * mean_along),
                 loaded.thin_columns * per_cell,

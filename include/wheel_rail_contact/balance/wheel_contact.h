@@ -132,7 +132,11 @@ class WheelContact
   double layoutError(std::size_t patch, double open_roll) const;
   /// The part of it that a roll left open [rad] makes, the largest of all patches' [-].
   double rollError(double open_roll) const;
-  /// The part of it by what the wheel slides as the rail yields from where it was set, the largest of all patches' [-].
+  /// The part of it by what the wheel has slid along the planes since the gaps were built, the largest of all patches'
+  /// [-].
+  double slipError() const;
+  /// The part of that by what the wheel slides as the rail yields from where it was set, the largest of all patches'
+  /// [-].
   double yieldError() const;
   /// How far a patch is from a contact of half-spaces: half the angle through which the section of the wheel or the
   /// rail, whichever is larger, turns over the pressure; on an arc, the pressure's half-width over the radius [rad].
@@ -174,6 +178,7 @@ class WheelContact
   double leverOf(const WheelPatch& patch) const;
   double rollError(std::size_t patch, double open_roll) const;
   double slipError(std::size_t patch, double slip) const;
+  double slip(const WheelPatch& patch) const;
   double yieldSlip(const WheelPatch& patch) const;
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);

@@ -31,6 +31,7 @@ struct GapColumn
   double slope = 0;    ///< mean slope of wheel and rail against the plane [-]: that of their common normal
   double wheel_u = 0;  ///< parameter of the wheel's profile [m]
   double rail_u = 0;   ///< parameter of the rail's profile [m]
+  double parting = 0;  ///< slope of the wheel less that of the rail [-]: that of the gap across
 };
 
 constexpr double no_body_gap = 0.1;  ///< gap where one of the bodies has nothing to touch [m]
