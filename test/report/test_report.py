@@ -109,9 +109,8 @@ class Report(SweepCase):
                 for kind, points in zip(("rail", "wheel"), figures.contact_points(answers, side)):
                     outline = answers.outlines[kind]
                     distance = np.hypot(*(points[:, None, :] - outline[None, :, :]).T).min(axis=0)
-                    # Half the outline's step is 0.2 mm; the bodies approach each other by 0.2 mm at most, and a rail's
-                    # roll, which is left out, turns its surface by some hundredths of a millimetre.
-                    self.assertLess(distance.max(), 0.35e-3, f"{bag.name}, {kind}, side {side}")
+                    # Half the outline's step is 0.2 mm; the bodies approach each other by 0.2 mm at most.
+                    self.assertLess(distance.max(), 0.3e-3, f"{bag.name}, {kind}, side {side}")
 
     def test_histories_hold_what_the_messages_say(self):
         answers, topic = read(self.rigid)

@@ -92,8 +92,13 @@ def contact_points(answers, side):
     chosen = patches["side"] == side
     index, sign = patches["answer"][chosen], (1, -1)[side]
     y, z = patches["y"][chosen], patches["z"][chosen]
-    lateral, vertical = (np.nan_to_num(answers.rail[index, side, column]) for column in (0, 1))
+    lateral, vertical, tilt = (np.nan_to_num(answers.rail[index, side, column]) for column in (0, 1, 2))
     on_rail = np.column_stack([sign * y - lateral, z - vertical])
+    if "reference" in answers.outlines:  # the point that a rail's roll turns it about
+        reference = answers.outlines["reference"][0]
+        dy, dz = (on_rail - reference).T
+        on_rail = reference + np.column_stack([np.cos(tilt) * dy - np.sin(tilt) * dz,
+                                               np.cos(tilt) * dz + np.sin(tilt) * dy])
     # To the wheelset's axes, yaw left out: it moves the contact along the track, not across.
     dy, dz, roll = y - answers.y[index], z - answers.z[index], answers.roll[index]
     on_wheel = np.column_stack([sign * (np.cos(roll) * dy + np.sin(roll) * dz), np.cos(roll) * dz - np.sin(roll) * dy])
