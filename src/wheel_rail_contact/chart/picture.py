@@ -206,5 +206,5 @@ def _draw_legend(axes, rows):
     handles.append(Line2D([], [], color=FRONT, linewidth=6, alpha=0.75,
                           label="best of the fixed methods\n(Pareto front)"))
     axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
-                title="Methods on nine grids,\n8×16 to 64×128; auto at\n10, 3, 1 and 0.3 %", title_fontsize=9.5,
+                title="Methods on eleven grids,\n8×16 to 64×128; auto at\n10, 3, 1 and 0.3 %", title_fontsize=9.5,
                 alignment="left")
