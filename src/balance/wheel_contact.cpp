@@ -264,6 +264,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     fillUnseenSlope(patch, gap);
     gap.gap += gap.weight * boxed_descent_;
     clearBeyond(patch, gap.gap);
+    patch.least_gap = gap.gap.minCoeff();
     fillOpening(*rail_, patch.plane, patch.columns, gap.opening);
   }
   return !zones_.empty();

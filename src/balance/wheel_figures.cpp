@@ -16,9 +16,8 @@ constexpr double rigid_lean = 0.1;  ///< turn of a plane against the normal of i
 double WheelContact::patchApproach(std::size_t patch) const
 {
   const WheelPatch& p = patches_[patch];
-  const PatchGap& gap = problem_.patches[patch];
   const double at_first_touch = (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
-  return std::max(at_first_touch, gap.weight * elasticDescent() - gap.gap.minCoeff());
+  return std::max(at_first_touch, problem_.patches[patch].weight * elasticDescent() - p.least_gap);
 }
 
 const std::vector<ErrorEstimate>& WheelContact::estimateErrors()

@@ -75,13 +75,15 @@ void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
 {
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    PatchGap& patch = problem_.patches[k];
-    const double before = patch.gap.minCoeff();
-    for (Eigen::Index j = 0; j < patch.opening.rows(); ++j)
+    WheelPatch& patch = patches_[k];
+    PatchGap& gap = problem_.patches[k];
+    for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
     {
-      patch.gap.col(j) += patch.opening.row(j).matrix().dot(way) - patch.weight * yielded_;
+      gap.gap.col(j) += gap.opening.row(j).matrix().dot(way) - gap.weight * yielded_;
     }
-    patches_[k].touch_gap += (patch.gap.minCoeff() - before) / patch.weight;
+    const double before = patch.least_gap;
+    patch.least_gap = gap.gap.minCoeff();
+    patch.touch_gap += (patch.least_gap - before) / gap.weight;
   }
   solution_.approach -= yielded_;
 }
