@@ -11,6 +11,18 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr double rigid_lean = 0.1;  ///< turn of a plane against the normal of its first touch [rad]
+
+/// The largest of the errors that `error_of(k)` tells of so many patches [-].
+template <typename ErrorOf>
+double largestError(std::size_t patches, const ErrorOf& error_of)
+{
+  double largest = 0;
+  for (std::size_t k = 0; k < patches; ++k)
+  {
+    largest = std::max(largest, error_of(k));
+  }
+  return largest;
+}
 }  // namespace
 
 double WheelContact::patchApproach(std::size_t patch) const
@@ -55,12 +67,7 @@ double WheelContact::slip(const WheelPatch& patch) const
 
 double WheelContact::slipError() const
 {
-  double largest = 0;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    largest = std::max(largest, slipError(k, slip(patches_[k])));
-  }
-  return largest;
+  return largestError(patches_.size(), [this](std::size_t k) { return slipError(k, slip(patches_[k])); });
 }
 
 double WheelContact::layoutError(std::size_t patch, double open_roll) const
@@ -81,22 +88,13 @@ double WheelContact::rollError(std::size_t patch, double open_roll) const
 
 double WheelContact::rollError(double open_roll) const
 {
-  double largest = 0;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    largest = std::max(largest, patches_[k].extent.empty ? 0 : rollError(k, open_roll));
-  }
-  return largest;
+  return largestError(patches_.size(),
+                      [&](std::size_t k) { return patches_[k].extent.empty ? 0 : rollError(k, open_roll); });
 }
 
 double WheelContact::yieldError() const
 {
-  double largest = 0;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    largest = std::max(largest, slipError(k, yieldSlip(patches_[k])));
-  }
-  return largest;
+  return largestError(patches_.size(), [this](std::size_t k) { return slipError(k, yieldSlip(patches_[k])); });
 }
 
 double WheelContact::halfSpaceRatio(std::size_t patch) const
