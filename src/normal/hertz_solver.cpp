@@ -119,17 +119,11 @@ void addSection(const Grid& grid, double middle, double half_length, double fact
   }
 }
 
-/// Means of the ellipsoidal pressure over the cells; zero for a contact without area. Exact along x; across by Gauss's
-/// rule of two points over the loaded part of each column, which is exact for its sum: together the cells carry the
-/// force, to rounding.
-void fillEllipsoid(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
+/// Adds means of the ellipsoidal pressure over the cells. Exact along x; across by Gauss's rule of two points over the
+/// loaded part of each column, which is exact for its sum: together the cells carry the force, to rounding.
+void addEllipsoid(const GapMinimum& minimum, const Sections& sections, double max_pressure, const Grid& grid,
+                  Eigen::ArrayXXd& pressure)
 {
-  pressure.setZero(grid.rows(), grid.ny);
-  if (!(contact.area > 0))
-  {
-    return;
-  }
-  const Sections sections(minimum, contact);
   for (int j = 0; j < grid.ny; ++j)
   {
     const double begin = std::max(grid.y(j) - 0.5 * grid.dy - minimum.y, -sections.halfY());
@@ -140,7 +134,7 @@ void fillEllipsoid(const GapMinimum& minimum, const HertzContact& contact, const
       if (end > begin && half_length > 0)
       {
         const double share = 0.5 * (end - begin) / grid.dy * half_length / grid.dx * half_length / sections.longest();
-        addSection(grid, minimum.x + sections.middle(y), half_length, share * contact.max_pressure, pressure.col(j));
+        addSection(grid, minimum.x + sections.middle(y), half_length, share * max_pressure, pressure.col(j));
       }
     }
   }
@@ -159,12 +153,29 @@ void addCutOff(const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& p
   }
 }
 
-bool isCut(const GapMinimum& minimum, const HertzContact& contact, const Grid& grid)
+bool isCut(const GapMinimum& minimum, const Sections& sections, const Grid& grid)
 {
-  const Sections sections(minimum, contact);
   const double end_x = 0.5 * grid.nx * grid.dx;
   return std::abs(minimum.x) + sections.halfX() > end_x || minimum.y - sections.halfY() < grid.y(0) - 0.5 * grid.dy ||
          minimum.y + sections.halfY() > grid.y(grid.ny - 1) + 0.5 * grid.dy;
+}
+
+/// Lays the ellipsoidal pressure on the cells; none for a contact without area.
+void layPressure(const GapMinimum& minimum, const HertzContact& contact, PatchPressure& patch)
+{
+  patch.pressure.setZero(patch.grid.rows(), patch.grid.ny);
+  patch.touches_border = false;
+  if (!(contact.area > 0))
+  {
+    return;
+  }
+  const Sections sections(minimum, contact);
+  patch.touches_border = isCut(minimum, sections, patch.grid);
+  addEllipsoid(minimum, sections, contact.max_pressure, patch.grid, patch.pressure);
+  if (patch.touches_border)
+  {
+    addCutOff(contact, patch.grid, patch.pressure);
+  }
 }
 
 /// The contact at another approach: lengths and pressure grow with its root.
@@ -230,12 +241,7 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
     patch.force = contact.force;
     patch.max_pressure = contact.max_pressure;
     patch.area = contact.area;
-    patch.touches_border = own > 0 && isCut(minimum, contact, gap.grid);
-    fillEllipsoid(minimum, contact, gap.grid, patch.pressure);
-    if (patch.touches_border)
-    {
-      addCutOff(contact, gap.grid, patch.pressure);
-    }
+    layPressure(minimum, contact, patch);
     touches = touches || own > 0;
   }
   solution.status = touches ? SolveStatus::converged : SolveStatus::no_contact;
