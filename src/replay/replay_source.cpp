@@ -348,8 +348,9 @@ void ReplaySource::emit(std::size_t wheelset)
   event.time = now_;
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
-  event.input.placed.state.rail_offset = own.neighbours.deflectionAt(event.input.stamp);
-  event.input.lacks_neighbour = !own.neighbours.isCompleteAt(event.input.stamp);
+  const NeighbourEffect effect = own.neighbours.effectAt(event.input.stamp);
+  event.input.placed.state.rail_offset = effect.deflection;
+  event.input.lacks_neighbour = !effect.complete;
   event.read = read_;
   event.lead_in = !in_span_;
   const bool is_evaluated = event.input.status == WheelsetContactMsg::OK;

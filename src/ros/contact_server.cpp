@@ -155,8 +155,9 @@ PreparedInput ContactServer::prepare(const ContactInput& input)
 {
   PreparedInput prepared = preparation_.prepare(input, transforms_);
   const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-  prepared.placed.state.rail_offset = neighbours_.deflectionAt(prepared.stamp);
-  prepared.lacks_neighbour = !neighbours_.isCompleteAt(prepared.stamp);
+  const NeighbourEffect effect = neighbours_.effectAt(prepared.stamp);
+  prepared.placed.state.rail_offset = effect.deflection;
+  prepared.lacks_neighbour = !effect.complete;
   return prepared;
 }
 

@@ -67,24 +67,22 @@ bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
       { return !neighbour.answers.empty() && ageAt(stamp, neighbour.answers.front().stamp) >= longest_age_ns; });
 }
 
-bool NeighbourForces::isCompleteAt(const ros::Time& stamp) const
+NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
 {
-  return std::all_of(neighbours_.begin(), neighbours_.end(),
-                     [&stamp](const Neighbour& neighbour) { return forcesAt(neighbour, stamp) != nullptr; });
-}
-
-std::array<RailDeflection, 2> NeighbourForces::deflectionAt(const ros::Time& stamp) const
-{
+  NeighbourEffect effect;
   std::array<std::vector<NeighbourForce>, 2> forces;
   for (const Neighbour& neighbour : neighbours_)
   {
-    if (const Forces* known = forcesAt(neighbour, stamp))
+    const Forces* known = forcesAt(neighbour, stamp);
+    effect.complete = effect.complete && known != nullptr;
+    if (known != nullptr)
     {
       forces[0].push_back({neighbour.influence, (*known)[0]});
       forces[1].push_back({neighbour.influence, (*known)[1]});
     }
   }
-  return {neighbourDeflection(forces[0], cant_), neighbourDeflection(forces[1], cant_)};
+  effect.deflection = {neighbourDeflection(forces[0], cant_), neighbourDeflection(forces[1], cant_)};
+  return effect;
 }
 
 /// Of the newest answer before the stamp; null if there is none, or it is too old or not usable.

@@ -37,7 +37,7 @@ NeighbourAnswer answerAt(double time, double left, double right = 0)
 /// Lateral force on the left rail that counts at a time [N].
 double countedAt(const NeighbourForces& forces, double time)
 {
-  return forces.deflectionAt(ros::Time(time))[0].lateral / compliance;
+  return forces.effectAt(ros::Time(time)).deflection[0].lateral / compliance;
 }
 }  // namespace
 
@@ -68,14 +68,14 @@ TEST(NeighbourForces, AnswerIsReadUpToItsPatches)
 
 TEST(NeighbourForces, TellsWhetherEveryNeighboursForcesAreKnown)
 {
-  EXPECT_TRUE(NeighbourForces(configWith(0)).isCompleteAt(ros::Time(10)));
+  EXPECT_TRUE(NeighbourForces(configWith(0)).effectAt(ros::Time(10)).complete);
   NeighbourForces forces(configWith(2));
   forces.add(0, answerAt(10.0, 1e3));
-  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.2))) << "the second one is silent";
+  EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete) << "the second one is silent";
   forces.add(1, answerAt(10.1, 0));
-  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.1)));
-  EXPECT_TRUE(forces.isCompleteAt(ros::Time(10.2))) << "no force is one that is known";
-  EXPECT_FALSE(forces.isCompleteAt(ros::Time(11.05))) << "the first one's is too old";
+  EXPECT_FALSE(forces.effectAt(ros::Time(10.1)).complete);
+  EXPECT_TRUE(forces.effectAt(ros::Time(10.2)).complete) << "no force is one that is known";
+  EXPECT_FALSE(forces.effectAt(ros::Time(11.05)).complete) << "the first one's is too old";
 }
 
 TEST(NeighbourForces, NewestAnswerBeforeTheStampCounts)
@@ -100,7 +100,7 @@ TEST(NeighbourForces, AnswerOlderThanASecondCountsNoMore)
   EXPECT_EQ(countedAt(forces, 11.001), 0);
   constexpr double last_stamp_there_is = 4294967295.0;  // in a ros::Time; a difference of stamps may not fit a Duration
   EXPECT_EQ(countedAt(forces, last_stamp_there_is), 0);
-  EXPECT_FALSE(forces.isCompleteAt(ros::Time(last_stamp_there_is)));
+  EXPECT_FALSE(forces.effectAt(ros::Time(last_stamp_there_is)).complete);
   EXPECT_TRUE(forces.reachBackFrom(ros::Time(last_stamp_there_is)));
 }
 
@@ -112,14 +112,14 @@ TEST(NeighbourForces, UnusableAnswerIsNoForce)
   unusable.status = WheelsetContactMsg::NOT_CONVERGED;
   forces.add(0, unusable);
   EXPECT_EQ(countedAt(forces, 10.2), 0);
-  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.2)));
+  EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete);
   NeighbourAnswer lifted = answerAt(10.2, 3e3);
   lifted.status = WheelsetContactMsg::LIFT_OFF;
   forces.add(0, lifted);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);
   forces.add(0, answerAt(10.3, std::nan("")));
   EXPECT_EQ(countedAt(forces, 10.4), 0);
-  EXPECT_FALSE(forces.isCompleteAt(ros::Time(10.4)));
+  EXPECT_FALSE(forces.effectAt(ros::Time(10.4)).complete);
 }
 
 TEST(NeighbourForces, AnswersOfALoopBeforeAreForgotten)
@@ -137,7 +137,7 @@ TEST(NeighbourForces, NeighboursAddUpAndEachRailHasItsOwn)
   NeighbourForces forces(configWith(2));
   forces.add(0, answerAt(10.0, 1e3, 5e3));
   forces.add(1, answerAt(10.1, 2e3, -2e3));
-  const auto moved = forces.deflectionAt(ros::Time(10.2));
+  const auto moved = forces.effectAt(ros::Time(10.2)).deflection;
   EXPECT_DOUBLE_EQ(moved[0].lateral, compliance * 3e3);
   EXPECT_DOUBLE_EQ(moved[1].lateral, compliance * 3e3);
   EXPECT_EQ(countedAt(forces, 10.1), compliance * 1e3 / compliance) << "the second one's is of the same step";

@@ -12,11 +12,18 @@
 
 namespace wheel_rail_contact
 {
+/// What the neighbouring wheelsets cause at an input's stamp.
+struct NeighbourEffect
+{
+  std::array<RailDeflection, 2> deflection;  ///< of each rail by Side, track axes of its side
+  bool complete = true;                      ///< the forces of every neighbour are known
+};
+
 /// Rail forces of the neighbouring wheelsets (rail_bending/neighbours), from their answers.
 ///
 /// For an input of stamp t counts each neighbour's newest answer of a stamp before t, never of t itself: which of two
 /// wheelsets is answered first in a step does not matter then. An answer that is not usable counts as no force, as does
-/// one older than `longest_age` or none at all; isCompleteAt() tells. Where a neighbour's stamps go back, its answers
+/// one older than `longest_age` or none at all; effectAt() tells. Where a neighbour's stamps go back, its answers
 /// from there on are forgotten. Not thread-safe.
 class NeighbourForces
 {
@@ -33,11 +40,8 @@ class NeighbourForces
   /// True if answers of every neighbour reach back so far that those before them do not count at the stamp, nor later.
   bool reachBackFrom(const ros::Time& stamp) const;
 
-  /// True if the forces of every neighbour are known at the stamp.
-  bool isCompleteAt(const ros::Time& stamp) const;
-
-  /// Deflection of each rail by Side that the neighbours cause here at the stamp, track axes of its side.
-  std::array<RailDeflection, 2> deflectionAt(const ros::Time& stamp) const;
+  /// What the neighbours cause here at the stamp.
+  NeighbourEffect effectAt(const ros::Time& stamp) const;
 
  private:
   using Forces = std::array<RailForce, 2>;  ///< by Side
