@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/replay/replay_source.h"
 
-#include <ros/serialization.h>
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
-#include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <utility>
+
+#include "bag_messages.h"
 
 namespace wheel_rail_contact
 {
@@ -23,42 +23,6 @@ std::string absolute(const std::string& topic)
   return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
 }
 
-/// Calls `read` with a message's stream.
-template <typename Read>
-void readStream(std::string_view data, const Read& read)
-{
-  std::vector<std::uint8_t> bytes(data.begin(), data.end());  // the stream asks for data it could change
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  read(stream);
-}
-
-/// @throw ros::serialization::StreamOverrunException if the message is cut off.
-template <typename Message>
-boost::shared_ptr<Message> parse(std::string_view data)
-{
-  auto message = boost::make_shared<Message>();
-  readStream(data, [&message](auto& stream) { stream.next(*message); });
-  return message;
-}
-
-/// One by one, for a damaged message may claim to hold any number.
-/// @throw ros::serialization::StreamOverrunException if the message is cut off.
-std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data)
-{
-  std::vector<geometry_msgs::TransformStamped> transforms;
-  readStream(data,
-             [&transforms](auto& stream)
-             {
-               std::uint32_t count = 0;
-               stream.next(count);
-               for (; count > 0; --count)
-               {
-                 stream.next(transforms.emplace_back());
-               }
-             });
-  return transforms;
-}
-
 std::set<std::string> answerTopics(const std::vector<std::string>& wheelsets)
 {
   std::set<std::string> topics;
@@ -67,12 +31,6 @@ std::set<std::string> answerTopics(const std::vector<std::string>& wheelsets)
     topics.insert(answerTopic(wheelset));
   }
   return topics;
-}
-
-template <typename Message>
-std::pair<std::string, std::string> typeAndSum()
-{
-  return {ros::message_traits::datatype<Message>(), ros::message_traits::md5sum<Message>()};
 }
 }  // namespace
 
