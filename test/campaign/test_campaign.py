@@ -289,6 +289,17 @@ class Misuse(Case):
         os.utime(bag, ns=(0, 0))
         self.assertIn("in.bag is not in the campaign in this folder, or has changed", self.refuse(*self.command(bag)))
 
+    def test_a_folder_of_another_version_is_refused_by_name(self):
+        bag = self.make_bag(3)
+        self.assertEqual(run(*self.command(bag))[0], 0)
+        before = {**self.manifest(), "format": 1}
+        del before["bags"]["in.bag"]["done"][0]["lacking_neighbour"]
+        (self.out / "manifest.json").write_text(json.dumps(before))
+        printed = self.refuse(*self.command(bag))
+        self.assertIn(f"--out {self.out}: holds a campaign of another version", printed)
+        self.assertIn("take another folder", printed)
+        self.assertEqual(self.manifest(), before)
+
     def test_two_bags_of_one_name_are_refused(self):
         bag = self.make_bag(3)
         self.assertIn("two bags are named in.bag", self.refuse(*self.command(bag, bag)))

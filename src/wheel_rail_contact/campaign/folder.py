@@ -15,7 +15,7 @@ from ..command import Failure
 MANIFEST = "manifest.json"
 WORK = "unfinished"  # folder of slices
 LOCK = ".lock"
-COMMON = ("format", "folder", "options", "slice", "configs")  # of a plan: equal whenever a campaign goes on
+COMMON = ("folder", "options", "slice", "configs")  # of a plan: equal whenever a campaign goes on
 
 
 def write_json(path, content):
@@ -74,8 +74,11 @@ class Folder:
         write_json(self.path / MANIFEST, {**plan, "bags": bags})
 
 
-def require_same(plan, before):
+def require_same(plan, before, folder):
     """A campaign goes on with the same bags and options only, or its answers would not belong together."""
+    if plan["format"] != before["format"]:
+        raise Failure(f"--out {folder}: holds a campaign of another version of contact_campaign (format {before['format']}, "
+                      f"not {plan['format']}); take another folder, or finish it with that version")
     for name in COMMON:
         if plan[name] != before[name]:
             raise Failure(f"{name} {plan[name]} is not that of the campaign in this folder: {before[name]}")

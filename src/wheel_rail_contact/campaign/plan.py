@@ -9,7 +9,7 @@ import rosbag
 
 from ..command import Failure
 
-FORMAT = 1  # of the manifest
+FORMAT = 2  # of the manifest and the records
 
 
 def sha256(path):
