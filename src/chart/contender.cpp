@@ -29,7 +29,7 @@ ContactConfig contactConfig(const Choice& choice)
   contact.method = choice.method;
   contact.cells_along = choice.grid.along;
   contact.cells_across = choice.grid.across;
-  contact.tolerance = choice.isAutomatic() ? choice.tolerance : contact.tolerance;
+  contact.tolerance = choice.tolerance > 0 ? choice.tolerance : contact.tolerance;
   return contact;
 }
 }  // namespace wheel_rail_contact::chart

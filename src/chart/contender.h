@@ -13,12 +13,12 @@ namespace wheel_rail_contact::chart
 /// Way across the track from one message to the next [m].
 constexpr double step = 0.05e-3;
 
-/// What is asked of a contender: a method on one grid, or `auto` at a tolerance.
+/// What is asked of a contender: a method on one grid, or `auto`.
 struct Choice
 {
   NormalMethod method = NormalMethod::automatic;
   GridSize grid;         ///< of a fixed method
-  double tolerance = 0;  ///< of auto, relative [-]
+  double tolerance = 0;  ///< contact/tolerance [-]; 0: the default, for fixed methods only
 
   bool isAutomatic() const { return method == NormalMethod::automatic; }
   bool isSeidel() const { return method == NormalMethod::seidel || method == NormalMethod::seidel_printed; }

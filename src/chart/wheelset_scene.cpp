@@ -53,6 +53,14 @@ ContactModelConfig paper()
   config.rail_bending.prescribed.lateral = 0.2435e-3;
   return config;
 }
+/// @param y  of the axle's centre, to the left [m]
+WheelsetState loadedAt(double y)
+{
+  WheelsetState state;
+  state.y = y;
+  state.force_z = -axle_load;
+  return state;
+}
 }  // namespace
 
 WheelsetContact& WheelsetPool::find(const Choice& choice)
@@ -69,11 +77,9 @@ WheelsetContact& WheelsetPool::find(const Choice& choice)
 }
 
 WheelsetScene::WheelsetScene(std::string name, std::string title, std::shared_ptr<WheelsetPool> pool,
-                             std::shared_ptr<Ladders> ladders, double y)
-    : Scene(std::move(name), std::move(title)), pool_(std::move(pool)), ladders_(std::move(ladders))
+                             std::shared_ptr<Ladders> ladders, const WheelsetState& state)
+    : Scene(std::move(name), std::move(title)), pool_(std::move(pool)), ladders_(std::move(ladders)), state_(state)
 {
-  state_.y = y;
-  state_.force_z = -axle_load;
 }
 
 Outcome WheelsetScene::truth(const GridSize& grid)
@@ -99,10 +105,10 @@ std::vector<std::unique_ptr<Scene>> wheelsetScenes()
     char name[32], title[64];
     std::snprintf(name, sizeof name, "manchester_%g", y);
     std::snprintf(title, sizeof title, "Manchester, y = %g mm", y);
-    scenes.push_back(std::make_unique<WheelsetScene>(name, title, unbent, ladders, 1e-3 * y));
+    scenes.push_back(std::make_unique<WheelsetScene>(name, title, unbent, ladders, loadedAt(1e-3 * y)));
   }
-  scenes.push_back(std::make_unique<WheelsetScene>("paper", "Paper's case, rails bent",
-                                                   std::make_shared<WheelsetPool>(paper()), ladders, 0.572e-3));
+  scenes.push_back(std::make_unique<WheelsetScene>(
+      "paper", "Paper's case, rails bent", std::make_shared<WheelsetPool>(paper()), ladders, loadedAt(0.572e-3)));
   return scenes;
 }
 }  // namespace wheel_rail_contact::chart

@@ -29,9 +29,8 @@ class WheelsetPool
 class WheelsetScene : public Scene
 {
  public:
-  /// @param y  of the axle's centre, to the left [m]
   WheelsetScene(std::string name, std::string title, std::shared_ptr<WheelsetPool> pool,
-                std::shared_ptr<Ladders> ladders, double y);
+                std::shared_ptr<Ladders> ladders, const WheelsetState& state);
 
   const char* kind() const override { return "wheelset"; }
   Outcome truth(const GridSize& grid) override;
