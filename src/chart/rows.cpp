@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rows.h"
 
-#include <algorithm>
-#include <cmath>
+#include "quantile.h"
 
 namespace wheel_rail_contact::chart
 {
 namespace
 {
-double quantile(std::vector<double> values, double share)
-{
-  const auto place = static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-  return values[place];
-}
-
 void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choice& choice, const char* start,
               const Series& series)
 {

@@ -53,7 +53,8 @@ ContactModelConfig paper()
   config.rail_bending.prescribed.lateral = 0.2435e-3;
   return config;
 }
-/// @param y  of the axle's centre, to the left [m]
+
+/// Under the axle load, at y of the axle's centre, to the left [m].
 WheelsetState loadedAt(double y)
 {
   WheelsetState state;

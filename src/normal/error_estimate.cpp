@@ -325,8 +325,9 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 
 const ErrorWeights& gridErrorWeights()
 {
-  // As printed by test/calibration/calibrate_error_estimate.cpp, times 0.924: raised for few cells, they covered more
-  // than they have to on all others. The weight of few cells is 0.110 for its part, so that 8 × 16 cells keep 97 %.
+  // As test/calibration/calibrate_error_estimate.cpp printed them, times 0.924: raised for few cells, they covered more
+  // than they have to on all others. The weight of few cells stands at 0.110, so that 8 × 16 cells keep 97 %. A fit to
+  // replace them is to be judged by the program's table, which says what these hold.
   static constexpr ErrorWeights weights{
       {0.0284, 0.0125, 0.0337}, {0.00515, 0.0593, 0.173, 1.11, 0.0961, 0.110, 1.13}, {0.172, 0.0378, 0.465}};
   return weights;

@@ -3,7 +3,7 @@
 
 namespace wheel_rail_contact
 {
-/// One by one, for a damaged message may claim to hold any number.
+// One by one, for a damaged message may claim to hold any number.
 std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data)
 {
   std::vector<geometry_msgs::TransformStamped> transforms;

@@ -32,7 +32,8 @@ void readStream(std::string_view data, const Read& read)
   read(stream);
 }
 
-/// @throw ros::serialization::StreamOverrunException if the message is cut off.
+/// A message from its bytes.
+/// @throw ros::serialization::StreamOverrunException if it is cut off.
 template <typename Message>
 boost::shared_ptr<Message> parse(std::string_view data)
 {

@@ -71,7 +71,7 @@ MethodLadder truthLadder()
 
 TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
 {
-  constexpr unsigned long seed = 91;  // calibration has used 1 and 2
+  constexpr unsigned long seed = 93;  // 1, 2 and 91 were used to calibrate and to choose
   constexpr int count = 260;
   std::cout << "seed " << seed << ", " << count << " scenes at four tolerances\n";
   const MethodLadder truth_ladder = truthLadder(), ladder{ContactModelConfig()};

@@ -21,7 +21,7 @@ struct WheelPatch
 {
   OverlapZone zone;                ///< stretch it was laid over
   double touch_gap = 0;            ///< vertical gap at the first touch of the whole wheel [m]
-  double least_gap = 0;            ///< of its cells, along the normal, with the axle at the first touch [m]
+  double least_gap = 0;            ///< least of its cells' gaps along the normal, the axle at the first touch [m]
   double half_overlap = 0;         ///< half-length of the overlap along the track [m]
   double expected_width = 0;       ///< of the pressure, for which the grid was laid [m]
   double expected_length = 0;      ///< likewise, along the track [m]

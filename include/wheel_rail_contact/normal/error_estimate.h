@@ -78,9 +78,9 @@ struct ShapeWeights
 /// cells; zero for a patch without pressure. `errors` gets one for each patch.
 ///
 /// Weights were fitted to random contacts, each against the same one on a grid four times finer each way, so that the
-/// largest of the three is at least the true one in 97.5 % of them; test/calibration does that again and prints the
-/// table. In several patches, one patch's error of approach shifts the load to the others: with Hertz's laws (maximum ~
-/// approach^1/2, area ~ approach) that is added in.
+/// largest of the three is at least the true one in 97.5 % of them or more; test/calibration does that again and prints
+/// the table. In several patches, one patch's error of approach shifts the load to the others: with Hertz's laws
+/// (maximum ~ approach^1/2, area ~ approach) that is added in.
 void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solution,
                         std::vector<ErrorEstimate>& errors);
 }  // namespace wheel_rail_contact

@@ -23,7 +23,7 @@ def _run(options):
     with folder.opened() as before:
         plan = plan_of(options, before)
         if before:
-            require_same(plan, before, folder.path)
+            require_same(plan, before)
         folder.write_manifest(plan)
         try:
             failures = _answer(options, plan, folder)

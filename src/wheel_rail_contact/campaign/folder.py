@@ -12,6 +12,7 @@ from pathlib import Path
 
 from ..command import Failure
 
+FORMAT = 2  # of the manifest and the records
 MANIFEST = "manifest.json"
 WORK = "unfinished"  # folder of slices
 LOCK = ".lock"
@@ -54,7 +55,11 @@ class Folder:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:
                 raise Failure(f"--out {self.path}: another campaign is at work there") from None
-            yield read_json(self.path / MANIFEST)
+            manifest = read_json(self.path / MANIFEST)
+            if manifest and manifest["format"] != FORMAT:
+                raise Failure(f"--out {self.path}: holds a campaign of another version of contact_campaign (format "
+                              f"{manifest['format']}, not {FORMAT}); take another folder, or finish it with that version")
+            yield manifest
 
     def answers(self, bag):
         """The bag of answers."""
@@ -74,11 +79,8 @@ class Folder:
         write_json(self.path / MANIFEST, {**plan, "bags": bags})
 
 
-def require_same(plan, before, folder):
+def require_same(plan, before):
     """A campaign goes on with the same bags and options only, or its answers would not belong together."""
-    if plan["format"] != before["format"]:
-        raise Failure(f"--out {folder}: holds a campaign of another version of contact_campaign (format {before['format']}, "
-                      f"not {plan['format']}); take another folder, or finish it with that version")
     for name in COMMON:
         if plan[name] != before[name]:
             raise Failure(f"{name} {plan[name]} is not that of the campaign in this folder: {before[name]}")

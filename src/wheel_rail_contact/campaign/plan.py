@@ -8,8 +8,7 @@ from pathlib import Path
 import rosbag
 
 from ..command import Failure
-
-FORMAT = 2  # of the manifest and the records
+from .folder import FORMAT
 
 
 def sha256(path):
