@@ -325,8 +325,8 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 
 const ErrorWeights& gridErrorWeights()
 {
-  // As test/calibration/calibrate_error_estimate.cpp printed them. Times 0.924 they would still cover 98 % of the random
-  // scenes, but not every place of a profile through points (stability/roughness_test.cpp).
+  // As test/calibration/calibrate_error_estimate.cpp printed them. Times 0.924 they would still cover 98 % of the
+  // random scenes, but not every place of a profile through points (stability/roughness_test.cpp).
   static constexpr ErrorWeights weights{
       {0.0307, 0.0135, 0.0365}, {0.00557, 0.0642, 0.187, 1.20, 0.104, 0.0921, 1.22}, {0.186, 0.0409, 0.503}};
   return weights;
