@@ -14,7 +14,7 @@ double reachBeyond(double outer, double inner)
   return fall > outer * outer ? outer * outer / fall : 1.0;
 }
 
-void findCells(const Eigen::ArrayXXd& pressure, PressureExtent& extent)
+void findCells(const Grid& grid, const Eigen::ArrayXXd& pressure, PressureExtent& extent)
 {
   extent.first_column = static_cast<int>(pressure.cols());
   extent.first_row = static_cast<int>(pressure.rows());
@@ -24,6 +24,7 @@ void findCells(const Eigen::ArrayXXd& pressure, PressureExtent& extent)
     {
       if (pressure(i, j) > 0)
       {
+        extent.cells += grid.symmetric ? 2 : 1;
         extent.first_column = std::min(extent.first_column, j);
         extent.last_column = j;
         extent.first_row = std::min(extent.first_row, i);
@@ -38,7 +39,7 @@ void findCells(const Eigen::ArrayXXd& pressure, PressureExtent& extent)
 PressureExtent findExtent(const Grid& grid, const Eigen::ArrayXXd& pressure)
 {
   PressureExtent extent;
-  findCells(pressure, extent);
+  findCells(grid, pressure, extent);
   if (extent.empty)
   {
     return extent;

@@ -211,8 +211,9 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
       return WheelStatus::solved;
     }
   }
+  const WheelStatus status = spike_ ? WheelStatus::spike : WheelStatus::box_not_found;
   reset();
-  return WheelStatus::box_not_found;
+  return status;
 }
 
 /// Memory of the contact in this stretch, a guess if there is none.
@@ -274,6 +275,7 @@ void WheelContact::measure()
 {
   box_fill_ = 1;
   box_cut_ = false;
+  spike_ = false;
   forces_ = sumOfForces();
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
@@ -284,6 +286,7 @@ void WheelContact::measure()
     if (!extent.empty)
     {
       box_cut_ = box_cut_ || extent.cut(grid);
+      spike_ = spike_ || extent.spike();
       box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / patch.expected_width,
                             2 * extent.half_length / patch.expected_length});
     }
@@ -326,7 +329,7 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
 {
   const bool missed = missesPressure(touch);
   widened_ = widened_ || missed;
-  if (box_cut_ || missed)
+  if (box_cut_ || spike_ || missed)
   {
     return false;
   }

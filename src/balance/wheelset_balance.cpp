@@ -66,6 +66,8 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
       return fail(ContactStatus::off_profile, "contact lies beyond the end of a profile");
     case WheelStatus::box_not_found:
       return fail(ContactStatus::not_converged, "no grid was found that holds all of the contact");
+    case WheelStatus::spike:
+      return fail(ContactStatus::not_converged, "pressure on fewer than three cells");
     default:
       return fail(ContactStatus::not_converged, toString(normal_status_));
   }

@@ -41,6 +41,7 @@ enum class WheelStatus
   beside_rail,    ///< wheel and rail share no stretch of the track's width
   off_profile,    ///< pressure beyond the end of a profile
   box_not_found,  ///< no grid was found that holds all of the contact
+  spike,          ///< no grid was found on which three cells carry a patch's pressure
   normal_failed   ///< the normal solution is not usable, see solution().status
 };
 
@@ -203,6 +204,7 @@ class WheelContact
   double boxed_descent_ = 0;     ///< descent for which the boxes were laid [m]
   double box_fill_ = 1;
   bool box_cut_ = false;
+  bool spike_ = false;  ///< in the last solution's pressure
   bool widened_ = false;
   AnswerTrend trend_;
   double expected_ = 1;   ///< descent of the state set out for, over the last answer's [-]
