@@ -50,7 +50,7 @@ std::string stabilityPage()
          "the iteration diverge or stall? A test (`scripts/test -R stability`) solves every cell again and compares "
          "this page with what it finds; with `WRITE_STABILITY_PAGE` set in its environment it writes the page instead. "
          "`stability_campaign` (test/stability/campaign.cpp) does the like for random wheelsets.\n";
-  for (const MapTable& table : {wheelsetMap(), shapeMap(), aspectMap(), iterationMap(), boxMap()})
+  for (const MapTable& table : {wheelsetMap(), shapeMap(), aspectMap(), iterationMap(), fewCellsMap(), boxMap()})
   {
     write(out, table);
   }

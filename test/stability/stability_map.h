@@ -31,6 +31,8 @@ MapTable aspectMap();
 MapTable iterationMap();
 /// Shapes that leave Hertz: conformal, with several lobes, flat, rough.
 MapTable shapeMap();
+/// Contacts that one to some cells of a grid carry.
+MapTable fewCellsMap();
 /// Boxes too small and too large for the contact.
 MapTable boxMap();
 

@@ -60,21 +60,32 @@ WheelsetState unloading()
   return state;
 }
 
+/// Held above the rails by 10 mm.
+Situation lifted()
+{
+  ContactModelConfig config = standard();
+  config.wheelset.solve_height_and_roll = false;
+  WheelsetState state;
+  state.z = config.wheelset.rolling_radius + 0.010;
+  return {"both wheels lifted off", config, state};
+}
+
 std::vector<Situation> situations()
 {
   const Pool pool = makePool({});
   std::vector<Situation> list{{"centred, 100 kN a wheel", standard(), stateAt(0, 1e5)},
                               {"1 N a wheel", standard(), stateAt(0, 1)},
                               {"1 MN a wheel", standard(), stateAt(0, 1e6)},
-                              {"a wheel unloaded", standard(), unloading()}};
+                              {"a wheel unloaded", standard(), unloading()},
+                              lifted()};
   for (const double y : {3e-3, 5e-3, 5.5e-3, 6e-3, 6.5e-3, 7e-3, 8e-3, 0.010, 0.040})
   {
     list.push_back({"y = " + inMillimetres(y), standard(), stateAt(y, 1e5)});
   }
-  for (const double y : {0.0, 6e-3})
-  {
-    list.push_back({y > 0 ? "yaw 60 mrad, y = 6 mm" : "yaw 60 mrad", standard(), stateAt(y, 1e5, 0.06)});
-  }
+  list.push_back({"derailed, y = 95 mm", standard(), stateAt(0.095, 1e5)});
+  list.push_back({"yaw 60 mrad", standard(), stateAt(0, 1e5, 0.06)});
+  list.push_back({"yaw 60 mrad, y = 6 mm", standard(), stateAt(6e-3, 1e5, 0.06)});
+  list.push_back({"yaw -60 mrad, y = 6 mm", standard(), stateAt(6e-3, 1e5, -0.06)});
   list.push_back({"gauge 1.42 m, y = 3 mm", withGauge(1.42), stateAt(3e-3, 1e5)});
   list.push_back({"gauge 1.47 m, y = 8 mm", withGauge(1.47), stateAt(8e-3, 1e5)});
   for (const double y : {6e-3, 6.5e-3, 7e-3, 8e-3})
