@@ -16,7 +16,7 @@ std::vector<Choice> allChoices()
       choices.push_back({method, ladder.at(rung).size, 0});
     }
   }
-  for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
+  for (const double tolerance : tolerances)
   {
     choices.push_back({NormalMethod::automatic, {}, tolerance});
   }

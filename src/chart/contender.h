@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ namespace wheel_rail_contact::chart
 /// Way across the track from one message to the next [m].
 constexpr double step = 0.05e-3;
 
+/// contact/tolerance that `auto` is asked for [-].
+constexpr std::array<double, 4> tolerances{0.1, 0.03, 0.01, 0.003};
+
 /// What is asked of a contender: a method on one grid, or `auto`.
 struct Choice
 {
@@ -24,7 +28,7 @@ struct Choice
   bool isSeidel() const { return method == NormalMethod::seidel || method == NormalMethod::seidel_printed; }
 };
 
-/// Every method on every grid of the ladder, coarse to fine, then auto at 10, 3, 1 and 0.3 %.
+/// Every method on every grid of the ladder, coarse to fine, then auto at each of the tolerances.
 std::vector<Choice> allChoices();
 
 ContactConfig contactConfig(const Choice& choice);

@@ -12,9 +12,9 @@
 // Seidel is left out, which is never the cheapest. Takes some minutes; not part of the test run, in which
 // balance/method_choice_test.cpp asks for the tolerance.
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -29,8 +29,6 @@
 namespace
 {
 using namespace wheel_rail_contact;
-
-constexpr std::array<double, 4> tolerances{0.1, 0.03, 0.01, 0.003};
 
 bool meets(const chart::Series& series, double tolerance)
 {
@@ -95,17 +93,17 @@ std::vector<chart::Choice> choices()
   {
     const bool finer = choice.grid.along * choice.grid.across > 8 * 16;
     const bool shape = choice.method == NormalMethod::hertz || choice.method == NormalMethod::kik_piotrowski;
-    for (const double tolerance : tolerances)
+    if (choice.isAutomatic())
     {
-      if (!choice.isAutomatic() && !choice.isSeidel() && !(shape && finer))
-      {
-        list.push_back({choice.method, choice.grid, tolerance});
-      }
+      list.push_back(choice);
     }
-  }
-  for (const double tolerance : tolerances)
-  {
-    list.push_back({NormalMethod::automatic, {}, tolerance});
+    else if (!choice.isSeidel() && !(shape && finer))
+    {
+      std::transform(chart::tolerances.begin(), chart::tolerances.end(), std::back_inserter(list),
+                     [&](double tolerance) {
+                       return chart::Choice{choice.method, choice.grid, tolerance};
+                     });
+    }
   }
   return list;
 }
