@@ -91,6 +91,36 @@ TEST(ConjugateGradients, saysWhenItWasStoppedTooEarly)
   EXPECT_FALSE(isUsable(solution.status));
 }
 
+// Rounding leaves a residual of some 1e-16, which no product makes smaller.
+TEST(ConjugateGradients, saysWhenTheResidualStopsFalling)
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-18;
+  options.max_products = 100000;
+  NormalSolution solution;
+  ConjugateGradients(options).solve(hertzCase(2, 16, 32, true).problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::stalled);
+  EXPECT_FALSE(isUsable(solution.status));
+  EXPECT_LT(solution.residual, 1e-12);
+}
+
+// A support that comes towards what presses on it, farther than the half-spaces give way.
+TEST(ConjugateGradients, refusesAMatrixWithANegativeDirection)
+{
+  NormalProblem problem = hertzCase(2, 16, 32, true).problem;
+  PatchGap& patch = problem.patches[0];
+  patch.opening.setZero(patch.grid.ny, 3);
+  for (int j = 0; j < patch.grid.ny; ++j)
+  {
+    patch.opening(j, 0) = patch.grid.y(j);
+  }
+  problem.support.yields = true;
+  problem.support.compliance(0, 0) = -1;
+  const NormalSolution solution = solved(problem);
+  EXPECT_EQ(solution.status, SolveStatus::indefinite);
+  EXPECT_FALSE(isUsable(solution.status));
+}
+
 TEST(ConjugateGradients, refusesOptionsByName)
 {
   const auto message = [](double residual, int max_products) -> std::string

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
+#include "errors_of.h"
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 
@@ -150,6 +153,33 @@ TEST(Seidel, printedFormIsRefusedWhereItComesToRestInStripes)
   printed().solve(hertz.problem, false, solution);
   EXPECT_GT(solution.patches[0].max_pressure, 2 * hertz.exact.max_pressure);
   EXPECT_EQ(solution.status, SolveStatus::indefinite);
+}
+
+// The printed stopping rule looks at the change of the pressure alone. The residual does not, and the estimate counts
+// it.
+TEST(Seidel, printedFormThatStopsTooEarlyIsToldByItsResidualAndItsEstimate)
+{
+  const auto hertz = hertzCase(1, 48, 48, true);
+  SeidelOptions options;
+  options.form = SeidelOptions::Form::printed;
+  NormalSolution solution;
+  double error = 0, estimate = 0;
+  for (const double change : {1e-4, 0.01, 0.1, 0.4, 0.8})
+  {
+    options.change = change;
+    Seidel seidel(options);
+    seidel.solve(hertz.problem, false, solution);
+    EXPECT_EQ(solution.status, SolveStatus::converged);
+    const PatchPressure& patch = solution.patches[0];
+    error =
+        std::max({std::abs(patch.max_pressure / hertz.exact.max_pressure - 1),
+                  std::abs(patch.area / hertz.exact.area - 1), std::abs(solution.approach / hertz.exact.approach - 1)});
+    estimate = errorsOf(seidel, hertz.problem, solution)[0].largest();
+    EXPECT_LT(error, estimate) << "change " << change;
+    EXPECT_EQ(solution.residual > 1e-3, change > 1e-3) << "change " << change;
+  }
+  EXPECT_GT(error, 0.05);  // at the last change
+  EXPECT_GT(estimate, 0.1);
 }
 
 TEST(Seidel, tellsWhyItEnds)
