@@ -5,6 +5,7 @@
 #include <ros/package.h>
 
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -247,6 +248,23 @@ TEST(Parameters, EveryParameterRefusesAValueOfTheWrongTypeAndEveryNumberOneThatI
       {
         expect_refused(name, YAML::Node(none));
       }
+    }
+  }
+}
+
+TEST(Parameters, EveryNumberButForcesRefusesMinusOne)
+{
+  // Of the grid's two numbers, which go together, the first one is named.
+  const std::set<std::string> others{"rail_bending/lateral_force", "contact/grid/across"};
+  for (const std::string& name : parameterNames())
+  {
+    ParameterTree tree = defaults();
+    double number = 0;
+    if (YAML::convert<double>::decode(tree.at(name), number) && others.count(name) == 0)
+    {
+      tree.erase(name);
+      tree.emplace(name, YAML::Node("-1"));
+      EXPECT_TRUE(contains(refusal(tree), "/contact_node/" + name)) << name << ": " << refusal(tree);
     }
   }
 }

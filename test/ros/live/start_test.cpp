@@ -9,11 +9,7 @@
 
 namespace
 {
-#ifdef __SANITIZE_THREAD__
-constexpr int start_time = 20;  ///< in which the node is surely up, with what this sanitizer adds [s]
-#else
-constexpr int start_time = 3;  ///< in which the node is surely up [s]
-#endif
+constexpr int start_time = START_TIME;  ///< in which the node is surely up [s]
 
 struct Outcome
 {
