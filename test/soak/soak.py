@@ -4,8 +4,9 @@
 
 soak.py [MINUTES [CONFIG.yaml]]: simulated minutes (60), and parameters laid over config/default.yaml. Starts a master and a
 node of its own. Each simulated minute of 60000 pairs prints the node's resident memory, and median and 99 % of the time from
-a pair to its answer while 100 are on their way. Ends with 1 if an answer is missing, or if the memory is ever more than 2 MB
-off what it was after the first minute.
+a pair to its answer while 100 are on their way. Ends with 1 if a pair is left without an answer, if the memory is ever more
+than 2 MB off what it was after the first minute, or if the latency (its median) of the last third of the minutes is more than
+half as long again as that of the first.
 """
 
 import io
@@ -13,6 +14,7 @@ import math
 import os
 import pathlib
 import socket
+import statistics
 import struct
 import subprocess
 import sys
@@ -31,7 +33,8 @@ PER_MINUTE = 60000
 PERIOD = 7000       # pairs until the motion repeats: 10 waves of 0.7 s, 7 of 1 s, one of 7 s
 ON_THEIR_WAY = 100  # half of what the node keeps waiting before it drops
 PATIENCE = 60       # [s]
-MOST_GROWTH = 2.0   # [MB]
+MOST_GROWTH = 2.0   # of memory [MB]
+MOST_SLOWING = 1.5  # of latency, for other work on the machine comes and goes
 
 
 def resident(pid):
@@ -141,6 +144,10 @@ class Soak:
             self.load.publish(load.stamped(index))
         return True
 
+    def drain(self):
+        """Waits for the answers that are on their way. True if all have come."""
+        return all(self.room.acquire(timeout=PATIENCE) for _ in range(ON_THEIR_WAY))
+
     def take_latencies(self):
         """Median and 99 % of the last minute's [ms]."""
         latencies, self.latencies = sorted(self.latencies), []
@@ -148,22 +155,27 @@ class Soak:
 
 
 def run(minutes, node):
+    """True if the node stood it."""
     soak = Soak()
     soak.connect(node)
-    settled, worst = None, 0.0
+    memories, medians = [], []
     for number in range(minutes):
         begin = time.monotonic()
         if not soak.minute(number):
             print(f"no answer for {PATIENCE} s after {soak.answers} answers")
-            return 1
-        memory = resident(node.pid)
-        settled = settled or memory
-        worst = max(worst, abs(memory - settled))
+            return False
+        memories.append(resident(node.pid))
         median, late = soak.take_latencies()
-        print(f"minute {number + 1:3d}: {memory:7.2f} MB, latency {median:6.2f} ms, 99 % {late:7.2f} ms, "
+        medians.append(median)
+        print(f"minute {number + 1:3d}: {memories[-1]:7.2f} MB, latency {median:6.2f} ms, 99 % {late:7.2f} ms, "
               f"{time.monotonic() - begin:6.1f} s", flush=True)
-    print(f"{minutes * PER_MINUTE} pairs, memory within {worst:.2f} MB of that after the first minute")
-    return 0 if worst <= MOST_GROWTH else 1
+    drained = soak.drain()
+    growth = max(abs(memory - memories[0]) for memory in memories)
+    third = max(minutes // 3, 1)
+    slowing = statistics.median(medians[-third:]) / statistics.median(medians[:third])
+    print(f"{minutes * PER_MINUTE} pairs, {soak.answers} answers, memory within {growth:.2f} MB of that after the first "
+          f"minute, latency of the last third of the minutes {slowing:.2f} times that of the first")
+    return drained and soak.answers == minutes * PER_MINUTE and growth <= MOST_GROWTH and slowing <= MOST_SLOWING
 
 
 def main():
@@ -172,7 +184,7 @@ def main():
     try:
         rospy.init_node("soak", disable_signals=True, disable_rosout=True)
         processes.append(start_node(sys.argv[2] if len(sys.argv) > 2 else None))
-        return run(minutes, processes[-1])
+        return 0 if run(minutes, processes[-1]) else 1
     finally:
         for process in reversed(processes):
             process.terminate()
