@@ -23,4 +23,11 @@ inline ComplianceTable softPads()
 {
   return {60.5e-9, 303e-9, 2.63e-6, 5.6e-9};
 }
+
+/// Pads of 10 kN/mm (lateral) and 25 kN/mm (vertical); source as in config/rails/pads_10_25.yaml. Setting the rail to
+/// the contact's forces and the contact to the rail in turn swings between tread and flange there.
+inline ComplianceTable verySoftPads()
+{
+  return {135.8e-9, 612e-9, 4.60e-6, 14.5e-9};
+}
 }  // namespace wheel_rail_contact

@@ -17,12 +17,6 @@ namespace
 {
 constexpr double wheel_load = 1e5;  ///< [N]
 
-/// Pads of 10 kN/mm (lateral) and 25 kN/mm (vertical); source as in config/rails/pads_10_25.yaml.
-ComplianceTable verySoftPads()
-{
-  return {135.8e-9, 612e-9, 4.60e-6, 14.5e-9};
-}
-
 ContactModelConfig onPads(const ComplianceTable& table)
 {
   ContactModelConfig config = manchesterScene();

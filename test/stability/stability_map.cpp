@@ -42,6 +42,11 @@ std::string verdictOf(double relative_error)
                       : "off by more than 50 %";
 }
 
+std::string verdictSaid(const std::string& verdict, bool above_tolerance)
+{
+  return above_tolerance && verdict.rfind("off", 0) == 0 ? verdict + ", and says so" : verdict;
+}
+
 std::string stabilityPage()
 {
   std::ostringstream out;

@@ -23,14 +23,17 @@ struct MapTable
 /// How far a highest pressure is off, in words: "right" up to 2 %.
 std::string verdictOf(double relative_error);
 
+/// The same of an answer whose error estimate is above the tolerance or not.
+std::string verdictSaid(const std::string& verdict, bool above_tolerance);
+
 /// Whole wheelsets by each contact/method; solved once.
 const MapTable& wheelsetMap();
 /// Solvers on one patch as its cells grow longer.
 MapTable aspectMap();
 /// Ways to iterate on the same matrix: steps, over-relaxation, stopping rules.
 MapTable iterationMap();
-/// Shapes that leave Hertz: conformal, with several lobes, flat, rough.
-MapTable shapeMap();
+/// Shapes that leave Hertz: conformal, with several lobes, flat, rough; solved once.
+const MapTable& shapeMap();
 /// Contacts that one to some cells of a grid carry.
 MapTable fewCellsMap();
 /// Boxes too small and too large for the contact.

@@ -38,11 +38,11 @@ ContactModelConfig withGauge(double gauge)
   return config;
 }
 
-ContactModelConfig onSoftPads()
+ContactModelConfig onPads(const ComplianceTable& table)
 {
   ContactModelConfig config = standard();
   config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = softPads();
+  config.rail_bending.table = table;
   return config;
 }
 
@@ -67,7 +67,7 @@ Situation lifted()
   config.wheelset.solve_height_and_roll = false;
   WheelsetState state;
   state.z = config.wheelset.rolling_radius + 0.010;
-  return {"both wheels lifted off", config, state};
+  return {"both wheels lifted off, height given", config, state};
 }
 
 std::vector<Situation> situations()
@@ -78,10 +78,12 @@ std::vector<Situation> situations()
                               {"1 MN a wheel", standard(), stateAt(0, 1e6)},
                               {"a wheel unloaded", standard(), unloading()},
                               lifted()};
-  for (const double y : {3e-3, 5e-3, 5.5e-3, 6e-3, 6.5e-3, 7e-3, 8e-3, 0.010, 0.040})
+  for (const double y : {3e-3, 5e-3, 5.5e-3, 6e-3, 6.5e-3, 7e-3, 8e-3})
   {
     list.push_back({"y = " + inMillimetres(y), standard(), stateAt(y, 1e5)});
   }
+  list.push_back({"climbing, y = 10 mm", standard(), stateAt(0.010, 1e5)});
+  list.push_back({"on the flange's tip, y = 40 mm", standard(), stateAt(0.040, 1e5)});
   list.push_back({"derailed, y = 95 mm", standard(), stateAt(0.095, 1e5)});
   list.push_back({"yaw 60 mrad", standard(), stateAt(0, 1e5, 0.06)});
   list.push_back({"yaw 60 mrad, y = 6 mm", standard(), stateAt(6e-3, 1e5, 0.06)});
@@ -90,8 +92,9 @@ std::vector<Situation> situations()
   list.push_back({"gauge 1.47 m, y = 8 mm", withGauge(1.47), stateAt(8e-3, 1e5)});
   for (const double y : {6e-3, 6.5e-3, 7e-3, 8e-3})
   {
-    list.push_back({"pads 40/100, y = " + inMillimetres(y), onSoftPads(), stateAt(y, 1e5)});
+    list.push_back({"pads 40/100, y = " + inMillimetres(y), onPads(softPads()), stateAt(y, 1e5)});
   }
+  list.push_back({"pads 10/25, y = 6.5 mm", onPads(verySoftPads()), stateAt(6.5e-3, 1e5)});
   for (std::size_t k = 1; k < pool.wheels.size(); ++k)
   {
     list.push_back({pool.wheels[k].name + ", y = 1 mm", withWheel(pool.wheels[k]), stateAt(1e-3, 1e5)});
@@ -137,8 +140,9 @@ std::string verdict(const WheelsetResult& found, const WheelsetResult& truth)
   {
     return "no reference";
   }
-  const std::string off = verdictOf(pressureError(found, truth));
-  return off == "right" ? off : found.above_tolerance ? off + ", and says so" : off;
+  return found.patches.empty() && truth.patches.empty()
+             ? found.reason
+             : verdictSaid(verdictOf(pressureError(found, truth)), found.above_tolerance);
 }
 
 MapTable solveAll()
