@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the package's commands have in common: how they end, and where they find what comes with the package."""
+import contextlib
 import os
 import sys
 from pathlib import Path
@@ -22,6 +23,17 @@ def finish(name, work, *arguments):
     except KeyboardInterrupt:
         print(f"\n{name}: interrupted", file=sys.stderr)
         return 130
+
+
+@contextlib.contextmanager
+def writing(path):
+    """Tells what cannot be written by its name, which the error of a full disk does not hold."""
+    try:
+        yield
+    except FileExistsError:
+        raise
+    except OSError as error:
+        raise Failure(f"{error.filename or path}: {error.strerror or error}") from error
 
 
 def shipped(name):

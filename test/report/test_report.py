@@ -4,6 +4,7 @@ import base64
 import html.parser
 import io
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -142,6 +143,13 @@ class Report(SweepCase):
                 bag.write("/contact_node/contact", answer, genpy.Time(1 + i))
         answers, _ = read(str(path))
         self.assertEqual(sorted(answers.reasons.values()), [[1, "left rail: Y = 61.0 kN"], [2, "right rail: Y = 61.0 kN"]])
+
+    def test_full_disk_is_told_with_the_folders_name(self):
+        run = subprocess.run([sys.executable, PACKAGE / "scripts" / "contact_report", self.rigid, "--out",
+                              self.folder / "full"], capture_output=True, text=True, check=False,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2**18, 2**18)))
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertEqual(run.stderr, f"contact_report: {self.folder / 'full'}: File too large\n")
 
     def test_bags_without_answers_are_refused(self):
         self.assertIn("0 topics with answers", self.report(SWEEP, "--out", self.folder / "none", status=1))

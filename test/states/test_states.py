@@ -6,6 +6,7 @@ import io
 import math
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -101,6 +102,17 @@ class States(unittest.TestCase):
         (self.folder / "out.bag").write_text("precious")
         self.assertIn("exists already", self.run_states("in.csv", "out.bag", status=1))
         self.assertEqual((self.folder / "out.bag").read_text(), "precious")
+
+    def test_full_disk_is_told_with_the_files_name_and_leaves_no_part_of_it(self):
+        write_bag(self.folder / "in.bag", [State(10**9 + i, y=1e-3 / (i + 1)) for i in range(5000)])
+        self.run_states("in.bag", "in.csv")
+        for source, target in (("in.bag", "out.csv"), ("in.csv", "out.bag")):
+            run = subprocess.run([sys.executable, SCRIPTS / "contact_states", self.folder / source, self.folder / target],
+                                 capture_output=True, text=True, check=False,
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2**16, 2**16)))
+            self.assertEqual(run.returncode, 1, run.stderr)
+            self.assertEqual(run.stderr, f"contact_states: {self.folder / target}: File too large\n")
+            self.assertFalse((self.folder / target).exists())
 
     def test_bags_that_cannot_be_read_are_a_sentence(self):
         (self.folder / "text.bag").write_text("no bag at all\n")

@@ -5,7 +5,7 @@ import pathlib
 
 import numpy as np
 
-from ..command import finish, pyplot
+from ..command import finish, pyplot, writing
 from . import figures, page
 from .answers import full, read
 
@@ -44,10 +44,16 @@ def chosen_answers(answers, instants):
 def make_report(options):
     """Writes page and pictures; prints the page's path."""
     pyplot()  # before any time is spent
-    out = pathlib.Path(options.out)
     answers, topic = read(options.bag, options.wheelset)
     other = read(options.compare, options.wheelset)[0] if options.compare else None
-    out.mkdir(parents=True, exist_ok=True)
+    out = pathlib.Path(options.out)
+    with writing(out):
+        out.mkdir(parents=True, exist_ok=True)
+        _write(out, options, answers, topic, other)
+    print(out / "report.html")
+
+
+def _write(out, options, answers, topic, other):
     pictures = [("Histories", [figures.histories(answers, other, out / "histories.png")])]
     if len(answers.patches["answer"]):
         pictures.append(("Where it runs", [figures.bands(answers, out / "bands.png")]))
@@ -60,7 +66,6 @@ def make_report(options):
         pictures.append(("Estimated errors", [figures.quality(answers, out / "errors.png")]))
     page.write(out / "report.html", f"{pathlib.Path(options.bag).name}, {topic}", answers, pictures,
                pathlib.Path(options.compare).name if options.compare else None)
-    print(out / "report.html")
 
 
 def main(arguments=None):

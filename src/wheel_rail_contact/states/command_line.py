@@ -3,7 +3,7 @@
 import argparse
 import os
 
-from ..command import Failure, finish
+from ..command import Failure, finish, writing
 from .state import read_bag, write_bag
 from .table import AXES, COLUMNS, UNITS, WHEEL_LOADS, read_table, write_table
 
@@ -48,8 +48,19 @@ def _convert(options, from_table):
         raise Failure(f"{options.target}: exists already; it is not overwritten")
     if from_table:
         states = read_table(options.source, options.axes, options.running_circles, round(options.start * 1e9))
-        write_bag(options.target, states, wheelset)
+        _write(options.target, write_bag, states, wheelset)
     else:
         states = read_bag(options.source, wheelset)
-        write_table(options.target, states, options.axes)
+        _write(options.target, write_table, states, options.axes)
     print(f"{len(states)} states")
+
+
+def _write(target, write, *arguments):
+    """Writes a file whole, or leaves nothing of it."""
+    try:
+        with writing(target):
+            write(target, *arguments)
+    except Failure:
+        if os.path.exists(target):
+            os.remove(target)
+        raise
