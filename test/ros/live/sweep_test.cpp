@@ -33,7 +33,7 @@ TEST(LiveSweep, EveryPairOfTheRecordingIsAnsweredAndBothWheelsCarryTheirLoad)
   std::vector<WheelsetContactMsg> answers;
   const auto receive = [&](const WheelsetContactMsg::ConstPtr& answer) { answers.push_back(*answer); };
   const auto subscriber = nh.subscribe<WheelsetContactMsg>("/contact_node/contact", 1000, receive);
-  ASSERT_TRUE(spinUntil([&] { return answers.size() >= pairs; }, 40)) << answers.size() << " answers";
+  ASSERT_TRUE(spinUntil([&] { return answers.size() >= pairs; }, 100)) << answers.size() << " answers";
   for (std::size_t i = 0; i < pairs; ++i)
   {
     const WheelsetContactMsg& answer = answers[i];
