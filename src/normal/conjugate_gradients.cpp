@@ -42,7 +42,7 @@ void ConjugateGradients::Workshop::finish(SolveStatus status, NormalSolution& so
   solution.support = iteration.support();
   solution.iterations = iteration.products();
   solution.approach = iteration.approach();
-  solution.residual = status == SolveStatus::no_contact ? 0 : iteration.residual();
+  bool touching = false;
   for (std::size_t k = 0; k < solution.patches.size(); ++k)
   {
     const PatchLayout& layout = iteration.patches()[k];
@@ -51,7 +51,13 @@ void ConjugateGradients::Workshop::finish(SolveStatus status, NormalSolution& so
     fromField(layout, layout.stiffness, iteration.pressure(), patch.pressure);
     fromField(layout, 1, iteration.displacement(), patch.displacement);
     measures.measure(patch);
+    touching = touching || patch.force > 0;
   }
+  if (status == SolveStatus::converged && !touching)  // a support has sprung back from where it was given
+  {
+    solution.status = SolveStatus::no_contact;
+  }
+  solution.residual = solution.status == SolveStatus::no_contact ? 0 : iteration.residual();
 }
 
 ConjugateGradients::ConjugateGradients(const ConjugateGradientsOptions& options)

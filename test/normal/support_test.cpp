@@ -152,4 +152,27 @@ TEST(YieldingSupportCase, ofTheWrongShapeIsAnInvalidProblem)
   problem.patches[0].opening.conservativeResize(3, 3);
   EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
 }
+
+// Placed where the bodies overlap, and let go by a contact that is no longer there: at rest it does not touch.
+TEST(Support, ThatSpringsBackFromTheContactIsLeftAlone)
+{
+  problems::HertzCase hertz = problems::hertzCase(2, 16, 32, true);
+  NormalProblem& problem = hertz.problem;
+  problem.control = NormalProblem::Control::approach;
+  problem.value = 40e-6;
+  problem.patches[0].opening.setZero(problem.patches[0].grid.ny, 3);
+  problem.patches[0].opening.col(0).setConstant(-1);
+  problem.support.yields = true;
+  problem.support.compliance(0, 0) = 1e-8;
+  for (const double placed : {1e-3, 41e-6})
+  {
+    problem.support.placed[0] = placed;
+    const NormalSolution solution = solved(problem);
+    EXPECT_EQ(solution.status, SolveStatus::no_contact) << placed;
+    EXPECT_EQ(solution.patches[0].force, 0);
+    EXPECT_TRUE(solution.support.isZero(0)) << solution.support;
+  }
+  problem.support.placed[0] = 30e-6;
+  EXPECT_EQ(solved(problem).status, SolveStatus::converged);
+}
 }  // namespace wheel_rail_contact
