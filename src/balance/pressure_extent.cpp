@@ -32,7 +32,6 @@ void findCells(const Grid& grid, const Eigen::ArrayXXd& pressure, PressureExtent
       }
     }
   }
-  extent.empty = extent.last_row < 0;
 }
 }  // namespace
 
@@ -40,7 +39,7 @@ PressureExtent findExtent(const Grid& grid, const Eigen::ArrayXXd& pressure)
 {
   PressureExtent extent;
   findCells(grid, pressure, extent);
-  if (extent.empty)
+  if (extent.empty())
   {
     return extent;
   }

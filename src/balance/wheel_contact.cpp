@@ -283,7 +283,7 @@ void WheelContact::measure()
     WheelPatch& patch = patches_[k];
     measurePatch(grid, solution_.patches[k].pressure, patch);
     const PressureExtent& extent = patch.extent;
-    if (!extent.empty)
+    if (!extent.empty())
     {
       box_cut_ = box_cut_ || extent.cut(grid);
       spike_ = spike_ || extent.spike();
@@ -302,7 +302,7 @@ void WheelContact::learn()
       std::sqrt(std::clamp(solution_.approach / boxed_descent_, 1 / DescentStep::longest, DescentStep::longest));
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    if (!patches_[k].extent.empty)
+    if (!patches_[k].extent.empty())
     {
       memory_.push_back(remember(*wheel_, *rail_, patches_[k], problem_.patches[k].grid, grown));
     }
@@ -315,7 +315,7 @@ bool WheelContact::missesPressure(const RigidTouch& touch)
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     WheelPatch& patch = patches_[k];
-    if (!patch.extent.empty)
+    if (!patch.extent.empty())
     {
       search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, touch.contact.separation, stations_);
       const SolvedPatch solved{problem_.patches[k].grid, solution_.patches[k].pressure, modulus_, solution_.approach};

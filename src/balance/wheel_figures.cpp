@@ -44,12 +44,12 @@ double WheelContact::slipError(std::size_t patch, double slip) const
   const WheelPatch& p = patches_[patch];
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  for (int j = p.extent.first_column; !p.extent.empty && j <= p.extent.last_column; ++j)
+  for (int j = p.extent.first_column; !p.extent.empty() && j <= p.extent.last_column; ++j)
   {
     least = std::min(least, p.columns[static_cast<std::size_t>(j)].slope);
     most = std::max(most, p.columns[static_cast<std::size_t>(j)].slope);
   }
-  return p.extent.empty ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
+  return p.extent.empty() ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
 }
 
 /// Way of the wheel along the plane as it comes down by what the rail has yielded [m]. The rail's own way down does not
@@ -89,7 +89,7 @@ double WheelContact::rollError(std::size_t patch, double open_roll) const
 double WheelContact::rollError(double open_roll) const
 {
   return largestError(patches_.size(),
-                      [&](std::size_t k) { return patches_[k].extent.empty ? 0 : rollError(k, open_roll); });
+                      [&](std::size_t k) { return patches_[k].extent.empty() ? 0 : rollError(k, open_roll); });
 }
 
 double WheelContact::yieldError() const
@@ -113,7 +113,7 @@ double WheelContact::halfSpaceRatio(std::size_t patch) const
     }
     return most - least;
   };
-  if (p.extent.empty)
+  if (p.extent.empty())
   {
     return 0;
   }
@@ -143,7 +143,7 @@ bool WheelContact::leans() const
   for (const WheelPatch& patch : patches_)
   {
     const double touched = std::atan(patch.zone.contact.slope);
-    lean = std::max(lean, patch.extent.empty ? 0 : std::abs(patch.plane.angle - touched));
+    lean = std::max(lean, patch.extent.empty() ? 0 : std::abs(patch.plane.angle - touched));
   }
   return lean > rigid_lean;
 }

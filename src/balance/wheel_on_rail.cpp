@@ -112,7 +112,7 @@ double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
     const PressureExtent& extent = patches_[k].extent;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
-    for (Eigen::Index j = extent.first_column; !extent.empty && j <= extent.last_column; ++j)
+    for (Eigen::Index j = extent.first_column; !extent.empty() && j <= extent.last_column; ++j)
     {
       const double opened = problem_.patches[k].opening.row(j).matrix().dot(way);
       least = std::min(least, opened);
@@ -120,7 +120,7 @@ double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
     }
     const bool flange = std::tan(patches_[k].plane.angle) > flange_slope;
     const double change = flange ? std::numeric_limits<double>::infinity() : (most - least) / (2 * patchApproach(k));
-    effect = extent.empty ? effect : std::max(effect, change);
+    effect = extent.empty() ? effect : std::max(effect, change);
   }
   if (effect > limit)
   {

@@ -20,7 +20,7 @@ TEST(PressureExtent, CountsTheCellsOfTheWholeGrid)
     EXPECT_EQ(findExtent(half, stored).cells, 2 * cells);
     EXPECT_EQ(findExtent(whole, pressure).spike(), cells == 1 || cells == 2) << cells;
     EXPECT_EQ(findExtent(half, stored).spike(), cells == 1) << cells;
-    EXPECT_EQ(findExtent(whole, pressure).empty, cells == 0);
+    EXPECT_EQ(findExtent(whole, pressure).empty(), cells == 0);
   }
 }
 }  // namespace wheel_rail_contact

@@ -16,11 +16,20 @@ namespace
 {
 using problems::hertzCase;
 
-NormalSolution solved(const NormalProblem& problem)
+NormalSolution solved(const NormalProblem& problem, const ConjugateGradientsOptions& options = {})
 {
   NormalSolution solution;
-  ConjugateGradients().solve(problem, false, solution);
+  ConjugateGradients(options).solve(problem, false, solution);
   return solution;
+}
+
+/// Of a contact that is solved to a residual in at most so many products.
+NormalSolution solvedTo(double residual, int max_products)
+{
+  ConjugateGradientsOptions options;
+  options.residual = residual;
+  options.max_products = max_products;
+  return solved(hertzCase(2, 16, 32, true).problem, options);
 }
 
 TEST(ConjugateGradients, patchThatStaysApartCarriesNothing)
@@ -82,11 +91,7 @@ TEST(ConjugateGradients, tellsAnInvalidProblem)
 
 TEST(ConjugateGradients, saysWhenItWasStoppedTooEarly)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-9;
-  options.max_products = 3;
-  NormalSolution solution;
-  ConjugateGradients(options).solve(hertzCase(2, 16, 32, true).problem, false, solution);
+  const NormalSolution solution = solvedTo(1e-9, 3);
   EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
   EXPECT_FALSE(isUsable(solution.status));
 }
@@ -94,11 +99,7 @@ TEST(ConjugateGradients, saysWhenItWasStoppedTooEarly)
 // Rounding leaves a residual of some 1e-16, which no product makes smaller.
 TEST(ConjugateGradients, saysWhenTheResidualStopsFalling)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-18;
-  options.max_products = 100000;
-  NormalSolution solution;
-  ConjugateGradients(options).solve(hertzCase(2, 16, 32, true).problem, false, solution);
+  const NormalSolution solution = solvedTo(1e-18, 100000);
   EXPECT_EQ(solution.status, SolveStatus::stalled);
   EXPECT_FALSE(isUsable(solution.status));
   EXPECT_LT(solution.residual, 1e-12);

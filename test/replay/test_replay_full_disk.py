@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on outputs that cannot be written: it says which, ends non-zero, and can be resumed."""
 
-import resource
 import subprocess
 import unittest
 
+from full_disk import no_file_larger_than
 from replay_case import PROGRAM, ReplayCase
 
 PAIRS = 1500
-
-
-def no_file_larger_than(size):
-    """For a child process: stands for a full disk, which a write meets in the same way. [B]"""
-    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 
 
 class FullDisk(ReplayCase):

@@ -4,7 +4,6 @@ import base64
 import html.parser
 import io
 import pathlib
-import resource
 import shutil
 import subprocess
 import sys
@@ -20,6 +19,7 @@ from wheel_rail_contact.report.answers import full, of_answers, read
 from wheel_rail_contact.report.command_line import main
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from full_disk import no_file_larger_than  # noqa: E402  (stands beside other tests)
 from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (stands beside other tests)
 
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
@@ -147,7 +147,7 @@ class Report(SweepCase):
     def test_full_disk_is_told_with_the_folders_name(self):
         run = subprocess.run([sys.executable, PACKAGE / "scripts" / "contact_report", self.rigid, "--out",
                               self.folder / "full"], capture_output=True, text=True, check=False,
-                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2**18, 2**18)))
+                             preexec_fn=no_file_larger_than(2**18))
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertEqual(run.stderr, f"contact_report: {self.folder / 'full'}: File too large\n")
 

@@ -231,6 +231,7 @@ NormalProblem shaped(const Shape& shape, int nx, int ny)
                         [&](double x, double y) { return x * x / (2 * wheel_radius) + shape.across(y); }),
       load);
 }
+
 /// The same where the contact may go beyond the box, in which the balance would lay another one.
 std::string verdictInBox(const NormalSolution& found, double expected)
 {
@@ -252,16 +253,15 @@ std::string verdictOfGrids(const MethodLadder& ladder, const Shape& shape, doubl
   }
   return verdictSaid(verdictInBox(found, expected), estimate > tolerance);
 }
+
 MapTable solveShapes()
 {
   MapTable table{
       "Shapes across",
       "50 kN on a wheel of 0.46 m over these gaps, in a box of 24 × 18 mm: the grids of `auto` in turn until the "
       "estimate is below 1 %, and each method on 24 × 48 cells. The reference has four times as many each way. At a "
-      "step "
-      "the pressure has no highest value: the finer the cells, the higher. Pressure at the border of the box is "
-      "noticed; the balance would lay another "
-      "one.",
+      "step the pressure has no highest value: the finer the cells, the higher. Pressure at the border of the box is "
+      "noticed; the balance would lay another one.",
       {"grids of auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};
   const MethodLadder ladder{ContactModelConfig()};
@@ -295,9 +295,8 @@ MapTable fewCellsMap()
       "Patches of few cells",
       "An elliptic contact (Hertz, 1:2 in curvature) on 5 to 7 cells each way, few of which carry pressure (by "
       "`conjugate_gradient`). Is the error of its highest pressure within its estimate? It need not be, but the "
-      "estimate is above 10 %: these "
-      "answers are told to miss any tolerance below. From fewer than three cells the balance takes no answer: it lays "
-      "another grid, and in the end refuses by that name.",
+      "estimate is above 10 %: these answers are told to miss any tolerance below. From fewer than three cells the "
+      "balance takes no answer: it lays another grid, and in the end refuses by that name.",
       {"conjugate_gradient", "its error estimate", "seidel", "seidel_printed"},
       {}};
   struct Coarse

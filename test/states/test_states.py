@@ -6,7 +6,6 @@ import io
 import math
 import os
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
@@ -15,6 +14,9 @@ import unittest
 import rosbag
 from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import State, read_bag, write_bag
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from full_disk import no_file_larger_than  # noqa: E402  (stands beside other tests)
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 
@@ -109,7 +111,7 @@ class States(unittest.TestCase):
         for source, target in (("in.bag", "out.csv"), ("in.csv", "out.bag")):
             run = subprocess.run([sys.executable, SCRIPTS / "contact_states", self.folder / source, self.folder / target],
                                  capture_output=True, text=True, check=False,
-                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2**16, 2**16)))
+                                 preexec_fn=no_file_larger_than(2**16))
             self.assertEqual(run.returncode, 1, run.stderr)
             self.assertEqual(run.stderr, f"contact_states: {self.folder / target}: File too large\n")
             self.assertFalse((self.folder / target).exists())

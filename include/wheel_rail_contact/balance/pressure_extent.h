@@ -11,13 +11,14 @@ namespace wheel_rail_contact
 /// outermost loaded cells, falls to zero (it is linear in the distance from the edge of any smooth contact).
 struct PressureExtent
 {
-  bool empty = true;                       ///< no cell carries pressure
   int cells = 0;                           ///< with pressure, in the whole grid
   int first_column = 0, last_column = -1;  ///< with pressure
   int first_row = 0, last_row = -1;        ///< with pressure
   double y_begin = 0, y_end = 0;           ///< edges across, patch frame [m]
   double half_length = 0;                  ///< largest |x| of the edges along [m]
 
+  /// No cell carries pressure.
+  bool empty() const { return cells == 0; }
   /// A spike between the cells: too few of them carry the pressure to tell where its edges are.
   bool spike() const { return cells > 0 && cells < 3; }
   /// An edge lies outside the grid: it cuts the contact off.
