@@ -8,15 +8,16 @@
 
 namespace wheel_rail_contact::paper
 {
-/// A CSV file: a line of column names, then rows. Numbers keep eight digits.
+/// A CSV file: a line of column names, then rows, each written at once, so that a full disk is noticed. Numbers keep
+/// eight digits.
 class Csv
 {
  public:
-  /// @throw std::runtime_error if the file cannot be opened.
+  /// @throw std::runtime_error, as row(), if the file cannot be written.
   Csv(const std::filesystem::path& file, const std::string& columns) : file_(file), stream_(file)
   {
     stream_.precision(8);
-    stream_ << columns << '\n';
+    stream_ << columns << std::endl;
     check();
   }
 
@@ -25,7 +26,7 @@ class Csv
   {
     stream_ << first;
     ((stream_ << ',' << rest), ...);
-    stream_ << '\n';
+    stream_ << std::endl;
     check();
   }
 

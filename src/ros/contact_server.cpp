@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/ros/contact_server.h"
 
 #include <exception>
+#include <iostream>
 #include <stdexcept>
 #include <utility>
 
@@ -48,8 +49,23 @@ ContactServer::~ContactServer()
   {
     subscriber.shutdown();
   }
-  jobs_.close();
+  tellUnanswered(jobs_.close());
   worker_.join();
+}
+
+void ContactServer::tellUnanswered(std::size_t waiting) const
+{
+  if (ros::ok())
+  {
+    ROS_WARN_COND(waiting > 0, "%s ends with %zu inputs unanswered", private_nh_.getNamespace().c_str(), waiting);
+    return;
+  }
+  // The log is closed, and so is the topic for the answer in hand.
+  const std::size_t unanswered = waiting + (evaluates_ ? 1U : 0U);
+  if (unanswered > 0)
+  {
+    std::cerr << private_nh_.getNamespace() << " ends with " << unanswered << " inputs unanswered" << std::endl;
+  }
 }
 
 void ContactServer::advertise()
@@ -126,6 +142,7 @@ void ContactServer::work()
 {
   while (const auto job = jobs_.pop())
   {
+    evaluates_ = true;
     try
     {
       waitForTransform(*job);
@@ -138,6 +155,7 @@ void ContactServer::work()
       ++statistics_.internal_errors;
       statistics_.last_reason = error.what();
     }
+    evaluates_ = false;
   }
 }
 

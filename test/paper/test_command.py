@@ -2,6 +2,8 @@
 import contextlib
 import io
 import os
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -9,6 +11,10 @@ from unittest import mock
 
 from wheel_rail_contact.paper.command_line import main
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
+from full_disk import no_file_larger_than  # noqa: E402  (stands beside other tests)
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 PICTURES = ("figure_3.png", "scan.png", "forces.png")
 TABLES = ("figures.csv", "methods.csv", "profiles.csv", "contacts.csv", "patches.csv", "forces.csv", "scan.csv",
           "search.csv")
@@ -37,6 +43,13 @@ class Command(unittest.TestCase):
                 # A blank sheet has no spread; thin lines on white have 0.1, patches of colour more.
                 self.assertGreater(pixels.std(), 0.05, name)
                 self.assertGreater(len({tuple(row) for row in pixels.reshape(-1, 3)[::7]}), 50, name)
+
+    def test_full_disk_is_told_with_the_files_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run_study = subprocess.run([sys.executable, SCRIPTS / "paper_study", "--out", folder], capture_output=True,
+                                       text=True, check=False, preexec_fn=no_file_larger_than(2**10))
+        self.assertEqual(run_study.returncode, 1, run_study.stdout + run_study.stderr)
+        self.assertIn("methods.csv: cannot be written", run_study.stderr)
 
     def test_unbuilt_workspace_is_one_sentence(self):
         with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=""):

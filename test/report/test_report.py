@@ -151,6 +151,9 @@ class Report(SweepCase):
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertEqual(run.stderr, f"contact_report: {self.folder / 'full'}: File too large\n")
 
+    def test_folders_that_cannot_be_made_are_told(self):
+        self.assertIn("contact_report: /sys/report: ", self.report(self.rigid, "--out", "/sys/report", status=1))
+
     def test_bags_without_answers_are_refused(self):
         self.assertIn("0 topics with answers", self.report(SWEEP, "--out", self.folder / "none", status=1))
         self.assertIn("No such file", self.report(self.folder / "absent.bag", "--out", self.folder / "none", status=1))

@@ -116,6 +116,13 @@ class States(unittest.TestCase):
             self.assertEqual(run.stderr, f"contact_states: {self.folder / target}: File too large\n")
             self.assertFalse((self.folder / target).exists())
 
+    def test_places_where_nothing_can_be_written_are_told(self):
+        (self.folder / "in.csv").write_text("time [s],y [mm]\n1,0\n")
+        for target in ("/sys/out.bag", self.folder / "nowhere" / "out.bag"):  # nobody may make files in /sys, nor root
+            printed = self.run_states("in.csv", target, status=1)
+            self.assertIn(f"contact_states: {target}: ", printed)
+            self.assertEqual(printed.count("\n"), 1, printed)
+
     def test_bags_that_cannot_be_read_are_a_sentence(self):
         (self.folder / "text.bag").write_text("no bag at all\n")
         write_bag(self.folder / "whole.bag", [State(10**9 + i) for i in range(100)])

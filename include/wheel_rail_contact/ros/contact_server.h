@@ -6,6 +6,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -34,7 +35,8 @@ class ContactServer
   /// Reads the parameters, subscribes and starts.
   /// @throw std::invalid_argument for parameters that cannot be used (see readNodeConfig()).
   ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
-  /// Ends after the evaluation in hand.
+  /// Ends after the evaluation in hand. Tells how many inputs are left unanswered: those that wait and, where ROS has
+  /// shut down, the one in hand, which can no longer be published.
   ~ContactServer();
   ContactServer(const ContactServer&) = delete;
   ContactServer& operator=(const ContactServer&) = delete;
@@ -58,6 +60,7 @@ class ContactServer
                        const boost::function<void(const boost::shared_ptr<const Message>&)>& receive);
 
   void work();
+  void tellUnanswered(std::size_t waiting) const;
   void waitForTransform(const Job& job) const;
   PreparedInput prepare(const ContactInput& input);
   void answer(const ContactInput& input);
@@ -74,6 +77,7 @@ class ContactServer
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
   NewestQueue<Job> jobs_;
+  std::atomic<bool> evaluates_{false};  ///< a job is in hand
 
   std::mutex mutex_;  ///< guards the statistics and the pairing
   ContactStatistics statistics_;

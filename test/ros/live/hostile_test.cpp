@@ -115,9 +115,13 @@ void forgetPeak()
 /// True if no number of an answer is nonsense.
 bool isFinite(const WheelsetContactMsg& answer)
 {
-  const auto& p = answer.wheelset.position;
-  const auto& o = answer.wheelset.orientation;
-  bool finite = std::isfinite(p.x + p.y + p.z + o.x + o.y + o.z + o.w);
+  const auto is_finite = [](const geometry_msgs::Pose& pose)
+  {
+    const auto& p = pose.position;
+    const auto& o = pose.orientation;
+    return std::isfinite(p.x + p.y + p.z + o.x + o.y + o.z + o.w);
+  };
+  bool finite = is_finite(answer.wheelset);
   for (const RailDeflectionMsg& rail : {answer.left_rail, answer.right_rail})
   {
     finite = finite && std::isfinite(rail.lateral + rail.vertical + rail.roll + rail.lateral_force +
@@ -125,8 +129,11 @@ bool isFinite(const WheelsetContactMsg& answer)
   }
   for (const ContactPatch& patch : answer.patches)
   {
-    finite = finite && std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force +
-                                     patch.half_space_ratio);
+    finite = finite && is_finite(patch.pose) &&
+             std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force + patch.contact_angle +
+                           patch.error_estimate + patch.residual + patch.half_space_ratio) &&
+             std::all_of(patch.grid.pressure.begin(), patch.grid.pressure.end(),
+                         [](float pressure) { return std::isfinite(pressure); });
   }
   return finite;
 }
@@ -246,6 +253,7 @@ TEST_F(Hostile, FloodIsAnsweredFromItsNewestPairsAndTheRestIsCounted)
   EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
   ASSERT_FALSE(client_.answers().empty());
   EXPECT_EQ(client_.answers().back().header.stamp, last) << "the newest pair is answered";
+  EXPECT_GT(before, 0);
   EXPECT_LT(memory("VmHWM") - before, 100);
   EXPECT_TRUE(client_.ask(0.001)) << "the node goes on";
 }

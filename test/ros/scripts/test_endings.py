@@ -64,7 +64,8 @@ class Node:
         self.listeners = [rospy.Subscriber(f"/{name}/contact_node/contact", WheelsetContact, self.answers.append),
                           rospy.Subscriber("/diagnostics", DiagnosticArray, self.take_report)]
         self.topic = f"{name}/contact_node"
-        self.process = subprocess.Popen([NODE, f"__ns:=/{name}", *PROFILES, *parameters], stdout=subprocess.DEVNULL)
+        self.process = subprocess.Popen([NODE, f"__ns:=/{name}", *PROFILES, *parameters], stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.PIPE, text=True)
 
     def take_report(self, message):
         for status in message.status:
@@ -84,9 +85,11 @@ class Node:
         self.loads.publish(load)
 
     def end(self, signal_number):
-        """@return exit status"""
+        """@return exit status, and what the node said"""
         self.process.send_signal(signal_number)
-        return self.process.wait(PATIENCE)
+        _, said = self.process.communicate(timeout=PATIENCE)
+        print(said, end="")
+        return self.process.returncode, said
 
 
 class Endings(unittest.TestCase):
@@ -119,13 +122,17 @@ class Endings(unittest.TestCase):
     def end_busy_node(self, name, signal_number):
         """@return time that it takes to end [s]"""
         node = self.start_node(name, *SLOW)
-        node.send(1)
-        self.assertTrue(wait_for(lambda: node.report.get("messages received") == "2"), node.report)
+        for seconds in (1, 2, 3):
+            node.send(seconds)
+        self.assertTrue(wait_for(lambda: node.report.get("messages received") == "6"), node.report)
         self.assertEqual(node.report["messages waiting for a partner"], "0")
         begin = time.monotonic()
-        self.assertEqual(node.end(signal_number), 0)
+        status, said = node.end(signal_number)
+        taken = time.monotonic() - begin
+        self.assertEqual(status, 0)
         self.assertEqual(node.answers, [], "the evaluation had ended")
-        return time.monotonic() - begin
+        self.assertIn(f"/{node.topic} ends with 3 inputs unanswered", said)
+        return taken
 
     # unittest goes by the alphabet: the master is killed last, for rospy registers its old topics with no other.
 
@@ -145,7 +152,7 @@ class Endings(unittest.TestCase):
         node.send(1)
         self.assertTrue(wait_for(lambda: len(node.answers) == 1), "no answer after garbled messages")
         self.assertEqual(node.answers[0].status, WheelsetContact.OK)
-        self.assertEqual(node.end(signal.SIGINT), 0)
+        self.assertEqual(node.end(signal.SIGINT)[0], 0)
 
     def test_outlives_its_master(self):
         node = self.start_node("alone")
@@ -159,7 +166,7 @@ class Endings(unittest.TestCase):
         node.send(3)
         self.assertTrue(wait_for(lambda: len(node.answers) == 3), "no answer beside another master")
         self.assertEqual([answer.status for answer in node.answers], [WheelsetContact.OK] * 3)
-        self.assertEqual(node.end(signal.SIGTERM), 0)
+        self.assertEqual(node.end(signal.SIGTERM)[0], 0)
 
 
 if __name__ == "__main__":
