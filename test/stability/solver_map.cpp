@@ -196,7 +196,12 @@ struct Shape
 
 std::vector<Shape> shapes()
 {
-  const auto corner = [](double wheel) { return [wheel](double y) { return drop(0.013, y) - drop(wheel, y); }; };
+  // The corner's own arc ends 7 mm from its middle.
+  const auto corner = [](double wheel)
+  {
+    return [wheel](double y)
+    { return drop(0.013, y) - drop(wheel, y) + 20 * std::pow(std::max(std::abs(y) - 7e-3, 0.0), 2); };
+  };
   const auto lobes = [](double depth)
   {
     return [depth](double y)
