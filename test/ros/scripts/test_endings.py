@@ -146,13 +146,18 @@ class Endings(unittest.TestCase):
 
     def test_goes_on_after_bytes_that_are_no_message(self):
         node = self.start_node("garbled")
+        garbled = 0
         for length in (0, 3, 12, 16, 40):
             for filling in (b"\0", b"\xff"):
                 node.poses.publish(GarbledPose(filling * length))
+                garbled += 1
         node.send(1)
         self.assertTrue(wait_for(lambda: len(node.answers) == 1), "no answer after garbled messages")
         self.assertEqual(node.answers[0].status, WheelsetContact.OK)
-        self.assertEqual(node.end(signal.SIGINT)[0], 0)
+        self.assertTrue(wait_for(lambda: node.report.get("messages received") == "2"), node.report)
+        status, said = node.end(signal.SIGINT)
+        self.assertEqual(status, 0)
+        self.assertEqual(said.count("Buffer Overrun"), garbled, "each is told in the log, by roscpp")
 
     def test_outlives_its_master(self):
         node = self.start_node("alone")
