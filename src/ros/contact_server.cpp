@@ -49,22 +49,35 @@ ContactServer::~ContactServer()
   {
     subscriber.shutdown();
   }
-  tellUnanswered(jobs_.close());
+  jobs_.close();
+  const bool late = ros::isShuttingDown();  // the answer in hand can no longer be published
+  if (late)
+  {
+    tellUnanswered();
+  }
   worker_.join();
+  if (!late)
+  {
+    tellUnanswered();
+  }
 }
 
-void ContactServer::tellUnanswered(std::size_t waiting) const
+void ContactServer::tellUnanswered()
 {
-  if (ros::ok())
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::uint64_t unanswered = inputs_ - jobs_.dropped() - answered_in_time_;
+  if (unanswered == 0)
   {
-    ROS_WARN_COND(waiting > 0, "%s ends with %zu inputs unanswered", private_nh_.getNamespace().c_str(), waiting);
     return;
   }
-  // The log is closed, and so is the topic for the answer in hand.
-  const std::size_t unanswered = waiting + (evaluates_ ? 1U : 0U);
-  if (unanswered > 0)
+  const std::string text = private_nh_.getNamespace() + " ends, inputs unanswered: " + std::to_string(unanswered);
+  if (ros::isShuttingDown())
   {
-    std::cerr << private_nh_.getNamespace() << " ends with " << unanswered << " inputs unanswered" << std::endl;
+    std::cerr << text << std::endl;  // the log is closed
+  }
+  else
+  {
+    ROS_WARN("%s", text.c_str());
   }
 }
 
@@ -106,6 +119,7 @@ void ContactServer::subscribeToInput(const std::string& topic, const Take& take)
                              if (auto input = take(message))
                              {
                                jobs_.push({std::move(*input), ros::WallTime::now()});
+                               ++inputs_;
                              }
                            });
 }
@@ -142,7 +156,6 @@ void ContactServer::work()
 {
   while (const auto job = jobs_.pop())
   {
-    evaluates_ = true;
     try
     {
       waitForTransform(*job);
@@ -155,7 +168,6 @@ void ContactServer::work()
       ++statistics_.internal_errors;
       statistics_.last_reason = error.what();
     }
-    evaluates_ = false;
   }
 }
 
@@ -193,6 +205,7 @@ void ContactServer::answer(const ContactInput& input)
     const std::lock_guard<std::mutex> lock(mutex_);
     statistics_.count(answer, solve_time);
     statistics_.messages_built += wants_message ? 1U : 0U;
+    answered_in_time_ += ros::isShuttingDown() ? 0U : 1U;
   }
   warn(answer.beyond_linear_range);
   if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())

@@ -181,11 +181,18 @@ MapTable iterationMap()
 
 namespace
 {
-/// Drop of a circle of radius r at distance y from its lowest place, continued straight beyond 60 degrees [m].
+/// Drop of a circle of radius r at distance y from its lowest place, |y| < r [m].
 double drop(double r, double y)
 {
-  const double reach = 0.86 * r, t = std::min(std::abs(y), reach);
-  return r - std::sqrt(r * r - t * t) + (std::abs(y) - t) * reach / std::sqrt(r * r - reach * reach);
+  return r - std::sqrt(r * r - y * y);
+}
+
+/// Walls on both sides of a floor that ends at `half_width` [m] from its middle.
+double walls(double half_width, double y)
+{
+  constexpr double steepness = 20;  // [1/m]
+  const double beyond = std::max(std::abs(y) - half_width, 0.0);
+  return steepness * beyond * beyond;
 }
 
 struct Shape
@@ -196,12 +203,8 @@ struct Shape
 
 std::vector<Shape> shapes()
 {
-  // The corner's own arc ends 7 mm from its middle.
   const auto corner = [](double wheel)
-  {
-    return [wheel](double y)
-    { return drop(0.013, y) - drop(wheel, y) + 20 * std::pow(std::max(std::abs(y) - 7e-3, 0.0), 2); };
-  };
+  { return [wheel](double y) { return drop(0.013, y) - drop(wheel, y) + walls(7e-3, y); }; };
   const auto lobes = [](double depth)
   {
     return [depth](double y)
@@ -210,7 +213,6 @@ std::vector<Shape> shapes()
       return depth * (q * q - 1) * (q * q - 1);
     };
   };
-  const auto walls = [](double y) { return 20 * std::pow(std::max(std::abs(y) - 5e-3, 0.0), 2); };
   const auto wave = [](double y) { return 2 * y * y + 2e-6 * std::cos(2 * std::acos(-1.0) * y / 0.6e-3); };
   return {{"corner of 13 mm in 14 mm", corner(0.0140)},
           {"corner of 13 mm in 13.2 mm", corner(0.0132)},
@@ -219,8 +221,8 @@ std::vector<Shape> shapes()
           {"two lobes, merged", lobes(1e-5)},
           {"two lobes, nearly parted", lobes(5e-5)},
           {"two lobes, parted", lobes(2e-4)},
-          {"flat across 10 mm", walls},
-          {"saddle across 10 mm", [walls](double y) { return walls(y) - 0.3 * y * y; }},
+          {"flat across 10 mm", [](double y) { return walls(5e-3, y); }},
+          {"saddle across 10 mm", [](double y) { return walls(5e-3, y) - 0.3 * y * y; }},
           {"curvature jumps from 1/300 to 1/80 mm",
            [](double y) { return (y < 1e-3 ? 1.7 : 1.7 + 4.6) * (y - 1e-3) * (y - 1e-3); }},
           {"step of 0.118 um (S1002, 35 mm) beside the crest",
@@ -264,8 +266,9 @@ MapTable solveShapes()
   MapTable table{
       "Shapes across",
       "50 kN on a wheel of 0.46 m over these gaps, in a box of 24 × 18 mm: the grids of `auto` in turn until the "
-      "estimate is below 1 %, and each method on 24 × 48 cells. The reference has four times as many each way. At a "
-      "step the pressure has no highest value: the finer the cells, the higher. Pressure at the border of the box is "
+      "estimate is below 1 %, and each method on 24 × 48 cells. The reference has four times as many each way. Corners "
+      "end 7 mm from their middle, where walls rise. At a step the pressure has no highest value: the finer the cells, "
+      "the higher. Pressure at the border of the box is "
       "noticed; the balance would lay another one.",
       {"grids of auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};

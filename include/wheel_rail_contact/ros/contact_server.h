@@ -6,7 +6,6 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <atomic>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -35,8 +34,8 @@ class ContactServer
   /// Reads the parameters, subscribes and starts.
   /// @throw std::invalid_argument for parameters that cannot be used (see readNodeConfig()).
   ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
-  /// Ends after the evaluation in hand. Tells how many inputs are left unanswered: those that wait and, where ROS has
-  /// shut down, the one in hand, which can no longer be published.
+  /// Ends after the evaluation in hand. Tells how many inputs have no answer: those that wait, and those whose answer
+  /// came too late to be published.
   ~ContactServer();
   ContactServer(const ContactServer&) = delete;
   ContactServer& operator=(const ContactServer&) = delete;
@@ -60,7 +59,7 @@ class ContactServer
                        const boost::function<void(const boost::shared_ptr<const Message>&)>& receive);
 
   void work();
-  void tellUnanswered(std::size_t waiting) const;
+  void tellUnanswered();
   void waitForTransform(const Job& job) const;
   PreparedInput prepare(const ContactInput& input);
   void answer(const ContactInput& input);
@@ -77,11 +76,12 @@ class ContactServer
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
   NewestQueue<Job> jobs_;
-  std::atomic<bool> evaluates_{false};  ///< a job is in hand
 
-  std::mutex mutex_;  ///< guards the statistics and the pairing
+  std::mutex mutex_;  ///< guards the statistics, the counts and the pairing
   ContactStatistics statistics_;
-  ContactStatistics reported_;  ///< as they were at the last report
+  std::uint64_t inputs_ = 0;            ///< given to `jobs_`
+  std::uint64_t answered_in_time_ = 0;  ///< before ROS shut down
+  ContactStatistics reported_;          ///< as they were at the last report
 
   std::mutex neighbours_mutex_;  ///< guards the neighbours' forces
   NeighbourForces neighbours_;

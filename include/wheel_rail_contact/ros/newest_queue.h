@@ -61,13 +61,11 @@ class NewestQueue
   }
 
   /// Lets go whoever waits; what is left in the queue is not delivered any more.
-  /// @return number of entries left
-  std::size_t close()
+  void close()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     closed_ = true;
     wake_.notify_all();
-    return entries_.size();
   }
 
   /// True after close().

@@ -2,6 +2,7 @@
 // contact_node under hostile input. After each of them every pair has an answer or is counted as dropped.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -92,7 +93,7 @@ class Hostile : public testing::Test
   std::uint64_t sent_ = 0;  ///< messages
 };
 
-/// Memory of a node's process: a figure of /proc/PID/status [MB].
+/// Memory of a node's process: a figure of /proc/PID/status [MB]; NaN if there is none.
 double memory(const std::string& figure)
 {
   std::ifstream status("/proc/" + std::to_string(processOf(node)) + "/status");
@@ -103,7 +104,7 @@ double memory(const std::string& figure)
       return 1.024e-3 * std::stod(line.substr(figure.size() + 1));
     }
   }
-  return 0;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Memory of the node from here on is told as VmHWM.
@@ -112,16 +113,17 @@ void forgetPeak()
   std::ofstream("/proc/" + std::to_string(processOf(node)) + "/clear_refs") << 5;
 }
 
+bool isFinite(const geometry_msgs::Pose& pose)
+{
+  const auto& p = pose.position;
+  const auto& o = pose.orientation;
+  return std::isfinite(p.x + p.y + p.z + o.x + o.y + o.z + o.w);
+}
+
 /// True if no number of an answer is nonsense.
 bool isFinite(const WheelsetContactMsg& answer)
 {
-  const auto is_finite = [](const geometry_msgs::Pose& pose)
-  {
-    const auto& p = pose.position;
-    const auto& o = pose.orientation;
-    return std::isfinite(p.x + p.y + p.z + o.x + o.y + o.z + o.w);
-  };
-  bool finite = is_finite(answer.wheelset);
+  bool finite = isFinite(answer.wheelset) && std::isfinite(answer.solve_time);
   for (const RailDeflectionMsg& rail : {answer.left_rail, answer.right_rail})
   {
     finite = finite && std::isfinite(rail.lateral + rail.vertical + rail.roll + rail.lateral_force +
@@ -129,9 +131,10 @@ bool isFinite(const WheelsetContactMsg& answer)
   }
   for (const ContactPatch& patch : answer.patches)
   {
-    finite = finite && is_finite(patch.pose) &&
+    finite = finite && isFinite(patch.pose) &&
              std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force + patch.contact_angle +
-                           patch.error_estimate + patch.residual + patch.half_space_ratio) &&
+                           patch.error_estimate + patch.residual + patch.half_space_ratio + patch.grid.dx +
+                           patch.grid.dy + patch.grid.x0 + patch.grid.y0) &&
              std::all_of(patch.grid.pressure.begin(), patch.grid.pressure.end(),
                          [](float pressure) { return std::isfinite(pressure); });
   }
@@ -253,7 +256,6 @@ TEST_F(Hostile, FloodIsAnsweredFromItsNewestPairsAndTheRestIsCounted)
   EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
   ASSERT_FALSE(client_.answers().empty());
   EXPECT_EQ(client_.answers().back().header.stamp, last) << "the newest pair is answered";
-  EXPECT_GT(before, 0);
   EXPECT_LT(memory("VmHWM") - before, 100);
   EXPECT_TRUE(client_.ask(0.001)) << "the node goes on";
 }
@@ -280,5 +282,4 @@ TEST_F(Hostile, FloodOfLongMessagesTakesBoundedMemory)
   EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
   // The messages have 400 MB.
   EXPECT_LT(memory("VmHWM") - before, 100);
-  EXPECT_GT(before, 0);
 }

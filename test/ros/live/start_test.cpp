@@ -57,7 +57,7 @@ TEST(NodeStart, MistakesInParametersEndTheProcessWithTheNameInTheOutput)
   expectStopped(startNode("_track/gauge:=wide"), "/node_1/track/gauge = wide");
   expectStopped(startNode("_track/gage:=1.435"), "/node_2/track/gage is unknown");
   expectStopped(startNode("_material/wheel/young:=-210e9"), "/node_3/material/wheel/young");
-  expectStopped(startNode("_wheel/profile:=no_such_file.prw"), "/node_4/wheel/profile");
+  expectStopped(startNode("_wheel/profile:=no_such_file.prw"), "/node_4/wheel/profile = no_such_file.prw");
   expectStopped(startNode("_contact/tolerance:=nan"), "/node_5/contact/tolerance");
 }
 
