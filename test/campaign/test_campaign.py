@@ -233,10 +233,13 @@ class GivenCluster(Case):
 
 
 class InOrder:
-    """Stands for Dask: one core, whose tasks come back in the order in which they were submitted, and do nothing."""
+    """Stands for Dask: one core, whose tasks come back in the order in which they were submitted, and do nothing.
 
-    def __init__(self):
-        self.submitted, self.running = [], collections.deque()
+    `statuses`: of each task, each time that it comes back.
+    """
+
+    def __init__(self, *statuses):
+        self.submitted, self.running, self.statuses = [], collections.deque(), statuses
         self.add, self.count = self.running.append, self.running.__len__
 
     def nthreads(self):
@@ -244,26 +247,38 @@ class InOrder:
 
     def submit(self, function, task, **_):
         self.submitted.append((function, task["name"]))
-        return types.SimpleNamespace(key=len(self.submitted), status="finished", result=lambda: {"answers": 1})
+        return types.SimpleNamespace(key=len(self.submitted), statuses=iter(self.statuses),
+                                     result=lambda: {"answers": 1})
 
     def is_empty(self):
         return not self.running
 
     def __next__(self):
-        return self.running.popleft()
+        future = self.running.popleft()
+        future.status = next(future.statuses)
+        return future
 
 
 class Order(unittest.TestCase):
-    def test_each_of_many_short_bags_is_answered_and_joined_once(self):
-        names = [f"{k}.bag" for k in range(2 * AHEAD + 1)]  # more than one core is given at a time
-        plan = {"folder": "", "options": [], "bags": {name: {"bag": name, "slices": [[None, None]]} for name in names}}
-        dask = InOrder()
+    NAMES = [f"{k}.bag" for k in range(2 * AHEAD + 1)]  # more than one core is given at a time
+
+    def names_of_tasks(self, *statuses):
+        """Of all answer_slice and of all join_slices, as they were submitted."""
+        dask = InOrder(*statuses)
+        plan = {"folder": "", "options": [],
+                "bags": {name: {"bag": name, "slices": [[None, None]]} for name in self.NAMES}}
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("distributed.as_completed", lambda: dask):
             campaign = Campaign(dask, plan, Folder(folder))
             campaign.run()
         self.assertEqual(campaign.failures, [])
-        for function in (answer_slice, join_slices):
-            self.assertEqual([name for done, name in dask.submitted if done is function], names)
+        return [[name for done, name in dask.submitted if done is function] for function in (answer_slice, join_slices)]
+
+    def test_each_of_many_short_bags_is_answered_and_joined_once(self):
+        self.assertEqual(self.names_of_tasks("finished"), [self.NAMES, self.NAMES])
+
+    def test_results_lost_with_their_worker_are_waited_for_again(self):
+        self.assertEqual([sorted(names) for names in self.names_of_tasks("lost", "pending", "finished")],
+                         [self.NAMES, self.NAMES])
 
 
 class Misuse(Case):

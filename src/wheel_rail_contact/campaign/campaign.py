@@ -10,6 +10,7 @@ from .work import answer_slice, join_slices
 AHEAD = 3          # tasks at the scheduler for each core of the workers: none waits for the next, and few are listed
 COUNT_PERIOD = 5   # after which workers are counted again [s]
 LINE_PERIOD = 10   # of progress where there is no terminal [s]
+ENDED = ("finished", "error", "cancelled")
 RETRIES = 2        # of a task that fails; those of lost workers are the scheduler's own
 
 
@@ -40,8 +41,10 @@ class Campaign:
                 if running.is_empty():
                     break
                 future = next(running)
-                following = self._take(future, *tasks.pop(future.key))
-                if following:
+                status = future.status
+                if status not in ENDED:  # its worker was lost before the result was fetched: another one is at it
+                    running.add(future)
+                elif following := self._take(future, status, *tasks.pop(future.key)):
                     submit(*following)
         finally:
             self._state.progress.end()
@@ -74,12 +77,12 @@ class Campaign:
             self._cores, self._counted = sum(self._client.nthreads().values()), time.monotonic()
         return AHEAD * max(self._cores, 1)
 
-    def _take(self, future, function, task):
+    def _take(self, future, status, function, task):
         """Notes what became of a task. @return what follows from it: a function with what it is to be given."""
         name = task["name"]
-        if future.status == "cancelled":
+        if status == "cancelled":
             raise Failure("the scheduler was lost; the same command goes on")
-        if future.status != "finished":
+        if status == "error":
             self.failures.append(f"{name}: {future.exception()}")
         elif function is answer_slice:
             self._state.answered(future.result()["answers"])
