@@ -50,22 +50,21 @@ ContactServer::~ContactServer()
     subscriber.shutdown();
   }
   jobs_.close();
-  const bool late = ros::isShuttingDown();  // the answer in hand can no longer be published
-  if (late)
+  if (!ros::isShuttingDown())
   {
-    tellUnanswered();
+    worker_.join();  // the answer in hand is still published
   }
-  worker_.join();
-  if (!late)
+  tellUnanswered();
+  if (worker_.joinable())
   {
-    tellUnanswered();
+    worker_.join();
   }
 }
 
 void ContactServer::tellUnanswered()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::uint64_t unanswered = inputs_ - jobs_.dropped() - answered_in_time_;
+  const std::uint64_t unanswered = inputs_ - jobs_.dropped() - statistics_.answered();
   if (unanswered == 0)
   {
     return;
@@ -203,9 +202,12 @@ void ContactServer::answer(const ContactInput& input)
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (ros::isShuttingDown())
+    {
+      return;  // nobody gets this answer
+    }
     statistics_.count(answer, solve_time);
     statistics_.messages_built += wants_message ? 1U : 0U;
-    answered_in_time_ += ros::isShuttingDown() ? 0U : 1U;
   }
   warn(answer.beyond_linear_range);
   if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())

@@ -268,8 +268,7 @@ MapTable solveShapes()
       "50 kN on a wheel of 0.46 m over these gaps, in a box of 24 × 18 mm: the grids of `auto` in turn until the "
       "estimate is below 1 %, and each method on 24 × 48 cells. The reference has four times as many each way. Corners "
       "end 7 mm from their middle, where walls rise. At a step the pressure has no highest value: the finer the cells, "
-      "the higher. Pressure at the border of the box is "
-      "noticed; the balance would lay another one.",
+      "the higher. Pressure at the border of the box is noticed; the balance would lay another one.",
       {"grids of auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};
   const MethodLadder ladder{ContactModelConfig()};

@@ -148,7 +148,7 @@ double pressureError(const WheelsetResult& found, const WheelsetResult& truth)
   return error;
 }
 
-/// `sure`: the truth may be told from an answer that is off.
+/// `sure`: the truth's own error is within that of an answer that is right.
 std::string verdict(const WheelsetResult& found, const WheelsetResult& truth, bool sure)
 {
   if (!isUsable(found.status))
@@ -173,9 +173,9 @@ MapTable solveAll()
       "Wheelsets",
       "S1002 on 60E1, cant 1:40, gauge 1.435 m, tolerance 0.01, unless the row says otherwise; y is the way to "
       "the left. The reference is `conjugate_gradient` on 128 × 256 cells, and none where it differs from 64 × 128 by "
-      "more than \"right\". \"And says so\" means that the "
-      "answer's error estimate is above the tolerance, which its status text tells. `auto` is right or refuses, but "
-      "for one wheel drawn through noisy points, whose waves of 0.5 mm its finest grid does not resolve to 1 %.",
+      "more than \"right\". \"And says so\" means that the answer's error estimate is above the tolerance, which its "
+      "status text tells. `auto` is right or refuses, but for one wheel drawn through noisy points, whose waves of "
+      "0.5 mm its finest grid does not resolve to 1 %.",
       {"auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};
   for (const Situation& situation : situations())

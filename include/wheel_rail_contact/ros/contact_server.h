@@ -77,11 +77,10 @@ class ContactServer
   tf2_ros::TransformListener listener_;
   NewestQueue<Job> jobs_;
 
-  std::mutex mutex_;  ///< guards the statistics, the counts and the pairing
-  ContactStatistics statistics_;
-  std::uint64_t inputs_ = 0;            ///< given to `jobs_`
-  std::uint64_t answered_in_time_ = 0;  ///< before ROS shut down
-  ContactStatistics reported_;          ///< as they were at the last report
+  std::mutex mutex_;              ///< guards the statistics, the inputs' number and the pairing
+  ContactStatistics statistics_;  ///< of what was answered before ROS shut down
+  ContactStatistics reported_;    ///< as they were at the last report
+  std::uint64_t inputs_ = 0;      ///< given to `jobs_`
 
   std::mutex neighbours_mutex_;  ///< guards the neighbours' forces
   NeighbourForces neighbours_;

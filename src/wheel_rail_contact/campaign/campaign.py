@@ -10,7 +10,7 @@ from .work import answer_slice, join_slices
 AHEAD = 3          # tasks at the scheduler for each core of the workers: none waits for the next, and few are listed
 COUNT_PERIOD = 5   # after which workers are counted again [s]
 LINE_PERIOD = 10   # of progress where there is no terminal [s]
-ENDED = ("finished", "error", "cancelled")
+ENDED = ("finished", "error", "cancelled")  # statuses of a task that nobody is at any more
 RETRIES = 2        # of a task that fails; those of lost workers are the scheduler's own
 
 

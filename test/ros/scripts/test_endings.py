@@ -164,17 +164,15 @@ class Endings(unittest.TestCase):
 
     def test_goes_on_after_bytes_that_are_no_message(self):
         node = self.start_node("garbled")
-        garbled = 0
-        for length in (0, 3, 12, 16, 40):
-            for filling in (b"\0", b"\xff"):
-                node.poses.publish(GarbledPose(filling * length))
-                garbled += 1
+        garbled = [filling * length for length in (0, 3, 12, 16, 40) for filling in (b"\0", b"\xff")]
+        for content in garbled:
+            node.poses.publish(GarbledPose(content))
         node.send(1)
         self.assertTrue(wait_for(lambda: len(node.answers) == 1), "no answer after garbled messages")
         self.assertEqual(node.answers[0].status, WheelsetContact.OK)
         self.assertTrue(wait_for(lambda: node.report.get("messages received") == "2"), node.report)
         self.assertEqual(node.end(signal.SIGINT), 0)
-        self.assertEqual(node.said().count("Buffer Overrun"), garbled, "each is told in the log, by roscpp")
+        self.assertEqual(node.said().count("Buffer Overrun"), len(garbled), "each is told in the log, by roscpp")
         self.assertEqual(node.unanswered(), 0)
 
     def test_leaves_no_input_unmentioned_at_its_end(self):
