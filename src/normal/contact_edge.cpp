@@ -10,6 +10,12 @@ namespace
 {
 /// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
 constexpr double kLoneCell = 0.325;
+/// By how much each crossing of the edge with a line of cell centres makes the polygon too large [cells].
+constexpr double kEachCrossing = 0.0035;
+/// The same of lines along the cells' longer side, times the logarithm of the cells' aspect.
+constexpr double kEachLongCrossing = 0.0080;
+/// By how much its chords cut a closed edge short [cells], and what of that is missing around few cells [cells^(5/2)].
+constexpr double kChords = 0.5, kFewCells = 10;
 
 double straightEdge(double p1, double p2)
 {
@@ -108,8 +114,26 @@ void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
   }
 }
 
-double EdgePolygon::cells()
+double EdgePolygon::cells(double aspect)
 {
+  const double polygon = polygonCells();
+  return std::max(polygon - excess(polygon, aspect), 0.0);
+}
+
+double EdgePolygon::excess(double polygon, double aspect) const
+{
+  const double images = mirrored_ ? 2 : 1;
+  const double whole = std::max(images * polygon, 1.0);
+  const double chords = std::max(kChords - kFewCells / (whole * std::sqrt(whole)), 0.0);
+  const double longer = std::log(aspect);
+  const int long_crossings = longer > 0 ? crossings_along_ : crossings_across_;
+  return kEachCrossing * (crossings_along_ + crossings_across_) +
+         kEachLongCrossing * std::abs(longer) * long_crossings - chords / images;
+}
+
+double EdgePolygon::polygonCells()
+{
+  crossings_along_ = crossings_across_ = 0;
   along_.resize(static_cast<std::size_t>(stride_));
   double whole = 0, middle = 0;
   for (Eigen::Index j = -1; j < columns_; ++j)
@@ -127,10 +151,14 @@ double EdgePolygon::cells()
       {
         const unsigned second_row = corners & 10U, second_column = corners & 12U;
         sides.left = sides.right;
-        sides.right = second_row == 2 || second_row == 8 ? reach(p + 1, stride_) : 0;
+        const bool crosses_row = second_row == 2 || second_row == 8;
+        const bool crosses_column = second_column == 4 || second_column == 8;
+        sides.right = crosses_row ? reach(p + 1, stride_) : 0;
         sides.lower = along_[i];
-        sides.upper = second_column == 4 || second_column == 8 ? reach(q, 1) : 0;
+        sides.upper = crosses_column ? reach(q, 1) : 0;
         along_[i] = sides.upper;
+        crossings_across_ += crosses_row ? 1 : 0;
+        crossings_along_ += crosses_column ? 1 : 0;
         share = loadedShare(corners, sides);
       }
       whole += share;

@@ -24,7 +24,17 @@ constexpr int kFrame = 3;
 /// (distance)^(3/2), and removed from p1 and p2 first.
 double edgeDistance(double p1, double p2, double p3);
 
-/// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres.
+/// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres, less what it is
+/// known to be off.
+///
+/// Chords between the crossings cut a closed curve short by half a cell, whatever its shape and place (ellipses of 7 to
+/// 80 cells' width: 0.50 +- 0.03). Where the edge runs askew to the cells its crossings are found too far out, all the
+/// more those of lines along the longer side of the cells. With m crossings in all, of which m_long of such lines, and
+/// a the cells' aspect (longer over shorter side),
+///   excess = 0.0035 m + 0.0080 m_long ln(a) - max(0.5 - 10 / cells^(3/2), 0);
+/// the factors were fitted to 1400 Hertz contacts on 8 × 16 to 64 × 128 cells, A/B from 0.1 to 30, a up to 27, and the
+/// 10 to 1600 with few cells. Of the former, 98 % of the areas are thereby within 0.08 % instead of 0.36 % on 24 × 56
+/// cells, 0.30 instead of 0.69 % on 12 × 32; test/normal/measures_test.cpp repeats that.
 class EdgePolygon
 {
  public:
@@ -32,8 +42,9 @@ class EdgePolygon
   /// mirror image instead. Allocates only for larger arrays than before.
   void frame(const Eigen::ArrayXXd& pressure, bool mirrored);
 
-  /// Area of what was framed, of a mirrored one that of the stored half.
-  double cells();
+  /// Area of what was framed, of a mirrored one that of the stored half [cells].
+  /// @param aspect  of the cells: length along x, the rows, over width along y, the columns [-]
+  double cells(double aspect);
 
   /// Framed pressure around a cell; the next row is one further, the next column stride().
   const double* at(Eigen::Index row, Eigen::Index column) const
@@ -43,9 +54,15 @@ class EdgePolygon
   std::ptrdiff_t stride() const { return stride_; }
 
  private:
+  /// Area of the polygon alone [cells]; counts the crossings.
+  double polygonCells();
+  /// What the polygon is too large by [cells].
+  double excess(double polygon, double aspect) const;
+
   std::vector<double> framed_, along_;  ///< pressure; edge's distances along x at the last column, where it crosses
   Eigen::Index rows_ = 0, columns_ = 0;
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;
+  int crossings_along_ = 0, crossings_across_ = 0;  ///< of the edge with lines along x and along y
 };
 }  // namespace wheel_rail_contact

@@ -23,7 +23,7 @@ void PressureMeasures::measure(PatchPressure& patch)
   const Eigen::ArrayXXd& p = patch.pressure;
   polygon_.frame(p, grid.symmetric);
   patch.force = p.sum() * grid.cellArea();
-  patch.area = polygon_.cells() * grid.cellArea();
+  patch.area = polygon_.cells(grid.dx / grid.dy) * grid.cellArea();
 
   Eigen::Index i = 0, j = 0;
   const double top = p.maxCoeff(&i, &j);

@@ -17,8 +17,8 @@ class PressureMeasures
   /// it and its neighbours (exact for an ellipsoidal pressure). On Hertz contacts its error is a third of the highest
   /// cell's.
   ///
-  /// area: the polygon through the points where the edge of the contact crosses the lines of cell centres, see
-  /// contact_edge.h. Its error is a tenth of that of counting cells.
+  /// area: the polygon through the points where the edge of the contact crosses the lines of cell centres, less
+  /// what it is known to be off, see contact_edge.h.
   void measure(PatchPressure& patch);
 
  private:

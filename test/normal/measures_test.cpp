@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <random>
 
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
@@ -50,14 +52,76 @@ Errors worstErrors(int nx, int ny)
 }
 
 // Tolerances: the worst case found, rounded up.
-TEST(Measures, areaIsATenthAsWrongAsCountedCells)
+TEST(Measures, areaIsATwentiethAsWrongAsCountedCells)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
   EXPECT_LT(coarse.area, 0.016);
-  EXPECT_LT(medium.area, 0.006);
-  EXPECT_LT(fine.area, 0.004);
-  EXPECT_LT(medium.area, 0.2 * medium.counted_area);
-  EXPECT_LT(fine.area, 0.3 * fine.counted_area);
+  EXPECT_LT(medium.area, 0.002);
+  EXPECT_LT(fine.area, 0.0007);
+  EXPECT_LT(medium.area, 0.05 * medium.counted_area);
+  EXPECT_LT(fine.area, 0.05 * fine.counted_area);
+}
+
+/// Relative errors of the area on Hertz contacts, A/B from 0.1 to 30, boxes of any margin and place.
+std::vector<double> areaErrors(int nx, int ny, unsigned seed)
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-6;
+  options.max_products = 1000;
+  ConjugateGradients solver(options);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> part(0, 1);
+  std::vector<double> errors;
+  for (const double ratio : {0.1, 0.3, 1.0, 2.0, 5.0, 10.0, 30.0})
+  {
+    for (int k = 0; k < 15; ++k)
+    {
+      const double margin = 1.05 + 0.2 * part(random);
+      const auto hertz = hertzCase(ratio, nx, ny, false, margin, part(random) - 0.5);
+      NormalSolution solution;
+      solver.solve(hertz.problem, false, solution);
+      errors.push_back(solution.patches[0].area / hertz.exact.area - 1);
+    }
+  }
+  return errors;
+}
+
+// Tolerances: what 98 % of 1400 contacts of another seed stay below, and a third of it for the mean: crossings found
+// too far out made it 0.1 % on 24 × 56 cells.
+TEST(Measures, areaOfHertzContactsHasNoBias)
+{
+  struct Limit
+  {
+    int nx, ny;
+    double of_most;
+  };
+  constexpr unsigned seed = 7;
+  std::cout << "seed " << seed << "\n";
+  for (const Limit& limit : {Limit{12, 32, 3.0e-3}, Limit{24, 56, 8e-4}, Limit{40, 80, 4e-4}})
+  {
+    const std::vector<double> errors = areaErrors(limit.nx, limit.ny, seed);
+    double sum = 0;
+    int within = 0;
+    for (const double error : errors)
+    {
+      sum += error;
+      within += std::abs(error) <= limit.of_most ? 1 : 0;
+    }
+    const auto count = static_cast<double>(errors.size());
+    EXPECT_GE(within / count, 0.95) << limit.nx;
+    EXPECT_LT(std::abs(sum / count), limit.of_most / 3) << limit.nx;
+  }
+}
+
+TEST(Measures, areaOfAHalfIsThatOfTheWhole)
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-9;
+  ConjugateGradients solver(options);
+  NormalSolution half, whole;
+  solver.solve(hertzCase(2, 16, 32, true).problem, false, half);
+  solver.solve(hertzCase(2, 16, 32, false).problem, false, whole);
+  EXPECT_NEAR(half.patches[0].area / whole.patches[0].area, 1, 1e-6);
 }
 
 TEST(Measures, maxPressureBetweenTheCellsBeatsTheHighestCell)
