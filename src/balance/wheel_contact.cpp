@@ -7,6 +7,7 @@
 #include "wheel_rail_contact/balance/descent_step.h"
 #include "wheel_rail_contact/balance/missed_pressure.h"
 #include "wheel_rail_contact/normal/hertz.h"
+#include "wheel_rail_contact/normal/unseen_slope.h"
 
 namespace wheel_rail_contact
 {
@@ -29,23 +30,6 @@ void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
     {
       gap.col(static_cast<Eigen::Index>(j)).setConstant(no_body_gap);
     }
-  }
-}
-
-/// See PatchGap::unseen_slope. With third differences t of the gap beside column j, a kink or a jump of the curvature
-/// makes slopes differ by no more than (|t_before| + |t_after|) / (4 dy).
-void fillUnseenSlope(const WheelPatch& patch, PatchGap& gap)
-{
-  const Eigen::Index columns = gap.gap.cols();
-  const auto row = gap.gap.row(gap.grid.symmetric ? 0 : gap.grid.nx / 2);
-  const auto third = [&](Eigen::Index j) { return row[j + 2] - 3 * row[j + 1] + 3 * row[j] - row[j - 1]; };
-  gap.unseen_slope.setZero(columns);
-  for (Eigen::Index j = 2; j < columns - 2; ++j)
-  {
-    const double shown = 0.5 * (row[j + 1] - row[j - 1]);
-    const double off = std::abs(patch.columns[static_cast<std::size_t>(j)].parting * gap.grid.dy - shown);
-    const double bends = 0.25 * (std::abs(third(j - 1)) + std::abs(third(j)));
-    gap.unseen_slope[j] = std::max(off - bends, 0.0) / gap.grid.dy;
   }
 }
 
@@ -262,7 +246,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     {
       return false;
     }
-    fillUnseenSlope(patch, gap);
+    fillUnseenSlope(gap, [&patch](Eigen::Index j) { return patch.columns[static_cast<std::size_t>(j)].parting; });
     gap.gap += gap.weight * boxed_descent_;
     clearBeyond(patch, gap.gap);
     patch.least_gap = gap.gap.minCoeff();

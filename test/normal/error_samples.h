@@ -284,7 +284,8 @@ inline WheelsetScene randomWheelsetScene(Random& random)
   return scene;
 }
 
-/// Solves wheelset scenes by the whole chain. Keeps the solvers, whose preparation costs more than a solution.
+/// Solves wheelset scenes by the whole chain; on grids settled so far that what is left is their cells' error. Keeps
+/// the solvers, whose preparation costs more than a solution.
 class WheelsetSampler
 {
  public:
@@ -293,11 +294,23 @@ class WheelsetSampler
   /// Adds a sample for every patch of both wheels; false if the scene has no solution, or other patches in its truth.
   bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
   {
+    return sample(scene, size, {finer * size.along, finer * size.across}, samples);
+  }
+
+  /// The same against a truth on `true_size` cells.
+  bool sample(const WheelsetScene& scene, const GridSize& size, const GridSize& true_size,
+              std::vector<ErrorSample>& samples)
+  {
     ContactModelConfig strict = scene.config;
     strict.contact.tolerance = 1e-4;
+    ContactModelConfig settled = scene.config;
+    if (method_ == Method::grid)
+    {
+      settled.contact.tolerance = 1.0 / (size.along * size.across);
+    }
     const MethodLadder& ladder = ladderFor(method_, size);
-    WheelsetBalance balance(scene.config, ladder);
-    WheelsetBalance truth(strict, ladderFor(Method::grid, {finer * size.along, finer * size.across}));
+    WheelsetBalance balance(settled, ladder);
+    WheelsetBalance truth(strict, ladderFor(Method::grid, true_size));
     if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
     {
       return false;
@@ -305,6 +318,7 @@ class WheelsetSampler
     const std::size_t before = samples.size();
     for (const Side side : {Side::left, Side::right})
     {
+      strict_.solve(truth.wheel(side).problem(), false, true_);
       add(ladder.solver(), balance.wheel(side), truth.wheel(side), samples);
     }
     return samples.size() > before;
@@ -330,9 +344,10 @@ class WheelsetSampler
   void add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
            std::vector<ErrorSample>& samples) const
   {
-    for (std::size_t k = 0; k < found.patches().size() && found.patches().size() == truth.patches().size(); ++k)
+    const bool alike = found.patches().size() == truth.patches().size() && true_.status == SolveStatus::converged;
+    for (std::size_t k = 0; alike && k < found.patches().size(); ++k)
     {
-      const PatchPressure &pressure = found.solution().patches[k], &fine = truth.solution().patches[k];
+      const PatchPressure &pressure = found.solution().patches[k], &fine = true_.patches[k];
       const double weight = found.problem().patches[k].weight;
       const double approach = weight * (found.descent() - found.patches()[k].touch_gap);
       const double fine_approach = weight * (truth.descent() - truth.patches()[k].touch_gap);
@@ -347,5 +362,7 @@ class WheelsetSampler
 
   Method method_;
   std::map<std::array<int, 3>, std::unique_ptr<MethodLadder>> ladders_;
+  ConjugateGradients strict_{strictOptions()};
+  NormalSolution true_;
 };
 }  // namespace wheel_rail_contact::scenes

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "wheel_rail_contact/normal/problem.h"
+
+namespace wheel_rail_contact
+{
+/// Fills PatchGap::unseen_slope by the gap's own slopes, for error estimates to see what is narrower than the cells.
+///
+/// With third differences t of the gap beside column j, a kink or a jump of the curvature makes slopes differ by no
+/// more than (|t_before| + |t_after|) / (4 dy); only what is beyond that counts.
+/// @param patch     its grid and gap are filled
+/// @param slope_at  of a column j: the slope d(gap)/dy there [-]
+template <typename SlopeAt>
+void fillUnseenSlope(PatchGap& patch, SlopeAt slope_at)
+{
+  const Eigen::Index columns = patch.gap.cols();
+  const auto row = patch.gap.row(patch.grid.symmetric ? 0 : patch.grid.nx / 2);
+  const auto third = [&](Eigen::Index j) { return row[j + 2] - 3 * row[j + 1] + 3 * row[j] - row[j - 1]; };
+  patch.unseen_slope.setZero(columns);
+  for (Eigen::Index j = 2; j < columns - 2; ++j)
+  {
+    const double shown = 0.5 * (row[j + 1] - row[j - 1]);
+    const double off = std::abs(slope_at(j) * patch.grid.dy - shown);
+    const double bends = 0.25 * (std::abs(third(j - 1)) + std::abs(third(j)));
+    patch.unseen_slope[j] = std::max(off - bends, 0.0) / patch.grid.dy;
+  }
+}
+}  // namespace wheel_rail_contact
