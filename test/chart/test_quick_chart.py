@@ -16,7 +16,8 @@ from wheel_rail_contact.chart.picture import METHODS
 
 SCENES = {"hertz_1_1", "hertz_1_5", "joint", "two_patches", "lobes", "conformal", "manchester_0", "manchester_0.5",
           "manchester_3", "manchester_5", "manchester_6.5", "paper"}
-GRIDS = {(8, 16), (8, 24), (12, 32), (16, 48), (20, 48), (24, 56), (32, 64), (32, 96), (40, 80), (48, 96), (64, 128)}
+GRIDS = {(8, 16), (10, 24), (12, 24), (12, 32), (16, 32), (16, 48), (20, 48), (24, 56), (24, 80), (24, 96), (32, 96),
+         (48, 96), (64, 128)}
 TOLERANCES = {0.1, 0.03, 0.01, 0.003}
 
 
@@ -65,17 +66,16 @@ class QuickChart(unittest.TestCase):
         self.assertTrue(all(self.facts.values()), self.facts)
 
     def test_conjugate_gradients_come_closer_to_hertz_with_every_finer_grid(self):
-        # Grids refined alike each way; between them errors of area may rise where only one way is refined. Largest
-        # errors found: 0.61 % and 0.12 %.
+        # Grids refined alike each way; between them errors of area may rise where only one way is refined.
         for scene in ("hertz_1_1", "hertz_1_5"):
             rows = self.of(scene, "conjugate_gradient")
-            errors = [rows[rung].error for rung in ((8, 16), (32, 64), (64, 128))]
+            errors = [rows[rung].error for rung in ((8, 16), (16, 32), (64, 128))]
             self.assertEqual(errors, sorted(errors, reverse=True), scene)
             self.assertLess(errors[0], 0.01, scene)
-            self.assertLess(errors[-1], 0.002, scene)
+            self.assertLess(errors[-1], 0.0005, scene)
 
     def test_hertz_agrees_with_the_truth_on_its_own_scenes(self):
-        # The closed form shows the truth's own error: 0.06 % found, of the area.
+        # The closed form shows the truth's own error.
         for scene in ("hertz_1_1", "hertz_1_5", "two_patches"):
             for row in self.of(scene, "hertz").values():
                 self.assertLess(row.error, 0.002, scene)

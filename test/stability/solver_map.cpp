@@ -11,6 +11,7 @@
 #include "wheel_rail_contact/normal/hertz_solver.h"
 #include "wheel_rail_contact/normal/kik_piotrowski.h"
 #include "wheel_rail_contact/normal/seidel.h"
+#include "wheel_rail_contact/normal/unseen_slope.h"
 
 namespace wheel_rail_contact::stability
 {
@@ -233,10 +234,16 @@ std::vector<Shape> shapes()
 NormalProblem shaped(const Shape& shape, int nx, int ny)
 {
   constexpr double length = 0.024, width = 0.018, wheel_radius = 0.46, load = 5e4;
-  return problems::underLoad(
-      problems::sampled(problems::centredGrid(nx, ny, length, width, true),
-                        [&](double x, double y) { return x * x / (2 * wheel_radius) + shape.across(y); }),
-      load);
+  PatchGap patch = problems::sampled(problems::centredGrid(nx, ny, length, width, true),
+                                     [&](double x, double y) { return x * x / (2 * wheel_radius) + shape.across(y); });
+  constexpr double near = 1e-8;  // [m]
+  fillUnseenSlope(patch,
+                  [&](Eigen::Index j)
+                  {
+                    const double y = patch.grid.y(static_cast<int>(j));
+                    return (shape.across(y + near) - shape.across(y - near)) / (2 * near);
+                  });
+  return problems::underLoad(std::move(patch), load);
 }
 
 /// The same where the contact may go beyond the box, in which the balance would lay another one.

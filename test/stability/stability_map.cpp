@@ -44,7 +44,8 @@ std::string verdictOf(double relative_error)
 
 std::string verdictSaid(const std::string& verdict, bool above_tolerance)
 {
-  return above_tolerance && verdict.rfind("off", 0) == 0 ? verdict + ", and says so" : verdict;
+  const bool right = verdict.rfind("off", 0) != 0 && verdict != "no reference";
+  return above_tolerance && !right ? verdict + ", and says so" : verdict;
 }
 
 std::string stabilityPage()

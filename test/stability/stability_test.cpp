@@ -42,8 +42,8 @@ TEST(StabilityMap, everyVerdictIsAsThePageSays)
   }
 }
 
-/// `method: auto` and its grids are right or refuse; on waves that its finest grid does not resolve they say that the
-/// error estimate is above the tolerance.
+/// `method: auto` and its grids are right or refuse; on waves that not even the reference resolves they may be off, and
+/// say that the error estimate is above the tolerance.
 TEST(StabilityMap, autoIsRightRefusesOrSaysThatItCannotResolveNoise)
 {
   for (const MapTable* table : {&wheelsetMap(), &shapeMap()})
@@ -51,11 +51,10 @@ TEST(StabilityMap, autoIsRightRefusesOrSaysThatItCannotResolveNoise)
     for (const MapRow& row : table->rows)
     {
       const std::string& verdict = row.verdicts[0];
-      const bool off = verdict.rfind("off", 0) == 0;
+      const bool known = verdict.rfind("off", 0) != 0 && verdict.rfind("no reference", 0) != 0;
       const bool said = verdict.find("and says so") != std::string::npos;
-      EXPECT_TRUE(!off || (said && row.situation == "S1002 through points, y = 1 mm"))
+      EXPECT_TRUE(known || (said && row.situation == "60E1 through points, y = 1 mm"))
           << row.situation << ": " << verdict;
-      EXPECT_NE(verdict, "no reference") << row.situation;
     }
   }
 }

@@ -59,7 +59,7 @@ def _report(rows):
 def _parser():
     parser = argparse.ArgumentParser(
         prog="contact_chart", description="Runs every method on every grid over a dozen scenes and draws error against "
-        "time. Writes chart.csv, chart.png and chart.svg. Takes a minute or two.")
+        "time. Writes chart.csv, chart.png and chart.svg. Takes two or three minutes.")
     parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR", help="existing folder (default: here)")
     parser.add_argument("--quick", action="store_true",
                         help="fewer repetitions, no slow grids, a coarser truth: a look in a quarter of the time")
