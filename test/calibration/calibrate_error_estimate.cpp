@@ -131,6 +131,7 @@ template <typename Weights>
 void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weights& weights)
 {
   std::vector<double> ratios;
+  ratios.reserve(samples.size());
   for (const ErrorSample& s : samples)
   {
     ratios.push_back(s.error.largest() / estimateWith(weights, s).largest());
