@@ -32,9 +32,10 @@ double edgeDistance(double p1, double p2, double p3);
 /// more those of lines along the longer side of the cells. With m crossings in all, of which m_long of such lines, and
 /// a the cells' aspect (longer over shorter side),
 ///   excess = 0.0035 m + 0.0080 m_long ln(a) - max(0.5 - 10 / cells^(3/2), 0);
-/// the factors were fitted to 1400 Hertz contacts on 8 × 16 to 64 × 128 cells, A/B from 0.1 to 30, a up to 27, and the
-/// 10 to 1600 with few cells. Of the former, 98 % of the areas are thereby within 0.08 % instead of 0.36 % on 24 × 56
-/// cells, 0.30 instead of 0.69 % on 12 × 32; test/normal/measures_test.cpp repeats that.
+/// the factors were fitted, by a program that is not kept, to 1400 Hertz contacts on 8 × 16 to 64 × 128 cells, A/B from
+/// 0.1 to 30, a up to 27, the number 10 to 1600 others on few cells. Of the former, 98 % of the areas are thereby
+/// within 0.08 % instead of 0.36 % on 24 × 56 cells, 0.30 instead of 0.69 % on 12 × 32; test/normal/measures_test.cpp
+/// looks at others. A pressure on several islands counts as one.
 class EdgePolygon
 {
  public:

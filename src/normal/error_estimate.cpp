@@ -17,7 +17,8 @@ using Eigen::Index;
 constexpr double unseen_edge = 4.0 / 3;
 
 /// Factor of the terms of a lower crest: where it overtops the highest one on finer cells it is the narrower of two
-/// lobes, which the cells show worse than most.
+/// lobes, which the cells show worse than most: 1.2 and more in normal/error_estimate_test.cpp, 65 kN on 60E1 at 0.1
+/// mm.
 constexpr double narrower_lobe = 1.4;
 
 /// A line of cells through a crest; cells beyond the grid carry nothing, those beyond x = 0 of a symmetric grid are

@@ -71,7 +71,7 @@ MethodLadder truthLadder()
 
 TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
 {
-  constexpr unsigned long seed = 93;  // 1, 2 and 91 were used to calibrate and to choose
+  constexpr unsigned long seed = 93;  // 1 to 4 and 91 were used to calibrate and to choose
   constexpr int count = 260;
   std::cout << "seed " << seed << ", " << count << " scenes at four tolerances\n";
   const MethodLadder truth_ladder = truthLadder(), ladder{ContactModelConfig()};

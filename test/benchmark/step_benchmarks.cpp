@@ -58,7 +58,7 @@ void registerSteps()
 {
   benchmark::RegisterBenchmark("step/search", search)->Unit(benchmark::kMicrosecond);
   for (const GridSize& size :
-       {GridSize{8, 24}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 64}, GridSize{32, 96}, GridSize{64, 128}})
+       {GridSize{10, 24}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 56}, GridSize{32, 96}, GridSize{64, 128}})
   {
     const auto add = [&](const std::string& name, void (*run)(benchmark::State&, const GridSize&))
     {

@@ -9,8 +9,11 @@
 // medians of the estimates over those of the same patch on 24 × 56 cells (of finer grids only where that is above 0.3
 // %: the others are not for them), and for the largest of the three between what the middle 80 % of the patches lie.
 // Takes some minutes; not part of the test run.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "../normal/error_samples.h"

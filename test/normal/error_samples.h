@@ -49,7 +49,7 @@ constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each
 /// Cells of the truth of gaps solved in closed form, whose errors do not fall with the sample's cells.
 constexpr GridSize closed_form_truth{96, 256};
 
-/// Grids in use, coarse to fine.
+/// Grids of many shapes, coarse to fine; not only those of `auto`.
 constexpr std::array<GridSize, 10> grids{
     {{4, 16}, {8, 16}, {8, 24}, {12, 32}, {16, 32}, {16, 48}, {16, 64}, {24, 48}, {32, 64}, {32, 96}}};
 
@@ -291,7 +291,8 @@ class WheelsetSampler
  public:
   explicit WheelsetSampler(Method method) : method_(method) {}
 
-  /// Adds a sample for every patch of both wheels; false if the scene has no solution, or other patches in its truth.
+  /// Adds a sample for every patch of the wheels that have the same patches in their truth; false if not both have, or
+  /// the scene has no solution.
   bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
   {
     return sample(scene, size, {finer * size.along, finer * size.across}, samples);
@@ -316,12 +317,13 @@ class WheelsetSampler
       return false;
     }
     const std::size_t before = samples.size();
+    bool alike = true;
     for (const Side side : {Side::left, Side::right})
     {
       strict_.solve(truth.wheel(side).problem(), false, true_);
-      add(ladder.solver(), balance.wheel(side), truth.wheel(side), samples);
+      alike = add(ladder.solver(), balance.wheel(side), truth.wheel(side), samples) && alike;
     }
-    return samples.size() > before;
+    return alike && samples.size() > before;
   }
 
  private:
@@ -341,7 +343,8 @@ class WheelsetSampler
     return *ladder;
   }
 
-  void add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
+  /// @return false if the wheel has other patches in its truth
+  bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
            std::vector<ErrorSample>& samples) const
   {
     const bool alike = found.patches().size() == truth.patches().size() && true_.status == SolveStatus::converged;
@@ -358,6 +361,7 @@ class WheelsetSampler
         samples.push_back(sample);
       }
     }
+    return alike;
   }
 
   Method method_;

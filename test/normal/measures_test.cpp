@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <vector>
 
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"

@@ -42,8 +42,8 @@ TEST(StabilityMap, everyVerdictIsAsThePageSays)
   }
 }
 
-/// `method: auto` and its grids are right or refuse; on waves that not even the reference resolves they may be off, and
-/// say that the error estimate is above the tolerance.
+/// `method: auto` and its grids are right or refuse; on waves that not even the reference resolves they have nothing to
+/// be compared with, and say that the error estimate is above the tolerance.
 TEST(StabilityMap, autoIsRightRefusesOrSaysThatItCannotResolveNoise)
 {
   for (const MapTable* table : {&wheelsetMap(), &shapeMap()})

@@ -17,7 +17,7 @@ constexpr double grave_violation = 3;
 constexpr double most_violating = 0.005;
 
 /// Share of the steps of 1 um that may change the highest pressure by more than the estimated errors explain; estimates
-/// are made to hold in 97.5 % of the patches or more. The short campaign finds none in 1079.
+/// are made to hold in 97 % of the patches or more. The short campaign finds none in 1079.
 constexpr double most_torn = 0.004;
 
 std::string region(const Scene& scene, const WheelsetState& state)

@@ -16,7 +16,7 @@ namespace wheel_rail_contact
 struct Rung
 {
   GridSize size;                   ///< cells of the grid
-  double ordinary_error;           ///< largest relative error that most scenes stay below [-]
+  double ordinary_error;           ///< largest relative error that 98 % of ordinary patches stay below [-]
   ErrorEstimate typical;           ///< estimates over those of the same scene on 24 × 56 cells, medians [-]
   NormalSolver* solver = nullptr;  ///< the method
 };

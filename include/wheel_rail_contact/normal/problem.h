@@ -49,7 +49,7 @@ struct PatchGap
   Eigen::ArrayXXd gap;
   /// By how much the gap's own slope across differs, in each column, from that which the columns beside it show, beyond
   /// what a kink or a jump of the curvature between columns makes [-]: features narrower than the cells. Only error
-  /// estimates use it; empty where nothing is known but the cells.
+  /// estimates use it; empty where nothing is known but the cells. fillUnseenSlope() (unseen_slope.h) fills it.
   Eigen::ArrayXd unseen_slope;
   /// Share of the common approach that closes this patch, and of its normal force that counts in the common load [-]:
   /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
