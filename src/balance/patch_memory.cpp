@@ -128,8 +128,9 @@ void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& 
     patch.expected_length = memory.length;
     return;
   }
-  const double begin = placeOnPlane(plane, rail.at(middle + memory.begin * half));
-  const double end = placeOnPlane(plane, rail.at(middle + memory.end * half));
+  const PlaneAxes axes(plane);
+  const double begin = axes.t(rail.at(middle + memory.begin * half));
+  const double end = axes.t(rail.at(middle + memory.end * half));
   patch.expected_width = memory.width = end - begin;
   patch.expected_length = memory.length = 2 * memory.half_length * patch.half_overlap;
   grid = coveringGrid(memory.length, begin, end, size);

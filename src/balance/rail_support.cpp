@@ -30,21 +30,23 @@ Eigen::Vector2d wayOf(const PlacedRail& rail, double y, double z, const Eigen::V
   return {move[0] + move[2] * (z - reference.z), move[1] - move[2] * (y - reference.y)};
 }
 
-void fillOpening(const PlacedRail& rail, const ContactPlane& plane, const std::vector<GapColumn>& columns,
-                 Eigen::ArrayX3d& opening)
+void fillOpening(const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,
+                 const std::vector<GapColumn>& columns, Eigen::ArrayX3d& opening)
 {
   const double sine = std::sin(plane.angle);
   const double cosine = std::cos(plane.angle);
   const PlanePoint reference = rail.referencePoint();
-  opening.resize(static_cast<Eigen::Index>(columns.size()), 3);
-  for (Eigen::Index j = 0; j < opening.rows(); ++j)
+  opening.resize(grid.ny, 3);
+  for (int j = 0; j < grid.ny; ++j)
   {
-    const PlanePoint point = rail.at(columns[static_cast<std::size_t>(j)].rail_u);
-    const double slope = (cosine * point.dz - sine * point.dy) / (cosine * point.dy + sine * point.dz);
-    const double outward = sine + slope * cosine;
+    const GapColumn& column = columns[static_cast<std::size_t>(j)];
+    const double t = grid.y(j), n = column.rail_height;
+    const double y = plane.y + cosine * t - sine * n;
+    const double z = plane.z + sine * t + cosine * n;
+    const double outward = sine + column.railSlope() * cosine;
     opening(j, 0) = outward;
     opening(j, 1) = -cosine;
-    opening(j, 2) = outward * (point.z - reference.z) + cosine * (point.y - reference.y);
+    opening(j, 2) = outward * (z - reference.z) + cosine * (y - reference.y);
   }
 }
 }  // namespace wheel_rail_contact

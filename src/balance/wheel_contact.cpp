@@ -250,7 +250,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     gap.gap += gap.weight * boxed_descent_;
     clearBeyond(patch, gap.gap);
     patch.least_gap = gap.gap.minCoeff();
-    fillOpening(*rail_, patch.plane, patch.columns, gap.opening);
+    fillOpening(*rail_, patch.plane, gap.grid, patch.columns, gap.opening);
   }
   return !zones_.empty();
 }

@@ -100,24 +100,19 @@ double WheelContact::yieldError() const
 double WheelContact::halfSpaceRatio(std::size_t patch) const
 {
   const WheelPatch& p = patches_[patch];
-  const auto turn = [&](const Profile& profile, double GapColumn::*place)
+  const auto turn = [&p](double (GapColumn::*slope_of)() const)
   {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
     for (int j = p.extent.first_column; j <= p.extent.last_column; ++j)
     {
-      const CurvePoint point = profile.at(p.columns[static_cast<std::size_t>(j)].*place);
-      const double angle = std::atan2(point.dz, point.dy);
-      least = std::min(least, angle);
-      most = std::max(most, angle);
+      const double slope = (p.columns[static_cast<std::size_t>(j)].*slope_of)();
+      least = std::min(least, slope);
+      most = std::max(most, slope);
     }
-    return most - least;
+    return std::atan(most) - std::atan(least);
   };
-  if (p.extent.empty())
-  {
-    return 0;
-  }
-  return 0.5 * std::max(turn(*config_.wheel_profile, &GapColumn::wheel_u), turn(rail_->profile(), &GapColumn::rail_u));
+  return p.extent.empty() ? 0 : 0.5 * std::max(turn(&GapColumn::wheelSlope), turn(&GapColumn::railSlope));
 }
 
 double WheelContact::descentError() const

@@ -50,11 +50,22 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
     wheel_points_.z.push_back(point.z);
     wheel_points_.slope.push_back(point.slope());
   }
+  wheel_line_.y.resize(wheel_line_.u.size());
+  wheel_line_.z.resize(wheel_line_.u.size());
+  for (std::size_t i = 0; i < wheel_points_.y.size(); i += WheelPoints::together)
+  {
+    const auto begin = wheel_points_.y.begin() + static_cast<long>(i);
+    const auto end = begin + static_cast<long>(std::min(WheelPoints::together + 1, wheel_points_.y.size() - i));
+    const auto [least, most] = std::minmax_element(begin, end);
+    group_begin_.push_back(*least);
+    group_end_.push_back(*most);
+  }
   // A rail is never wider than its profile is long: room for any place of it.
   const Stations most{0, spacing, static_cast<std::size_t>(rail.length() / spacing) + 2};
   wheel_outline_.start(most);
   rail_outline_.start(most);
   separation_.reserve(most.count);
+  minima_.reserve(most.count);
 }
 
 void ContactSearch::setRail(const PlacedRail& rail)
@@ -71,28 +82,60 @@ void ContactSearch::setRail(const PlacedRail& rail)
   const auto [low, high] = std::minmax_element(rail_line_.y.begin(), rail_line_.y.end());
   stations_ = {*low, spacing, static_cast<std::size_t>((*high - *low) / spacing) + 2};
   rail_outline_.start(stations_);
-  rail_outline_.add(rail_line_);
+  rail_outline_.add(rail_line_, 0, rail_line_.y.size());
   separation_.resize(stations_.count);
+}
+
+/// The first of the wheel's points that may lie over the rail, and the one behind the last.
+std::pair<std::size_t, std::size_t> ContactSearch::pointsOverRail(const PlacedWheel& wheel) const
+{
+  const double least = stations_.first - wheel.sway();
+  const double most = stations_.y(stations_.count - 1) + wheel.sway();
+  const auto beside = [&](std::size_t group)
+  { return wheel.across(group_end_[group]) < least || wheel.across(group_begin_[group]) > most; };
+  std::size_t first = 0;
+  std::size_t behind = group_begin_.size();
+  while (first < behind && beside(first))
+  {
+    ++first;
+  }
+  while (first < behind && beside(behind - 1))
+  {
+    --behind;
+  }
+  return {first * WheelPoints::together, std::min(behind * WheelPoints::together + 1, wheel_line_.u.size())};
 }
 
 void ContactSearch::setWheel(const PlacedWheel& wheel)
 {
   wheel_ = wheel;
   wheel_outline_.start(stations_);
-  wheel.loci(wheel_points_, wheel_line_.y, wheel_line_.z);
-  wheel_outline_.add(wheel_line_);
+  const auto [first, behind] = pointsOverRail(wheel);
+  const std::size_t groups = (behind + WheelPoints::together - 1) / WheelPoints::together;
+  wheel.loci(wheel_points_, first, groups * WheelPoints::together, wheel_line_.y.data(), wheel_line_.z.data());
+  wheel_outline_.add(wheel_line_, first, behind);
   for (std::size_t k = 0; k < stations_.count; ++k)
   {
     separation_[k] = wheel_outline_.z(k) - rail_outline_.z(k);
   }
+  findMinima();
+  nearest_station_ = stations_.count;
 }
 
-bool ContactSearch::isMinimum(std::size_t k) const
+void ContactSearch::findMinima()
 {
-  const double here = separation_[k];
-  const double before = k > 0 ? separation_[k - 1] : infinity;
-  const double after = k + 1 < separation_.size() ? separation_[k + 1] : infinity;
-  return here < infinity && here <= before && here < after;
+  minima_.clear();
+  double before = infinity;
+  for (std::size_t k = 0; k < separation_.size(); ++k)
+  {
+    const double here = separation_[k];
+    const double after = k + 1 < separation_.size() ? separation_[k + 1] : infinity;
+    if (here <= before && here < after)
+    {
+      minima_.push_back(k);
+    }
+    before = here;
+  }
 }
 
 /// How far a minimum may lie below the lowest of its stations [m]: by the parabola through three stations, doubled, and
@@ -106,28 +149,14 @@ double ContactSearch::depthBelowStation(std::size_t k) const
   return 0.25 * (separation_[k - 1] - 2 * separation_[k] + separation_[k + 1]) + 4 * station_error;
 }
 
-bool ContactSearch::railAt(double y, double& u) const
-{
-  for (int i = 0; i < newton_iterations; ++i)
-  {
-    const PlanePoint rail = rail_->at(u);
-    const double miss = y - rail.y;
-    if (std::abs(miss) < newton_tolerance)
-    {
-      return true;
-    }
-    u += miss / rail.dy;
-  }
-  return false;
-}
-
-bool ContactSearch::wheelAt(double y, double& u, SpacePoint& locus) const
+/// Finds the wheel's profile point whose locus lies at y, from a guess of its parameter.
+bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const
 {
   double step = 0;
   double miss_before = 0;
   for (int i = 0; i < newton_iterations; ++i)
   {
-    const CurvePoint point = wheel_->profile().at(u);
+    point = wheel_->profile().at(u);
     if (!wheel_->locus(point, locus))
     {
       return false;
@@ -146,56 +175,65 @@ bool ContactSearch::wheelAt(double y, double& u, SpacePoint& locus) const
   return false;
 }
 
-bool ContactSearch::exact(double y, std::size_t k, InitialContact& contact, double& slope_difference) const
+/// Both bodies at a point of the rail, on the profiles themselves; `contact.wheel_u` is a guess of the wheel's point.
+bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_difference) const
 {
-  contact.y = y;
-  contact.wheel_u = wheel_outline_.u(k);
-  contact.rail_u = rail_outline_.u(k);
+  const CurvePoint rail_point = rail_->profile().at(rail_u);
+  const PlanePoint rail = rail_->place(rail_point);
+  CurvePoint wheel_point{};
   SpacePoint locus{};
-  if (!railAt(y, contact.rail_u) || !wheelAt(y, contact.wheel_u, locus))
+  PlanePoint wheel{};
+  if (!wheelAt(rail.y, contact.wheel_u, wheel_point, locus) || !wheel_->section(wheel_point, locus.x, wheel))
   {
     return false;
   }
-  const PlanePoint rail = rail_->at(contact.rail_u);
-  const CurvePoint wheel_point = wheel_->profile().at(contact.wheel_u);
-  PlanePoint wheel;
-  if (!wheel_->section(wheel_point, locus.x, wheel))
-  {
-    return false;
-  }
+  contact.y = rail.y;
+  contact.rail_u = rail_u;
   contact.separation = locus.z - rail.z;
   contact.slope = rail.dz / rail.dy;
   slope_difference = wheel.dz / wheel.dy - contact.slope;
   const double stretch = 1 + contact.slope * contact.slope;
-  contact.curvature =
-      (wheel_point.curvature() - rail_->profile().at(contact.rail_u).curvature()) * stretch * std::sqrt(stretch);
+  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * stretch * std::sqrt(stretch);
   return std::isfinite(contact.separation) && std::isfinite(slope_difference);
 }
 
+/// The contact near a station: where the difference of slopes changes its sign between the stations beside it.
 InitialContact ContactSearch::refined(std::size_t k) const
 {
-  InitialContact contact{stations_.y(k), separation_[k], 0, 0, wheel_outline_.u(k), rail_outline_.u(k)};
+  if (k == nearest_station_)
+  {
+    return nearest_;
+  }
   const std::size_t before = k > 0 ? k - 1 : k;
   const std::size_t after = std::min(k + 1, separation_.size() - 1);
   InitialContact trial;
-  double low = 0;
-  double high = 0;
-  const bool bracketed = separation_[before] < infinity && separation_[after] < infinity &&
-                         exact(stations_.y(before), before, trial, low) &&
-                         exact(stations_.y(after), after, trial, high) && low < 0 && high > 0;
   double difference = 0;
-  const auto slope_difference_at = [&](double y) { return exact(y, k, trial, difference) ? difference : 0.0; };
-  const double y =
-      bracketed ? bracketedRoot(slope_difference_at, stations_.y(before), low, stations_.y(after), high, root_tolerance)
-                : stations_.y(k);
-  if (exact(y, k, trial, difference))
+  bool found = false;
+  const auto slope_difference_at = [&](double rail_u)
   {
-    contact = trial;
+    found = exact(rail_u, trial, difference);
+    return found ? difference : 0.0;
+  };
+  const auto slope_difference_over = [&](std::size_t station)
+  {
+    trial.wheel_u = wheel_outline_.u(station);
+    return separation_[station] < infinity ? slope_difference_at(rail_outline_.u(station)) : 0.0;
+  };
+  const double low = slope_difference_over(before);
+  const double high = slope_difference_over(after);
+  trial.wheel_u = wheel_outline_.u(k);
+  if (low < 0 && high > 0)
+  {
+    bracketedRoot(slope_difference_at, rail_outline_.u(before), low, rail_outline_.u(after), high, root_tolerance);
   }
-  return contact;
+  else
+  {
+    slope_difference_at(rail_outline_.u(k));
+  }
+  return found ? trial : InitialContact{stations_.y(k), separation_[k], 0, 0, wheel_outline_.u(k), rail_outline_.u(k)};
 }
 
-bool ContactSearch::nearest(InitialContact& contact) const
+bool ContactSearch::nearest(InitialContact& contact)
 {
   const std::size_t lowest = lowestStation(0, stations_.count);
   if (!(separation_[lowest] < infinity))
@@ -203,14 +241,21 @@ bool ContactSearch::nearest(InitialContact& contact) const
     return false;
   }
   contact = refined(lowest);
-  for (std::size_t k = 0; k < stations_.count; ++k)
+  std::size_t station = lowest;
+  for (const std::size_t k : minima_)
   {
-    if (k != lowest && isMinimum(k) && separation_[k] - depthBelowStation(k) < contact.separation)
+    if (k != lowest && separation_[k] - depthBelowStation(k) < contact.separation)
     {
       const InitialContact other = refined(k);
-      contact = other.separation < contact.separation ? other : contact;
+      if (other.separation < contact.separation)
+      {
+        contact = other;
+        station = k;
+      }
     }
   }
+  nearest_ = contact;
+  nearest_station_ = station;
   return true;
 }
 
@@ -292,9 +337,11 @@ void ContactSearch::addZones(std::size_t first, std::size_t last, double separat
                              std::vector<OverlapZone>& zones) const
 {
   const std::size_t lowest = lowestStation(first, last + 1);
-  for (std::size_t k = first + 1; k < last; ++k)
+  for (auto minimum = std::upper_bound(minima_.begin(), minima_.end(), first);
+       minimum != minima_.end() && *minimum < last; ++minimum)
   {
-    if (k != lowest && isMinimum(k) && std::abs(railAngle(k) - railAngle(lowest)) > split_angle)
+    const std::size_t k = *minimum;
+    if (k != lowest && std::abs(railAngle(k) - railAngle(lowest)) > split_angle)
     {
       const auto at = [this](std::size_t i) { return separation_.begin() + static_cast<long>(i); };
       const auto divide = static_cast<std::size_t>(std::max_element(at(std::min(k, lowest)), at(std::max(k, lowest))) -
@@ -314,9 +361,14 @@ void ContactSearch::addZones(std::size_t first, std::size_t last, double separat
 void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zones) const
 {
   zones.clear();
+  auto next_minimum = minima_.begin();
   for (std::size_t k = 0; k < stations_.count; ++k)
   {
     const std::size_t first = k;
+    while (next_minimum != minima_.end() && *next_minimum < k)
+    {
+      ++next_minimum;
+    }
     while (k < stations_.count && separation_[k] < separation)
     {
       ++k;
@@ -326,7 +378,8 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
       addZones(first, k - 1, separation, zones);
       continue;
     }
-    const bool minimum = k == first && isMinimum(k) && separation_[k] < separation + depthBelowStation(k);
+    const bool minimum = k == first && next_minimum != minima_.end() && *next_minimum == k &&
+                         separation_[k] < separation + depthBelowStation(k);
     if (k == first && !minimum)
     {
       continue;

@@ -21,24 +21,9 @@ struct LocalPoint
   double slope;  ///< dn/dt [-]
 };
 
-/// Directions and origin of the plane in the y-z plane.
-struct LocalAxes
-{
-  explicit LocalAxes(const ContactPlane& plane)
-      : y(plane.y), z(plane.z), cosine(std::cos(plane.angle)), sine(std::sin(plane.angle))
-  {
-  }
-  double t(const PlanePoint& p) const { return cosine * (p.y - y) + sine * (p.z - z); }
-  double n(const PlanePoint& p) const { return cosine * (p.z - z) - sine * (p.y - y); }
-  double dt(const PlanePoint& p) const { return cosine * p.dy + sine * p.dz; }
-  double dn(const PlanePoint& p) const { return cosine * p.dz - sine * p.dy; }
-
-  double y, z, cosine, sine;
-};
-
 /// Finds the point of a plane curve (`at(u, point)`, false where it has none) over place `t` of the plane.
 template <typename Curve>
-bool pointOver(const LocalAxes& axes, double t, Curve at, double& u, LocalPoint& out)
+bool pointOver(const PlaneAxes& axes, double t, Curve at, double& u, LocalPoint& out)
 {
   for (int i = 0; i < newton_iterations; ++i)
   {
@@ -66,6 +51,9 @@ bool pointOver(const LocalAxes& axes, double t, Curve at, double& u, LocalPoint&
 
 /// Height of the wheel over one column as a polynomial of x.
 using Quartic = std::array<double, 5>;
+
+/// How far the wheel's points over the other places of a column lie from the one over its crest, along the profile [m].
+using Shifts = std::array<double, 5>;
 
 /// Even polynomial through the crest and two more places.
 Quartic evenQuartic(double n0, double x1, double n1, double x2, double n2)
@@ -104,8 +92,8 @@ class ColumnBuilder
   {
   }
 
-  /// `column` holds the starting parameters and takes the result.
-  bool build(double t, GapColumn& column, Quartic& height) const
+  /// `column` and `shifts` hold the starting parameters and take the result.
+  bool build(double t, GapColumn& column, Shifts& shifts, Quartic& height) const
   {
     LocalPoint rail;
     const auto rail_curve = [this](double u, PlanePoint& point)
@@ -115,14 +103,15 @@ class ColumnBuilder
     };
     LocalPoint crest;
     if (!pointOver(axes_, t, rail_curve, column.rail_u, rail) || !wheelOver(t, 0, column.wheel_u, crest) ||
-        !(symmetric_ ? symmetricHeight(t, column.wheel_u, crest.n, height)
-                     : fullHeight(t, column.wheel_u, crest.n, height)))
+        !(symmetric_ ? symmetricHeight(t, column.wheel_u, crest.n, shifts, height)
+                     : fullHeight(t, column.wheel_u, crest.n, shifts, height)))
     {
       return false;
     }
     height[0] -= rail.n;
     column.slope = 0.5 * (rail.slope + crest.slope);
     column.parting = crest.slope - rail.slope;
+    column.rail_height = rail.n;
     return true;
   }
 
@@ -134,12 +123,20 @@ class ColumnBuilder
     return pointOver(axes_, t, curve, u, out);
   }
 
-  bool symmetricHeight(double t, double u, double crest, Quartic& height) const
+  /// Over place x of the column whose crest has parameter `u`; `shift` is a guess and takes the result.
+  bool wheelBeside(double t, double x, double u, double& shift, LocalPoint& out) const
+  {
+    double u_beside = u + shift;
+    const bool found = wheelOver(t, x, u_beside, out);
+    shift = u_beside - u;
+    return found;
+  }
+
+  bool symmetricHeight(double t, double u, double crest, Shifts& shifts, Quartic& height) const
   {
     LocalPoint inner;
     LocalPoint outer;
-    double u_near = u;
-    if (!wheelOver(t, 0.6 * reach_, u_near, inner) || !wheelOver(t, reach_, u_near, outer))
+    if (!wheelBeside(t, 0.6 * reach_, u, shifts[0], inner) || !wheelBeside(t, reach_, u, shifts[1], outer))
     {
       return false;
     }
@@ -147,15 +144,14 @@ class ColumnBuilder
     return true;
   }
 
-  bool fullHeight(double t, double u, double crest, Quartic& height) const
+  bool fullHeight(double t, double u, double crest, Shifts& shifts, Quartic& height) const
   {
     std::array<double, 5> n{};
     for (std::size_t i = 0; i < n.size(); ++i)
     {
       const double x = (0.5 * static_cast<double>(i) - 1) * reach_;
-      double u_near = u;
       LocalPoint point{crest, 0};
-      if (i != 2 && !wheelOver(t, x, u_near, point))
+      if (i != 2 && !wheelBeside(t, x, u, shifts[i], point))
       {
         return false;
       }
@@ -168,7 +164,7 @@ class ColumnBuilder
   const PlacedWheel& wheel_;
   const PlacedRail& rail_;
   const ContactPlane& plane_;
-  LocalAxes axes_;
+  PlaneAxes axes_;
   bool symmetric_;
   double reach_;
 };
@@ -187,6 +183,7 @@ bool buildColumns(const ColumnBuilder& builder, const Grid& grid, int first, int
                   Eigen::ArrayXXd& gap, std::vector<GapColumn>& columns)
 {
   GapColumn before = column;
+  Shifts shifts{};
   bool found_any = false;
   for (int j = first; j >= 0 && j < grid.ny; j += step)
   {
@@ -195,7 +192,7 @@ bool buildColumns(const ColumnBuilder& builder, const Grid& grid, int first, int
     next.wheel_u += column.wheel_u - before.wheel_u;
     Quartic height;
     const auto at = static_cast<std::size_t>(j);
-    if (builder.build(grid.y(j), next, height))
+    if (builder.build(grid.y(j), next, shifts, height))
     {
       fillColumn(grid, height, j, gap);
       before = found_any ? column : next;
@@ -208,6 +205,7 @@ bool buildColumns(const ColumnBuilder& builder, const Grid& grid, int first, int
       gap.col(j).setConstant(no_body_gap);
       columns[at] = column;
       before = column;
+      shifts = {};
     }
   }
   return found_any;
@@ -226,9 +224,9 @@ ContactPlane tangentPlane(const PlacedWheel& wheel, const PlacedRail& rail, cons
   return plane;
 }
 
-double placeOnPlane(const ContactPlane& plane, const PlanePoint& point)
+PlaneAxes::PlaneAxes(const ContactPlane& plane)
+    : y_(plane.y), z_(plane.z), cosine_(std::cos(plane.angle)), sine_(std::sin(plane.angle))
 {
-  return LocalAxes(plane).t(point);
 }
 
 bool buildGap(const PlacedWheel& wheel, const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,

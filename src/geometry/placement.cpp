@@ -145,18 +145,22 @@ bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
   return std::abs(locus.sine) < 1;
 }
 
-void PlacedWheel::loci(const WheelPoints& points, std::vector<double>& y, std::vector<double>& z) const
+void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const
 {
   using Group = Eigen::Array<double, WheelPoints::together, 1>;
-  y.resize(points.y.size());
-  z.resize(points.y.size());
-  for (std::size_t i = 0; i < points.y.size(); i += WheelPoints::together)
+  for (std::size_t i = first; i < behind; i += WheelPoints::together)
   {
     const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
     const Locus<Group> locus = locusAt<Group>(group(points.y), group(points.z), group(points.slope));
-    Group::Map(&y[i]) = (locus.sine.abs() < 1).select(locus.y, std::numeric_limits<double>::quiet_NaN());
-    Group::Map(&z[i]) = locus.z;
+    Group::Map(y + i) = (locus.sine.abs() < 1).select(locus.y, std::numeric_limits<double>::quiet_NaN());
+    Group::Map(z + i) = locus.z;
   }
+}
+
+double PlacedWheel::sway() const
+{
+  constexpr double highest_flange = 2;  // no circle of a wheel has more of its rolling radius
+  return highest_flange * radius_ * (std::abs(dy_) + std::abs(fy_));
 }
 
 bool PlacedWheel::section(const CurvePoint& p, double x, PlanePoint& out) const

@@ -44,7 +44,7 @@ class DirectGap
 
   double railHeight(double t) const
   {
-    const double u = root([&](double at) { return placeOnPlane(plane_, rail_.at(at)) - t; }, plane_.rail_u + t - 3e-3,
+    const double u = root([&](double at) { return PlaneAxes(plane_).t(rail_.at(at)) - t; }, plane_.rail_u + t - 3e-3,
                           plane_.rail_u + t + 3e-3);
     const PlanePoint point = rail_.at(u);
     return std::cos(plane_.angle) * (point.z - plane_.z) - std::sin(plane_.angle) * (point.y - plane_.y);
@@ -199,7 +199,7 @@ TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
     for (int j = 0; j < cells.ny; ++j)
     {
       const GapColumn& column = columns_[static_cast<std::size_t>(j)];
-      EXPECT_NEAR(placeOnPlane(plane_, rail_.at(column.rail_u)), cells.y(j), 1e-9);
+      EXPECT_NEAR(PlaneAxes(plane_).t(rail_.at(column.rail_u)), cells.y(j), 1e-9);
       // Differences over 20 um: a radius of 13 mm that begins within them is off by 10 um / 13 mm / 4 = 2e-4, the step
       // of 0.118 um between two sections of S1002 by half of 0.118 um / 20 um = 3e-3.
       const double rail = (direct.railHeight(cells.y(j) + step) - direct.railHeight(cells.y(j) - step)) / (2 * step);

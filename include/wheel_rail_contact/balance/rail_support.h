@@ -25,6 +25,6 @@ Eigen::Vector2d wayOf(const PlacedRail& rail, double y, double z, const Eigen::V
 /// How far a unit of each coordinate opens the gap over a plane, at each of its columns. The rail's surface at a place
 /// of the plane changes by the normal part of its way, less its slope times the tangential part. For the vertical
 /// coordinate the slope is left out, so that the vertical force is the load as NormalProblem counts it.
-void fillOpening(const PlacedRail& rail, const ContactPlane& plane, const std::vector<GapColumn>& columns,
-                 Eigen::ArrayX3d& opening);
+void fillOpening(const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,
+                 const std::vector<GapColumn>& columns, Eigen::ArrayX3d& opening);
 }  // namespace wheel_rail_contact

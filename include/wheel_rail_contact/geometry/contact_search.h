@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "wheel_rail_contact/geometry/outline.h"
@@ -59,7 +60,7 @@ class ContactSearch
   void setWheel(const PlacedWheel& wheel);
 
   /// The nearest place of all. @return false if wheel and rail share no station: the wheel is beside the rail.
-  bool nearest(InitialContact& contact) const;
+  bool nearest(InitialContact& contact);
 
   /// The stretch around a contact (as nearest() gave it) in which the separation is below `separation` [m].
   OverlapZone zoneAround(const InitialContact& contact, double separation) const;
@@ -82,15 +83,15 @@ class ContactSearch
   /// Greatest error of the separation at stations from straight segments on radii of 10 mm: 2 * spacing² / (8 * 10 mm).
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
-  bool isMinimum(std::size_t k) const;
+  void findMinima();
   double depthBelowStation(std::size_t k) const;
   double railAngle(std::size_t k) const;
   void addZones(std::size_t first, std::size_t last, double separation, std::vector<OverlapZone>& zones) const;
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
+  std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
   InitialContact refined(std::size_t k) const;
-  bool exact(double y, std::size_t k, InitialContact& contact, double& slope_difference) const;
-  bool railAt(double y, double& u) const;
-  bool wheelAt(double y, double& u, SpacePoint& locus) const;
+  bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
+  bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
   OverlapZone stretch(std::size_t first, std::size_t last, double separation) const;
   static bool narrow(double separation, OverlapZone& zone);
   void mergeNeighbours(std::vector<OverlapZone>& zones) const;
@@ -98,12 +99,16 @@ class ContactSearch
   static std::vector<double> sample(const Profile& profile);
 
   WheelPoints wheel_points_;
+  std::vector<double> group_begin_, group_end_;  ///< least and largest y of WheelPoints::together points and the next
   std::vector<CurvePoint> rail_points_;
   OutlinePoints wheel_line_, rail_line_;  ///< those points where they have been placed
   Stations stations_;
   Outline wheel_outline_{Outline::Envelope::lower};
   Outline rail_outline_{Outline::Envelope::upper};
   std::vector<double> separation_;
+  std::vector<std::size_t> minima_;  ///< stations where the separation is lowest, in their order
+  std::size_t nearest_station_ = 0;  ///< whose contact is known; no station if there are not so many
+  InitialContact nearest_;           ///< its contact
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
 };

@@ -22,16 +22,38 @@ struct ContactPlane
 /// The plane through the rail's point of an initial contact, tangent to both bodies.
 ContactPlane tangentPlane(const PlacedWheel& wheel, const PlacedRail& rail, const InitialContact& contact);
 
-/// Place of a point along the plane, in the y-z plane [m].
-double placeOnPlane(const ContactPlane& plane, const PlanePoint& point);
+/// Tangent and normal of a plane in the y-z plane, ready for many points.
+class PlaneAxes
+{
+ public:
+  /// Keeps no reference to the plane.
+  explicit PlaneAxes(const ContactPlane& plane);
+  /// Place of a point along the plane [m].
+  double t(const PlanePoint& p) const { return cosine_ * (p.y - y_) + sine_ * (p.z - z_); }
+  /// Height of a point over the plane [m].
+  double n(const PlanePoint& p) const { return cosine_ * (p.z - z_) - sine_ * (p.y - y_); }
+  /// Derivatives of t and n with respect to the profile's parameter [-].
+  double dt(const PlanePoint& p) const { return cosine_ * p.dy + sine_ * p.dz; }
+  /// Likewise.
+  double dn(const PlanePoint& p) const { return cosine_ * p.dz - sine_ * p.dy; }
+
+ private:
+  double y_, z_, cosine_, sine_;
+};
 
 /// What a column of a gap (constant y in the patch frame) knows of the bodies at x = 0.
 struct GapColumn
 {
-  double slope = 0;    ///< mean slope of wheel and rail against the plane [-]: that of their common normal
-  double wheel_u = 0;  ///< parameter of the wheel's profile [m]
-  double rail_u = 0;   ///< parameter of the rail's profile [m]
-  double parting = 0;  ///< slope of the wheel less that of the rail [-]: that of the gap across
+  double slope = 0;        ///< mean slope of wheel and rail against the plane [-]: that of their common normal
+  double wheel_u = 0;      ///< parameter of the wheel's profile [m]
+  double rail_u = 0;       ///< parameter of the rail's profile [m]
+  double parting = 0;      ///< slope of the wheel less that of the rail [-]: that of the gap across
+  double rail_height = 0;  ///< of the rail over the plane [m]
+
+  /// Slope of the rail against the plane [-].
+  double railSlope() const { return slope - 0.5 * parting; }
+  /// Likewise of the wheel.
+  double wheelSlope() const { return slope + 0.5 * parting; }
 };
 
 constexpr double no_body_gap = 0.1;  ///< gap where one of the bodies has nothing to touch [m]

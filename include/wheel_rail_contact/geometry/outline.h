@@ -43,8 +43,9 @@ class Outline
 
   /// Forgets all lines. Allocates only for more stations than before.
   void start(const Stations& stations);
-  /// Writes the straight segments between points. Allocates only for more points than before.
-  void add(const OutlinePoints& points);
+  /// Writes the straight segments between points `first_point` to `behind` (not included). Allocates only for more
+  /// points than before.
+  void add(const OutlinePoints& points, std::size_t first_point, std::size_t behind);
 
   /// Height at a station [m]; infinite (up for a lower envelope, down for an upper one) where there is no body.
   double z(std::size_t k) const { return sign_ * height_[k]; }
@@ -52,7 +53,7 @@ class Outline
   double u(std::size_t k) const { return u_[k]; }
 
  private:
-  void addSegment(const OutlinePoints& points, std::size_t i);
+  void measureSegments(const OutlinePoints& points, std::size_t first_point, std::size_t behind);
 
   double sign_;
   Stations stations_;

@@ -93,8 +93,13 @@ class PlacedWheel
   /// Closed form: with axle direction a and radial direction e, the normal e - (dr/ds) a has no x component.
   /// @return false where no such point exists (profile too steep for the yaw).
   bool locus(const CurvePoint& p, SpacePoint& out) const;
-  /// y and z of the loci of many points, several at once; NaN where there is none.
-  void loci(const WheelPoints& points, std::vector<double>& y, std::vector<double>& z) const;
+  /// y and z of the loci of points `first` to `behind`, both multiples of WheelPoints::together; NaN where there is
+  /// none. `y` and `z` are as long as the points are many.
+  void loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const;
+  /// Where a profile's y lies on the axle, seen along the track [m]: a locus lies within sway() of it.
+  double across(double y) const { return pose_.y + ay_ * (half_base_ + y); }
+  /// Largest distance of a locus from across() [m].
+  double sway() const;
 
   /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
   /// profile at constant x. @return false if x is beyond the circle.
