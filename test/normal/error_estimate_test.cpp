@@ -230,6 +230,23 @@ TEST(ErrorEstimate, countsTheSpikeAtAStep)
   }
 }
 
+// Under a light load at y = 0.6 mm, where the rail's curvature jumps, a tail hangs on the pressure: 3 mm across the
+// track, and down to a tenth of a millimetre along. On cells it is two cells long everywhere.
+TEST(ErrorEstimate, countsATailNarrowerThanTheCells)
+{
+  for (const GridSize& size : {GridSize{10, 24}, GridSize{16, 48}, GridSize{24, 96}})
+  {
+    double largest = 0;
+    for (const ErrorSample& sample : patchesOf(railUic60Manchester, 0.000634, 6100, size))
+    {
+      std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << "\n";
+      EXPECT_LE(sample.error.area, sample.estimate.area);
+      largest = std::max(largest, sample.error.area);
+    }
+    EXPECT_GT(largest, 0.005);
+  }
+}
+
 TEST(ErrorEstimate, isZeroForAPatchWithoutPressure)
 {
   NormalProblem problem = paraboloid({16, 32}, 1.1, 2.0);

@@ -44,6 +44,9 @@ struct ErrorTerms
   /// ends, and again where it fills it across: without the latter 5 % of the answers of `auto` at a tolerance of 10 %
   /// were off by more than their estimate, with it 1 %.
   std::array<double, 5> area{};
+  /// Of area, without a weight, the least that it may be off: by a tail of the pressure that is narrower than the cells
+  /// tell, one and a half cells for each of its columns but the few of an oval.
+  double tail = 0;
   /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
   std::array<double, 3> approach{};
 };
