@@ -249,7 +249,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     fillUnseenSlope(gap, [&patch](Eigen::Index j) { return patch.columns[static_cast<std::size_t>(j)].parting; });
     gap.gap += gap.weight * boxed_descent_;
     clearBeyond(patch, gap.gap);
-    patch.least_gap = gap.gap.minCoeff();
+    patch.least_gap = leastGap(gap.grid, gap.gap);
     fillOpening(*rail_, patch.plane, gap.grid, patch.columns, gap.opening);
   }
   return !zones_.empty();

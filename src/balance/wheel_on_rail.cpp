@@ -82,7 +82,7 @@ void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
       gap.gap.col(j) += gap.opening.row(j).matrix().dot(way) - gap.weight * yielded_;
     }
     const double before = patch.least_gap;
-    patch.least_gap = gap.gap.minCoeff();
+    patch.least_gap = leastGap(gap.grid, gap.gap);
     patch.touch_gap += (patch.least_gap - before) / gap.weight;
   }
   solution_.approach -= yielded_;

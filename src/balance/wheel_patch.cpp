@@ -5,6 +5,27 @@
 
 namespace wheel_rail_contact
 {
+namespace
+{
+/// How far the parabola through three gaps falls below the middle one, which is the least; zero beside no body.
+double fall(double before, double least, double after)
+{
+  const double bend = before - 2 * least + after;
+  const bool bodies = std::max(before, after) < 0.5 * no_body_gap;
+  return bodies && bend > 0 ? (after - before) * (after - before) / (8 * bend) : 0;
+}
+}  // namespace
+
+double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
+{
+  Eigen::Index i = 0, j = 0;
+  const double least = gap.minCoeff(&i, &j);
+  const bool crest = grid.symmetric && i == 0;  // its neighbour is its mirror image
+  const bool inside = (crest || i > 0) && i + 1 < gap.rows();
+  return least - (inside ? fall(crest ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0) -
+         (j > 0 && j + 1 < gap.cols() ? fall(gap(i, j - 1), least, gap(i, j + 1)) : 0);
+}
+
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
 {
   const double place = (t - grid.y0) / grid.dy;

@@ -21,7 +21,7 @@ struct WheelPatch
 {
   OverlapZone zone;                ///< stretch it was laid over
   double touch_gap = 0;            ///< vertical gap at the first touch of the whole wheel [m]
-  double least_gap = 0;            ///< least of its cells' gaps along the normal, the axle at the first touch [m]
+  double least_gap = 0;            ///< leastGap() along the normal, the axle at the first touch [m]
   double half_overlap = 0;         ///< half-length of the overlap along the track [m]
   double expected_width = 0;       ///< of the pressure, for which the grid was laid [m]
   double expected_length = 0;      ///< likewise, along the track [m]
@@ -36,6 +36,9 @@ struct WheelPatch
 
 /// Parameter of the rail's profile at place `t` of the patch frame [m], from the columns, carried on beyond them.
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t);
+
+/// The least of a gap [m], between its cells by the parabolas along and across through the least one and its neighbours.
+double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap);
 
 /// Finds the pressure's centre, mean normal and extent.
 void measurePatch(const Grid& grid, const Eigen::ArrayXXd& pressure, WheelPatch& patch);
