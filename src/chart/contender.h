@@ -59,8 +59,8 @@ class Scene
   /// wheelset: the whole chain; normal: the normal problem alone.
   virtual const char* kind() const = 0;
 
-  /// The answer by conjugate gradients on a fine grid.
-  virtual Outcome truth(const GridSize& grid) = 0;
+  /// The answer at the place `offset` steps across, by conjugate gradients on a fine grid.
+  virtual Outcome truth(const GridSize& grid, int offset) = 0;
   /// The contender starts cold. Of equal choices only the last one may be used.
   virtual std::unique_ptr<Contender> contender(const Choice& choice) = 0;
 

@@ -201,9 +201,9 @@ NormalProblem GapScene::problem(const GridSize& size, int offset) const
   return problem;
 }
 
-Outcome GapScene::truth(const GridSize& grid)
+Outcome GapScene::truth(const GridSize& grid, int offset)
 {
-  const NormalProblem fine = problem(grid, 0);
+  const NormalProblem fine = problem(grid, offset);
   return gapOutcome(*this, fine, solveStrictly(fine));
 }
 

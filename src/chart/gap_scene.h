@@ -38,7 +38,7 @@ class GapScene : public Scene
            double load);
 
   const char* kind() const override { return "normal"; }
-  Outcome truth(const GridSize& grid) override;
+  Outcome truth(const GridSize& grid, int offset) override;
   std::unique_ptr<Contender> contender(const Choice& choice) override;
 
   const std::vector<GapPatch>& patches() const { return patches_; }

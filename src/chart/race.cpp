@@ -2,6 +2,7 @@
 #include "race.h"
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <numeric>
 #include <stdexcept>
@@ -26,33 +27,50 @@ double now()
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+/// True outcomes one step before the scene, at it, and one step behind it.
+class Truths
+{
+ public:
+  Truths(Scene& scene, const GridSize& grid) : of_{scene.truth(grid, -1), scene.truth(grid, 0), scene.truth(grid, 1)} {}
+
+  const Outcome& at(int offset) const { return of_[static_cast<std::size_t>(offset + 1)]; }
+
+ private:
+  std::array<Outcome, 3> of_;
+};
+
 class Runner
 {
  public:
-  Runner(Entry& entry, std::unique_ptr<Contender> contender, const Outcome& truth)
-      : entry_(entry), contender_(std::move(contender)), truth_(truth)
+  Runner(Entry& entry, std::unique_ptr<Contender> contender, const Truths& truths)
+      : entry_(entry), contender_(std::move(contender)), truths_(truths)
   {
   }
 
-  /// The first answer, cold, and some more. Returns the time of the first.
+  /// The first answer, cold, and some more. Returns the longest time of any: a method that refuses the scene at once
+  /// may labour on one beside it.
   double settle()
   {
     const double start = now();
-    contender_->answer(0);
-    const double first = now() - start;
-    slow_ = first > fast;
+    double longest = timeOf(1, [this](int) { contender_->answer(0); });
     const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
     for (int i = 0; i < messages && now() - start < settling_time; ++i)
     {
-      contender_->answer(offset(i));
+      longest = std::max(longest, timeOf(1, [&](int) { contender_->answer(offset(i)); }));
     }
-    return first;
+    slow_ = longest > fast;
+    return longest;
   }
 
   /// Messages +1, 0, -1, 0 steps from the scene, again and again.
   void visitWarm()
   {
-    visit(entry_.warm, slow_ ? 2 : 4, [this](int i) { contender_->answer(offset(i)); });
+    visit(entry_.warm, slow_ ? 2 : 4,
+          [this](int i)
+          {
+            contender_->answer(offset(i));
+            return offset(i);
+          });
   }
 
   void visitCold()
@@ -62,6 +80,7 @@ class Runner
           {
             contender_->forget();
             contender_->answer(0);
+            return 0;
           });
   }
 
@@ -72,7 +91,8 @@ class Runner
     return offsets[message % 4];
   }
 
-  /// Times groups of messages, which end at the scene. A group before them only fills the caches.
+  /// Times groups of messages (`message(i)` returns its offset), which end at the scene. A group before them only fills
+  /// the caches; the answers of one after them are inspected, of slow contenders those that are timed.
   template <typename Message>
   void visit(Series& series, int group, Message message)
   {
@@ -81,16 +101,19 @@ class Runner
     {
       return;
     }
-    if (!slow_)
+    const auto inspected = [&](int i) { inspect(series, message(i)); };
+    if (slow_)
     {
-      timeOf(group, message);
+      series.times.push_back(timeOf(group, inspected));
+      return;
     }
+    timeOf(group, message);
     const double begin = now();
     do
     {
       series.times.push_back(timeOf(group, message));
-      inspect(series);
-    } while (!slow_ && now() - begin < visit_time);
+    } while (now() - begin < visit_time);
+    timeOf(group, inspected);
   }
 
   template <typename Message>
@@ -104,8 +127,10 @@ class Runner
     return (now() - start) / group;
   }
 
-  void inspect(Series& series)
+  /// Of the last answer.
+  void inspect(Series& series, int offset)
   {
+    const Outcome& truth = truths_.at(offset);
     series.outcome = contender_->outcome();
     Errors errors;
     if (!series.outcome.usable)
@@ -113,26 +138,43 @@ class Runner
       series.status = Series::Status::refused;
       series.reason = series.outcome.reason;
     }
-    else if (!compare(series.outcome, truth_, errors))
+    else if (!compare(series.outcome, truth, errors))
     {
       series.status = Series::Status::other_patches;
       series.reason = std::to_string(series.outcome.patches.size()) + " patches, the truth has " +
-                      std::to_string(truth_.patches.size());
+                      std::to_string(truth.patches.size());
     }
     else
     {
+      series.estimate = errors.largest() >= series.errors.largest() ? series.outcome.estimate : series.estimate;
       series.errors = larger(series.errors, errors);
     }
   }
 
   Entry& entry_;
   std::unique_ptr<Contender> contender_;
-  const Outcome& truth_;
+  const Truths& truths_;
   bool slow_ = false;
 };
 
-/// Time from cold that a sweep method will take on a grid, from what it took on the one before: every cell acts on
-/// every other.
+/// The truths' own error: their largest difference from those on a coarser grid [-].
+double errorOf(const Truths& truths, const Truths& coarser, const std::string& scene)
+{
+  Errors largest;
+  for (int offset = -1; offset <= 1; ++offset)
+  {
+    const Outcome& truth = truths.at(offset);
+    Errors own;
+    if (!truth.usable || !compare(coarser.at(offset), truth, own))
+    {
+      throw std::runtime_error("no truth for " + scene + ": " + truth.reason);
+    }
+    largest = larger(largest, own);
+  }
+  return largest.largest();
+}
+
+/// Time that a sweep method will take on a grid, from what it took on the one before: every cell acts on every other.
 double expectedTime(const GridSize& before, double time, const GridSize& grid)
 {
   const double ratio = static_cast<double>(grid.along * grid.across) / (before.along * before.across);
@@ -149,7 +191,7 @@ Entry notRun(const Choice& choice, double expected)
 }
 
 /// Sets up all contenders that will not take too long.
-std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, const Outcome& truth, Result& result)
+std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, const Truths& truths, Result& result)
 {
   std::vector<std::unique_ptr<Runner>> runners;
   const Entry* before = nullptr;
@@ -166,7 +208,7 @@ std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, cons
         continue;
       }
     }
-    runners.push_back(std::make_unique<Runner>(entry, scene.contender(choice), truth));
+    runners.push_back(std::make_unique<Runner>(entry, scene.contender(choice), truths));
     before_time = runners.back()->settle();
     before = &entry;
   }
@@ -197,19 +239,14 @@ int stepsOf(const Plan& plan)
 Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress)
 {
   Result result;
-  const Outcome truth = scene.truth(plan.truth);
-  Errors own;
-  if (!truth.usable || !compare(scene.truth(plan.coarser), truth, own))
-  {
-    throw std::runtime_error("no truth for " + scene.name() + ": " + truth.reason);
-  }
-  result.truth_error = own.largest();
+  const Truths truths(scene, plan.truth);
+  result.truth_error = errorOf(truths, Truths(scene, plan.coarser), scene.name());
   progress();
   for (const Choice& choice : choices)
   {
     result.entries.push_back({choice, {}, {}});
   }
-  const auto runners = setOut(scene, plan, truth, result);
+  const auto runners = setOut(scene, plan, truths, result);
   progress();
   for (const auto visit : {&Runner::visitWarm, &Runner::visitCold})
   {

@@ -32,7 +32,8 @@ struct Series
   Status status = Status::answered;
   std::string reason;         ///< empty if answered
   std::vector<double> times;  ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
-  Errors errors;              ///< largest seen
+  Errors errors;              ///< largest seen, at any of the places that were timed
+  double estimate = 0;        ///< the answer's own, where its error was largest [-]
   Outcome outcome;            ///< last seen
 };
 
@@ -51,7 +52,8 @@ struct Result
 };
 
 /// Runs all contenders on a scene, in turns, so that a disturbance hits all alike. From cold: each answer after
-/// forgetting the one before. Warm: messages to and fro about the scene, one step apart; errors are those at the scene.
+/// forgetting the one before. Warm: messages to and fro about the scene, one step apart; errors are those of all of
+/// them, each against the truth at its own place, for at a single place a coarse grid may be right by luck.
 /// @param progress  called `stepsOf(plan)` times
 /// @throw std::runtime_error if the scene has no truth
 Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress);

@@ -12,6 +12,12 @@ namespace
 constexpr double axle_load = 200e3;    ///< [N]
 constexpr double true_balance = 1e-4;  ///< tolerance of the truth, to which planes and roll are settled [-]
 
+WheelsetState beside(WheelsetState state, int offset)
+{
+  state.y += offset * step;
+  return state;
+}
+
 class WheelsetContender : public Contender
 {
  public:
@@ -20,12 +26,7 @@ class WheelsetContender : public Contender
     wheelset_.reset();
   }
 
-  void answer(int offset) override
-  {
-    WheelsetState state = state_;
-    state.y += offset * step;
-    result_ = &wheelset_.evaluate(state);
-  }
+  void answer(int offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
   void forget() override { wheelset_.reset(); }
   Outcome outcome() const override { return outcomeOf(*result_); }
 
@@ -83,12 +84,12 @@ WheelsetScene::WheelsetScene(std::string name, std::string title, std::shared_pt
 {
 }
 
-Outcome WheelsetScene::truth(const GridSize& grid)
+Outcome WheelsetScene::truth(const GridSize& grid, int offset)
 {
   ContactModelConfig config = pool_->config();
   config.contact.tolerance = true_balance;
   WheelsetBalance balance(config, ladders_->find({NormalMethod::conjugate_gradient, grid, 0}));
-  return outcomeOf(balance, balance.solve(state_));
+  return outcomeOf(balance, balance.solve(beside(state_, offset)));
 }
 
 std::unique_ptr<Contender> WheelsetScene::contender(const Choice& choice)

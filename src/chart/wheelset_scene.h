@@ -33,7 +33,7 @@ class WheelsetScene : public Scene
                 std::shared_ptr<Ladders> ladders, const WheelsetState& state);
 
   const char* kind() const override { return "wheelset"; }
-  Outcome truth(const GridSize& grid) override;
+  Outcome truth(const GridSize& grid, int offset) override;
   std::unique_ptr<Contender> contender(const Choice& choice) override;
 
  private:

@@ -7,9 +7,9 @@
 // Warm times are those of messages to and fro about the scene, 0.05 mm apart, cold ones of answers after nothing; all
 // are CPU times of the thread (src/chart/race.h). Truth are conjugate gradients on 128 × 320 cells. Prints for each
 // tolerance in how many scenes it was met, in how many of the others the answer said that it may not be, in how many
-// the largest true error seen was within the last estimate, and the time over that of the cheapest fixed method that is
-// settled to the tolerance and whose true error meets it: median, and what 25, 75 and 90 % of the scenes stay below.
-// Seidel is left out, which is never the cheapest. Takes some minutes; not part of the test run, in which
+// the largest true error seen was within that answer's estimate, and the time over that of the cheapest fixed method
+// that is settled to the tolerance and whose true error meets it: median, and what 25, 75 and 90 % of the scenes stay
+// below. Seidel is left out, which is never the cheapest. Takes some minutes; not part of the test run, in which
 // balance/method_choice_test.cpp asks for the tolerance.
 #include <algorithm>
 #include <cstdio>
@@ -66,8 +66,8 @@ struct Tally
     const double time = chart::quantile(series.times, 0.5);
     ++answers;
     met += within ? 1 : 0;
-    flagged += !within && series.outcome.estimate > tolerance ? 1 : 0;
-    held += series.errors.largest() <= series.outcome.estimate ? 1 : 0;
+    flagged += !within && series.estimate > tolerance ? 1 : 0;
+    held += series.errors.largest() <= series.estimate ? 1 : 0;
     times.push_back(time);
     if (cheapest_time < std::numeric_limits<double>::infinity())
     {
