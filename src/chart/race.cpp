@@ -65,7 +65,7 @@ class Runner
   /// Messages +1, 0, -1, 0 steps from the scene, again and again.
   void visitWarm()
   {
-    visit(entry_.warm, slow_ ? 2 : 4,
+    visit(entry_.warm, 4,
           [this](int i)
           {
             contender_->answer(offset(i));
