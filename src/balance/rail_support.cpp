@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/balance/rail_support.h"
 
-#include <cmath>
-
 namespace wheel_rail_contact
 {
 Eigen::Vector3d toCoordinates(const RailDeflection& deflection)
@@ -33,20 +31,17 @@ Eigen::Vector2d wayOf(const PlacedRail& rail, double y, double z, const Eigen::V
 void fillOpening(const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,
                  const std::vector<GapColumn>& columns, Eigen::ArrayX3d& opening)
 {
-  const double sine = std::sin(plane.angle);
-  const double cosine = std::cos(plane.angle);
+  const PlaneAxes axes(plane);
   const PlanePoint reference = rail.referencePoint();
   opening.resize(grid.ny, 3);
   for (int j = 0; j < grid.ny; ++j)
   {
     const GapColumn& column = columns[static_cast<std::size_t>(j)];
     const double t = grid.y(j), n = column.rail_height;
-    const double y = plane.y + cosine * t - sine * n;
-    const double z = plane.z + sine * t + cosine * n;
-    const double outward = sine + column.railSlope() * cosine;
+    const double outward = axes.sine() + column.railSlope() * axes.cosine();
     opening(j, 0) = outward;
-    opening(j, 1) = -cosine;
-    opening(j, 2) = outward * (z - reference.z) + cosine * (y - reference.y);
+    opening(j, 1) = -axes.cosine();
+    opening(j, 2) = outward * (axes.z(t, n) - reference.z) + axes.cosine() * (axes.y(t, n) - reference.y);
   }
 }
 }  // namespace wheel_rail_contact

@@ -7,12 +7,31 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// How far the parabola through three gaps falls below the middle one, which is the least; zero beside no body.
+/// How far the parabola through three gaps falls below the middle one, which is the least; zero beside no body, whose
+/// gap stands out whatever has been added to all of them.
 double fall(double before, double least, double after)
 {
   const double bend = before - 2 * least + after;
   const bool bodies = std::max(before, after) < 0.5 * no_body_gap;
   return bodies && bend > 0 ? (after - before) * (after - before) / (8 * bend) : 0;
+}
+
+/// The same across, but where the gap bends less beside the least one, as beside a kink, at most twice as far as a
+/// parabola of that bend may fall.
+double fallAcross(const Eigen::ArrayXXd& gap, Eigen::Index i, Eigen::Index j)
+{
+  const auto inside = [&](Eigen::Index column) { return column > 0 && column + 1 < gap.cols(); };
+  if (!inside(j))
+  {
+    return 0;
+  }
+  double most = fall(gap(i, j - 1), gap(i, j), gap(i, j + 1));
+  for (const Eigen::Index beside : {j - 1, j + 1})
+  {
+    const double bend = inside(beside) ? gap(i, beside - 1) - 2 * gap(i, beside) + gap(i, beside + 1) : 4 * most;
+    most = std::min(most, std::max(bend, 0.0) / 4);
+  }
+  return most;
 }
 }  // namespace
 
@@ -22,8 +41,8 @@ double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
   const double least = gap.minCoeff(&i, &j);
   const bool crest = grid.symmetric && i == 0;  // its neighbour is its mirror image
   const bool inside = (crest || i > 0) && i + 1 < gap.rows();
-  return least - (inside ? fall(crest ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0) -
-         (j > 0 && j + 1 < gap.cols() ? fall(gap(i, j - 1), least, gap(i, j + 1)) : 0);
+  const double along = inside ? fall(crest ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0;
+  return least - along - fallAcross(gap, i, j);
 }
 
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)

@@ -47,7 +47,7 @@ class Runner
   {
   }
 
-  /// The first answer, cold, and some more. Returns the longest time of any: a method that refuses the scene at once
+  /// The first answer, cold, and some more. Returns the longest time of those: a method that refuses the scene at once
   /// may labour on one beside it.
   double settle()
   {
@@ -92,7 +92,8 @@ class Runner
   }
 
   /// Times groups of messages (`message(i)` returns its offset), which end at the scene. A group before them only fills
-  /// the caches; the answers of one after them are inspected, of slow contenders those that are timed.
+  /// the caches; the answers of one after them are inspected, of slow contenders those that are timed, to which that is
+  /// nothing.
   template <typename Message>
   void visit(Series& series, int group, Message message)
   {
@@ -127,9 +128,13 @@ class Runner
     return (now() - start) / group;
   }
 
-  /// Of the last answer.
+  /// Looks at the last answer. The first place without one that can be compared decides.
   void inspect(Series& series, int offset)
   {
+    if (series.status != Series::Status::answered)
+    {
+      return;
+    }
     const Outcome& truth = truths_.at(offset);
     series.outcome = contender_->outcome();
     Errors errors;

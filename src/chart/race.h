@@ -25,8 +25,8 @@ struct Series
   enum class Status
   {
     answered,
-    refused,        ///< the method or the chain gave a reason instead of an answer
-    other_patches,  ///< the answer has not the patches of the truth: no error can be given
+    refused,        ///< the method or the chain gave a reason instead of an answer, at one of the places at least
+    other_patches,  ///< an answer has not the patches of the truth: no error can be given
     not_run         ///< expected to take too long
   };
   Status status = Status::answered;

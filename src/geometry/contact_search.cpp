@@ -14,7 +14,7 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int newton_iterations = 30;
 constexpr double newton_tolerance = 1e-11;  ///< [m]
-constexpr double root_tolerance = 1e-8;     ///< of a contact's place across the track [m]
+constexpr double root_tolerance = 1e-8;     ///< of a contact's place along the rail's profile [m]
 constexpr std::size_t fine_stations = 8;    ///< stretches of fewer stations are measured by their curvature
 
 }  // namespace
@@ -80,13 +80,15 @@ void ContactSearch::setRail(const PlacedRail& rail)
     rail_line_.z.push_back(place.z);
   }
   const auto [low, high] = std::minmax_element(rail_line_.y.begin(), rail_line_.y.end());
+  minima_.clear();
+  nearest_station_ = no_station;
   stations_ = {*low, spacing, static_cast<std::size_t>((*high - *low) / spacing) + 2};
   rail_outline_.start(stations_);
   rail_outline_.add(rail_line_, 0, rail_line_.y.size());
   separation_.resize(stations_.count);
 }
 
-/// The first of the wheel's points that may lie over the rail, and the one behind the last.
+/// The first of the wheel's points that may lie over the rail, and the one behind the last, in whole groups.
 std::pair<std::size_t, std::size_t> ContactSearch::pointsOverRail(const PlacedWheel& wheel) const
 {
   const double least = stations_.first - wheel.sway();
@@ -103,7 +105,8 @@ std::pair<std::size_t, std::size_t> ContactSearch::pointsOverRail(const PlacedWh
   {
     --behind;
   }
-  return {first * WheelPoints::together, std::min(behind * WheelPoints::together + 1, wheel_line_.u.size())};
+  const std::size_t with_next = std::min(behind + 1, group_begin_.size());
+  return {first * WheelPoints::together, with_next * WheelPoints::together};
 }
 
 void ContactSearch::setWheel(const PlacedWheel& wheel)
@@ -111,15 +114,14 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
   wheel_ = wheel;
   wheel_outline_.start(stations_);
   const auto [first, behind] = pointsOverRail(wheel);
-  const std::size_t groups = (behind + WheelPoints::together - 1) / WheelPoints::together;
-  wheel.loci(wheel_points_, first, groups * WheelPoints::together, wheel_line_.y.data(), wheel_line_.z.data());
+  wheel.loci(wheel_points_, first, behind, wheel_line_.y.data(), wheel_line_.z.data());
   wheel_outline_.add(wheel_line_, first, behind);
   for (std::size_t k = 0; k < stations_.count; ++k)
   {
     separation_[k] = wheel_outline_.z(k) - rail_outline_.z(k);
   }
   findMinima();
-  nearest_station_ = stations_.count;
+  nearest_station_ = no_station;
 }
 
 void ContactSearch::findMinima()
@@ -183,7 +185,8 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   CurvePoint wheel_point{};
   SpacePoint locus{};
   PlanePoint wheel{};
-  if (!wheelAt(rail.y, contact.wheel_u, wheel_point, locus) || !wheel_->section(wheel_point, locus.x, wheel))
+  if (!(rail.dy > 0) || !wheelAt(rail.y, contact.wheel_u, wheel_point, locus) ||
+      !wheel_->section(wheel_point, locus.x, wheel))
   {
     return false;
   }
@@ -195,6 +198,14 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   const double stretch = 1 + contact.slope * contact.slope;
   contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * stretch * std::sqrt(stretch);
   return std::isfinite(contact.separation) && std::isfinite(slope_difference);
+}
+
+/// True if a contact lies beside its station and no higher than there: where an outline hides a fold of its profile,
+/// the way from one station to the next along the profile may lead elsewhere.
+bool ContactSearch::isNear(const InitialContact& contact, std::size_t k) const
+{
+  return std::abs(contact.y - stations_.y(k)) < 1.5 * spacing &&
+         contact.separation < separation_[k] + 4 * station_error;
 }
 
 /// The contact near a station: where the difference of slopes changes its sign between the stations beside it.
@@ -222,12 +233,14 @@ InitialContact ContactSearch::refined(std::size_t k) const
   const double low = slope_difference_over(before);
   const double high = slope_difference_over(after);
   trial.wheel_u = wheel_outline_.u(k);
-  if (low < 0 && high > 0)
+  const bool bracketed = low < 0 && high > 0;
+  if (bracketed)
   {
     bracketedRoot(slope_difference_at, rail_outline_.u(before), low, rail_outline_.u(after), high, root_tolerance);
   }
-  else
+  if (!bracketed || !found || !isNear(trial, k))
   {
+    trial.wheel_u = wheel_outline_.u(k);
     slope_difference_at(rail_outline_.u(k));
   }
   return found ? trial : InitialContact{stations_.y(k), separation_[k], 0, 0, wheel_outline_.u(k), rail_outline_.u(k)};

@@ -58,6 +58,24 @@ TEST(LeastGap, IsTheLeastCellsBesideNoBody)
   EXPECT_EQ(leastGap(grid, gap), gap.minCoeff());
 }
 
+// Beside a kink, where the parabola through the least cell leads far below the gap, what it bends on the kink's other
+// side is the limit: the gap's own least is lower than the cells by no more.
+TEST(LeastGap, FallsNoFartherBesideAKinkThanItMayOnTheOtherSide)
+{
+  const Grid grid = problems::centredGrid(8, 9, 8e-3, 4e-3, true);
+  for (const double vertex : {-0.2e-3, -0.1e-3, 0.0, 0.1e-3})
+  {
+    Eigen::ArrayXXd gap = paraboloid(grid, 0, vertex);
+    for (int j = 5; j < grid.ny; ++j)
+    {
+      gap.col(j) += 2 * grid.y(j);
+    }
+    EXPECT_LE(leastGap(grid, gap), gap.minCoeff());
+    EXPECT_GE(leastGap(grid, gap), lowest - 2 * (2 * 40 * grid.dy * grid.dy) / 8 - 1e-12);
+    EXPECT_LE(leastGap(grid, gap), lowest + 40 * grid.dy * grid.dy / 4 + 1e-12);
+  }
+}
+
 // The rail's crown and gauge corner: what a patch's approach is does not depend on where the cells lie. By the least of
 // the cells it was off by 0.5 % at y = 4.9 mm. What is left is the coarse grid's own error of the descent, 0.05 %.
 TEST(LeastGap, MakesApproachesThatDoNotDependOnTheCells)

@@ -51,12 +51,12 @@ struct DenseStretch
   double lowest;        ///< [m]
 };
 
-/// By how much a minimum may stand lower than the search's stations 0.5 mm apart tell: curvature / 2 * (0.25 mm)² with
-/// 2^1.5 / 13 mm where the rail is less steep than 45 degrees, and `sharpest` on the flank [m].
+/// By how much a minimum may stand lower than the search's stations 0.25 mm apart tell: curvature / 2 * (0.125 mm)²
+/// with 2^1.5 / 13 mm where the rail is less steep than 45 degrees, and `sharpest` on the flank [m].
 double stationError(const DenseSeparation& dense, std::size_t station)
 {
   const bool flank = dense.railHeight(station + 1) - dense.railHeight(station) > DenseSeparation::spacing;
-  return 0.5 * (flank ? sharpest : std::pow(2, 1.5) / 0.013) * 0.25e-3 * 0.25e-3;
+  return 0.5 * (flank ? sharpest : std::pow(2, 1.5) / 0.013) * 0.125e-3 * 0.125e-3;
 }
 
 std::vector<DenseStretch> stretchesBelow(const DenseSeparation& dense, double level)
@@ -240,7 +240,7 @@ TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoStretches)
   EXPECT_GE(with_two, 10);
 }
 
-// Edges are known to one station (0.5 mm); by so much a stretch may seem to shrink where its measure changes from the
+// Edges are known to one station (0.25 mm); by so much a stretch may seem to shrink where its measure changes from the
 // curvature at the minimum to the stations.
 TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
 {
@@ -259,8 +259,8 @@ TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
       EXPECT_GT(zone.u_end, contact.rail_u);
       if (before.u_end > 0)
       {
-        EXPECT_LE(zone.u_begin, before.u_begin + 5e-4);
-        EXPECT_GE(zone.u_end, before.u_end - 5e-4);
+        EXPECT_LE(zone.u_begin, before.u_begin + 2.5e-4);
+        EXPECT_GE(zone.u_end, before.u_end - 2.5e-4);
       }
       first_width = first_width > 0 ? first_width : zone.u_end - zone.u_begin;
       before = zone;

@@ -205,6 +205,7 @@ TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
       const double rail = (direct.railHeight(cells.y(j) + step) - direct.railHeight(cells.y(j) - step)) / (2 * step);
       const double gap = (direct.at(0, cells.y(j) + step) - direct.at(0, cells.y(j) - step)) / (2 * step);
       EXPECT_NEAR(column.slope, rail + 0.5 * gap, 3.2e-3);
+      EXPECT_NEAR(column.rail_height, direct.railHeight(cells.y(j)), 1e-9);
     }
   }
 }

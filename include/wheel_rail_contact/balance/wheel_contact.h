@@ -115,7 +115,8 @@ class WheelContact
   double effectOf(const Eigen::Vector3d& way, double limit);
   /// Height of the forces' mean place over the rail head's reference point [m].
   double heightOverReference() const;
-  /// Approach of a patch along its normal, from its own first touch on, at least what its cells overlap [m].
+  /// Approach of a patch along its normal, from its own first touch on, at least what its gap overlaps, between
+  /// the cells as well (leastGap()) [m].
   double patchApproach(std::size_t patch) const;
   /// Load-weighted mean angle by which planes are off the pressure-weighted normal [rad].
   double planeError() const;

@@ -37,7 +37,8 @@ struct WheelPatch
 /// Parameter of the rail's profile at place `t` of the patch frame [m], from the columns, carried on beyond them.
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t);
 
-/// The least of a gap [m], between its cells by the parabolas along and across through the least one and its neighbours.
+/// The least of a gap [m], between its cells by the parabolas along and across through the least one and its
+/// neighbours.
 double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap);
 
 /// Finds the pressure's centre, mean normal and extent.

@@ -83,6 +83,8 @@ class ContactSearch
   /// Greatest error of the separation at stations from straight segments on radii of 10 mm: 2 * spacing² / (8 * 10 mm).
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
+  static constexpr std::size_t no_station = std::numeric_limits<std::size_t>::max();
+
   void findMinima();
   double depthBelowStation(std::size_t k) const;
   double railAngle(std::size_t k) const;
@@ -90,6 +92,7 @@ class ContactSearch
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
   InitialContact refined(std::size_t k) const;
+  bool isNear(const InitialContact& contact, std::size_t k) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
   OverlapZone stretch(std::size_t first, std::size_t last, double separation) const;
@@ -106,9 +109,9 @@ class ContactSearch
   Outline wheel_outline_{Outline::Envelope::lower};
   Outline rail_outline_{Outline::Envelope::upper};
   std::vector<double> separation_;
-  std::vector<std::size_t> minima_;  ///< stations where the separation is lowest, in their order
-  std::size_t nearest_station_ = 0;  ///< whose contact is known; no station if there are not so many
-  InitialContact nearest_;           ///< its contact
+  std::vector<std::size_t> minima_;           ///< stations where the separation is lowest, in their order
+  std::size_t nearest_station_ = no_station;  ///< whose contact is known
+  InitialContact nearest_;                    ///< its contact
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
 };

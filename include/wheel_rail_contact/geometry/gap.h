@@ -32,6 +32,14 @@ class PlaneAxes
   double t(const PlanePoint& p) const { return cosine_ * (p.y - y_) + sine_ * (p.z - z_); }
   /// Height of a point over the plane [m].
   double n(const PlanePoint& p) const { return cosine_ * (p.z - z_) - sine_ * (p.y - y_); }
+  /// y and z of the place t along and n over the plane [m].
+  double y(double t, double n) const { return y_ + cosine_ * t - sine_ * n; }
+  /// Likewise.
+  double z(double t, double n) const { return z_ + sine_ * t + cosine_ * n; }
+  /// Of the plane's angle.
+  double cosine() const { return cosine_; }
+  /// Likewise.
+  double sine() const { return sine_; }
   /// Derivatives of t and n with respect to the profile's parameter [-].
   double dt(const PlanePoint& p) const { return cosine_ * p.dy + sine_ * p.dz; }
   /// Likewise.

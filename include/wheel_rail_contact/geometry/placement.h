@@ -98,7 +98,7 @@ class PlacedWheel
   void loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const;
   /// Where a profile's y lies on the axle, seen along the track [m]: a locus lies within sway() of it.
   double across(double y) const { return pose_.y + ay_ * (half_base_ + y); }
-  /// Largest distance of a locus from across() [m].
+  /// Bound of a locus's distance from across() [m].
   double sway() const;
 
   /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
