@@ -169,8 +169,15 @@ ShapeTerms KikPiotrowski::errorTerms(const NormalProblem& problem, const NormalS
 void KikPiotrowski::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
                                    std::vector<ErrorEstimate>& errors) const
 {
-  const auto alone = [&](std::size_t k) {
-    return solution.patches[k].force > 0 ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate();
+  const auto alone = [&](std::size_t k)
+  {
+    if (!(solution.patches[k].force > 0))
+    {
+      return ErrorEstimate();
+    }
+    // The bodies may overlap between the cells alone, which then tell nothing.
+    const bool told = ownApproach(problem, solution, k) > 0;
+    return told ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate{1, 1, 1};
   };
   inCommon(problem, solution, alone, errors);
 }

@@ -10,7 +10,7 @@
 
 namespace wheel_rail_contact
 {
-/// A patch's own approach, from its first touch on [m].
+/// A patch's own approach, from the first touch of its cells on [m].
 double ownApproach(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
 template <std::size_t N>
@@ -42,9 +42,10 @@ void inCommon(const NormalProblem& problem, const NormalSolution& solution, Alon
   for (std::size_t k = 0; count > 1 && k < count; ++k)
   {
     ErrorEstimate& error = errors[k];
-    if (error.largest() > 0)
+    const double own = ownApproach(problem, solution, k);
+    if (error.largest() > 0 && own > 0)
     {
-      const double relative = shift / ownApproach(problem, solution, k);
+      const double relative = shift / own;
       error = {error.max_pressure + 0.5 * relative, error.area + relative, relative};
     }
   }

@@ -235,5 +235,22 @@ TEST(KikPiotrowski, hasNoContactAboveTheFirstTouch)
   EXPECT_EQ(solution.patches[0].force, 0);
   EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
 }
+// A light contact that lies between the cells: none of them overlaps. What the method makes of it is an answer; how far
+// it is off the cells cannot tell.
+TEST(KikPiotrowski, SaysThatItsErrorIsUnknownWhereNoCellOverlaps)
+{
+  const Grid grid = problems::centredGrid(8, 15, 8e-3, 15e-3, true);
+  const NormalProblem problem =
+      problems::underLoad(problems::sampled(grid, [](double x, double y) { return 40 * x * x + 1.1 * y * y; }), 100);
+  KikPiotrowski solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  ASSERT_TRUE(isUsable(solution.status)) << toString(solution.status);
+  ASSERT_LT(solution.approach, problem.patches[0].gap.minCoeff());
+  ASSERT_GT(solution.patches[0].force, 0);
+  std::vector<ErrorEstimate> errors;
+  solver.estimateErrors(problem, solution, errors);
+  EXPECT_EQ(errors[0].largest(), 1);
+}
 }  // namespace
 }  // namespace wheel_rail_contact
