@@ -115,9 +115,7 @@ MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}, closed_
 {
   const bool free = config.contact.method == NormalMethod::automatic && config.contact.cells_along == 0;
   rungs_ = free ? std::vector<Rung>(rungs.begin(), rungs.end()) : std::vector<Rung>{rungFor(config.contact)};
-  const auto rough = std::find_if(
-      rungs.begin(), rungs.end(),
-      [](const Rung& rung) { return rung.size.along == rough_grid.along && rung.size.across == rough_grid.across; });
+  const auto rough = std::find_if(rungs.begin(), rungs.end(), [](const Rung& rung) { return rung.size == rough_grid; });
   rough_ = *rough;
   solver_ = makeSolver(config, rungs_);
   for (Rung& rung : rungs_)

@@ -123,9 +123,7 @@ class GapContender : public Contender
   {
     const GridSize& size = rung.size;
     problem_ = &std::find_if(prepared_.begin(), prepared_.end(),
-                             [&](const Prepared& p) {
-                               return p.size.along == size.along && p.size.across == size.across && p.offset == offset;
-                             })
+                             [&](const Prepared& p) { return p.size == size && p.offset == offset; })
                     ->problem;
     solver_ = rung.solver;
     solver_->solve(*problem_, warm_, solution_);

@@ -90,9 +90,7 @@ class LadderSamples
   template <typename Of>
   std::vector<double> ratios(std::size_t grid, Of of) const
   {
-    const auto unit_grid =
-        std::find_if(sizes_.begin(), sizes_.end(),
-                     [](const GridSize& size) { return size.along == unit.along && size.across == unit.across; });
+    const auto unit_grid = std::find(sizes_.begin(), sizes_.end(), unit);
     const std::vector<ErrorSample>& units = samples_[static_cast<std::size_t>(unit_grid - sizes_.begin())];
     const bool finer = std::distance(sizes_.begin(), unit_grid) < static_cast<std::ptrdiff_t>(grid);
     std::vector<double> list;

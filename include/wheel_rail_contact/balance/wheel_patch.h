@@ -16,6 +16,11 @@ struct GridSize
   int across = 0;  ///< cells across
 };
 
+inline bool operator==(const GridSize& one, const GridSize& other)
+{
+  return one.along == other.along && one.across == other.across;
+}
+
 /// One patch as solved, beside its pressure.
 struct WheelPatch
 {
