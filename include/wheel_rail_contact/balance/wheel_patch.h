@@ -16,6 +16,7 @@ struct GridSize
   int across = 0;  ///< cells across
 };
 
+/// True if both are the same.
 inline bool operator==(const GridSize& one, const GridSize& other)
 {
   return one.along == other.along && one.across == other.across;
