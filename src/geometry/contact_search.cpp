@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Outlines, stations and stretches; single contacts are made exact in exact_contact.cpp.
 #include "wheel_rail_contact/geometry/contact_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "bracketed_root.h"
-
 namespace wheel_rail_contact
 {
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int newton_iterations = 30;
-constexpr double newton_tolerance = 1e-11;  ///< [m]
-constexpr double root_tolerance = 1e-8;     ///< of a contact's place along the rail's profile [m]
-constexpr std::size_t fine_stations = 8;    ///< stretches of fewer stations are measured by their curvature
+constexpr std::size_t fine_stations = 8;  ///< stretches of fewer stations are measured by their curvature
 
 }  // namespace
 
@@ -149,127 +145,6 @@ double ContactSearch::depthBelowStation(std::size_t k) const
     return infinity;
   }
   return 0.25 * (separation_[k - 1] - 2 * separation_[k] + separation_[k + 1]) + 4 * station_error;
-}
-
-/// Finds the wheel's profile point whose locus lies at y, from a guess of its parameter.
-bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const
-{
-  double step = 0;
-  double miss_before = 0;
-  for (int i = 0; i < newton_iterations; ++i)
-  {
-    point = wheel_->profile().at(u);
-    if (!wheel_->locus(point, locus))
-    {
-      return false;
-    }
-    const double miss = y - locus.y;
-    if (std::abs(miss) < newton_tolerance)
-    {
-      return true;
-    }
-    // Secant on the locus; to start with, its derivative is close to that of the profile.
-    const double slope = i > 0 ? (miss_before - miss) / step : point.dy;
-    step = miss / slope;
-    miss_before = miss;
-    u += step;
-  }
-  return false;
-}
-
-/// Both bodies at a point of the rail, on the profiles themselves; `contact.wheel_u` is a guess of the wheel's point.
-bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_difference) const
-{
-  const CurvePoint rail_point = rail_->profile().at(rail_u);
-  const PlanePoint rail = rail_->place(rail_point);
-  CurvePoint wheel_point{};
-  SpacePoint locus{};
-  PlanePoint wheel{};
-  if (!(rail.dy > 0) || !wheelAt(rail.y, contact.wheel_u, wheel_point, locus) ||
-      !wheel_->section(wheel_point, locus.x, wheel))
-  {
-    return false;
-  }
-  contact.y = rail.y;
-  contact.rail_u = rail_u;
-  contact.separation = locus.z - rail.z;
-  contact.slope = rail.dz / rail.dy;
-  slope_difference = wheel.dz / wheel.dy - contact.slope;
-  const double stretch = 1 + contact.slope * contact.slope;
-  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * stretch * std::sqrt(stretch);
-  return std::isfinite(contact.separation) && std::isfinite(slope_difference);
-}
-
-/// True if a contact lies beside its station and no higher than there: where an outline hides a fold of its profile,
-/// the way from one station to the next along the profile may lead elsewhere.
-bool ContactSearch::isNear(const InitialContact& contact, std::size_t k) const
-{
-  return std::abs(contact.y - stations_.y(k)) < 1.5 * spacing &&
-         contact.separation < separation_[k] + 4 * station_error;
-}
-
-/// The contact near a station: where the difference of slopes changes its sign between the stations beside it.
-InitialContact ContactSearch::refined(std::size_t k) const
-{
-  if (k == nearest_station_)
-  {
-    return nearest_;
-  }
-  const std::size_t before = k > 0 ? k - 1 : k;
-  const std::size_t after = std::min(k + 1, separation_.size() - 1);
-  InitialContact trial;
-  double difference = 0;
-  bool found = false;
-  const auto slope_difference_at = [&](double rail_u)
-  {
-    found = exact(rail_u, trial, difference);
-    return found ? difference : 0.0;
-  };
-  const auto slope_difference_over = [&](std::size_t station)
-  {
-    trial.wheel_u = wheel_outline_.u(station);
-    return separation_[station] < infinity ? slope_difference_at(rail_outline_.u(station)) : 0.0;
-  };
-  const double low = slope_difference_over(before);
-  const double high = slope_difference_over(after);
-  trial.wheel_u = wheel_outline_.u(k);
-  const bool bracketed = low < 0 && high > 0;
-  if (bracketed)
-  {
-    bracketedRoot(slope_difference_at, rail_outline_.u(before), low, rail_outline_.u(after), high, root_tolerance);
-  }
-  if (!bracketed || !found || !isNear(trial, k))
-  {
-    trial.wheel_u = wheel_outline_.u(k);
-    slope_difference_at(rail_outline_.u(k));
-  }
-  return found ? trial : InitialContact{stations_.y(k), separation_[k], 0, 0, wheel_outline_.u(k), rail_outline_.u(k)};
-}
-
-bool ContactSearch::nearest(InitialContact& contact)
-{
-  const std::size_t lowest = lowestStation(0, stations_.count);
-  if (!(separation_[lowest] < infinity))
-  {
-    return false;
-  }
-  contact = refined(lowest);
-  std::size_t station = lowest;
-  for (const std::size_t k : minima_)
-  {
-    if (k != lowest && separation_[k] - depthBelowStation(k) < contact.separation)
-    {
-      const InitialContact other = refined(k);
-      if (other.separation < contact.separation)
-      {
-        contact = other;
-        station = k;
-      }
-    }
-  }
-  nearest_ = contact;
-  nearest_station_ = station;
-  return true;
 }
 
 /// Stations `first` to `last` with the stretch's edges between stations, without its contact.
