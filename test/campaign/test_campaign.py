@@ -253,10 +253,20 @@ class InOrder:
     def is_empty(self):
         return not self.running
 
+    def has_ready(self):
+        return bool(self.running)
+
     def __next__(self):
         future = self.running.popleft()
         future.status = next(future.statuses)
         return future
+
+
+class InterruptedInADestructor:
+    """As any of a library may be: Python drops what a destructor raises."""
+
+    def __del__(self):
+        os.kill(os.getpid(), signal.SIGINT)
 
 
 class Order(unittest.TestCase):
@@ -279,6 +289,10 @@ class Order(unittest.TestCase):
     def test_results_lost_with_their_worker_are_waited_for_again(self):
         self.assertEqual([sorted(names) for names in self.names_of_tasks("lost", "pending", "finished")],
                          [self.NAMES, self.NAMES])
+
+    def test_an_interrupt_that_strikes_in_a_destructor_ends_the_campaign(self):
+        with unittest.mock.patch.object(InOrder, "is_empty", lambda _: InterruptedInADestructor() is None):
+            self.assertRaises(KeyboardInterrupt, self.names_of_tasks, "finished")
 
 
 class Misuse(Case):

@@ -5,13 +5,15 @@ import time
 from ..command import Failure
 from ..progress import Progress
 from .folder import record_of
+from .interrupts import Interrupts
 from .work import answer_slice, join_slices
 
-AHEAD = 3          # tasks at the scheduler for each core of the workers: none waits for the next, and few are listed
-COUNT_PERIOD = 5   # after which workers are counted again [s]
-LINE_PERIOD = 10   # of progress where there is no terminal [s]
+AHEAD = 3           # tasks at the scheduler for each core of the workers: none waits for the next, and few are listed
+LOOK_PERIOD = 0.01  # for tasks that have ended [s]
+COUNT_PERIOD = 5    # after which workers are counted again [s]
+LINE_PERIOD = 10    # of progress where there is no terminal [s]
 ENDED = ("finished", "error", "cancelled")  # statuses of a task that nobody is at any more
-RETRIES = 2        # of a task that fails; those of lost workers are the scheduler's own
+RETRIES = 2         # of a task that fails; those of lost workers are the scheduler's own
 
 
 class Campaign:
@@ -25,7 +27,14 @@ class Campaign:
         self._state = _State(sum(self._left.values()))
 
     def run(self):
-        """Until nothing is left to do."""
+        """Until nothing is left to do, or until SIGINT."""
+        try:
+            with Interrupts() as interrupts:
+                self._run(interrupts)
+        finally:
+            self._state.progress.end()
+
+    def _run(self, interrupts):
         from distributed import as_completed
         waiting, running, tasks = self._tasks(), as_completed(), {}
 
@@ -34,20 +43,21 @@ class Campaign:
             tasks[future.key] = function, task
             running.add(future)
 
-        try:
-            while True:
-                while running.count() < self._room() and (following := next(waiting, None)):
-                    submit(*following)
-                if running.is_empty():
-                    break
-                future = next(running)
-                status = future.status
-                if status not in ENDED:  # its worker was lost before the result was fetched: another one is at it
-                    running.add(future)
-                elif following := self._take(future, status, *tasks.pop(future.key)):
-                    submit(*following)
-        finally:
-            self._state.progress.end()
+        while True:
+            interrupts.raise_noted()
+            while running.count() < self._room() and (following := next(waiting, None)):
+                submit(*following)
+            if running.is_empty():
+                break
+            if not running.has_ready():
+                time.sleep(LOOK_PERIOD)
+                continue
+            future = next(running)
+            status = future.status
+            if status not in ENDED:  # its worker was lost before the result was fetched: another one is at it
+                running.add(future)
+            elif following := self._take(future, status, *tasks.pop(future.key)):
+                submit(*following)
 
     def _tasks(self):
         """Functions with what they are to be given: slices that are not done, bag after bag."""

@@ -223,6 +223,8 @@ TEST_F(Hostile, StampsMayBeZeroAndGoBackwards)
 
 TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
 {
+  sendPair(0, ContactClient::nextStamp());  // takes with it what a test before may have left waiting
+  expectAccount();
   const std::uint64_t more = 30;
   for (std::uint64_t i = 0; i < 1000 + more; ++i)  // InputPairing::capacity
   {
@@ -232,12 +234,12 @@ TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
   }
   expectAccount();
   EXPECT_EQ(change("messages dropped: waited too long for a partner"), more);
-  EXPECT_EQ(change("answers"), 0U);
+  EXPECT_EQ(change("answers"), 1U);
   EXPECT_EQ(after_.level, diagnostic_msgs::DiagnosticStatus::WARN) << after_.message;
   // Those that wait are of no use to a later pair.
   sendPair(0, ContactClient::nextStamp());
   expectAccount();
-  EXPECT_EQ(change("answers"), 1U);
+  EXPECT_EQ(change("answers"), 2U);
   EXPECT_EQ(number(after_, "messages waiting for a partner"), 0U);
 }
 
