@@ -14,6 +14,10 @@ namespace wheel_rail_contact::chart
 /// Way across the track from one message to the next [m].
 constexpr double step = 0.05e-3;
 
+/// Most steps from the scene to a message: 0.2 mm, over which a narrow lobe of the pressure meets a coarse grid's cells
+/// in all ways.
+constexpr int longest_reach = 4;
+
 /// contact/tolerance that `auto` is asked for [-].
 constexpr std::array<double, 4> tolerances{0.1, 0.03, 0.01, 0.003};
 

@@ -19,8 +19,8 @@ constexpr int boxings = 3;
 Grid covering(const Box& box, const GridSize& size)
 {
   const double width = box.y_end - box.y_begin;
-  const aspect_ladder::Cell cell =
-      aspect_ladder::coveringCell(margin * box.length, margin * width, size.along, size.across);
+  const double covered = std::max(margin * width, width + 2 * longest_reach * step);
+  const aspect_ladder::Cell cell = aspect_ladder::coveringCell(margin * box.length, covered, size.along, size.across);
   const double first = 0.5 * (box.y_begin + box.y_end - (size.across - 1) * cell.dy);
   return {size.along, size.across, cell.dx, cell.dy, first, true};
 }
@@ -113,7 +113,7 @@ class GapContender : public Contender
 
   void prepare(const GapScene& scene, const GridSize& size)
   {
-    for (int offset = -1; offset <= 1; ++offset)
+    for (int offset = -longest_reach; offset <= longest_reach; ++offset)
     {
       prepared_.push_back({size, offset, scene.problem(size, offset)});
     }

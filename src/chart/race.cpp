@@ -2,7 +2,6 @@
 #include "race.h"
 
 #include <algorithm>
-#include <array>
 #include <ctime>
 #include <numeric>
 #include <stdexcept>
@@ -11,13 +10,14 @@ namespace wheel_rail_contact::chart
 {
 namespace
 {
-constexpr int settling = 8;             ///< messages before any is timed
-constexpr int settling_automatic = 48;  ///< the same for auto, which tries coarser grids
-constexpr double settling_time = 0.1;   ///< at most [s]
-constexpr double fast = 5e-3;           ///< answers that take longer are not repeated within a visit [s]
-constexpr double visit_time = 1e-3;     ///< [s]
-constexpr double enough_time = 0.1;     ///< after so much, few samples will do [s]
+constexpr int settling = 4 * longest_reach;       ///< messages before any is timed: every place is seen
+constexpr int settling_automatic = 3 * settling;  ///< the same for auto, which tries coarser grids
+constexpr double settling_time = 0.1;             ///< at most [s]
+constexpr double fast = 5e-3;                     ///< answers that take longer are not repeated within a visit [s]
+constexpr double visit_time = 1e-3;               ///< [s]
+constexpr double enough_time = 0.1;               ///< after so much, few samples will do [s]
 constexpr std::size_t few = 3;
+constexpr int slow_group = longest_reach;  ///< messages of slow contenders at a time: few groups see every place
 
 /// CPU time of this thread [s]: what else runs on the machine does not count.
 double now()
@@ -27,23 +27,31 @@ double now()
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// True outcomes one step before the scene, at it, and one step behind it.
+/// True outcomes at all places of the way.
 class Truths
 {
  public:
-  Truths(Scene& scene, const GridSize& grid) : of_{scene.truth(grid, -1), scene.truth(grid, 0), scene.truth(grid, 1)} {}
+  Truths(Scene& scene, const GridSize& grid, int reach) : reach_(reach)
+  {
+    for (int offset = -reach; offset <= reach; ++offset)
+    {
+      of_.push_back(scene.truth(grid, offset));
+    }
+  }
 
-  const Outcome& at(int offset) const { return of_[static_cast<std::size_t>(offset + 1)]; }
+  int reach() const { return reach_; }
+  const Outcome& at(int offset) const { return of_[static_cast<std::size_t>(offset + reach_)]; }
 
  private:
-  std::array<Outcome, 3> of_;
+  int reach_;
+  std::vector<Outcome> of_;
 };
 
 class Runner
 {
  public:
   Runner(Entry& entry, std::unique_ptr<Contender> contender, const Truths& truths)
-      : entry_(entry), contender_(std::move(contender)), truths_(truths)
+      : entry_(entry), contender_(std::move(contender)), truths_(truths), reach_(truths.reach()), way_(4 * reach_)
   {
   }
 
@@ -62,14 +70,15 @@ class Runner
     return longest;
   }
 
-  /// Messages +1, 0, -1, 0 steps from the scene, again and again.
+  /// The whole way and back; slow ones a part of it at a time.
   void visitWarm()
   {
-    visit(entry_.warm, 4,
-          [this](int i)
+    visit(entry_.warm, slow_ ? slow_group : way_,
+          [this](int)
           {
-            contender_->answer(offset(i));
-            return offset(i);
+            const int place = offset(warm_messages_++);
+            contender_->answer(place);
+            return place;
           });
   }
 
@@ -85,10 +94,11 @@ class Runner
   }
 
  private:
-  static int offset(int message)
+  /// Of a message [steps]: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
+  int offset(int message) const
   {
-    constexpr int offsets[] = {1, 0, -1, 0};
-    return offsets[message % 4];
+    const int along = (message + 1 + reach_) % way_;
+    return along <= 2 * reach_ ? along - reach_ : 3 * reach_ - along;
   }
 
   /// Times groups of messages (`message(i)` returns its offset), which end at the scene. A group before them only fills
@@ -159,6 +169,9 @@ class Runner
   Entry& entry_;
   std::unique_ptr<Contender> contender_;
   const Truths& truths_;
+  int reach_;              ///< [steps]
+  int way_;                ///< to and fro [messages]
+  int warm_messages_ = 0;  ///< timed or inspected so far
   bool slow_ = false;
 };
 
@@ -166,7 +179,7 @@ class Runner
 double errorOf(const Truths& truths, const Truths& coarser, const std::string& scene)
 {
   Errors largest;
-  for (int offset = -1; offset <= 1; ++offset)
+  for (int offset = -truths.reach(); offset <= truths.reach(); ++offset)
   {
     const Outcome& truth = truths.at(offset);
     Errors own;
@@ -244,8 +257,8 @@ int stepsOf(const Plan& plan)
 Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress)
 {
   Result result;
-  const Truths truths(scene, plan.truth);
-  result.truth_error = errorOf(truths, Truths(scene, plan.coarser), scene.name());
+  const Truths truths(scene, plan.truth, plan.reach);
+  result.truth_error = errorOf(truths, Truths(scene, plan.coarser, plan.reach), scene.name());
   progress();
   for (const Choice& choice : choices)
   {

@@ -17,6 +17,7 @@ struct Plan
   double slowest = 0.1;        ///< what is expected to take longer is not run [s an answer]
   GridSize truth{256, 512};    ///< errors are against conjugate gradients on this grid
   GridSize coarser{128, 256};  ///< the truth's own error is its difference from this one
+  int reach = longest_reach;   ///< steps that messages go to either side of the scene, 1 to longest_reach
 };
 
 /// What was measured of one contender, all from cold or all from the answer before.
@@ -53,7 +54,8 @@ struct Result
 
 /// Runs all contenders on a scene, in turns, so that a disturbance hits all alike. From cold: each answer after
 /// forgetting the one before. Warm: messages to and fro about the scene, one step apart; errors are those of all of
-/// them, each against the truth at its own place, for at a single place a coarse grid may be right by luck.
+/// them, each against the truth at its own place, for at a single place a coarse grid may be right by luck: how its
+/// cells lie on a narrow lobe of the pressure decides.
 /// @param progress  called `stepsOf(plan)` times
 /// @throw std::runtime_error if the scene has no truth
 Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress);
