@@ -13,9 +13,9 @@ namespace
 constexpr int settling = 4 * longest_reach;       ///< messages before any is timed: every place is seen
 constexpr int settling_automatic = 3 * settling;  ///< the same for auto, which tries coarser grids
 constexpr double settling_time = 0.1;             ///< at most [s]
-constexpr double fast = 5e-3;                     ///< answers that take longer are not repeated within a visit [s]
-constexpr double visit_time = 1e-3;               ///< [s]
-constexpr double enough_time = 0.1;               ///< after so much, few samples will do [s]
+constexpr double fast = 5e-3;        ///< contenders that take longer in the mean visit a part of the way at a time [s]
+constexpr double visit_time = 1e-3;  ///< [s]
+constexpr double enough_time = 0.1;  ///< after so much, few samples will do [s]
 constexpr std::size_t few = 3;
 constexpr int slow_group = longest_reach;  ///< messages of slow contenders at a time: few groups see every place
 
@@ -59,15 +59,16 @@ class Runner
   /// may labour on one beside it.
   double settle()
   {
+    std::vector<double> times;
     const double start = now();
-    double longest = timeOf(1, [this](int) { contender_->answer(0); });
+    times.push_back(timeOf(1, [this](int) { contender_->answer(0); }));
     const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
     for (int i = 0; i < messages && now() - start < settling_time; ++i)
     {
-      longest = std::max(longest, timeOf(1, [&](int) { contender_->answer(offset(i)); }));
+      times.push_back(timeOf(1, [&](int) { contender_->answer(offset(i)); }));
     }
-    slow_ = longest > fast;
-    return longest;
+    slow_ = now() - start > fast * static_cast<double>(times.size());
+    return *std::max_element(times.begin(), times.end());
   }
 
   /// The whole way and back; slow ones a part of it at a time.

@@ -51,7 +51,7 @@ class Standing:
     tolerance: float
     scenes: int
     met: int  # scenes in which its error is within the tolerance
-    ratio: float  # of its time to that of the cheapest fixed method that meets the tolerance, median
+    ratio: float  # of its time to that of the cheapest fixed method that meets the tolerance, median where there is one
     largest_ratio: float
     on_front: int  # scenes in which no fixed method as exact as auto is faster
 
@@ -62,7 +62,7 @@ def standing(rows):
     for tolerance in sorted({row.tolerance for row in rows if row.method == "auto"}, reverse=True):
         autos = [row for row in rows if row.method == "auto" and row.tolerance == tolerance]
         good = [row for row in autos if row.answered]
-        ratios = [row.time / fixed_time(rows, row, tolerance) for row in good]
+        ratios = [row.time / time for row in good if (time := fixed_time(rows, row, tolerance)) < math.inf]
         on_front = sum(row.time <= SCATTER * fixed_time(rows, row, row.error) for row in good)
         table.append(Standing(tolerance, len(autos), sum(row.error <= tolerance for row in good),
                               median(ratios) if ratios else math.nan, max(ratios, default=math.nan), on_front))
