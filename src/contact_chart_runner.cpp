@@ -24,7 +24,7 @@ Plan quickPlan()
 void run(const Plan& plan)
 {
   std::printf("# version: %s\n# compiler: %s\n# build: %s\n", CHART_VERSION, CHART_COMPILER, CHART_BUILD_TYPE);
-  std::printf("# truth: %d x %d\n", plan.truth.along, plan.truth.across);
+  std::printf("# truth: %d x %d\n# reach: %g mm\n", plan.truth.along, plan.truth.across, 1e3 * plan.reach * step);
   writeHeader(stdout);
   std::fflush(stdout);
   std::vector<std::unique_ptr<Scene>> scenes = gapScenes();

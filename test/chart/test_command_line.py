@@ -101,6 +101,9 @@ class Front(unittest.TestCase):
         self.assertEqual((stand.scenes, stand.met, stand.ratio, stand.on_front), (1, 1, 1.5, 1))
         [stand] = front.standing([*fixed, replace(auto, error=0.02)])
         self.assertEqual((stand.met, stand.on_front), (0, 0))
+        beyond_all = replace(auto, scene="hard", error=0.02)
+        [stand] = front.standing([*fixed, auto, replace(fixed[0], scene="hard"), beyond_all])
+        self.assertEqual((stand.scenes, stand.met, stand.ratio, stand.largest_ratio), (2, 1, 1.5, 1.5))
 
 
 if __name__ == "__main__":

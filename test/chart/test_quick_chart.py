@@ -62,7 +62,7 @@ class QuickChart(unittest.TestCase):
                     self.assertEqual(row.error, max(row.error_max_pressure, row.error_area, row.error_approach))
 
     def test_origin_is_stated(self):
-        self.assertEqual(set(self.facts), {"machine", "version", "compiler", "build", "truth"})
+        self.assertEqual(set(self.facts), {"machine", "version", "compiler", "build", "truth", "reach"})
         self.assertTrue(all(self.facts.values()), self.facts)
 
     def test_conjugate_gradients_come_closer_to_hertz_with_every_finer_grid(self):

@@ -83,9 +83,9 @@ def _draw_top(figure, places, rows):
 def _origin(facts):
     return (f"{facts['machine']}; {facts['compiler']}, {facts['build']}; wheel_rail_contact {facts['version']}. Time: "
             "CPU time of one thread for an answer, starting from the one 0.05 mm before; markers: medians, bars: "
-            "quartiles.\nError: largest relative error of highest pressure, area and approach, there and 0.05 mm to "
-            f"either side, against conjugate gradients on {facts['truth'].replace('x', '×')} cells, whose own error is "
-            "hatched.\n"
+            "quartiles.\nError: largest relative error of highest pressure, area and approach on the way, "
+            f"{facts['reach']} to either side, against conjugate gradients on {facts['truth'].replace('x', '×')} cells, "
+            "whose own error is hatched.\n"
             "Wheelset: both wheels, search, gap and balance included. Normal problem: pressure under one wheel alone. "
             "In the medians, no answer counts as the largest error.")
 
