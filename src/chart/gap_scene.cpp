@@ -11,7 +11,7 @@ namespace wheel_rail_contact::chart
 {
 namespace
 {
-constexpr double margin = 1.1;            ///< grid over pressure, as wheels have it
+constexpr double margin = 1.1;            ///< grid over pressure, as wheels have it, wherever the way leads
 constexpr double true_residual = 1e-6;    ///< of the truth's solution [-]
 constexpr GridSize boxing_grid{32, 128};  ///< on which the box is found
 constexpr int boxings = 3;
@@ -19,7 +19,7 @@ constexpr int boxings = 3;
 Grid covering(const Box& box, const GridSize& size)
 {
   const double width = box.y_end - box.y_begin;
-  const double covered = std::max(margin * width, width + 2 * longest_reach * step);
+  const double covered = margin * width + 2 * longest_reach * step;
   const aspect_ladder::Cell cell = aspect_ladder::coveringCell(margin * box.length, covered, size.along, size.across);
   const double first = 0.5 * (box.y_begin + box.y_end - (size.across - 1) * cell.dy);
   return {size.along, size.across, cell.dx, cell.dy, first, true};

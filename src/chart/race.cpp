@@ -10,14 +10,13 @@ namespace wheel_rail_contact::chart
 {
 namespace
 {
-constexpr int settling = 4 * longest_reach;       ///< messages before any is timed: every place is seen
+constexpr int settling = 4 * longest_reach;       ///< messages before any is timed, if there is time
 constexpr int settling_automatic = 3 * settling;  ///< the same for auto, which tries coarser grids
 constexpr double settling_time = 0.1;             ///< at most [s]
-constexpr double fast = 5e-3;        ///< contenders that take longer in the mean visit a part of the way at a time [s]
+constexpr double fast = 5e-3;        ///< mean of an answer up to which groups are timed without a look at them [s]
 constexpr double visit_time = 1e-3;  ///< [s]
-constexpr double enough_time = 0.1;  ///< after so much, few samples will do [s]
+constexpr double enough_time = 0.1;  ///< after so much, few answers will do [s]
 constexpr std::size_t few = 3;
-constexpr int slow_group = longest_reach;  ///< messages of slow contenders at a time: few groups see every place
 
 /// CPU time of this thread [s]: what else runs on the machine does not count.
 double now()
@@ -65,22 +64,16 @@ class Runner
     const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
     for (int i = 0; i < messages && now() - start < settling_time; ++i)
     {
-      times.push_back(timeOf(1, [&](int) { contender_->answer(offset(i)); }));
+      times.push_back(timeOf(1, [this](int) { next(); }));
     }
     slow_ = now() - start > fast * static_cast<double>(times.size());
     return *std::max_element(times.begin(), times.end());
   }
 
-  /// The whole way and back; slow ones a part of it at a time.
+  /// The whole way to and fro.
   void visitWarm()
   {
-    visit(entry_.warm, slow_ ? slow_group : way_,
-          [this](int)
-          {
-            const int place = offset(warm_messages_++);
-            contender_->answer(place);
-            return place;
-          });
+    visit(entry_.warm, way_, [this](int) { return next(); });
   }
 
   void visitCold()
@@ -95,21 +88,22 @@ class Runner
   }
 
  private:
-  /// Of a message [steps]: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
-  int offset(int message) const
+  /// Answers the next message of the way. Returns its offset: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
+  int next()
   {
-    const int along = (message + 1 + reach_) % way_;
-    return along <= 2 * reach_ ? along - reach_ : 3 * reach_ - along;
+    const int along = (++messages_ + reach_) % way_;
+    const int offset = along <= 2 * reach_ ? along - reach_ : 3 * reach_ - along;
+    contender_->answer(offset);
+    return offset;
   }
 
-  /// Times groups of messages (`message(i)` returns its offset), which end at the scene. A group before them only fills
-  /// the caches; the answers of one after them are inspected, of slow contenders those that are timed, to which that is
-  /// nothing.
+  /// Times groups of messages (`message(i)` returns its offset). A group before them only fills the caches; the answers
+  /// of one after them are inspected, of slow contenders those that are timed, to which that is nothing.
   template <typename Message>
   void visit(Series& series, int group, Message message)
   {
     const double spent = group * std::accumulate(series.times.begin(), series.times.end(), 0.0);
-    if (spent > enough_time && series.times.size() >= few)
+    if (spent > enough_time && static_cast<std::size_t>(group) * series.times.size() >= few)
     {
       return;
     }
@@ -170,9 +164,9 @@ class Runner
   Entry& entry_;
   std::unique_ptr<Contender> contender_;
   const Truths& truths_;
-  int reach_;              ///< [steps]
-  int way_;                ///< to and fro [messages]
-  int warm_messages_ = 0;  ///< timed or inspected so far
+  int reach_;         ///< [steps]
+  int way_;           ///< to and fro [messages]
+  int messages_ = 0;  ///< of the way so far
   bool slow_ = false;
 };
 
@@ -186,7 +180,8 @@ double errorOf(const Truths& truths, const Truths& coarser, const std::string& s
     Errors own;
     if (!truth.usable || !compare(coarser.at(offset), truth, own))
     {
-      throw std::runtime_error("no truth for " + scene + ": " + truth.reason);
+      throw std::runtime_error("no truth for " + scene + ", " + std::to_string(offset) +
+                               " steps beside it: " + truth.reason + " " + coarser.at(offset).reason);
     }
     largest = larger(largest, own);
   }

@@ -303,12 +303,14 @@ void ContactSearch::mergeNeighbours(std::vector<OverlapZone>& zones) const
     const OverlapZone& here = zones[i];
     const double wider = std::max(before.u_end - before.u_begin, here.u_end - here.u_begin);
     const double turn = std::abs(std::atan(here.contact.slope) - std::atan(before.contact.slope));
-    if (here.u_begin - before.u_end > wider || turn > merge_angle)
+    const bool divided = before.u_most == here.u_least;  // halves of a stretch
+    if (divided || here.u_begin - before.u_end > wider || turn > merge_angle)
     {
       ++i;
       continue;
     }
     before.u_end = here.u_end;
+    before.u_most = here.u_most;
     before.at_profile_end = before.at_profile_end || here.at_profile_end;
     if (here.contact.separation < before.contact.separation)
     {

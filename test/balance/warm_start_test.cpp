@@ -159,30 +159,3 @@ TEST_F(WarmStartTest, GoodAnswerFollowsABadMessage)
   EXPECT_EQ(contact.evaluate(stateAt(std::nan(""), 1e5)).status, ContactStatus::invalid_input);
   expectSameBits(contact.evaluate(stateAt(1.05e-3, 1e5)), undisturbed.evaluate(stateAt(1.05e-3, 1e5)));
 }
-
-// On the crown and beside the gauge corner, 10 degrees apart: where such stretches counted as one patch only once the
-// bodies overlapped between them as well, this state had two balances, 8 % apart in the approach, and the way that led
-// to it chose.
-TEST(NearStretches, HaveOneBalanceWhereverTheAnswerComesFrom)
-{
-  ContactModelConfig config = manchesterScene();
-  config.rail_profile = std::make_shared<Profile>(rail60E1());
-  config.track.gauge = 1.436137;
-  const auto stateBeside = [](double offset) { return stateAt(-5.6464e-3 + offset, 35.0808e3, 0.003006); };
-  WheelsetContact contact(config);
-  const WheelsetResult cold = contact.evaluate(stateBeside(0));
-  ASSERT_EQ(cold.status, ContactStatus::ok);
-  for (const double beside : {-1e-4, 1e-4})
-  {
-    contact.evaluate(stateBeside(beside));
-    contact.evaluate(stateBeside(0.5 * beside));
-    const WheelsetResult& warm = contact.evaluate(stateBeside(0));
-    ASSERT_EQ(warm.patches.size(), cold.patches.size()) << beside;
-    for (std::size_t k = 0; k < cold.patches.size(); ++k)
-    {
-      EXPECT_NEAR(warm.patches[k].approach, cold.patches[k].approach,
-                  config.contact.tolerance * cold.patches[k].approach)
-          << beside;
-    }
-  }
-}

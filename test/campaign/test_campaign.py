@@ -23,6 +23,7 @@ import rosbag
 from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
 from wheel_rail_contact.campaign.command_line import main
 from wheel_rail_contact.campaign.folder import Folder
+from wheel_rail_contact.campaign.interrupts import Interrupts
 from wheel_rail_contact.campaign.work import answer_slice, join_slices
 from wheel_rail_contact.msg import WheelsetContact
 
@@ -262,11 +263,32 @@ class InOrder:
         return future
 
 
+def interrupt():
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+class Ctrl_C(unittest.TestCase):
+    def test_the_first_one_waits_and_the_second_one_is_raised_at_once(self):
+        with Interrupts() as interrupts:
+            interrupts.raise_noted()
+            interrupt()
+            self.assertRaises(KeyboardInterrupt, interrupt)
+            self.assertRaises(KeyboardInterrupt, interrupts.raise_noted)
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+
+    def test_one_that_is_ignored_stays_so(self):
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
+        with Interrupts() as interrupts:
+            interrupt()
+            interrupts.raise_noted()
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
+
+
 class InterruptedInADestructor:
     """As any of a library may be: Python drops what a destructor raises."""
 
     def __del__(self):
-        os.kill(os.getpid(), signal.SIGINT)
+        interrupt()
 
 
 class Order(unittest.TestCase):

@@ -81,7 +81,7 @@ class QuickChart(unittest.TestCase):
                 self.assertLess(row.error, 0.002, scene)
 
     def test_auto_meets_its_tolerances(self):
-        # Which auto does in 99 % of scenes: one of these may miss.
+        # Which auto does in nearly all scenes, else it mostly says so: one of these may miss.
         for start in ("cold", "warm"):
             for stand in standing([row for row in self.rows if row.start == start]):
                 self.assertEqual(stand.scenes, len(SCENES))

@@ -69,9 +69,8 @@ class ContactSearch
   /// is less than the wider one's width and whose planes differ by less than `merge_angle` count as one.
   void overlapZones(double separation, std::vector<OverlapZone>& zones) const;
 
-  /// Largest angle between the planes of two stretches that count as one [rad]. Near ones deform one another, which
-  /// only a common grid tells; on a plane between them either is inclined by up to half of this.
-  static constexpr double merge_angle = 0.5;
+  /// Largest angle between the planes of two stretches that count as one [rad].
+  static constexpr double merge_angle = 0.1;
   /// Angle between two minima from which on a stretch that holds both is divided where the separation between them is
   /// greatest [rad].
   static constexpr double split_angle = 1.0;

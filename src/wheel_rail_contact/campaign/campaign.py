@@ -31,12 +31,13 @@ class Campaign:
         try:
             with Interrupts() as interrupts:
                 self._run(interrupts)
+                interrupts.raise_noted()
         finally:
             self._state.progress.end()
 
     def _run(self, interrupts):
         from distributed import as_completed
-        waiting, running, tasks = self._tasks(), as_completed(), {}
+        waiting, running, tasks = self._tasks(interrupts), as_completed(), {}
 
         def submit(function, task):
             future = self._client.submit(function, task, retries=RETRIES, pure=False)
@@ -59,13 +60,15 @@ class Campaign:
             elif following := self._take(future, status, *tasks.pop(future.key)):
                 submit(*following)
 
-    def _tasks(self):
+    def _tasks(self, interrupts):
         """Functions with what they are to be given: slices that are not done, bag after bag."""
         for name, entry in self._plan["bags"].items():
+            interrupts.raise_noted()
             if record_of(self._folder.answers(name)):
                 self._state.found(self._left.pop(name))
                 continue
             for number, span in enumerate(entry["slices"]):
+                interrupts.raise_noted()
                 part = self._folder.part(name, number)
                 if record_of(part):
                     self._left[name] -= 1
