@@ -30,7 +30,7 @@ double now()
 class Truths
 {
  public:
-  Truths(Scene& scene, const GridSize& grid, int reach) : reach_(reach)
+  Truths(Scene& scene, const GridSize& grid, int reach)
   {
     for (int offset = -reach; offset <= reach; ++offset)
     {
@@ -38,11 +38,10 @@ class Truths
     }
   }
 
-  int reach() const { return reach_; }
-  const Outcome& at(int offset) const { return of_[static_cast<std::size_t>(offset + reach_)]; }
+  int reach() const { return static_cast<int>(of_.size() / 2); }
+  const Outcome& at(int offset) const { return of_[static_cast<std::size_t>(offset + reach())]; }
 
  private:
-  int reach_;
   std::vector<Outcome> of_;
 };
 
@@ -50,7 +49,7 @@ class Runner
 {
  public:
   Runner(Entry& entry, std::unique_ptr<Contender> contender, const Truths& truths)
-      : entry_(entry), contender_(std::move(contender)), truths_(truths), reach_(truths.reach()), way_(4 * reach_)
+      : entry_(entry), contender_(std::move(contender)), truths_(truths)
   {
   }
 
@@ -58,22 +57,23 @@ class Runner
   /// may labour on one beside it.
   double settle()
   {
-    std::vector<double> times;
     const double start = now();
-    times.push_back(timeOf(1, [this](int) { contender_->answer(0); }));
+    double longest = timeOf(1, [this](int) { contender_->answer(0); });
+    int answers = 1;
     const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
     for (int i = 0; i < messages && now() - start < settling_time; ++i)
     {
-      times.push_back(timeOf(1, [this](int) { next(); }));
+      longest = std::max(longest, timeOf(1, [this](int) { next(); }));
+      ++answers;
     }
-    slow_ = now() - start > fast * static_cast<double>(times.size());
-    return *std::max_element(times.begin(), times.end());
+    slow_ = now() - start > fast * answers;
+    return longest;
   }
 
   /// The whole way to and fro.
   void visitWarm()
   {
-    visit(entry_.warm, way_, [this](int) { return next(); });
+    visit(entry_.warm, way(), [this](int) { return next(); });
   }
 
   void visitCold()
@@ -88,11 +88,15 @@ class Runner
   }
 
  private:
+  /// Messages to and fro.
+  int way() const { return 4 * truths_.reach(); }
+
   /// Answers the next message of the way. Returns its offset: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
   int next()
   {
-    const int along = (++messages_ + reach_) % way_;
-    const int offset = along <= 2 * reach_ ? along - reach_ : 3 * reach_ - along;
+    const int reach = truths_.reach();
+    const int along = (++messages_ + reach) % way();
+    const int offset = along <= 2 * reach ? along - reach : 3 * reach - along;
     contender_->answer(offset);
     return offset;
   }
@@ -164,8 +168,6 @@ class Runner
   Entry& entry_;
   std::unique_ptr<Contender> contender_;
   const Truths& truths_;
-  int reach_;         ///< [steps]
-  int way_;           ///< to and fro [messages]
   int messages_ = 0;  ///< of the way so far
   bool slow_ = false;
 };

@@ -267,7 +267,7 @@ def interrupt():
     os.kill(os.getpid(), signal.SIGINT)
 
 
-class Ctrl_C(unittest.TestCase):
+class CtrlC(unittest.TestCase):
     def test_the_first_one_waits_and_the_second_one_is_raised_at_once(self):
         with Interrupts() as interrupts:
             interrupts.raise_noted()

@@ -235,6 +235,7 @@ TEST(KikPiotrowski, hasNoContactAboveTheFirstTouch)
   EXPECT_EQ(solution.patches[0].force, 0);
   EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
 }
+
 // A light contact that lies between the cells: none of them overlaps. What the method makes of it is an answer; how far
 // it is off the cells cannot tell.
 TEST(KikPiotrowski, SaysThatItsErrorIsUnknownWhereNoCellOverlaps)
