@@ -80,12 +80,12 @@ bool widenOverMissedPressure(const SolvedPatch& solved, const PlacedRail& rail, 
     {
       continue;  // within the grid
     }
-    const PlanePoint point = rail.at(station.rail_u);
-    const double t = axes.t(point);
+    const double t = axes.t(station.y, station.z);
     if (t >= grid.y0 - clearance && t <= grid.y(grid.ny - 1) + clearance)
     {
       continue;
     }
+    const PlanePoint point = rail.at(station.rail_u);
     const double overlap = (closing - station.separation) * point.dy / axes.dt(point);  // along the plane's normal
     if (overlap > push.atLeast(t) && overlap > push.at(t))
     {

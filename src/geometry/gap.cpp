@@ -13,6 +13,9 @@ constexpr int newton_iterations = 12;
 /// Distance along the plane at which a point counts as found [m]; the rest is made up for by the slope there, which
 /// leaves an error of curvature * tolerance² / 2 < 1e-10 m on the sharpest arcs.
 constexpr double tangential_tolerance = 1e-6;
+/// How far from a column's crest the wheel's profile is told by its derivatives there [m]; a joint in between, at which
+/// the curvature jumps by 100/m, makes it off by up to 2e-8 m.
+constexpr double near_crest = 2e-5;
 
 /// A point seen from the plane.
 struct LocalPoint
@@ -37,11 +40,12 @@ bool pointOver(const PlaneAxes& axes, double t, Curve at, double& u, LocalPoint&
     {
       return false;
     }
+    const double per_stretch = 1 / stretch;
     const double miss = t - axes.t(point);
-    u += miss / stretch;
+    u += miss * per_stretch;
     if (std::abs(miss) < tangential_tolerance)
     {
-      out.slope = axes.dn(point) / stretch;
+      out.slope = axes.dn(point) * per_stretch;
       out.n = axes.n(point) + out.slope * miss;
       return true;
     }
@@ -55,28 +59,60 @@ using Quartic = std::array<double, 5>;
 /// How far the wheel's points over the other places of a column lie from the one over its crest, along the profile [m].
 using Shifts = std::array<double, 5>;
 
-/// Even polynomial through the crest and two more places.
-Quartic evenQuartic(double n0, double x1, double n1, double x2, double n2)
+/// Polynomials through the heights at places that all columns share.
+class HeightFit
 {
-  const double s1 = x1 * x1;
-  const double s2 = x2 * x2;
-  const double c1 = (n1 - n0) / s1;
-  const double c2 = (n2 - n0) / s2;
-  const double fourth = (c2 - c1) / (s2 - s1);
-  return {n0, 0, c1 - fourth * s1, 0, fourth};
-}
+ public:
+  /// Places for columns that are symmetric: the crest and these [m]; for others: -2h, -h, 0, h, 2h.
+  explicit HeightFit(double reach)
+      : inner_(0.6 * reach),
+        outer_(reach),
+        per_inner_(1 / (inner_ * inner_)),
+        per_outer_(1 / (outer_ * outer_)),
+        per_difference_(1 / (outer_ * outer_ - inner_ * inner_)),
+        h_(0.5 * reach),
+        per_h_(1 / h_)
+  {
+  }
 
-/// Polynomial through n(-2h), n(-h), n(0), n(h), n(2h).
-Quartic fullQuartic(double h, const std::array<double, 5>& n)
+  double inner() const { return inner_; }
+  double outer() const { return outer_; }
+  double h() const { return h_; }
+
+  Quartic even(double crest, double inner, double outer) const
+  {
+    const double c1 = (inner - crest) * per_inner_;
+    const double c2 = (outer - crest) * per_outer_;
+    const double fourth = (c2 - c1) * per_difference_;
+    return {crest, 0, c1 - fourth * inner_ * inner_, 0, fourth};
+  }
+
+  Quartic full(const std::array<double, 5>& n) const
+  {
+    const double odd1 = 0.5 * (n[3] - n[1]);
+    const double odd2 = 0.5 * (n[4] - n[0]);
+    const double even1 = 0.5 * (n[3] + n[1]) - n[2];
+    const double even2 = 0.5 * (n[4] + n[0]) - n[2];
+    const double third = (odd2 - 2 * odd1) * (1.0 / 6);
+    const double fourth = (even2 - 4 * even1) * (1.0 / 12);
+    const double square = per_h_ * per_h_;
+    return {n[2], (odd1 - third) * per_h_, (even1 - fourth) * square, third * square * per_h_,
+            fourth * square * square};
+  }
+
+ private:
+  double inner_, outer_;                           ///< [m]
+  double per_inner_, per_outer_, per_difference_;  ///< of the squares [1/m²]
+  double h_, per_h_;                               ///< [m], [1/m]
+};
+
+/// Point of the wheel's profile over the middle of a column.
+struct Crest
 {
-  const double odd1 = 0.5 * (n[3] - n[1]);
-  const double odd2 = 0.5 * (n[4] - n[0]);
-  const double even1 = 0.5 * (n[3] + n[1]) - n[2];
-  const double even2 = 0.5 * (n[4] + n[0]) - n[2];
-  const double third = (odd2 - 2 * odd1) / 6;
-  const double fourth = (even2 - 4 * even1) / 12;
-  return {n[2], (odd1 - third) / h, (even1 - fourth) / (h * h), third / (h * h * h), fourth / (h * h * h * h)};
-}
+  double u = 0;        ///< [m]
+  CurvePoint point{};  ///< there
+  LocalPoint seen{};   ///< from the plane
+};
 
 /// One column: both bodies over place t of the plane.
 class ColumnBuilder
@@ -88,7 +124,7 @@ class ColumnBuilder
         plane_(plane),
         axes_(plane),
         symmetric_(grid.symmetric),
-        reach_(0.5 * grid.nx * grid.dx)
+        fit_(0.5 * grid.nx * grid.dx)
   {
   }
 
@@ -101,63 +137,81 @@ class ColumnBuilder
       point = rail_.at(u);
       return true;
     };
-    LocalPoint crest;
-    if (!pointOver(axes_, t, rail_curve, column.rail_u, rail) || !wheelOver(t, 0, column.wheel_u, crest) ||
-        !(symmetric_ ? symmetricHeight(t, column.wheel_u, crest.n, shifts, height)
-                     : fullHeight(t, column.wheel_u, crest.n, shifts, height)))
+    Crest crest;
+    if (!pointOver(axes_, t, rail_curve, column.rail_u, rail) || !findCrest(t, column.wheel_u, crest) ||
+        !(symmetric_ ? symmetricHeight(t, crest, shifts, height) : fullHeight(t, crest, shifts, height)))
     {
       return false;
     }
     height[0] -= rail.n;
-    column.slope = 0.5 * (rail.slope + crest.slope);
-    column.parting = crest.slope - rail.slope;
+    column.slope = 0.5 * (rail.slope + crest.seen.slope);
+    column.parting = crest.seen.slope - rail.slope;
     column.rail_height = rail.n;
     return true;
   }
 
  private:
-  bool wheelOver(double t, double x, double& u, LocalPoint& out) const
+  bool findCrest(double t, double& u, Crest& crest) const
   {
-    const auto curve = [this, x](double at, PlanePoint& point)
-    { return wheel_.section(wheel_.profile().at(at), plane_.x + x, point); };
-    return pointOver(axes_, t, curve, u, out);
+    const auto curve = [&](double at, PlanePoint& point)
+    {
+      crest.u = at;
+      crest.point = wheel_.profile().at(at);
+      return wheel_.section(crest.point, plane_.x, point);
+    };
+    return pointOver(axes_, t, curve, u, crest.seen);
   }
 
-  /// Over place x of the column whose crest has parameter `u`; `shift` is a guess and takes the result.
-  bool wheelBeside(double t, double x, double u, double& shift, LocalPoint& out) const
+  CurvePoint pointBeside(const Crest& crest, double shift) const
   {
-    double u_beside = u + shift;
-    const bool found = wheelOver(t, x, u_beside, out);
-    shift = u_beside - u;
-    return found;
+    if (std::abs(shift) > near_crest)
+    {
+      return wheel_.profile().at(crest.u + shift);
+    }
+    const CurvePoint& p = crest.point;
+    return {p.y + shift * (p.dy + 0.5 * shift * p.ddy),
+            p.z + shift * (p.dz + 0.5 * shift * p.ddz),
+            p.dy + shift * p.ddy,
+            p.dz + shift * p.ddz,
+            p.ddy,
+            p.ddz};
   }
 
-  bool symmetricHeight(double t, double u, double crest, Shifts& shifts, Quartic& height) const
+  /// Over place x of the column; `shift` is a guess and takes the result.
+  bool wheelBeside(double t, double x, const Crest& crest, double& shift, LocalPoint& out) const
+  {
+    const auto curve = [&](double from_crest, PlanePoint& point)
+    { return wheel_.section(pointBeside(crest, from_crest), plane_.x + x, point); };
+    return pointOver(axes_, t, curve, shift, out);
+  }
+
+  bool symmetricHeight(double t, const Crest& crest, Shifts& shifts, Quartic& height) const
   {
     LocalPoint inner;
     LocalPoint outer;
-    if (!wheelBeside(t, 0.6 * reach_, u, shifts[0], inner) || !wheelBeside(t, reach_, u, shifts[1], outer))
+    if (!wheelBeside(t, fit_.inner(), crest, shifts[0], inner) ||
+        !wheelBeside(t, fit_.outer(), crest, shifts[1], outer))
     {
       return false;
     }
-    height = evenQuartic(crest, 0.6 * reach_, inner.n, reach_, outer.n);
+    height = fit_.even(crest.seen.n, inner.n, outer.n);
     return true;
   }
 
-  bool fullHeight(double t, double u, double crest, Shifts& shifts, Quartic& height) const
+  bool fullHeight(double t, const Crest& crest, Shifts& shifts, Quartic& height) const
   {
     std::array<double, 5> n{};
     for (std::size_t i = 0; i < n.size(); ++i)
     {
-      const double x = (0.5 * static_cast<double>(i) - 1) * reach_;
-      LocalPoint point{crest, 0};
-      if (i != 2 && !wheelBeside(t, x, u, shifts[i], point))
+      const double x = (static_cast<double>(i) - 2) * fit_.h();
+      LocalPoint point = crest.seen;
+      if (i != 2 && !wheelBeside(t, x, crest, shifts[i], point))
       {
         return false;
       }
       n[i] = point.n;
     }
-    height = fullQuartic(0.5 * reach_, n);
+    height = fit_.full(n);
     return true;
   }
 
@@ -166,15 +220,17 @@ class ColumnBuilder
   const ContactPlane& plane_;
   PlaneAxes axes_;
   bool symmetric_;
-  double reach_;
+  HeightFit fit_;
 };
 
-void fillColumn(const Grid& grid, const Quartic& c, int column, Eigen::ArrayXXd& gap)
+/// By value: to the compiler, what is written may change any number it does not hold itself.
+void fillColumn(Grid grid, Quartic c, int column, Eigen::ArrayXXd& gap)
 {
+  double* height = gap.col(column).data();
   for (int row = 0; row < grid.rows(); ++row)
   {
     const double x = grid.x(row);
-    gap(row, column) = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
+    height[row] = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
   }
 }
 

@@ -122,6 +122,7 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
   fx_ = planar;
   fy_ = -ax_ * ay_ / planar;
   fz_ = -ax_ * az_ / planar;
+  per_fx_ = 1 / fx_;
 }
 
 /// Locus of one point, or of several at once; there is none where the sine of t is not between -1 and 1.
@@ -131,7 +132,7 @@ PlacedWheel::Locus<Number> PlacedWheel::locusAt(const Number& y, const Number& z
   using std::sqrt;
   // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) fx - r' ax vanishes.
   const Number radius = radius_ - z;
-  const Number sine = -slope * ax_ / fx_;
+  const Number sine = -slope * (ax_ * per_fx_);
   const Number cosine = sqrt(1 - sine * sine);
   const Number along = half_base_ + y;
   return {sine, ax_ * along + radius * sine * fx_, pose_.y + ay_ * along + radius * (cosine * dy_ + sine * fy_),
@@ -167,14 +168,14 @@ bool PlacedWheel::section(const CurvePoint& p, double x, PlanePoint& out) const
 {
   const double radius = radius_ - p.z;
   const double along = half_base_ + p.y;
-  const double forward = (x - ax_ * along) / fx_;  // radius * sin(t)
+  const double forward = (x - ax_ * along) * per_fx_;  // radius * sin(t)
   const double square = radius * radius - forward * forward;
   if (!(square > 0))
   {
     return false;
   }
   const double down = std::sqrt(square);  // radius * cos(t)
-  const double forward_slope = -ax_ * p.dy / fx_;
+  const double forward_slope = -ax_ * p.dy * per_fx_;
   const double down_slope = (-radius * p.dz - forward * forward_slope) / down;
   out.y = pose_.y + ay_ * along + down * dy_ + forward * fy_;
   out.z = pose_.z + az_ * along + down * dz_ + forward * fz_;

@@ -38,6 +38,7 @@ struct OverlapZone
 struct Station
 {
   double rail_u;      ///< parameter of the rail's profile [m]
+  double y, z;        ///< of the rail's outline, side axes [m]
   double separation;  ///< vertical distance of the outlines [m]
 };
 

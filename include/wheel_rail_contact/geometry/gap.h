@@ -29,7 +29,9 @@ class PlaneAxes
   /// Keeps no reference to the plane.
   explicit PlaneAxes(const ContactPlane& plane);
   /// Place of a point along the plane [m].
-  double t(const PlanePoint& p) const { return cosine_ * (p.y - y_) + sine_ * (p.z - z_); }
+  double t(double y, double z) const { return cosine_ * (y - y_) + sine_ * (z - z_); }
+  /// Likewise.
+  double t(const PlanePoint& p) const { return t(p.y, p.z); }
   /// Height of a point over the plane [m].
   double n(const PlanePoint& p) const { return cosine_ * (p.z - z_) - sine_ * (p.y - y_); }
   /// y and z of the place t along and n over the plane [m].

@@ -126,5 +126,6 @@ class PlacedWheel
   double ax_, ay_, az_;  ///< axle direction, outward
   double dy_, dz_;       ///< unit vector square to the axle, without x, pointing down
   double fx_, fy_, fz_;  ///< unit vector square to both, forward
+  double per_fx_;        ///< 1 / fx_
 };
 }  // namespace wheel_rail_contact
