@@ -30,7 +30,9 @@ class PushBeside
         place_[groups_] = 0.5 * (grid.y(begin) + grid.y(end - 1));
         share_[groups_] = solved.pressure.middleCols(begin, end - begin).sum() * grid.cellArea() /
                           (std::acos(-1.0) * solved.modulus * half_length_);
-        total_ += share_[groups_++];
+        total_ += share_[groups_];
+        moment_ += share_[groups_] * place_[groups_];
+        ++groups_;
       }
     }
   }
@@ -46,17 +48,18 @@ class PushBeside
     return sum;
   }
 
-  /// What it is at least: as if all of the load were as far away as the farthest group, where asinh(x) >= x / sqrt(1 +
-  /// x²) [m].
+  /// What it is at least beside all groups: as if all of the load stood in its centre (asinh(1/t) is convex), where
+  /// asinh(x) >= x / sqrt(1 + x²) [m].
   double atLeast(double t) const
   {
-    const double distance = std::max(std::abs(t - place_[0]), std::abs(t - place_[groups_ - 1]));
+    const double distance = t - moment_ / total_;
     return total_ * half_length_ / std::sqrt(distance * distance + half_length_ * half_length_);
   }
 
  private:
   double half_length_;  ///< [m]
-  double total_ = 0;    ///< [m]
+  double total_ = 0;    ///< of the shares [m]
+  double moment_ = 0;   ///< of the shares [m²]
   std::size_t groups_ = 0;
   std::array<double, most_groups> place_{};  ///< [m]
   std::array<double, most_groups> share_{};  ///< [m]
