@@ -22,10 +22,12 @@
 #include <string>
 
 #include "../normal/error_samples.h"
+#include "chart/quantile.h"
 
 namespace
 {
 using namespace wheel_rail_contact;
+using chart::quantile;
 using scenes::ErrorSample;
 
 std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long seed)
@@ -85,16 +87,6 @@ auto fit(const std::vector<ErrorSample>& samples, Terms terms, double ErrorEstim
     }
   }
   return weights;
-}
-
-double quantile(std::vector<double> values, double share)
-{
-  if (values.empty())
-  {
-    return 0;
-  }
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
 template <std::size_t N>
