@@ -134,9 +134,10 @@ void findDeepest(StripGap& gap)
   const auto lowest = std::min_element(gap.strips.begin(), gap.strips.end(), lower);
   gap.deepest = *lowest;
   gap.y = gap.y0 + static_cast<double>(lowest - gap.strips.begin()) * gap.dy;
-  if (lowest == gap.strips.begin() || lowest == gap.strips.end() - 1)
+  if (lowest == gap.strips.begin() || lowest == gap.strips.end() - 1 || !std::isfinite(lowest[-1].gap) ||
+      !std::isfinite(lowest[1].gap))
   {
-    return;
+    return;  // the grid cuts the overlap off at its deepest place
   }
   const Strip &before = lowest[-1], &after = lowest[1];
   const double slope = 0.5 * (after.gap - before.gap), second = before.gap - 2 * lowest->gap + after.gap;

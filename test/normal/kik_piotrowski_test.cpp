@@ -223,6 +223,21 @@ TEST(KikPiotrowski, refusesStripsThatDoNotOpenAlongX)
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
+// A box beside the deepest place: the gap falls towards the edge and would go on falling.
+TEST(KikPiotrowski, answersWhereTheGridCutsTheDeepestPlaceOff)
+{
+  const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
+  for (const double side : {-1.0, 1.0})
+  {
+    const auto falling = [side](double x, double y) { return wheel * x * x + 4 * y * y - 0.1 * side * y; };
+    const NormalSolution solution = solved(underLoad(sampled(grid, falling), 1e5));
+    const Eigen::Index edge = side > 0 ? grid.ny - 1 : 0;
+    EXPECT_TRUE(solution.patches[0].touches_border);
+    EXPECT_GT(solution.patches[0].pressure.col(edge).maxCoeff(), 0.5 * solution.patches[0].max_pressure);
+    EXPECT_TRUE(std::isfinite(solution.approach));
+  }
+}
+
 TEST(KikPiotrowski, hasNoContactAboveTheFirstTouch)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
