@@ -174,8 +174,8 @@ MapTable solveAll()
       "S1002 on 60E1, cant 1:40, gauge 1.435 m, tolerance 0.01, unless the row says otherwise; y is the way to "
       "the left. The reference is `conjugate_gradient` on 128 × 256 cells, and none where it differs from 64 × 128 by "
       "more than \"right\". \"And says so\" means that the answer's error estimate is above the tolerance, which its "
-      "status text tells. `auto` is right or refuses; on one rail drawn through noisy points, whose waves of 0.5 mm "
-      "not even the reference resolves to 2 %, it says that its estimate is above the tolerance.",
+      "status text tells. `auto` is right or refuses; on a wheel and a rail drawn through noisy points, with waves "
+      "of 0.5 mm that the reference hardly resolves to 2 %, it says that its estimate is above the tolerance.",
       {"auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};
   for (const Situation& situation : situations())

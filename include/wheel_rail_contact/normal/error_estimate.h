@@ -35,7 +35,7 @@ struct ErrorTerms
   /// square of the jumps of k, weighted by 1 / (distance from the crest + 1/2)², as a pressure over the maximum.
   std::array<double, 3> max_pressure{};
   /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
-  /// turn out higher, by 1.4 times its own terms and their weights, or one at a step of the gap, on cells four times
+  /// turn out higher, by its own terms and their weights, or one at a step of the gap, on cells four times
   /// finer.
   double overtopping = 0;
   /// Of area: sum of 1 / (cells loaded) over the rows, per cell of the area · jumps of k near the edges, as a pressure

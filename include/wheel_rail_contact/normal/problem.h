@@ -120,7 +120,7 @@ struct PatchPressure
   Eigen::ArrayXXd pressure;      ///< [Pa], shape of the gap
   Eigen::ArrayXXd displacement;  ///< of both half-spaces, apart along the normal [m], shape of the gap
   double force = 0;              ///< normal force of the whole patch [N]
-  double max_pressure = 0;       ///< highest pressure, between the cells if it lies there [Pa]
+  double max_pressure = 0;       ///< highest pressure, between the cells if it lies there, less their excess [Pa]
   double area = 0;               ///< contact area with sub-cell edge [m²]
   bool touches_border = false;   ///< pressure in an outer cell of the grid: the box cut the patch
 };
