@@ -121,10 +121,11 @@ TEST(Measures, areaOfHertzContactsHasNoBias)
   expectUnbiased(&PatchPressure::area, &HertzContact::area, {{12, 32, 3.0e-3}, {24, 56, 8e-4}, {40, 80, 4e-4}});
 }
 
+// Likewise; what cells hold too much made the mean 0.026 % on 24 × 56 cells.
 TEST(Measures, maxPressureOfHertzContactsHasNoBias)
 {
   expectUnbiased(&PatchPressure::max_pressure, &HertzContact::max_pressure,
-                 {{12, 32, 3.0e-3}, {24, 56, 8e-4}, {40, 80, 4e-4}});
+                 {{12, 32, 1.2e-3}, {24, 56, 2.4e-4}, {40, 80, 7.5e-5}});
 }
 
 TEST(Measures, areaOfAHalfIsThatOfTheWhole)
@@ -141,11 +142,11 @@ TEST(Measures, areaOfAHalfIsThatOfTheWhole)
 TEST(Measures, maxPressureBetweenTheCellsBeatsTheHighestCell)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
-  EXPECT_LT(coarse.max_pressure, 0.008);
-  EXPECT_LT(medium.max_pressure, 0.0015);
-  EXPECT_LT(fine.max_pressure, 0.0004);
-  EXPECT_LT(medium.max_pressure, 0.6 * medium.highest_cell);
-  EXPECT_LT(fine.max_pressure, 0.6 * fine.highest_cell);
+  EXPECT_LT(coarse.max_pressure, 0.0028);
+  EXPECT_LT(medium.max_pressure, 0.00034);
+  EXPECT_LT(fine.max_pressure, 0.00009);
+  EXPECT_LT(medium.max_pressure, 0.2 * medium.highest_cell);
+  EXPECT_LT(fine.max_pressure, 0.2 * fine.highest_cell);
 }
 
 TEST(Measures, approachConvergesFasterThanTheCells)
