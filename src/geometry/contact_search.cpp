@@ -124,16 +124,15 @@ void ContactSearch::findMinima()
 {
   minima_.clear();
   double before = infinity;
-  double here = separation_.front();
-  for (std::size_t k = 0; k < stations_.count; ++k)
+  for (std::size_t k = 0; k < separation_.size(); ++k)
   {
-    const double after = k + 1 < stations_.count ? separation_[k + 1] : infinity;
+    const double here = separation_[k];
+    const double after = k + 1 < separation_.size() ? separation_[k + 1] : infinity;
     if (here <= before && here < after)
     {
       minima_.push_back(k);
     }
     before = here;
-    here = after;
   }
 }
 

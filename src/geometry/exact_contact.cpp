@@ -114,12 +114,11 @@ InitialContact ContactSearch::refined(std::size_t k) const
 
 bool ContactSearch::nearest(InitialContact& contact)
 {
-  if (minima_.empty())
+  const std::size_t lowest = lowestStation(0, stations_.count);
+  if (!(separation_[lowest] < infinity))
   {
     return false;
   }
-  const std::size_t lowest = *std::min_element(
-      minima_.begin(), minima_.end(), [this](std::size_t a, std::size_t b) { return separation_[a] < separation_[b]; });
   contact = refined(lowest);
   std::size_t station = lowest;
   for (const std::size_t k : minima_)

@@ -13,8 +13,8 @@ constexpr int newton_iterations = 12;
 /// Distance along the plane at which a point counts as found [m]; the rest is made up for by the slope there, which
 /// leaves an error of curvature * tolerance² / 2 < 1e-10 m on the sharpest arcs.
 constexpr double tangential_tolerance = 1e-6;
-/// How far from a column's crest the wheel's profile is told by its derivatives there [m]; a joint in between, at which
-/// the curvature jumps by 100/m, makes it off by up to 2e-8 m.
+/// How far from a column's crest the wheel's profile is told by its derivatives there, if no joint lies within [m]: the
+/// third derivative leaves 1e-11 m on the sharpest arcs. Across a joint it would jump, and the search not end.
 constexpr double near_crest = 2e-5;
 
 /// A point seen from the plane.
@@ -79,12 +79,12 @@ class HeightFit
   double outer() const { return outer_; }
   double h() const { return h_; }
 
-  Quartic even(double crest, double inner, double outer) const
+  Quartic even(double n_crest, double n_inner, double n_outer) const
   {
-    const double c1 = (inner - crest) * per_inner_;
-    const double c2 = (outer - crest) * per_outer_;
+    const double c1 = (n_inner - n_crest) * per_inner_;
+    const double c2 = (n_outer - n_crest) * per_outer_;
     const double fourth = (c2 - c1) * per_difference_;
-    return {crest, 0, c1 - fourth * inner_ * inner_, 0, fourth};
+    return {n_crest, 0, c1 - fourth * inner_ * inner_, 0, fourth};
   }
 
   Quartic full(const std::array<double, 5>& n) const
@@ -109,9 +109,10 @@ class HeightFit
 /// Point of the wheel's profile over the middle of a column.
 struct Crest
 {
-  double u = 0;        ///< [m]
-  CurvePoint point{};  ///< there
-  LocalPoint seen{};   ///< from the plane
+  double u = 0;         ///< [m]
+  CurvePoint point{};   ///< there
+  LocalPoint seen{};    ///< from the plane
+  bool smooth = false;  ///< no joint lies within near_crest
 };
 
 /// One column: both bodies over place t of the plane.
@@ -159,12 +160,14 @@ class ColumnBuilder
       crest.point = wheel_.profile().at(at);
       return wheel_.section(crest.point, plane_.x, point);
     };
-    return pointOver(axes_, t, curve, u, crest.seen);
+    const bool found = pointOver(axes_, t, curve, u, crest.seen);
+    crest.smooth = found && wheel_.profile().isOneSection(crest.u - near_crest, crest.u + near_crest);
+    return found;
   }
 
   CurvePoint pointBeside(const Crest& crest, double shift) const
   {
-    if (std::abs(shift) > near_crest)
+    if (!crest.smooth || std::abs(shift) > near_crest)
     {
       return wheel_.profile().at(crest.u + shift);
     }

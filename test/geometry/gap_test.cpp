@@ -95,6 +95,30 @@ class GapTest : public testing::Test
     plane_ = tangentPlane(wheel_, rail_, contact);
   }
 
+  /// A point of the wheel's flange on the point of the rail's gauge side that has the same slope.
+  void touchAt(double wheel_u, double yaw)
+  {
+    WheelsetPose pose{0.006, 0.46, yaw, 0};
+    wheel_ = PlacedWheel(*config_.wheel_profile, config_.wheelset, pose);
+    SpacePoint locus{};
+    PlanePoint wheel{};
+    ASSERT_TRUE(wheel_.locus(config_.wheel_profile->at(wheel_u), locus));
+    ASSERT_TRUE(wheel_.section(config_.wheel_profile->at(wheel_u), locus.x, wheel));
+    InitialContact contact;
+    contact.wheel_u = wheel_u;
+    contact.slope = wheel.dz / wheel.dy;
+    const auto is_flatter = [&](double u)
+    { return rail_.at(u).dy > 0 && rail_.at(u).dz / rail_.at(u).dy < contact.slope; };
+    while (!is_flatter(contact.rail_u))
+    {
+      contact.rail_u += 1e-5;
+    }
+    pose.y += rail_.at(contact.rail_u).y - locus.y;
+    pose.z += rail_.at(contact.rail_u).z - locus.z;
+    wheel_ = PlacedWheel(*config_.wheel_profile, config_.wheelset, pose);
+    plane_ = tangentPlane(wheel_, rail_, contact);
+  }
+
   /// Grid of 16 x 32 cells about the first touch.
   Grid grid(double half_length, double half_width, bool symmetric) const
   {
@@ -206,6 +230,29 @@ TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
       const double gap = (direct.at(0, cells.y(j) + step) - direct.at(0, cells.y(j) - step)) / (2 * step);
       EXPECT_NEAR(column.slope, rail + 0.5 * gap, 3.2e-3);
       EXPECT_NEAR(column.rail_height, direct.railHeight(cells.y(j)), 1e-9);
+    }
+  }
+}
+
+// Where S1002's parameter changes from arc length to y its points jump by a third of any way along it. A search that
+// told places beside a crest by the derivatives on one side, and others by the profile, went back and forth between
+// them.
+TEST_F(GapTest, NoColumnIsLostAtAJointOfTheWheelsParameter)
+{
+  const Profile& profile = *config_.wheel_profile;
+  const auto changes = [&](double u) { return std::abs(profile.at(u + 1e-9).dy - profile.at(u - 1e-9).dy) > 0.1; };
+  const auto joint = std::find_if(profile.joints().begin() + 1, profile.joints().end() - 1, changes);
+  ASSERT_NE(joint, profile.joints().end() - 1);
+  const double wheel_u = *joint + 1e-4;
+  for (const double yaw : {0.0, 0.01, -0.01, 0.02})
+  {
+    touchAt(wheel_u, yaw);
+    for (int i = 0; i < 600; ++i)
+    {
+      Grid across = grid((2 + 0.2 * (i % 40)) * 1e-3, (1 + i % 3) * 1e-3, yaw == 0);
+      across.y0 += i / 600.0 * across.dy;
+      ASSERT_TRUE(buildGap(wheel_, rail_, plane_, across, gap_, columns_));
+      EXPECT_LT(gap_.row(0).maxCoeff(), no_body_gap) << "yaw " << yaw << ", grid " << i;
     }
   }
 }

@@ -84,6 +84,8 @@ class Profile
   double length() const { return start_.back(); }
   /// Point and derivatives at u [m]; outside [0, length()] the end section is continued by its own law.
   CurvePoint at(double u) const;
+  /// True if two points lie on the same section; beyond an end that is the end section.
+  bool isOneSection(double u_one, double u_other) const { return sectionAt(u_one) == sectionAt(u_other); }
   /// Values of the parameter at which sections meet, with both ends [m].
   const std::vector<double>& joints() const { return start_; }
 
