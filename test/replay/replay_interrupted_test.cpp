@@ -17,7 +17,7 @@ using namespace wheel_rail_contact;
 
 namespace
 {
-constexpr int pairs = 1000;  ///< whose answers fill more than a chunk
+constexpr int pairs = 1500;  ///< whose answers fill more than a chunk
 
 std::string contentOf(const std::string& path)
 {
