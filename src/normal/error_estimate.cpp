@@ -243,12 +243,27 @@ double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulu
 
 /// By how much the pressure may overtop the highest one on cells fine enough for the gap's features that are narrower
 /// than the present ones, over the maximum [-]. A wave of the gap with slopes up to s is pressed flat by E* s / 2
-/// (Johnson 1985, eq. 13.2). What one column shows may lie at the crest, between the columns.
-double byUnseenSlopes(const PatchGap& gap, double highest, double modulus, const Crest& crest)
+/// (Johnson 1985, eq. 13.2), and adds as much about its column. Waves all over the patch, of which columns show slopes
+/// by chance, may stand at the crest between columns: there slopes up to three times their mean are assumed, as far as
+/// any column shows them.
+double byUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Crest& crest)
 {
-  const bool known = gap.unseen_slope.size() > 0;
-  const double steepest = known ? gap.unseen_slope.segment(crest.first, crest.last - crest.first + 1).maxCoeff() : 0;
-  return 0.5 * modulus * steepest / highest;
+  constexpr double over_mean = 3;
+  if (gap.unseen_slope.size() == 0)
+  {
+    return 0;
+  }
+  const auto p = pressure.pressure.row(crest.row);
+  double highest = 0;
+  for (Index j = crest.first; j <= crest.last; ++j)
+  {
+    const double slope = gap.unseen_slope[j];
+    const double beside = std::max(p[std::max(j - 1, crest.first)], p[std::min(j + 1, crest.last)]);
+    highest = slope > 0 ? std::max(highest, std::max(p[j], beside) + 0.5 * modulus * slope) : highest;
+  }
+  const auto slopes = gap.unseen_slope.segment(crest.first, crest.last - crest.first + 1);
+  const double anywhere = 0.5 * modulus * std::min(slopes.maxCoeff(), over_mean * slopes.mean());
+  return std::max(anywhere, highest - pressure.max_pressure) / pressure.max_pressure;
 }
 
 double largestApproach(const NormalProblem& problem, const NormalSolution& solution)
@@ -309,9 +324,9 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   const double variation = bending.variation / (loaded.across * loaded.across);
   const double few_along = 1 / (loaded.along * loaded.along);
   ErrorTerms terms;
-  terms.overtopping = std::max({byLowerCrests(gap, pressure, modulus, loaded.crest.column),
-                                bySteps(gap, pressure, modulus, loaded.crest),
-                                byUnseenSlopes(gap, pressure.max_pressure, modulus, loaded.crest)});
+  terms.overtopping =
+      std::max({byLowerCrests(gap, pressure, modulus, loaded.crest.column),
+                bySteps(gap, pressure, modulus, loaded.crest), byUnseenSlopes(gap, pressure, modulus, loaded.crest)});
   terms.max_pressure = crestTerms(gap, p, loaded.crest, bending.jumps_at_crest, as_pressure);
   terms.tail = tail_cells * std::max(loaded.narrow_columns - narrow_tips, 0) * per_cell;
   terms.area = {loaded.thin_rows * per_cell, as_pressure * bending.jumps_at_edges * per_cell, variation,
