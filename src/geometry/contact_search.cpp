@@ -280,6 +280,7 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
     }
   }
   mergeNeighbours(zones);
+  keepApart(zones);
 }
 
 void ContactSearch::stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const
@@ -317,6 +318,20 @@ void ContactSearch::mergeNeighbours(std::vector<OverlapZone>& zones) const
       before.contact = here.contact;
     }
     zones.erase(zones.begin() + static_cast<long>(i));
+  }
+}
+
+/// Sets where one stretch ends for the other's sake: half-way between neighbours that are not halves of one.
+void ContactSearch::keepApart(std::vector<OverlapZone>& zones)
+{
+  for (std::size_t i = 1; i < zones.size(); ++i)
+  {
+    OverlapZone& before = zones[i - 1];
+    OverlapZone& here = zones[i];
+    if (before.u_most != here.u_least)
+    {
+      before.u_most = here.u_least = 0.5 * (before.u_end + here.u_begin);
+    }
   }
 }
 }  // namespace wheel_rail_contact

@@ -30,7 +30,7 @@ struct OverlapZone
   double u_end = 0;                                           ///< [m]
   InitialContact contact;                                     ///< its deepest place
   bool at_profile_end = false;                                ///< the stretch is cut off by the end of a profile
-  double u_least = -std::numeric_limits<double>::infinity();  ///< beyond these the next stretch begins [m]
+  double u_least = -std::numeric_limits<double>::infinity();  ///< beyond these is the neighbouring stretch's side [m]
   double u_most = std::numeric_limits<double>::infinity();    ///< likewise [m]
 };
 
@@ -99,6 +99,7 @@ class ContactSearch
   OverlapZone stretch(std::size_t first, std::size_t last, double separation) const;
   static bool narrow(double separation, OverlapZone& zone);
   void mergeNeighbours(std::vector<OverlapZone>& zones) const;
+  static void keepApart(std::vector<OverlapZone>& zones);
 
   static std::vector<double> sample(const Profile& profile);
 
