@@ -4,23 +4,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr double missed_clearance = 0.1;  ///< width beside a grid in which edges alone tell, of the grid's width [-]
+constexpr double missed_clearance = 0.1;  ///< strip about a grid in which edges alone tell, of the grid's size [-]
 constexpr double missed_share = 0.02;     ///< overlap beside a grid that is let pass, of the descent [-]
+constexpr double nearest_line = 1e-3;     ///< least distance from a group's line that counts, of its half-length [-]
 constexpr int most_groups = 8;            ///< in which the columns are taken together
 
-/// How far a solved pressure pushes the bodies apart beside it, on its line of centres: each group's load spread evenly
-/// over the pressure's length.
+/// How far a solved pressure pushes the bodies apart beside it: each group's load spread evenly over a line along the
+/// track, as long as the pressure.
 class PushBeside
 {
  public:
-  PushBeside(const SolvedPatch& solved, double length) : half_length_(std::max(length, solved.grid.dx))
+  PushBeside(const SolvedPatch& solved, const WheelPatch& patch)
+      : half_length_(std::max(patch.extent.half_length, solved.grid.dx)), center_x_(patch.center_x)
   {
     const Grid& grid = solved.grid;
+    double moment = 0;
+    double second_moment = 0;
     for (int group = 0; group < most_groups; ++group)
     {
       const int begin = group * grid.ny / most_groups;
@@ -31,70 +36,104 @@ class PushBeside
         share_[groups_] = solved.pressure.middleCols(begin, end - begin).sum() * grid.cellArea() /
                           (std::acos(-1.0) * solved.modulus * half_length_);
         total_ += share_[groups_];
-        moment_ += share_[groups_] * place_[groups_];
+        moment += share_[groups_] * place_[groups_];
+        second_moment += share_[groups_] * place_[groups_] * place_[groups_];
         ++groups_;
       }
     }
+    center_y_ = moment / total_;
+    spread_ = std::max(second_moment / total_ - center_y_ * center_y_, 0.0) + half_length_ * half_length_ / 3;
   }
 
-  /// Displacement of both bodies at place t [m].
-  double at(double t) const
+  /// Displacement of both bodies at place (x, y) of the patch frame [m].
+  double at(double x, double y) const
   {
+    const double ahead = half_length_ + (x - center_x_);
+    const double behind = half_length_ - (x - center_x_);
     double sum = 0;
     for (std::size_t k = 0; k < groups_; ++k)
     {
-      sum += share_[k] * std::asinh(half_length_ / std::abs(t - place_[k]));
+      const double beside = std::max(std::abs(y - place_[k]), nearest_line * half_length_);
+      sum += 0.5 * share_[k] * (std::asinh(ahead / beside) + std::asinh(behind / beside));
     }
     return sum;
   }
 
-  /// What it is at least beside all groups: as if all of the load stood in its centre (asinh(1/t) is convex), where
-  /// asinh(x) >= x / sqrt(1 + x²) [m].
-  double atLeast(double t) const
+  /// What it is at least: as if all of the load stood at the mean of its squared distances (1/sqrt is convex) [m].
+  double atLeast(double x, double y) const
   {
-    const double distance = t - moment_ / total_;
-    return total_ * half_length_ / std::sqrt(distance * distance + half_length_ * half_length_);
+    const double dx = x - center_x_;
+    const double dy = y - center_y_;
+    return total_ * half_length_ / std::sqrt(dx * dx + dy * dy + spread_);
   }
 
  private:
-  double half_length_;  ///< [m]
-  double total_ = 0;    ///< of the shares [m]
-  double moment_ = 0;   ///< of the shares [m²]
+  double half_length_;   ///< [m]
+  double center_x_;      ///< of the load, patch frame [m]
+  double center_y_ = 0;  ///< likewise [m]
+  double spread_ = 0;    ///< mean squared distance of the load from there [m²]
+  double total_ = 0;     ///< of the shares [m]
   std::size_t groups_ = 0;
   std::array<double, most_groups> place_{};  ///< [m]
   std::array<double, most_groups> share_{};  ///< [m]
 };
+
+/// A grid and the strip about it in which the pressure's edges tell.
+struct Surroundings
+{
+  explicit Surroundings(const Grid& grid)
+      : half_length((0.5 + missed_clearance) * grid.nx * grid.dx),
+        y_begin(grid.y0 - missed_clearance * grid.ny * grid.dy),
+        y_end(grid.y(grid.ny - 1) + missed_clearance * grid.ny * grid.dy)
+  {
+  }
+
+  double half_length;     ///< [m]
+  double y_begin, y_end;  ///< patch frame [m]
+};
+
+/// Where along the track a yawed wheel comes nearest to the rail at a station, patch frame [m]; NaN where nowhere.
+double nearestPlace(const PlacedWheel& wheel, const Station& station, const ContactPlane& plane)
+{
+  SpacePoint locus;
+  const bool found = wheel.locus(wheel.profile().at(station.wheel_u), locus);
+  return found ? locus.x - plane.x : std::numeric_limits<double>::quiet_NaN();
+}
 }  // namespace
 
-bool widenOverMissedPressure(const SolvedPatch& solved, const PlacedRail& rail, const std::vector<Station>& stations,
-                             WheelPatch& patch)
+bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const PlacedRail& rail,
+                            const std::vector<Station>& stations, WheelPatch& patch)
 {
-  const Grid& grid = solved.grid;
-  const double clearance = missed_clearance * grid.ny * grid.dy;
   const double closing = (1 - missed_share) * solved.descent;
   const double u_first = patch.columns.front().rail_u;
   const double u_last = patch.columns.back().rail_u;
+  const bool yawed = !solved.grid.symmetric;
+  const Surroundings near(solved.grid);
   const PlaneAxes axes(patch.plane);
-  const PushBeside push(solved, patch.extent.half_length);
+  const PushBeside push(solved, patch);
   bool missed = false;
   for (const Station& station : stations)
   {
-    if (station.rail_u >= u_first && station.rail_u <= u_last)
+    const bool in_columns = station.rail_u >= u_first && station.rail_u <= u_last;
+    if ((in_columns && !yawed) || station.separation > closing)
     {
-      continue;  // within the grid
+      continue;
     }
-    const double t = axes.t(station.y, station.z);
-    if (t >= grid.y0 - clearance && t <= grid.y(grid.ny - 1) + clearance)
+    const double y = axes.t(station.y, station.z);
+    const double x = yawed ? nearestPlace(wheel, station, patch.plane) : 0;
+    const bool beside = !in_columns && (y < near.y_begin || y > near.y_end);
+    if (!beside && !(std::abs(x) > near.half_length))
     {
       continue;
     }
     const PlanePoint point = rail.at(station.rail_u);
     const double overlap = (closing - station.separation) * point.dy / axes.dt(point);  // along the plane's normal
-    if (overlap > push.atLeast(t) && overlap > push.at(t))
+    if (overlap > push.atLeast(x, y) && overlap > push.at(x, y))
     {
       missed = true;
-      patch.extent.y_begin = std::min(patch.extent.y_begin, t);
-      patch.extent.y_end = std::max(patch.extent.y_end, t);
+      patch.extent.y_begin = std::min(patch.extent.y_begin, y);
+      patch.extent.y_end = std::max(patch.extent.y_end, y);
+      patch.extent.half_length = std::max(patch.extent.half_length, std::abs(x));
     }
   }
   return missed;

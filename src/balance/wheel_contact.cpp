@@ -303,7 +303,7 @@ bool WheelContact::missesPressure(const RigidTouch& touch)
     {
       search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, touch.contact.separation, stations_);
       const SolvedPatch solved{problem_.patches[k].grid, solution_.patches[k].pressure, modulus_, solution_.approach};
-      missed = widenOverMissedPressure(solved, *rail_, stations_, patch) || missed;
+      missed = growOverMissedPressure(solved, *wheel_, *rail_, stations_, patch) || missed;
     }
   }
   return missed;

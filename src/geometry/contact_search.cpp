@@ -291,7 +291,7 @@ void ContactSearch::stationsBetween(double u_begin, double u_end, double level, 
     const double u = rail_outline_.u(k);
     if (u > u_begin && u < u_end && separation_[k] < infinity)
     {
-      stations.push_back({u, stations_.y(k), rail_outline_.z(k), separation_[k] - level});
+      stations.push_back({wheel_outline_.u(k), u, stations_.y(k), rail_outline_.z(k), separation_[k] - level});
     }
   }
 }

@@ -229,3 +229,34 @@ TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
     }
   }
 }
+
+// A yawed wheel comes nearest to the rail's gauge corner ahead of the tread's contact, where a second lobe may lie
+// beyond the end of the box: the highest pressure was 5 % off at an estimate of 0.7 %.
+TEST_F(WarmStartTest, PressureAheadOfABoxIsNotMissed)
+{
+  scene_.track.gauge = 1.430977;
+  scene_.track.cant = 1.0 / 20;
+  ContactModelConfig fine = scene_;
+  fine.contact.method = NormalMethod::conjugate_gradient;
+  fine.contact.cells_along = 128;
+  fine.contact.cells_across = 256;
+  fine.contact.tolerance = 1e-3;
+  WheelsetContact warm(scene_);
+  WheelsetContact truth(fine);
+  WheelsetState state{};
+  state.yaw = 13.067e-3;
+  state.force_z = -99775;
+  for (const int offset : {0, 1, 0, -1, 0, 1})
+  {
+    state.y = 4.310e-3 + 5e-5 * offset;
+    truth.reset();
+    const WheelsetResult& found = warm.evaluate(state);
+    const WheelsetResult& expected = truth.evaluate(state);
+    ASSERT_EQ(found.status, ContactStatus::ok) << found.reason;
+    ASSERT_EQ(expected.status, ContactStatus::ok) << expected.reason;
+    const double error =
+        std::abs(wheelTotal(found, Side::left).max_pressure / wheelTotal(expected, Side::left).max_pressure - 1);
+    EXPECT_TRUE(found.above_tolerance || error < scene_.contact.tolerance)
+        << "off by " << error << ", unsaid, at offset " << offset;
+  }
+}

@@ -37,6 +37,7 @@ struct OverlapZone
 /// Separation at one place across the track.
 struct Station
 {
+  double wheel_u;     ///< parameter of the wheel's profile [m]
   double rail_u;      ///< parameter of the rail's profile [m]
   double y, z;        ///< of the rail's outline, side axes [m]
   double separation;  ///< vertical distance of the outlines [m]
