@@ -33,6 +33,11 @@ void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
   }
 }
 
+bool differInHeightOnly(const WheelsetPose& one, const WheelsetPose& other)
+{
+  return one.y == other.y && one.yaw == other.yaw && one.roll == other.roll;
+}
+
 double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
 {
   return config.wheelset.rolling_radius - config.wheel_profile->at(contact.wheel_u).z;
@@ -88,14 +93,19 @@ void WheelContact::reset()
 
 RigidTouch WheelContact::touch(const WheelsetPose& pose)
 {
-  RigidTouch touch;
-  held_ = pose.y == learned_.y && pose.yaw == learned_.yaw && pose.roll == learned_.roll;
-  wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
+  const WheelsetPose grounded{pose.y, 0, pose.yaw, pose.roll};
+  held_ = differInHeightOnly(grounded, learned_);
+  if (touch_ && differInHeightOnly(grounded, wheel_->pose()))
+  {
+    return *touch_;
+  }
+  wheel_.emplace(*config_.wheel_profile, config_.wheelset, grounded);
   search_.setWheel(*wheel_);
+  RigidTouch& touch = touch_.emplace();
   touch.found = search_.nearest(touch.contact);
   if (touch.found)
   {
-    touch.axle_height = pose.z - touch.contact.separation;
+    touch.axle_height = -touch.contact.separation;
     const PlanePoint point = rail_->at(touch.contact.rail_u);
     touch.lever = point.y - pose.y + (point.z - touch.axle_height) * touch.contact.slope;
   }

@@ -20,6 +20,7 @@ void WheelContact::setRail(const PlacedRail& rail, const Support& support)
   support_ = support;
   yielded_ = 0;
   search_.setRail(rail);
+  touch_.reset();
 }
 
 WheelForces WheelContact::sumOfForces() const

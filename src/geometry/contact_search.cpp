@@ -123,16 +123,15 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
 void ContactSearch::findMinima()
 {
   minima_.clear();
-  double before = infinity;
+  bool fell = true;
   for (std::size_t k = 0; k < separation_.size(); ++k)
   {
-    const double here = separation_[k];
-    const double after = k + 1 < separation_.size() ? separation_[k + 1] : infinity;
-    if (here <= before && here < after)
+    const bool rises = separation_[k] < (k + 1 < separation_.size() ? separation_[k + 1] : infinity);
+    if (fell && rises)
     {
       minima_.push_back(k);
     }
-    before = here;
+    fell = !rises;
   }
 }
 
@@ -190,11 +189,9 @@ std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t behind) 
       std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(behind)) - begin);
 }
 
-OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double separation) const
+/// First and last of the stations below `separation` that follow on a station without a gap; that one counts.
+std::pair<std::size_t, std::size_t> ContactSearch::belowAround(std::size_t k, double separation) const
 {
-  const auto last_station = static_cast<double>(stations_.count - 1);
-  const double place = std::round((contact.y - stations_.first) / stations_.spacing);
-  const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, last_station));
   std::size_t first = k;
   std::size_t last = k;
   while (first > 0 && separation_[first - 1] < separation)
@@ -205,6 +202,15 @@ OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double sepa
   {
     ++last;
   }
+  return {first, last};
+}
+
+OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double separation) const
+{
+  const auto last_station = static_cast<double>(stations_.count - 1);
+  const double place = std::round((contact.y - stations_.first) / stations_.spacing);
+  const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, last_station));
+  const auto [first, last] = belowAround(k, separation);
   OverlapZone zone = separation_[k] < separation ? stretch(first, last, separation) : OverlapZone{};
   zone.contact = contact;
   if (last - first + 1 < fine_stations)
@@ -249,31 +255,34 @@ void ContactSearch::addZones(std::size_t first, std::size_t last, double separat
 void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zones) const
 {
   zones.clear();
-  auto next_minimum = minima_.begin();
-  for (std::size_t k = 0; k < stations_.count; ++k)
+  std::size_t behind = 0;  // the last stretch
+  for (const std::size_t minimum : minima_)
   {
-    const std::size_t first = k;
-    while (next_minimum != minima_.end() && *next_minimum < k)
-    {
-      ++next_minimum;
-    }
-    while (k < stations_.count && separation_[k] < separation)
-    {
-      ++k;
-    }
-    if (k - first >= fine_stations)
-    {
-      addZones(first, k - 1, separation, zones);
-      continue;
-    }
-    const bool minimum = k == first && next_minimum != minima_.end() && *next_minimum == k &&
-                         separation_[k] < separation + depthBelowStation(k);
-    if (k == first && !minimum)
+    if (minimum < behind)
     {
       continue;
     }
-    OverlapZone zone = minimum ? OverlapZone{} : stretch(first, k - 1, separation);
-    zone.contact = refined(minimum ? k : lowestStation(first, k));
+    OverlapZone zone;
+    if (separation_[minimum] < separation)
+    {
+      const auto [first, last] = belowAround(minimum, separation);
+      behind = last + 1;
+      if (behind - first >= fine_stations)
+      {
+        addZones(first, last, separation, zones);
+        continue;
+      }
+      zone = stretch(first, last, separation);
+      zone.contact = refined(lowestStation(first, behind));
+    }
+    else if (separation_[minimum] < separation + depthBelowStation(minimum))
+    {
+      zone.contact = refined(minimum);
+    }
+    else
+    {
+      continue;
+    }
     if (narrow(separation, zone))
     {
       zones.push_back(zone);

@@ -114,11 +114,13 @@ InitialContact ContactSearch::refined(std::size_t k) const
 
 bool ContactSearch::nearest(InitialContact& contact)
 {
-  const std::size_t lowest = lowestStation(0, stations_.count);
-  if (!(separation_[lowest] < infinity))
+  if (minima_.empty())
   {
     return false;
   }
+  const std::size_t lowest =
+      *std::min_element(minima_.begin(), minima_.end(),
+                        [this](std::size_t one, std::size_t other) { return separation_[one] < separation_[other]; });
   contact = refined(lowest);
   std::size_t station = lowest;
   for (const std::size_t k : minima_)

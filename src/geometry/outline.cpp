@@ -9,7 +9,7 @@ void Outline::start(const Stations& stations)
 {
   stations_ = stations;
   height_.assign(stations.count, std::numeric_limits<double>::infinity());
-  u_.assign(stations.count, 0);
+  u_.resize(stations.count);
 }
 
 /// Places of points and steepness of the segments behind them. Divisions are slow: loops without a branch do several at
@@ -40,29 +40,38 @@ void Outline::add(const OutlinePoints& points, std::size_t first_point, std::siz
   measureSegments(points, first_point, behind);
   // To the compiler, what is written may change any number it does not hold itself.
   double *height = height_.data(), *parameter = u_.data();
+  const double *place = place_.data(), *rise = rise_.data(), *shift = shift_.data();
+  const double *y = points.y.data(), *z = points.z.data(), *u = points.u.data();
   const double first = stations_.first, spacing = stations_.spacing, sign = sign_;
   const double last = static_cast<double>(stations_.count) - 1;
+  double walked = -1;  // place up to which stations lie behind
+  double station = 0;  // the first one beyond it
+  long k = 0;          // the same; signed numbers convert faster
   for (std::size_t i = first_point; i + 1 < behind; ++i)
   {
-    const double begin = std::min(place_[i], place_[i + 1]);
-    const double end = std::min(std::max(place_[i], place_[i + 1]), last);
+    const double begin = std::min(place[i], place[i + 1]);
+    const double end = std::min(std::max(place[i], place[i + 1]), last);
     if (!(end >= 0) || !(end > begin))
     {
       continue;  // beside the stations, or y is not a number
     }
-    const double from_point = first - points.y[i];
-    const double z = sign * points.z[i], rise = rise_[i], u = points.u[i], shift = shift_[i];
-    const long behind_last = static_cast<long>(end) + 1;  // signed numbers convert faster
-    const long below = begin > 0 ? static_cast<long>(begin) : 0;
-    for (long k = static_cast<double>(below) < begin ? below + 1 : below; k < behind_last; ++k)
+    if (begin != walked)
     {
-      const double run = from_point + static_cast<double>(k) * spacing;
-      if (z + rise * run < height[k])
+      k = static_cast<long>(std::max(begin, 0.0));
+      k += static_cast<double>(k) < begin ? 1 : 0;
+      station = static_cast<double>(k);
+    }
+    for (; station <= end; station += 1, ++k)
+    {
+      const double run = first - y[i] + station * spacing;
+      const double here = sign * z[i] + rise[i] * run;
+      if (here < height[k])
       {
-        height[k] = z + rise * run;
-        parameter[k] = u + shift * run;
+        height[k] = here;
+        parameter[k] = u[i] + shift[i] * run;
       }
     }
+    walked = end;
   }
 }
 }  // namespace wheel_rail_contact

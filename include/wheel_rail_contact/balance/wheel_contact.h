@@ -72,7 +72,7 @@ class WheelContact
   /// As it is set.
   const PlacedRail& rail() const { return *rail_; }
 
-  /// First touch at a pose (its z is not used).
+  /// First touch at a pose (its z is not used). Costs nothing where the last one was asked for.
   RigidTouch touch(const WheelsetPose& pose);
 
   /// Estimated descent of the axle below the first touch under a vertical load [m]: from the last solution, or Hertz
@@ -191,7 +191,8 @@ class WheelContact
   ContactSearch search_;
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
-  std::vector<OverlapZone> zones_;  ///< scratch
+  std::optional<RigidTouch> touch_;  ///< of that wheel and that rail; none if the rail has been set anew
+  std::vector<OverlapZone> zones_;   ///< scratch
   std::vector<Station> stations_;
   std::vector<WheelPatch> patches_;
   std::vector<PatchMemory> memory_;

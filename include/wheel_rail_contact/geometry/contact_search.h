@@ -92,6 +92,7 @@ class ContactSearch
   double railAngle(std::size_t k) const;
   void addZones(std::size_t first, std::size_t last, double separation, std::vector<OverlapZone>& zones) const;
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
+  std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
   InitialContact refined(std::size_t k) const;
   bool isNear(const InitialContact& contact, std::size_t k) const;

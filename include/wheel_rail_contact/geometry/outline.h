@@ -49,7 +49,7 @@ class Outline
 
   /// Height at a station [m]; infinite (up for a lower envelope, down for an upper one) where there is no body.
   double z(std::size_t k) const { return sign_ * height_[k]; }
-  /// Profile parameter there [m].
+  /// Profile parameter there [m]; any number where there is no body.
   double u(std::size_t k) const { return u_[k]; }
 
  private:
