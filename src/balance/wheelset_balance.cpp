@@ -296,7 +296,7 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
   bool rough = !warm_;
   for (int pass = 0; pass < most_passes; ++pass)
   {
-    if (!place())
+    if (!place(pass == 0))
     {
       return failed(WheelStatus::beside_rail);
     }

@@ -13,8 +13,10 @@ namespace
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;        ///< [rad]
 constexpr double roll_step_limit = 5e-3;  ///< [rad]
-/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m].
+/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m]: in the
+/// first pass a tenth of the roll that an answer may leave open, which is made up for to first order.
 constexpr double height_per_tolerance = 1e-5;
+constexpr double first_height_per_tolerance = 5e-5;
 }  // namespace
 
 /// The state's pose at a roll, seen from a side; its height is left open.
@@ -39,8 +41,9 @@ double WheelsetBalance::heightDifference() const
 
 /// The roll at which both axle ends agree, with the descents known so far: the height seen from the left falls with the
 /// roll, that from the right rises. Newton's steps, kept within the bracket seen so far.
-bool WheelsetBalance::findRoll()
+bool WheelsetBalance::findRoll(bool first)
 {
+  const double open = (first ? first_height_per_tolerance : height_per_tolerance) * config_.contact.tolerance;
   double low = -roll_limit;
   double high = roll_limit;
   for (int i = 0; i < most_roll_steps; ++i)
@@ -50,7 +53,7 @@ bool WheelsetBalance::findRoll()
       return false;
     }
     const double difference = heightDifference();
-    if (std::abs(difference) < height_per_tolerance * config_.contact.tolerance || high - low < 1e-12)
+    if (std::abs(difference) < open || high - low < 1e-12)
     {
       return true;
     }
@@ -97,8 +100,8 @@ void WheelsetBalance::foresee(double moved)
   }
 }
 
-/// Places the wheelset for the next pass.
-bool WheelsetBalance::place()
+/// Places the wheelset for the next pass, or the first one.
+bool WheelsetBalance::place(bool first)
 {
   if (!config_.wheelset.solve_height_and_roll)
   {
@@ -109,7 +112,7 @@ bool WheelsetBalance::place()
     roll_ = secant_.roll();
     return touchBoth(roll_);
   }
-  return findRoll();
+  return findRoll(first);
 }
 
 double WheelsetBalance::lever(Side side) const

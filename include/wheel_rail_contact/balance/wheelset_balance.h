@@ -55,11 +55,11 @@ class WheelsetBalance
   ContactStatus fail(ContactStatus status, std::string_view reason);
   ContactStatus failed(WheelStatus status);
   bool begin(const WheelsetState& state);
-  bool place();
+  bool place(bool first);
   WheelsetPose poseOf(Side side, double roll) const;
   bool touchBoth(double roll);
   bool touchFirst();
-  bool findRoll();
+  bool findRoll(bool first);
   double heightDifference() const;
   double lever(Side side) const;
   double leverSum() const;
