@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 #include "wheel_rail_contact/normal/kik_piotrowski.h"
@@ -141,6 +142,24 @@ void RungChoice::start(const ErrorEstimate& rough)
   }
 }
 
+/// The coarsest rung that is not known to fail here.
+std::size_t RungChoice::coarsest() const
+{
+  const Failure& failure = failures_[slot(place_)];
+  return failure.place == place_ && answers_ - failure.answer < remembered ? failure.finer : 0;
+}
+
+void RungChoice::arrive(double place)
+{
+  place_ = std::lround(place / same_place);
+  ++answers_;
+  if (coarsest() > rung_)
+  {
+    rung_ = coarsest();
+    descended_ = false;
+  }
+}
+
 bool RungChoice::climb(const ErrorEstimate& error)
 {
   if (closed_form_)
@@ -151,6 +170,7 @@ bool RungChoice::climb(const ErrorEstimate& error)
   {
     return false;
   }
+  failures_[slot(place_)] = {place_, rung_ + 1, answers_};
   const ErrorEstimate normal = normalised(error, rung());
   const std::size_t highest = std::min(rung_ + longest_climb, ladder_->count() - 1);
   do
@@ -207,7 +227,7 @@ void RungChoice::descend(const ErrorEstimate& error)
     next_wait_ = std::max(next_wait_ / 2, first_wait);
   }
   const double reserve = wait_ > 0 ? large_reserve : descend_reserve;
-  while (rung_ > 0 && promised(lately_, ladder_->at(rung_ - 1)) < reserve * tolerance_)
+  while (rung_ > coarsest() && promised(lately_, ladder_->at(rung_ - 1)) < reserve * tolerance_)
   {
     --rung_;
   }

@@ -220,6 +220,7 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   for (const Side side : sides)
   {
     wheel_[index(side)].begin(moved);
+    choice_[index(side)].arrive(state.y);
     double& load = load_[index(side)];
     load = finds_loads_ ? expectedLoad(side) : load < least_load ? std::min(load, 0.0) : load;
     load_search_[index(side)].begin(load_[index(side)]);

@@ -81,6 +81,7 @@ class GapContender : public Contender
       choice_.start(estimate_);
       choice_.tryClosedForm(*problem_, solution_);
     }
+    choice_.arrive(offset * step);
     do
     {
       solveOn(choice_.rung(), offset);

@@ -149,5 +149,29 @@ TEST(MethodChoice, aSteadySceneSettlesOnOneGrid)
   }
   EXPECT_EQ(changes, 0);
 }
+
+/// Two solutions a message are due; without memory of the places where a grid failed there were 2.85.
+TEST(MethodChoice, aWheelsetThatComesBackFindsTheGridThatWasNeeded)
+{
+  constexpr int reach = 4;
+  constexpr int ways = 64;
+  ContactModelConfig config = manchesterScene();
+  config.contact.tolerance = 0.01;
+  const MethodLadder ladder(config);
+  WheelsetBalance balance(config, ladder);
+  const auto solutions = [&balance]
+  { return balance.wheel(Side::left).solutions() + balance.wheel(Side::right).solutions(); };
+  int before = 0;
+  for (int way = 0; way <= ways; ++way)
+  {
+    before = way == 1 ? solutions() : before;  // the first way finds out
+    for (int i = 0; i < 4 * reach; ++i)
+    {
+      const int step = std::abs((i + reach) % (4 * reach) - 2 * reach) - reach;
+      ASSERT_EQ(balance.solve(stateAt(0.5e-3 + 5e-5 * step, 1e5)), ContactStatus::ok);
+    }
+  }
+  EXPECT_LT(solutions() - before, 2.4 * 4 * reach * ways);
+}
 }  // namespace
 }  // namespace wheel_rail_contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -63,6 +64,10 @@ class RungChoice
   /// Sets out from cold, by the errors estimated on the rough grid: the rung that is promised to do, at most the one
   /// that does in ordinary scenes. The closed form may be tried at once.
   void start(const ErrorEstimate& rough);
+  /// Sets out for an answer with the wheelset at a place across the track [m]: where a rung has failed of late, a finer
+  /// one is taken at once. It is where profiles change their curvature that coarse grids fail, and a wheelset that runs
+  /// to and fro comes by again.
+  void arrive(double place);
   /// Climbs if an estimated error is above the tolerance. @return true if there is a finer rung to solve on.
   bool climb(const ErrorEstimate& error);
   /// Takes a coarser rung for the next answer if that promises to do, by the largest of the last answers' estimates,
@@ -76,7 +81,17 @@ class RungChoice
   bool leaveClosedForm();
 
  private:
+  /// That a rung was too coarse somewhere.
+  struct Failure
+  {
+    long place = 0;         ///< in units of same_place
+    std::size_t finer = 0;  ///< the next rung; 0: none failed
+    long answer = 0;        ///< at which
+  };
+
   double closedFormLimit() const;
+  std::size_t coarsest() const;
+  static std::size_t slot(long place) { return static_cast<std::size_t>(place & (remembered - 1)); }
 
   const MethodLadder* ladder_;
   double tolerance_;
@@ -87,7 +102,13 @@ class RungChoice
   bool descended_ = false;    ///< for the present answer
   int wait_ = 0;              ///< answers before the next try to descend
   int next_wait_ = first_wait;
+  long place_ = 0;    ///< in units of same_place
+  long answers_ = 0;  ///< so far
   std::vector<ErrorEstimate> scratch_;
+
+  static constexpr double same_place = 5e-5;  ///< [m]
+  static constexpr long remembered = 64;      ///< answers for which a failure is remembered; a power of two
+  std::array<Failure, remembered> failures_{};
 
   static constexpr int first_wait = 2;
   static constexpr int longest_wait = 64;
