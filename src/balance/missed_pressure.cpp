@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace wheel_rail_contact
 {
@@ -92,12 +91,13 @@ struct Surroundings
   double y_begin, y_end;  ///< patch frame [m]
 };
 
-/// Where along the track a yawed wheel comes nearest to the rail at a station, patch frame [m]; NaN where nowhere.
+/// Where along the track a yawed wheel comes nearest to the rail at a station, patch frame [m]; the plane's own place
+/// where nowhere.
 double nearestPlace(const PlacedWheel& wheel, const Station& station, const ContactPlane& plane)
 {
   SpacePoint locus;
   const bool found = wheel.locus(wheel.profile().at(station.wheel_u), locus);
-  return found ? locus.x - plane.x : std::numeric_limits<double>::quiet_NaN();
+  return found ? locus.x - plane.x : 0;
 }
 }  // namespace
 

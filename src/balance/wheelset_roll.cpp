@@ -13,9 +13,9 @@ namespace
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;        ///< [rad]
 constexpr double roll_step_limit = 5e-3;  ///< [rad]
-/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m]: in the
-/// first pass a tenth of the roll that an answer may leave open, which is made up for to first order.
+/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m].
 constexpr double height_per_tolerance = 1e-5;
+/// The same in the first pass: a tenth of the roll that an answer may leave open, which is made up for to first order.
 constexpr double first_height_per_tolerance = 5e-5;
 }  // namespace
 

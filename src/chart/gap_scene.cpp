@@ -75,13 +75,13 @@ class GapContender : public Contender
 
   void answer(int offset) override
   {
+    choice_.arrive(offset * step);
     if (!warm_ && ladder_.count() > 1)
     {
       solveOn(ladder_.rough(), offset);
       choice_.start(estimate_);
       choice_.tryClosedForm(*problem_, solution_);
     }
-    choice_.arrive(offset * step);
     do
     {
       solveOn(choice_.rung(), offset);

@@ -11,11 +11,14 @@ namespace
 /// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
 constexpr double kLoneCell = 0.325;
 /// By how much each crossing of the edge with a line of cell centres makes the polygon too large [cells].
-constexpr double kEachCrossing = 0.0035;
+constexpr double kEachCrossing = 0.0032;
 /// The same of lines along the cells' longer side, times the logarithm of the cells' aspect.
-constexpr double kEachLongCrossing = 0.0080;
-/// By how much its chords cut a closed edge short [cells], and what of that is missing around few cells [cells^(5/2)].
-constexpr double kChords = 0.5, kFewCells = 10;
+constexpr double kEachLongCrossing = 0.0074;
+/// By how much its chords cut a closed edge short [cells], what few cells add to that [cells^(3/2)], and what a handful
+/// of cells take away from it [cells^(5/2)].
+constexpr double kChords = 0.4, kFewCells = 2.0, kHandful = 34;
+/// By how much more the chords cut short on each of the four sides, per cell that the edge lies farther out there.
+constexpr double kTip = 0.32;
 
 double straightEdge(double p1, double p2)
 {
@@ -120,20 +123,41 @@ double EdgePolygon::cells(double aspect)
   return std::max(polygon - excess(polygon, aspect), 0.0);
 }
 
+void EdgePolygon::Tip::see(int outward, double reach)
+{
+  if (outward > line)
+  {
+    line = outward;
+    farthest = reach;
+  }
+  else if (outward == line)
+  {
+    farthest = std::max(farthest, reach);
+  }
+}
+
+double EdgePolygon::Tip::beyond() const
+{
+  return line > none ? farthest - kLoneCell : 0;
+}
+
 double EdgePolygon::excess(double polygon, double aspect) const
 {
   const double images = mirrored_ ? 2 : 1;
   const double whole = std::max(images * polygon, 1.0);
-  const double chords = std::max(kChords - kFewCells / (whole * std::sqrt(whole)), 0.0);
+  const double chords = std::max(kChords + (kFewCells - kHandful / whole) / std::sqrt(whole), 0.0);
+  const double tips_along = front_.beyond() + (mirrored_ ? 0 : back_.beyond());
+  const double tips_across = (left_.beyond() + right_.beyond()) / images;
   const double longer = std::log(aspect);
   const int long_crossings = longer > 0 ? crossings_along_ : crossings_across_;
   return kEachCrossing * (crossings_along_ + crossings_across_) +
-         kEachLongCrossing * std::abs(longer) * long_crossings - chords / images;
+         kEachLongCrossing * std::abs(longer) * long_crossings - chords / images - kTip * (tips_along + tips_across);
 }
 
 double EdgePolygon::polygonCells()
 {
   crossings_along_ = crossings_across_ = 0;
+  front_ = back_ = left_ = right_ = {};
   along_.resize(static_cast<std::size_t>(stride_));
   double whole = 0, middle = 0;
   for (Eigen::Index j = -1; j < columns_; ++j)
@@ -157,8 +181,17 @@ double EdgePolygon::polygonCells()
         sides.lower = along_[i];
         sides.upper = crosses_column ? reach(q, 1) : 0;
         along_[i] = sides.upper;
-        crossings_across_ += crosses_row ? 1 : 0;
-        crossings_along_ += crosses_column ? 1 : 0;
+        const int row = static_cast<int>(i), column = static_cast<int>(j);
+        if (crosses_row)
+        {
+          ++crossings_across_;
+          second_row == 2 ? right_.see(column, sides.right) : left_.see(-column, sides.right);
+        }
+        if (crosses_column)
+        {
+          ++crossings_along_;
+          second_column == 4 ? front_.see(row, sides.upper) : back_.see(-row, sides.upper);
+        }
         share = loadedShare(corners, sides);
       }
       whole += share;

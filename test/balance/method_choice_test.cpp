@@ -151,7 +151,7 @@ TEST(MethodChoice, aSteadySceneSettlesOnOneGrid)
 }
 
 /// Two solutions a message are due; without memory of the places where a grid failed there were 2.85.
-TEST(MethodChoice, aWheelsetThatComesBackFindsTheGridThatWasNeeded)
+TEST(MethodChoice, aWheelsetThatComesBackTakesAFinerGridAtOnce)
 {
   constexpr int reach = 4;
   constexpr int ways = 64;

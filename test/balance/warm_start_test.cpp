@@ -256,7 +256,12 @@ TEST_F(WarmStartTest, PressureAheadOfABoxIsNotMissed)
     ASSERT_EQ(expected.status, ContactStatus::ok) << expected.reason;
     const double error =
         std::abs(wheelTotal(found, Side::left).max_pressure / wheelTotal(expected, Side::left).max_pressure - 1);
-    EXPECT_TRUE(found.above_tolerance || error < scene_.contact.tolerance)
-        << "off by " << error << ", unsaid, at offset " << offset;
+    double estimate = 0;
+    for (const PatchResult& patch : found.patches)
+    {
+      estimate = patch.side == Side::left ? std::max(estimate, patch.error_estimate) : estimate;
+    }
+    EXPECT_LT(error, std::max(estimate, scene_.contact.tolerance)) << "unsaid, at offset " << offset;
+    EXPECT_LT(error, 0.05) << "at offset " << offset;
   }
 }

@@ -62,7 +62,7 @@ class RungChoice
   const Rung& rung() const { return closed_form_ ? *ladder_->closedForm() : ladder_->at(rung_); }
 
   /// Sets out from cold, by the errors estimated on the rough grid: the rung that is promised to do, at most the one
-  /// that does in ordinary scenes. The closed form may be tried at once.
+  /// that does in ordinary scenes, unless a finer one is known to be needed here. The closed form may be tried at once.
   void start(const ErrorEstimate& rough);
   /// Sets out for an answer with the wheelset at a place across the track [m]: where a rung has failed of late, a finer
   /// one is taken at once. It is where profiles change their curvature that coarse grids fail, and a wheelset that runs
