@@ -7,6 +7,7 @@
 #include "errors_of.h"
 #include "problems.h"
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "wheel_rail_contact/normal/unseen_slope.h"
 
 namespace wheel_rail_contact
 {
@@ -34,7 +35,48 @@ PatchPressure solved(const NormalProblem& problem, double& estimate)
   estimate = errorsOf(solver, problem, solution)[0].max_pressure;
   return solution.patches[0];
 }
+
+/// What the cells do not show of a gap, across at x = 0 by its own differences.
+template <typename Gap>
+Eigen::ArrayXd unseenSlope(const Grid& grid, Gap gap)
+{
+  PatchGap patch = problems::sampled(grid, gap);
+  constexpr double near = 1e-8;  // [m]
+  fillUnseenSlope(patch,
+                  [&](Eigen::Index j)
+                  {
+                    const double y = grid.y(static_cast<int>(j));
+                    return (gap(0, y + near) - gap(0, y - near)) / (2 * near);
+                  });
+  return patch.unseen_slope;
+}
 }  // namespace
+
+// A yawed wheel's crest runs askew over the grid: beside x = 0 the gap's slope across is another one. Counted as
+// unseen, it made errors of the pressure of up to 4 % of it out of 0.1 %. What central differences of the slopes have
+// of rounding is 1e-10.
+TEST(UnseenSlope, CellsShowAllOfASmoothGapAskew)
+{
+  const auto askew = [](double x, double y)
+  { return 1.1 * (x + 0.05 * y) * (x + 0.05 * y) + (y > 1e-3 ? 2.3 : 1.1) * (y - 1e-3) * (y - 1e-3); };
+  for (const int nx : {8, 9, 16})
+  {
+    const Grid grid = problems::centredGrid(nx, columns, width, width, false);
+    EXPECT_LT(unseenSlope(grid, askew).maxCoeff(), 1e-9) << nx;
+  }
+}
+
+TEST(UnseenSlope, SlopesOfNarrowWavesAreUnseen)
+{
+  const double steepest = 1e-3, wavenumber = 2 * std::acos(-1.0) / wave;
+  const auto wavy = [=](double x, double y)
+  { return 1.1 * x * x + 1.1 * y * y + steepest / wavenumber * std::sin(wavenumber * (y + 0.5 * wave)); };
+  for (const bool even : {true, false})
+  {
+    const Grid grid = problems::centredGrid(8, columns, width, width, even);
+    EXPECT_NEAR(unseenSlope(grid, wavy).maxCoeff(), steepest, 1e-3 * steepest) << even;
+  }
+}
 
 // Johnson (1985), eq. 13.2: pressed flat, a wave of slopes up to s adds E* s / 2 to the pressure. That is on a plane:
 // on the bowl it comes to within one per cent of it. Without slopes the estimate misses the wave.
