@@ -23,43 +23,53 @@ constexpr GridSize closed_form_grid{8, 16};  ///< on which the gap is looked at 
 /// hand, a shape is prepared when it is first met: all of them would take seconds.
 constexpr int most_prepared_cells = 64 * 128;
 
-/// Smooth contacts need cells along more than across and find enough on the coarser half of the grids; curvature jumps
-/// need them across. Ordinary errors and typical estimates (max pressure, area, approach): as
-/// test/calibration/calibrate_ladder.cpp printed them for 300 scenes of seed 3; rounded, errors up. The middle 80 % of
-/// the largest estimates lie within a factor of 1.6 to 2.4 on the coarser half, of 4 to 7 on the others.
-constexpr std::array<Rung, 13> rungs{{{{8, 16}, 0.07, {11.7, 11.3, 7.6}},
-                                      {{10, 24}, 0.022, {6.1, 5.2, 5.4}},
-                                      {{12, 24}, 0.017, {4.7, 3.8, 4.7}},
-                                      {{12, 32}, 0.010, {4.0, 3.1, 4.6}},
-                                      {{16, 32}, 0.009, {2.5, 2.2, 2.4}},
-                                      {{16, 48}, 0.004, {2.05, 1.51, 2.4}},
-                                      {{20, 48}, 0.004, {1.43, 1.26, 1.48}},
-                                      {{24, 56}, 0.004, {1.0, 1.0, 1.0}},
-                                      {{24, 80}, 0.0020, {0.39, 0.66, 0.93}},
-                                      {{24, 96}, 0.0015, {0.30, 0.51, 0.89}},
-                                      {{32, 96}, 0.0012, {0.26, 0.46, 0.54}},
-                                      {{48, 96}, 0.0008, {0.23, 0.36, 0.27}},
-                                      {{64, 128}, 0.0006, {0.12, 0.24, 0.17}}}};
+/// In the order of the time they take. Smooth contacts need cells along more than across and find enough on the coarser
+/// half of the grids; jumps of the curvature need cells across, tails of the pressure along. Ordinary errors and
+/// typical estimates (max pressure, area without tails, approach, tails): as test/calibration/calibrate_ladder.cpp
+/// printed them for 300 scenes of seed 3; rounded, errors up. The middle half of the estimates lie within a factor
+/// of 1.1 to 2.3 of one another; on the two coarsest grids and, of areas and tails, where cells are much longer than
+/// wide, of 4.5.
+constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.07, {37, 11.5, 7.5, 13}},
+                                      {{10, 24}, 0.022, {11.8, 5.5, 4.9, 8.7}},
+                                      {{12, 24}, 0.017, {11.7, 4.1, 4.7, 3.5}},
+                                      {{12, 32}, 0.010, {5.1, 3.3, 4.5, 4.1}},
+                                      {{16, 32}, 0.009, {4.9, 2.3, 2.4, 2.3}},
+                                      {{16, 48}, 0.004, {1.65, 1.65, 2.4, 1.7}},
+                                      {{12, 64}, 0.0045, {1.04, 1.9, 4.4, 12}},
+                                      {{20, 48}, 0.004, {1.48, 1.31, 1.47, 1.32}},
+                                      {{16, 64}, 0.003, {0.85, 1.30, 2.4, 2.3}},
+                                      {{24, 56}, 0.004, {1, 1, 1, 1}},
+                                      {{16, 80}, 0.003, {0.40, 1.62, 2.4, 3.3}},
+                                      {{16, 96}, 0.003, {0.27, 1.64, 2.4, 3.6}},
+                                      {{24, 80}, 0.0020, {0.35, 0.89, 0.99, 0.76}},
+                                      {{24, 96}, 0.0015, {0.22, 0.84, 0.98, 0.63}},
+                                      {{32, 96}, 0.0012, {0.21, 0.59, 0.56, 0.44}},
+                                      {{48, 96}, 0.0008, {0.19, 0.38, 0.28, 0.30}},
+                                      {{64, 128}, 0.0006, {0.091, 0.32, 0.17, 0.17}}}};
 
-/// What errors estimated on a rung promise on 24 × 56 cells.
+static_assert(rungs.size() <= RungChoice::most_rungs);
+
+/// What errors estimated on a rung promise on 24 × 56 cells; of the area, what the tails do not make.
 ErrorEstimate normalised(const ErrorEstimate& error, const Rung& rung)
 {
-  return {error.max_pressure / rung.typical.max_pressure, error.area / rung.typical.area,
-          error.approach / rung.typical.approach};
+  const ErrorEstimate& typical = rung.typical;
+  return {error.max_pressure / typical.max_pressure, (error.area - error.tails) / typical.area,
+          error.approach / typical.approach, error.tails / typical.tails};
 }
 
 /// Largest error promised on a rung by what is promised on 24 × 56 cells [-].
 double promised(const ErrorEstimate& normal, const Rung& rung)
 {
-  return std::max({normal.max_pressure * rung.typical.max_pressure, normal.area * rung.typical.area,
-                   normal.approach * rung.typical.approach});
+  const ErrorEstimate& typical = rung.typical;
+  return std::max({normal.max_pressure * typical.max_pressure,
+                   normal.area * typical.area + normal.tails * typical.tails, normal.approach * typical.approach});
 }
 
 Rung rungFor(const ContactConfig& contact)
 {
   if (contact.cells_along > 0)
   {
-    return {{contact.cells_along, contact.cells_across}, 0, {1, 1, 1}, nullptr};
+    return {{contact.cells_along, contact.cells_across}, 0, {1, 1, 1, 1}, nullptr};
   }
   return *std::find_if(rungs.begin(), rungs.end() - 1,
                        [&](const Rung& rung) { return rung.ordinary_error <= contact.tolerance; });
@@ -126,38 +136,64 @@ MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}, closed_
   if (free && config.rail_bending.model != RailBendingConfig::Model::compliance)
   {
     hertz_ = std::make_unique<HertzSolver>();
-    closed_form_ = {closed_form_grid, 0, {1, 1, 1}, hertz_.get()};
+    closed_form_ = {closed_form_grid, 0, {1, 1, 1, 1}, hertz_.get()};
   }
 }
 
 void RungChoice::start(const ErrorEstimate& rough)
 {
-  rung_ = coarsest();
   closed_form_ = false;
   closed_form_wait_ = 0;
+  descended_ = false;
   const ErrorEstimate normal = normalised(rough, ladder_->rough());
-  while (rung_ + 1 < ladder_->count() && rung().ordinary_error > tolerance_ && promised(normal, rung()) > tolerance_)
+  rung_ = 0;
+  while (rung_ + 1 < ladder_->count() &&
+         (failsHere(rung_) || (rung().ordinary_error > tolerance_ && promised(normal, rung()) > tolerance_)))
   {
     ++rung_;
   }
 }
 
-/// The coarsest rung that is not known to fail here.
-std::size_t RungChoice::coarsest() const
+const RungChoice::Failure* RungChoice::failureHere() const
 {
   const Failure& failure = failures_[slot(place_)];
-  return failure.place == place_ && answers_ - failure.answer < remembered ? failure.finer : 0;
+  return failure.place == place_ && answers_ - failure.answer < remembered ? &failure : nullptr;
+}
+
+bool RungChoice::failsHere(std::size_t rung) const
+{
+  const Failure* failure = failureHere();
+  return failure != nullptr && rung != failure->did &&
+         (failure->rungs[rung] || promised(failure->normal, ladder_->at(rung)) > clear_failure * tolerance_);
 }
 
 void RungChoice::arrive(double place)
 {
   place_ = std::lround(place / same_place);
   ++answers_;
-  if (coarsest() > rung_)
+  while (rung_ + 1 < ladder_->count() && failsHere(rung_))
   {
-    rung_ = coarsest();
-    descended_ = false;
+    ++rung_;
   }
+  descended_ = descended_ && rung_ < before_;
+}
+
+std::size_t RungChoice::nextRung(const ErrorEstimate& normal, std::size_t highest) const
+{
+  const Failure* failure = failureHere();
+  std::size_t best = highest;
+  double least = INFINITY;
+  for (std::size_t next = rung_ + 1; next <= highest && least > tolerance_; ++next)
+  {
+    const double error = promised(normal, ladder_->at(next));
+    const bool failed = failure != nullptr && failure->rungs[next];
+    if (!failed && error < least)
+    {
+      best = next;
+      least = error;
+    }
+  }
+  return best;
 }
 
 bool RungChoice::climb(const ErrorEstimate& error)
@@ -170,13 +206,12 @@ bool RungChoice::climb(const ErrorEstimate& error)
   {
     return false;
   }
-  failures_[slot(place_)] = {place_, rung_ + 1, answers_};
   const ErrorEstimate normal = normalised(error, rung());
-  const std::size_t highest = std::min(rung_ + longest_climb, ladder_->count() - 1);
-  do
-  {
-    ++rung_;
-  } while (rung_ < highest && promised(normal, rung()) > tolerance_);
+  const Failure* before = failureHere();
+  Failure failure{place_, answers_, before != nullptr ? before->rungs : std::bitset<most_rungs>(), normal, no_rung};
+  failure.rungs.set(rung_);
+  failures_[slot(place_)] = failure;
+  rung_ = nextRung(normal, descended_ ? before_ : std::min(rung_ + longest_climb, ladder_->count() - 1));
   if (descended_)
   {
     wait_ = next_wait_;
@@ -216,21 +251,27 @@ void RungChoice::descend(const ErrorEstimate& error)
 {
   if (closed_form_)
   {
+    descended_ = false;
     return;
   }
-  const ErrorEstimate faded{fading * lately_.max_pressure, fading * lately_.area, fading * lately_.approach};
+  Failure& failure = failures_[slot(place_)];
+  failure.did = failureHere() != nullptr && error.largest() <= tolerance_ ? rung_ : failure.did;
+  const ErrorEstimate faded{fading * lately_.max_pressure, fading * lately_.area, fading * lately_.approach,
+                            fading * lately_.tails};
   lately_ = largestOf(normalised(error, rung()), faded);
-  const std::size_t before = rung_;
+  before_ = rung_;
   wait_ = std::max(wait_ - 1, 0);
   if (descended_)
   {
     next_wait_ = std::max(next_wait_ / 2, first_wait);
   }
   const double reserve = wait_ > 0 ? large_reserve : descend_reserve;
-  while (rung_ > coarsest() && promised(lately_, ladder_->at(rung_ - 1)) < reserve * tolerance_)
+  std::size_t coarser = 0;
+  while (coarser < rung_ && (failsHere(coarser) || promised(lately_, ladder_->at(coarser)) >= reserve * tolerance_))
   {
-    --rung_;
+    ++coarser;
   }
-  descended_ = rung_ < before;
+  rung_ = coarser;
+  descended_ = rung_ < before_;
 }
 }  // namespace wheel_rail_contact

@@ -13,9 +13,9 @@ namespace
 constexpr int settling = 4 * longest_reach;       ///< messages before any is timed, if there is time
 constexpr int settling_automatic = 3 * settling;  ///< the same for auto, which tries coarser grids
 constexpr double settling_time = 0.1;             ///< at most [s]
-constexpr double fast = 5e-3;        ///< mean of an answer up to which groups are timed without a look at them [s]
-constexpr double visit_time = 1e-3;  ///< [s]
-constexpr double enough_time = 0.1;  ///< after so much, few answers will do [s]
+constexpr double fast = 5e-3;         ///< mean of an answer up to which groups are timed without a look at them [s]
+constexpr double visit_time = 1e-3;   ///< [s]
+constexpr double enough_time = 0.05;  ///< after so much, few answers will do [s]
 constexpr std::size_t few = 3;
 
 /// CPU time of this thread [s]: what else runs on the machine does not count.

@@ -13,8 +13,8 @@ namespace wheel_rail_contact::chart
 /// How much is measured.
 struct Plan
 {
-  int rounds = 4;              ///< in each of which every contender has its turn
-  double slowest = 0.1;        ///< what is expected to take longer is not run [s an answer]
+  int rounds = 3;              ///< in each of which every contender has its turn
+  double slowest = 0.05;       ///< what is expected to take longer is not run [s an answer]
   GridSize truth{256, 512};    ///< errors are against conjugate gradients on this grid
   GridSize coarser{128, 256};  ///< the truth's own error is its difference from this one
   int reach = longest_reach;   ///< steps that messages go to either side of the scene, 1 to longest_reach

@@ -278,7 +278,8 @@ ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& so
   const ErrorTerms terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
   const ErrorWeights& weights = gridErrorWeights();
   return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.overtopping),
-          std::max(weighted(weights.area, terms.area), terms.tail), weighted(weights.approach, terms.approach)};
+          std::max(weighted(weights.area, terms.area), terms.tail), weighted(weights.approach, terms.approach),
+          std::max(weights.area[1] * terms.area[1], terms.tail)};
 }
 }  // namespace
 
@@ -296,7 +297,7 @@ ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors)
 ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other)
 {
   return {std::max(one.max_pressure, other.max_pressure), std::max(one.area, other.area),
-          std::max(one.approach, other.approach)};
+          std::max(one.approach, other.approach), std::max(one.tails, other.tails)};
 }
 
 ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double modulus, double residual)

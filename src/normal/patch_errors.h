@@ -46,7 +46,7 @@ void inCommon(const NormalProblem& problem, const NormalSolution& solution, Alon
     if (error.largest() > 0 && own > 0)
     {
       const double relative = shift / own;
-      error = {error.max_pressure + 0.5 * relative, error.area + relative, relative};
+      error = {error.max_pressure + 0.5 * relative, error.area + relative, relative, error.tails};
     }
   }
 }

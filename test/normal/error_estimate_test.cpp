@@ -235,14 +235,18 @@ TEST(ErrorEstimate, countsATailNarrowerThanTheCells)
 {
   for (const GridSize& size : {GridSize{10, 24}, GridSize{16, 48}, GridSize{24, 96}})
   {
-    double largest = 0;
+    double largest = 0, of_tails = 0;
     for (const ErrorSample& sample : patchesOf(railUic60Manchester, 0.000634, 6100, size))
     {
-      std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << "\n";
+      std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << ", of tails "
+                << sample.estimate.tails << "\n";
       EXPECT_LE(sample.error.area, sample.estimate.area);
+      EXPECT_LE(sample.estimate.tails, sample.estimate.area);
       largest = std::max(largest, sample.error.area);
+      of_tails = std::max(of_tails, sample.estimate.tails / sample.estimate.area);
     }
     EXPECT_GT(largest, 0.005);
+    EXPECT_GT(of_tails, 0.5);
   }
 }
 

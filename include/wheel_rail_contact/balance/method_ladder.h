@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <memory>
 #include <vector>
 
@@ -16,13 +17,15 @@ namespace wheel_rail_contact
 /// A method on a grid, and what to expect of it.
 struct Rung
 {
-  GridSize size;                   ///< cells of the grid
-  double ordinary_error;           ///< largest relative error that 98 % of ordinary patches stay below [-]
-  ErrorEstimate typical;           ///< estimates over those of the same scene on 24 × 56 cells, medians [-]
+  GridSize size;          ///< cells of the grid
+  double ordinary_error;  ///< largest relative error that 98 % of ordinary patches stay below [-]
+  /// Estimates over those of the same patch on 24 × 56 cells, each the median over the patches that it decides; of the
+  /// area what the tails do not make [-].
+  ErrorEstimate typical;
   NormalSolver* solver = nullptr;  ///< the method
 };
 
-/// The normal method in use and the grids it may be used on, from coarse to fine. `method: auto` has conjugate
+/// The normal method in use and the grids it may be used on, in the order of their cost. `method: auto` has conjugate
 /// gradients on all of them, and Hertz's closed form beside, which costs less than any and is exact between round
 /// bodies; any other method has one grid, given by hand or by the tolerance.
 class MethodLadder
@@ -35,7 +38,7 @@ class MethodLadder
   NormalSolver& solver() const { return *solver_; }
   /// Number of grids, >= 1.
   std::size_t count() const { return rungs_.size(); }
-  /// From 0, the coarsest grid.
+  /// From 0, the cheapest grid.
   const Rung& at(std::size_t rung) const { return rungs_[rung]; }
   /// For the first pass from cold, where planes and boxes are still rough.
   const Rung& rough() const { return rough_; }
@@ -55,22 +58,25 @@ class MethodLadder
 class RungChoice
 {
  public:
+  static constexpr std::size_t most_rungs = 32;  ///< of a ladder
+
   /// @param tolerance  wanted relative error [-]
   RungChoice(const MethodLadder& ladder, double tolerance) : ladder_(&ladder), tolerance_(tolerance) {}
 
   /// The rung to solve on.
   const Rung& rung() const { return closed_form_ ? *ladder_->closedForm() : ladder_->at(rung_); }
 
-  /// Sets out from cold, by the errors estimated on the rough grid: the rung that is promised to do, at most the one
-  /// that does in ordinary scenes, unless a finer one is known to be needed here. The closed form may be tried at once.
+  /// Sets out from cold, by the errors estimated on the rough grid: the cheapest rung that is promised to do or that
+  /// does in ordinary scenes, unless it is known to fail here. The closed form may be tried at once.
   void start(const ErrorEstimate& rough);
-  /// Sets out for an answer with the wheelset at a place across the track [m]: where a rung has failed of late, a finer
-  /// one is taken at once. It is where profiles change their curvature that coarse grids fail, and a wheelset that runs
-  /// to and fro comes by again.
+  /// Sets out for an answer with the wheelset at a place across the track [m]: where the rung has failed of late, one
+  /// that does is taken at once. It is where profiles change their curvature that coarse grids fail, and a wheelset
+  /// that runs to and fro comes by again.
   void arrive(double place);
-  /// Climbs if an estimated error is above the tolerance. @return true if there is a finer rung to solve on.
+  /// If an estimated error is above the tolerance, climbs to the next rung that promises to do; after a descent, no
+  /// farther than back. @return true if there is another rung to solve on.
   bool climb(const ErrorEstimate& error);
-  /// Takes a coarser rung for the next answer if that promises to do, by the largest of the last answers' estimates,
+  /// Takes the cheapest rung for the next answer that promises to do, by the largest of the last answers' estimates,
   /// which fade: one alone may be blind to a jump of curvature between its cells. After it had to climb back it waits,
   /// longer each time, unless the promise is far better than asked for.
   void descend(const ErrorEstimate& error);
@@ -81,16 +87,27 @@ class RungChoice
   bool leaveClosedForm();
 
  private:
-  /// That a rung was too coarse somewhere.
+  static constexpr long remembered = 64;  ///< answers for which a failure is remembered; a power of two
+  static constexpr std::size_t no_rung = static_cast<std::size_t>(-1);
+
+  /// What was too coarse at a place.
   struct Failure
   {
-    long place = 0;         ///< in units of same_place
-    std::size_t finer = 0;  ///< the next rung; 0: none failed
-    long answer = 0;        ///< at which
+    long place = 0;                 ///< in units of same_place
+    long answer = -remembered;      ///< of the last failure; from the start none has failed
+    std::bitset<most_rungs> rungs;  ///< that failed
+    ErrorEstimate normal;           ///< what the last of them promised on 24 × 56 cells
+    std::size_t did = no_rung;      ///< one that did since, whatever was promised
   };
 
   double closedFormLimit() const;
-  std::size_t coarsest() const;
+  /// Failures at this place, not too long ago; null if there are none.
+  const Failure* failureHere() const;
+  /// The rung failed at this place of late, or what did promises that it would, clearly.
+  bool failsHere(std::size_t rung) const;
+  /// The first rung above the present one, up to `highest`, that promises to do; if none does, the best of them. Those
+  /// that failed here are passed over.
+  std::size_t nextRung(const ErrorEstimate& normal, std::size_t highest) const;
   static std::size_t slot(long place) { return static_cast<std::size_t>(place & (remembered - 1)); }
 
   const MethodLadder* ladder_;
@@ -100,6 +117,7 @@ class RungChoice
   int closed_form_wait_ = 0;  ///< answers before it is asked again
   ErrorEstimate lately_;      ///< largest estimates of late, as of 24 × 56 cells, fading
   bool descended_ = false;    ///< for the present answer
+  std::size_t before_ = 0;    ///< the rung that it has descended from
   int wait_ = 0;              ///< answers before the next try to descend
   int next_wait_ = first_wait;
   long place_ = 0;    ///< in units of same_place
@@ -107,12 +125,12 @@ class RungChoice
   std::vector<ErrorEstimate> scratch_;
 
   static constexpr double same_place = 5e-5;  ///< [m]
-  static constexpr long remembered = 64;      ///< answers for which a failure is remembered; a power of two
   std::array<Failure, remembered> failures_{};
 
+  static constexpr double clear_failure = 1.5;  ///< promised error over the tolerance [-]
   static constexpr int first_wait = 2;
   static constexpr int longest_wait = 64;
-  static constexpr std::size_t longest_climb = 3;  ///< rungs at a time
+  static constexpr std::size_t longest_climb = 4;  ///< rungs at a time
   static constexpr double descend_reserve = 0.8;   ///< promised error over the tolerance when descending [-]
   static constexpr double large_reserve = 0.4;     ///< the same while it waits [-]
   static constexpr double fading = 0.9;            ///< of earlier estimates, with each answer [-]

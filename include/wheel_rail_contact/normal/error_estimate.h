@@ -15,8 +15,11 @@ struct ErrorEstimate
   double max_pressure = 0;  ///< of the highest pressure
   double area = 0;          ///< of the contact area
   double approach = 0;      ///< of the patch's own approach, from its first touch on
+  /// The part of `area` that ends of the pressure make which are narrower than the cells tell: only more cells along
+  /// make it smaller.
+  double tails = 0;
 
-  /// The largest of the three [-].
+  /// The largest of the first three [-].
   double largest() const;
 };
 
