@@ -41,7 +41,7 @@ struct WheelsetConfig
 /// Methods for the normal problem.
 enum class NormalMethod
 {
-  automatic,           ///< Hertz between round bodies, else the coarsest grid whose estimated error meets the tolerance
+  automatic,           ///< Hertz between round bodies, else the cheapest grid whose estimated error meets the tolerance
   hertz,               ///< closed form with the local curvatures
   kik_piotrowski,      ///< strips over the virtual penetration
   seidel,              ///< the paper's iteration, repaired: exact coefficients, load inside

@@ -34,7 +34,7 @@ constexpr GridSize truth{128, 320}, unit{24, 56};
 /// Finer grids than the unit are for patches whose estimate on it is above this [-].
 constexpr double finest_tolerance = 0.003;
 
-/// Grids of the ladder, coarse to fine.
+/// Grids of the ladder, in its order.
 std::vector<GridSize> ladderGrids()
 {
   const MethodLadder ladder{ContactModelConfig()};
@@ -147,23 +147,17 @@ class Estimator
   bool sample(const scenes::WheelsetScene& scene, const GridSize& size, std::vector<Parts>& parts)
   {
     ContactModelConfig config = scene.config;
-    config.contact.method = NormalMethod::conjugate_gradient;
-    config.contact.cells_along = size.along;
-    config.contact.cells_across = size.across;
     config.contact.tolerance = settled;
-    std::unique_ptr<MethodLadder>& ladder = ladders_[{size.along, size.across}];
-    if (!ladder)
-    {
-      ladder = std::make_unique<MethodLadder>(config);
-    }
-    WheelsetBalance balance(config, *ladder);
+    const MethodLadder& ladder = ladderFor(size);
+    WheelsetBalance balance(config, ladder);
     const bool solved = balance.solve(scene.state) == ContactStatus::ok;
     for (const Side side : {Side::left, Side::right})
     {
       const WheelContact& wheel = balance.wheel(side);
-      for (std::size_t k = 0; solved && k < wheel.patches().size(); ++k)
+      const std::vector<ErrorEstimate> errors =
+          solved ? errorsOf(ladder.solver(), wheel.problem(), wheel.solution()) : std::vector<ErrorEstimate>();
+      for (std::size_t k = 0; k < errors.size(); ++k)
       {
-        const std::vector<ErrorEstimate> errors = errorsOf(ladder->solver(), wheel.problem(), wheel.solution());
         if (wheel.solution().patches[k].force > 0)
         {
           parts.push_back(partsOf(errors[k]));
@@ -174,6 +168,20 @@ class Estimator
   }
 
  private:
+  const MethodLadder& ladderFor(const GridSize& size)
+  {
+    std::unique_ptr<MethodLadder>& ladder = ladders_[{size.along, size.across}];
+    if (!ladder)
+    {
+      ContactModelConfig config;
+      config.contact.method = NormalMethod::conjugate_gradient;
+      config.contact.cells_along = size.along;
+      config.contact.cells_across = size.across;
+      ladder = std::make_unique<MethodLadder>(config);
+    }
+    return *ladder;
+  }
+
   static constexpr double settled = 2e-3;  ///< planes and roll [-]
   std::map<std::pair<int, int>, std::unique_ptr<MethodLadder>> ladders_;
 };

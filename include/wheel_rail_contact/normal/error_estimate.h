@@ -15,8 +15,8 @@ struct ErrorEstimate
   double max_pressure = 0;  ///< of the highest pressure
   double area = 0;          ///< of the contact area
   double approach = 0;      ///< of the patch's own approach, from its first touch on
-  /// The part of `area` that ends of the pressure make which are narrower than the cells tell: only more cells along
-  /// make it smaller.
+  /// The part of `area` that columns make on which the pressure is narrower than the cells tell, as in a tail: it falls
+  /// with the cells along, hardly with those across.
   double tails = 0;
 
   /// The largest of the first three [-].
