@@ -37,9 +37,9 @@ int cells(const Rung& rung)
 
 constexpr ErrorEstimate hopeless{1, 1, 1, 1};  ///< no grid promises to bring that below the tolerance
 
-/// Sets out from cold on the coarsest grid and climbs until an answer would do, in at most `most` steps.
+/// Sets out from cold on the coarsest grid and climbs until an answer would do, in at most four steps.
 template <typename Errors>
-RungChoice settled(Errors errors, int most = 4)
+RungChoice settled(Errors errors)
 {
   RungChoice choice(ladder(), tolerance);
   choice.arrive(0);
@@ -50,7 +50,7 @@ RungChoice settled(Errors errors, int most = 4)
   {
     ++climbs;
   }
-  EXPECT_LE(climbs, most);
+  EXPECT_LE(climbs, 4);
   return choice;
 }
 

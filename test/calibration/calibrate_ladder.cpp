@@ -16,8 +16,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
-#include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,51 +138,31 @@ void print(const Errors& errors, const Estimates& estimates)
   }
 }
 
-/// Solves wheelsets by conjugate gradients on given grids, without a truth.
-class Estimator
+/// Adds the estimates of every patch of a wheelset on a grid, solved without a truth; false if it has no solution.
+bool estimate(const MethodLadder& ladder, const scenes::WheelsetScene& scene, std::vector<Parts>& parts)
 {
- public:
-  bool sample(const scenes::WheelsetScene& scene, const GridSize& size, std::vector<Parts>& parts)
+  constexpr double settled = 2e-3;  // planes and roll
+  ContactModelConfig config = scene.config;
+  config.contact.tolerance = settled;
+  WheelsetBalance balance(config, ladder);
+  if (balance.solve(scene.state) != ContactStatus::ok)
   {
-    ContactModelConfig config = scene.config;
-    config.contact.tolerance = settled;
-    const MethodLadder& ladder = ladderFor(size);
-    WheelsetBalance balance(config, ladder);
-    const bool solved = balance.solve(scene.state) == ContactStatus::ok;
-    for (const Side side : {Side::left, Side::right})
+    return false;
+  }
+  for (const Side side : {Side::left, Side::right})
+  {
+    const WheelContact& wheel = balance.wheel(side);
+    const std::vector<ErrorEstimate> errors = errorsOf(ladder.solver(), wheel.problem(), wheel.solution());
+    for (std::size_t k = 0; k < errors.size(); ++k)
     {
-      const WheelContact& wheel = balance.wheel(side);
-      const std::vector<ErrorEstimate> errors =
-          solved ? errorsOf(ladder.solver(), wheel.problem(), wheel.solution()) : std::vector<ErrorEstimate>();
-      for (std::size_t k = 0; k < errors.size(); ++k)
+      if (wheel.solution().patches[k].force > 0)
       {
-        if (wheel.solution().patches[k].force > 0)
-        {
-          parts.push_back(partsOf(errors[k]));
-        }
+        parts.push_back(partsOf(errors[k]));
       }
     }
-    return solved;
   }
-
- private:
-  const MethodLadder& ladderFor(const GridSize& size)
-  {
-    std::unique_ptr<MethodLadder>& ladder = ladders_[{size.along, size.across}];
-    if (!ladder)
-    {
-      ContactModelConfig config;
-      config.contact.method = NormalMethod::conjugate_gradient;
-      config.contact.cells_along = size.along;
-      config.contact.cells_across = size.across;
-      ladder = std::make_unique<MethodLadder>(config);
-    }
-    return *ladder;
-  }
-
-  static constexpr double settled = 2e-3;  ///< planes and roll [-]
-  std::map<std::pair<int, int>, std::unique_ptr<MethodLadder>> ladders_;
-};
+  return true;
+}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -200,7 +178,6 @@ int main(int argc, char** argv)
   Errors errors(ladderGrids());
   Estimates estimates(ladderGrids());
   scenes::WheelsetSampler sampler{scenes::Method::grid};
-  Estimator estimator;
   scenes::Random seeds(seed);
   int left_out = 0;
   for (int i = 0; i < estimates_per_error * count; ++i)
@@ -213,7 +190,8 @@ int main(int argc, char** argv)
                       ? 0
                       : 1;
     }
-    estimates.add([&](const GridSize& size, auto& list) { return estimator.sample(scene, size, list); });
+    estimates.add([&](const GridSize& size, auto& list)
+                  { return estimate(sampler.ladderFor(scenes::Method::grid, size), scene, list); });
     std::fprintf(stderr, "\rscene %d of %d", i + 1, estimates_per_error * count);
   }
   std::fprintf(stderr, "\n");

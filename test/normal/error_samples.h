@@ -326,7 +326,7 @@ class WheelsetSampler
     return alike && samples.size() > before;
   }
 
- private:
+  /// A method's solver on a grid, kept.
   const MethodLadder& ladderFor(Method method, const GridSize& size)
   {
     std::unique_ptr<MethodLadder>& ladder = ladders_[{static_cast<int>(method), size.along, size.across}];
@@ -343,6 +343,7 @@ class WheelsetSampler
     return *ladder;
   }
 
+ private:
   /// @return false if the wheel has other patches in its truth
   bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
            std::vector<ErrorSample>& samples) const
