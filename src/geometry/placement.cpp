@@ -110,19 +110,16 @@ PlanePoint PlacedRail::place(const CurvePoint& p) const
 }
 
 PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose)
-    : profile_(&profile), pose_(pose), radius_(wheelset.rolling_radius), half_base_(wheelset.halfBase())
+    : profile_(&profile), pose_(pose)
 {
   // Fixed-axis roll, then yaw: axle = Rz(yaw) Rx(roll) (0, 1, 0).
-  ax_ = -std::sin(pose.yaw) * std::cos(pose.roll);
-  ay_ = std::cos(pose.yaw) * std::cos(pose.roll);
-  az_ = std::sin(pose.roll);
-  const double planar = std::hypot(ay_, az_);
-  dy_ = az_ / planar;
-  dz_ = -ay_ / planar;
-  fx_ = planar;
-  fy_ = -ax_ * ay_ / planar;
-  fz_ = -ax_ * az_ / planar;
-  per_fx_ = 1 / fx_;
+  const double ax = -std::sin(pose.yaw) * std::cos(pose.roll);
+  const double ay = std::cos(pose.yaw) * std::cos(pose.roll);
+  const double az = std::sin(pose.roll);
+  forward_x_ = std::hypot(ay, az);
+  const WheelCoordinate y{pose.y, ay, az / forward_x_, -ax * ay / forward_x_};
+  const WheelCoordinate z{pose.z, az, -ay / forward_x_, -ax * az / forward_x_};
+  sections_ = {wheelset.rolling_radius, wheelset.halfBase(), ax, 1 / forward_x_, y, z};
 }
 
 /// Locus of one point, or of several at once; there is none where the sine of t is not between -1 and 1.
@@ -130,13 +127,15 @@ template <typename Number>
 PlacedWheel::Locus<Number> PlacedWheel::locusAt(const Number& y, const Number& z, const Number& slope) const
 {
   using std::sqrt;
-  // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) fx - r' ax vanishes.
-  const Number radius = radius_ - z;
-  const Number sine = -slope * (ax_ * per_fx_);
+  // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) forward_x - r' ax vanishes.
+  const WheelSections& s = sections_;
+  const Number radius = s.radius - z;
+  const Number sine = -slope * (s.axle_x * s.per_forward_x);
   const Number cosine = sqrt(1 - sine * sine);
-  const Number along = half_base_ + y;
-  return {sine, ax_ * along + radius * sine * fx_, pose_.y + ay_ * along + radius * (cosine * dy_ + sine * fy_),
-          pose_.z + az_ * along + radius * (cosine * dz_ + sine * fz_)};
+  const Number along = s.half_base + y;
+  return {sine, s.axle_x * along + radius * sine * forward_x_,
+          s.y.origin + s.y.along * along + radius * (cosine * s.y.down + sine * s.y.forward),
+          s.z.origin + s.z.along * along + radius * (cosine * s.z.down + sine * s.z.forward)};
 }
 
 bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
@@ -161,26 +160,13 @@ void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t
 double PlacedWheel::sway() const
 {
   constexpr double highest_flange = 2;  // no circle of a wheel has more of its rolling radius
-  return highest_flange * radius_ * (std::abs(dy_) + std::abs(fy_));
+  return highest_flange * sections_.radius * (std::abs(sections_.y.down) + std::abs(sections_.y.forward));
 }
 
 bool PlacedWheel::section(const CurvePoint& p, double x, PlanePoint& out) const
 {
-  const double radius = radius_ - p.z;
-  const double along = half_base_ + p.y;
-  const double forward = (x - ax_ * along) * per_fx_;  // radius * sin(t)
-  const double square = radius * radius - forward * forward;
-  if (!(square > 0))
-  {
-    return false;
-  }
-  const double down = std::sqrt(square);  // radius * cos(t)
-  const double forward_slope = -ax_ * p.dy * per_fx_;
-  const double down_slope = (-radius * p.dz - forward * forward_slope) / down;
-  out.y = pose_.y + ay_ * along + down * dy_ + forward * fy_;
-  out.z = pose_.z + az_ * along + down * dz_ + forward * fz_;
-  out.dy = ay_ * p.dy + down_slope * dy_ + forward_slope * fy_;
-  out.dz = az_ * p.dy + down_slope * dz_ + forward_slope * fz_;
-  return true;
+  const SectionPoint<double> point = sections_.at<double>(p, x);
+  out = {point.y, point.z, point.dy, point.dz};
+  return point.down > 0;
 }
 }  // namespace wheel_rail_contact

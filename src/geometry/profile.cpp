@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -10,46 +11,52 @@ namespace wheel_rail_contact
 {
 namespace
 {
-CurvePoint evaluate(const LineSection& line, double t)
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+CurveExpansion evaluate(const LineSection& line, double t)
 {
-  return {line.y0 + t * line.dy, line.z0 + t * line.dz, line.dy, line.dz, 0.0, 0.0};
+  return {{line.y0 + t * line.dy, line.z0 + t * line.dz, line.dy, line.dz, 0.0, 0.0}, 0.0, 0.0};
 }
 
-CurvePoint evaluate(const ArcSection& arc, double t)
+CurveExpansion evaluate(const ArcSection& arc, double t)
 {
   const double bend = 1.0 / arc.radius;
   const double phi = arc.angle + arc.turn * t * bend;
   const double c = std::cos(phi);
   const double s = std::sin(phi);
-  return {arc.yc + arc.radius * c, arc.zc + arc.radius * s, -arc.turn * s, arc.turn * c, -c * bend, -s * bend};
+  const double third = arc.turn * bend * bend;
+  return {{arc.yc + arc.radius * c, arc.zc + arc.radius * s, -arc.turn * s, arc.turn * c, -c * bend, -s * bend},
+          third * s,
+          -third * c};
 }
 
-/// Horner's scheme for a polynomial and its first two derivatives.
-CurvePoint evaluate(const PolynomialSection& law, double t)
+/// Horner's scheme for a polynomial and its first three derivatives.
+CurveExpansion evaluate(const PolynomialSection& law, double t)
 {
   const double y = law.y0 + t;
   double value = 0.0;
   double first = 0.0;
   double half_second = 0.0;
+  double sixth_third = 0.0;
   for (std::size_t k = law.count; k-- > 0;)
   {
+    sixth_third = sixth_third * y + half_second;
     half_second = half_second * y + first;
     first = first * y + value;
     value = value * y + law.coefficient[k];
   }
-  return {y, value, 1.0, first, 0.0, 2.0 * half_second};
+  return {{y, value, 1.0, first, 0.0, 2.0 * half_second}, 0.0, 6.0 * sixth_third};
 }
 
-CurvePoint evaluate(const CubicSection& law, double t)
+CurveExpansion evaluate(const CubicSection& law, double t)
 {
   const double* y = law.y;
   const double* z = law.z;
-  return {y[0] + t * (y[1] + t * (y[2] + t * y[3])),
-          z[0] + t * (z[1] + t * (z[2] + t * z[3])),
-          y[1] + t * (2.0 * y[2] + t * 3.0 * y[3]),
-          z[1] + t * (2.0 * z[2] + t * 3.0 * z[3]),
-          2.0 * y[2] + t * 6.0 * y[3],
-          2.0 * z[2] + t * 6.0 * z[3]};
+  return {{y[0] + t * (y[1] + t * (y[2] + t * y[3])), z[0] + t * (z[1] + t * (z[2] + t * z[3])),
+           y[1] + t * (2.0 * y[2] + t * 3.0 * y[3]), z[1] + t * (2.0 * z[2] + t * 3.0 * z[3]),
+           2.0 * y[2] + t * 6.0 * y[3], 2.0 * z[2] + t * 6.0 * z[3]},
+          6.0 * y[3],
+          6.0 * z[3]};
 }
 
 /// Nothing to check: lines and cubics are defined by any finite numbers.
@@ -143,6 +150,37 @@ CurvePoint Profile::at(double u) const
 {
   const std::size_t section = sectionAt(u);
   const double t = u - start_[section];
-  return std::visit([t](const auto& law) { return evaluate(law, t); }, law_[section]);
+  return std::visit([t](const auto& law) { return evaluate(law, t).point; }, law_[section]);
+}
+
+void ProfileCursor::moveTo(double u)
+{
+  const std::vector<double>& start = profile_->start_;
+  section_ = profile_->sectionAt(u);
+  begin_ = section_ == 0 ? -infinity : start[section_];
+  end_ = section_ + 2 == start.size() ? infinity : start[section_ + 1];
+}
+
+/// Moves to a place; returns its distance from the section's start [m].
+double ProfileCursor::offsetOf(double u)
+{
+  if (!(u >= begin_ && u < end_))
+  {
+    moveTo(u);
+  }
+  reach_ = std::min(u - begin_, end_ - u);
+  return u - profile_->start_[section_];
+}
+
+CurvePoint ProfileCursor::at(double u)
+{
+  const double t = offsetOf(u);
+  return std::visit([t](const auto& law) { return evaluate(law, t).point; }, profile_->law_[section_]);
+}
+
+CurveExpansion ProfileCursor::expansionAt(double u)
+{
+  const double t = offsetOf(u);
+  return std::visit([t](const auto& law) { return evaluate(law, t); }, profile_->law_[section_]);
 }
 }  // namespace wheel_rail_contact

@@ -142,6 +142,63 @@ TEST(Profile, findsTheSectionWhateverTheLengths)
   }
 }
 
+// The sections are of every law, and the places go to and fro over joints and beyond both ends.
+TEST(ProfileCursor, readsWhatTheProfileTells)
+{
+  const Profile profile("all", {{LineSection{0.0, 0.0, 0.6, 0.8}, 0.01},
+                                {ArcSection{0.003, -0.004, 0.013, 0.7, -1.0}, 0.02},
+                                {PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03},
+                                {CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.005}});
+  const std::vector<double>& joints = profile.joints();
+  const unsigned seed = 20261125;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> anywhere(-0.01, profile.length() + 0.01);
+  std::vector<double> places(joints);
+  for (int i = 0; i < 200; ++i)
+  {
+    places.push_back(anywhere(generator));
+    places.push_back(places.back() + 1e-4);  // mostly on the same section
+  }
+  ProfileCursor cursor(profile);
+  for (const double u : places)
+  {
+    const CurvePoint told = profile.at(u);
+    const CurvePoint read = cursor.at(u);
+    for (const auto& value :
+         {&CurvePoint::y, &CurvePoint::z, &CurvePoint::dy, &CurvePoint::dz, &CurvePoint::ddy, &CurvePoint::ddz})
+    {
+      EXPECT_EQ(read.*value, told.*value) << "at " << u;
+      EXPECT_EQ(cursor.expansionAt(u).point.*value, told.*value) << "at " << u;
+    }
+    double reach = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k + 1 < joints.size(); ++k)
+    {
+      reach = std::min(reach, std::abs(u - joints[k]));
+    }
+    EXPECT_EQ(cursor.reach(), reach) << "at " << u;
+  }
+}
+
+TEST(ProfileCursor, thirdDerivativesAreThoseOfTheSecond)
+{
+  const double step = 1e-5;
+  for (const SectionLaw& law :
+       {SectionLaw(LineSection{0.0, 0.0, 0.6, 0.8}), SectionLaw(ArcSection{0.003, -0.004, 0.013, 0.7, 1.0}),
+        SectionLaw(ArcSection{0.003, -0.004, 0.013, 0.7, -1.0}),
+        SectionLaw(PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0, -1e5}, 5}),
+        SectionLaw(CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}})})
+  {
+    const Profile profile = single(law, 0.02);
+    const CurveExpansion here = ProfileCursor(profile).expansionAt(0.01);
+    const CurvePoint before = profile.at(0.01 - step);
+    const CurvePoint after = profile.at(0.01 + step);
+    // The difference is off by the fifth derivative times step²/6: on the arc of 13 mm 6e-4.
+    EXPECT_NEAR(here.dddy, (after.ddy - before.ddy) / (2 * step), 1e-3);
+    EXPECT_NEAR(here.dddz, (after.ddz - before.ddz) / (2 * step), 1e-3);
+  }
+}
+
 TEST(Profile, refusesSectionsThatAreNone)
 {
   const LineSection line{0.0, 0.0, 1.0, 0.0};

@@ -73,8 +73,9 @@ constexpr double no_body_gap = 0.1;  ///< gap where one of the bodies has nothin
 /// point over the plane.
 ///
 /// The rail's height is found for each column on its profile; the wheel's at the crest and at two (without symmetry:
-/// four) more places along the column, each on the surface of revolution itself, and a polynomial of degree four in x
-/// through them gives the cells. Over a patch of half-length l on a wheel of radius R it is off by the order of
+/// four) more places along the column, each on the surface of revolution itself (its profile told by the derivatives
+/// under the crest, to 1e-11 m, where no joint is near), and a polynomial of degree four in x through them gives the
+/// cells. Over a patch of half-length l on a wheel of radius R it is off by the order of
 /// l (l/R)^5, less than 1e-8 m for l = 20 mm, where a column stays on one section of the profile. Yaw takes it over
 /// l tan(yaw) of the profile; a joint there, at which the curvature jumps by k, makes it off by up to
 /// k (l tan(yaw))²/2, measured a quarter of that at most: 5e-7 m where the flank's straight part meets the root's arc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -80,12 +81,48 @@ struct WheelPoints
   std::vector<double> slope;  ///< CurvePoint::slope() [-]
 };
 
+/// A coordinate of a wheel's points as a linear function of where they lie in the wheel.
+struct WheelCoordinate
+{
+  double origin = 0;   ///< of the axle's centre [m]
+  double along = 0;    ///< for each metre along the axle, outward [-]
+  double down = 0;     ///< for each metre from the axle, without x, down [-]
+  double forward = 0;  ///< for each metre square to both, forward [-]
+};
+
+/// Point of a wheel's section at constant x with its tangent, or several of them.
+template <typename Number>
+struct SectionPoint
+{
+  Number down;    ///< from the axle [m]; not positive, or NaN, where x is beyond the point's circle
+  Number y, z;    ///< [m]
+  Number dy, dz;  ///< derivative with respect to the profile's parameter at constant x [-]
+};
+
+/// A wheel's sections square to the track in any two coordinates (y and z, or others that are linear in them).
+struct WheelSections
+{
+  double radius = 0;         ///< of the running circle [m]
+  double half_base = 0;      ///< from the axle's centre to the profile's origin [m]
+  double axle_x = 0;         ///< of the axle's direction, outward [-]
+  double per_forward_x = 1;  ///< 1 / that of the forward direction [-]
+  WheelCoordinate y, z;      ///< the coordinates
+
+  /// The lower point at `x` of the circle through a profile point: a CurvePoint, or several with their y, z, dy and dz
+  /// as arrays.
+  template <typename Number, typename Point>
+  SectionPoint<Number> at(const Point& p, double x) const;
+};
+
 /// A wheel in side axes: its profile as a surface of revolution about the wheelset's axle.
 class PlacedWheel
 {
  public:
   /// Refers to `profile`, which must outlive it.
   PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose);
+
+  /// Moves the axle's centre to another height, side axes [m].
+  void setHeight(double z) { pose_.z = sections_.z.origin = z; }
 
   /// The contact locus: the point of the wheel's circle through profile point `p` at which the surface's normal has no
   /// component along x. The projection of the locus on the y-z plane is the wheel's outline seen along the track; since
@@ -97,13 +134,16 @@ class PlacedWheel
   /// none. `y` and `z` are as long as the points are many.
   void loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const;
   /// Where a profile's y lies on the axle, seen along the track [m]: a locus lies within sway() of it.
-  double across(double y) const { return pose_.y + ay_ * (half_base_ + y); }
+  double across(double y) const { return pose_.y + sections_.y.along * (sections_.half_base + y); }
   /// Bound of a locus's distance from across() [m].
   double sway() const;
 
   /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
   /// profile at constant x. @return false if x is beyond the circle.
   bool section(const CurvePoint& p, double x, PlanePoint& out) const;
+
+  /// All sections, in side axes.
+  const WheelSections& sections() const { return sections_; }
 
   /// In its own frame.
   const Profile& profile() const { return *profile_; }
@@ -121,11 +161,24 @@ class PlacedWheel
 
   const Profile* profile_;
   WheelsetPose pose_;
-  double radius_;        ///< of the running circle [m]
-  double half_base_;     ///< [m]
-  double ax_, ay_, az_;  ///< axle direction, outward
-  double dy_, dz_;       ///< unit vector square to the axle, without x, pointing down
-  double fx_, fy_, fz_;  ///< unit vector square to both, forward
-  double per_fx_;        ///< 1 / fx_
+  WheelSections sections_;
+  double forward_x_;  ///< of the forward direction [-]
 };
+
+template <typename Number, typename Point>
+SectionPoint<Number> WheelSections::at(const Point& p, double x) const
+{
+  using std::sqrt;
+  const Number r = radius - p.z;
+  const Number along = half_base + p.y;
+  const Number forward = (x - axle_x * along) * per_forward_x;  // r sin(t)
+  const Number down = sqrt(r * r - forward * forward);          // r cos(t)
+  const Number forward_slope = -axle_x * per_forward_x * p.dy;
+  const Number down_slope = (-r * p.dz - forward * forward_slope) / down;
+  const auto coordinate = [&](const WheelCoordinate& c) -> Number
+  { return c.origin + c.along * along + c.down * down + c.forward * forward; };
+  const auto slope = [&](const WheelCoordinate& c) -> Number
+  { return c.along * p.dy + c.down * down_slope + c.forward * forward_slope; };
+  return {down, coordinate(y), coordinate(z), slope(y), slope(z)};
+}
 }  // namespace wheel_rail_contact

@@ -25,6 +25,14 @@ struct CurvePoint
   double curvature() const;
 };
 
+/// A point and the third derivatives: enough to tell the curve close to the point.
+struct CurveExpansion
+{
+  CurvePoint point;
+  double dddy;  ///< d³y/du³ [1/m²]
+  double dddz;  ///< d³z/du³ [1/m²]
+};
+
 /// Straight piece; the parameter is its length.
 struct LineSection
 {
@@ -84,12 +92,12 @@ class Profile
   double length() const { return start_.back(); }
   /// Point and derivatives at u [m]; outside [0, length()] the end section is continued by its own law.
   CurvePoint at(double u) const;
-  /// True if two points lie on the same section; beyond an end that is the end section.
-  bool isOneSection(double u_one, double u_other) const { return sectionAt(u_one) == sectionAt(u_other); }
   /// Values of the parameter at which sections meet, with both ends [m].
   const std::vector<double>& joints() const { return start_; }
 
  private:
+  friend class ProfileCursor;
+
   std::size_t sectionAt(double u) const;
 
   std::string name_;
@@ -97,5 +105,29 @@ class Profile
   std::vector<double> start_;        ///< law_.size() + 1 joints [m]
   std::vector<std::size_t> bucket_;  ///< section at each border of the equal buckets over the length
   double buckets_per_metre_;         ///< [1/m]
+};
+
+/// Reads a profile at places near one another: the section of the last place is tried first.
+class ProfileCursor
+{
+ public:
+  /// Refers to `profile`, which must outlive it.
+  explicit ProfileCursor(const Profile& profile) : profile_(&profile) {}
+
+  /// The same point as Profile::at().
+  CurvePoint at(double u);
+  /// The same point, expanded.
+  CurveExpansion expansionAt(double u);
+  /// How far the place last read lies from the nearest joint [m]; an end of the profile is none.
+  double reach() const { return reach_; }
+
+ private:
+  double offsetOf(double u);
+  void moveTo(double u);
+
+  const Profile* profile_;
+  std::size_t section_ = 0;
+  double begin_ = 0, end_ = 0;  ///< places on section_, [begin_, end_) [m]; none before the first place is read
+  double reach_ = 0;
 };
 }  // namespace wheel_rail_contact
