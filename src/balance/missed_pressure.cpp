@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace wheel_rail_contact
 {
@@ -99,23 +100,31 @@ double nearestPlace(const PlacedWheel& wheel, const Station& station, const Cont
   const bool found = wheel.locus(wheel.profile().at(station.wheel_u), locus);
   return found ? locus.x - plane.x : 0;
 }
+/// Slope of the rail's outline at a station, from its neighbours [-]; without any, that of the plane.
+double railSlope(const std::vector<Station>& stations, std::size_t k, const PlaneAxes& axes)
+{
+  const Station& before = stations[k > 0 ? k - 1 : k];
+  const Station& after = stations[k + 1 < stations.size() ? k + 1 : k];
+  return after.y > before.y ? (after.z - before.z) / (after.y - before.y) : axes.sine() / axes.cosine();
+}
 }  // namespace
 
-bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const PlacedRail& rail,
-                            const std::vector<Station>& stations, WheelPatch& patch)
+bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const std::vector<Station>& stations,
+                            WheelPatch& patch)
 {
-  const double closing = (1 - missed_share) * solved.descent;
+  const double let_pass = missed_share * solved.descent;
   const double u_first = patch.columns.front().rail_u;
   const double u_last = patch.columns.back().rail_u;
   const bool yawed = !solved.grid.symmetric;
   const Surroundings near(solved.grid);
   const PlaneAxes axes(patch.plane);
-  const PushBeside push(solved, patch);
+  std::optional<PushBeside> push;
   bool missed = false;
-  for (const Station& station : stations)
+  for (std::size_t k = 0; k < stations.size(); ++k)
   {
+    const Station& station = stations[k];
     const bool in_columns = station.rail_u >= u_first && station.rail_u <= u_last;
-    if ((in_columns && !yawed) || station.separation > closing)
+    if ((in_columns && !yawed) || station.depth < let_pass)
     {
       continue;
     }
@@ -126,9 +135,14 @@ bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel,
     {
       continue;
     }
-    const PlanePoint point = rail.at(station.rail_u);
-    const double overlap = (closing - station.separation) * point.dy / axes.dt(point);  // along the plane's normal
-    if (overlap > push.atLeast(x, y) && overlap > push.at(x, y))
+    // Along the plane's normal.
+    const double slope = railSlope(stations, k, axes);
+    const double overlap = (station.depth - let_pass) / (axes.cosine() + axes.sine() * slope);
+    if (!push)
+    {
+      push.emplace(solved, patch);
+    }
+    if (overlap > push->atLeast(x, y) && overlap > push->at(x, y))
     {
       missed = true;
       patch.extent.y_begin = std::min(patch.extent.y_begin, y);

@@ -20,16 +20,26 @@ void findCells(const Grid& grid, const Eigen::ArrayXXd& pressure, PressureExtent
   extent.first_row = static_cast<int>(pressure.rows());
   for (int j = 0; j < pressure.cols(); ++j)
   {
-    for (int i = 0; i < pressure.rows(); ++i)
+    const double* column = pressure.col(j).data();
+    int first = 0;
+    int last = static_cast<int>(pressure.rows()) - 1;
+    while (first <= last && !(column[first] > 0))
     {
-      if (pressure(i, j) > 0)
-      {
-        extent.cells += grid.symmetric ? 2 : 1;
-        extent.first_column = std::min(extent.first_column, j);
-        extent.last_column = j;
-        extent.first_row = std::min(extent.first_row, i);
-        extent.last_row = std::max(extent.last_row, i);
-      }
+      ++first;
+    }
+    while (last >= first && !(column[last] > 0))
+    {
+      --last;
+    }
+    if (first <= last)
+    {
+      const auto cells =
+          static_cast<int>(std::count_if(column + first, column + last + 1, [](double p) { return p > 0; }));
+      extent.cells += grid.symmetric ? 2 * cells : cells;
+      extent.first_column = std::min(extent.first_column, j);
+      extent.last_column = j;
+      extent.first_row = std::min(extent.first_row, first);
+      extent.last_row = std::max(extent.last_row, last);
     }
   }
 }

@@ -236,9 +236,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
   problem_.support = support_;
   boxed_descent_ = solution_.approach;
   touch_separation_ = touch.contact.separation;
-  WheelsetPose pose = wheel_->pose();
-  pose.z = touch.axle_height - boxed_descent_;
-  wheel_.emplace(*config_.wheel_profile, config_.wheelset, pose);
+  wheel_->setHeight(touch.axle_height - boxed_descent_);
   search_.overlapZones(touch.contact.separation + boxed_descent_, zones_);
   problem_.patches.resize(zones_.size());
   patches_.resize(zones_.size());
@@ -311,9 +309,10 @@ bool WheelContact::missesPressure(const RigidTouch& touch)
     WheelPatch& patch = patches_[k];
     if (!patch.extent.empty())
     {
-      search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, touch.contact.separation, stations_);
+      search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, touch.contact.separation + solution_.approach,
+                              stations_);
       const SolvedPatch solved{problem_.patches[k].grid, solution_.patches[k].pressure, modulus_, solution_.approach};
-      missed = growOverMissedPressure(solved, *wheel_, *rail_, stations_, patch) || missed;
+      missed = growOverMissedPressure(solved, *wheel_, stations_, patch) || missed;
     }
   }
   return missed;

@@ -112,10 +112,7 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
   const auto [first, behind] = pointsOverRail(wheel);
   wheel.loci(wheel_points_, first, behind, wheel_line_.y.data(), wheel_line_.z.data());
   wheel_outline_.add(wheel_line_, first, behind);
-  for (std::size_t k = 0; k < stations_.count; ++k)
-  {
-    separation_[k] = wheel_outline_.z(k) - rail_outline_.z(k);
-  }
+  wheel_outline_.above(rail_outline_, separation_);
   findMinima();
   nearest_station_ = no_station;
 }
@@ -123,15 +120,22 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
 void ContactSearch::findMinima()
 {
   minima_.clear();
-  bool fell = true;
-  for (std::size_t k = 0; k < separation_.size(); ++k)
+  const double* separation = separation_.data();
+  const std::size_t last = separation_.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k)
   {
-    const bool rises = separation_[k] < (k + 1 < separation_.size() ? separation_[k + 1] : infinity);
-    if (fell && rises)
+    while (k < last && !(separation[k] < separation[k + 1]))
+    {
+      ++k;
+    }
+    if (separation[k] < infinity)
     {
       minima_.push_back(k);
     }
-    fell = !rises;
+    while (k < last && separation[k] < separation[k + 1])
+    {
+      ++k;
+    }
   }
 }
 
@@ -292,15 +296,17 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
   keepApart(zones);
 }
 
-void ContactSearch::stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const
+void ContactSearch::stationsBetween(double u_begin, double u_end, double separation,
+                                    std::vector<Station>& stations) const
 {
   stations.clear();
   for (std::size_t k = 0; k < separation_.size(); ++k)
   {
+    const double depth = separation - separation_[k];
     const double u = rail_outline_.u(k);
-    if (u > u_begin && u < u_end && separation_[k] < infinity)
+    if (depth > 0 && u > u_begin && u < u_end)
     {
-      stations.push_back({wheel_outline_.u(k), u, stations_.y(k), rail_outline_.z(k), separation_[k] - level});
+      stations.push_back({wheel_outline_.u(k), u, stations_.y(k), rail_outline_.z(k), depth});
     }
   }
 }

@@ -15,6 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int newton_iterations = 30;
 constexpr double newton_tolerance = 1e-11;  ///< [m]
 constexpr double root_tolerance = 1e-8;     ///< of a contact's place along the rail's profile [m]
+constexpr int most_place_steps = 5;         ///< of Newton's method for that place
 }  // namespace
 
 /// Finds the wheel's profile point whose locus lies at y, from a guess of its parameter.
@@ -74,6 +75,43 @@ bool ContactSearch::isNear(const InitialContact& contact, std::size_t k) const
          contact.separation < separation_[k] + 4 * station_error;
 }
 
+/// The contact near a station by Newton's method, from the lowest point of the parabola through the separations there.
+/// False unless it settles between the stations beside it, at a minimum.
+bool ContactSearch::settles(std::size_t k, InitialContact& contact) const
+{
+  if (k == 0 || k + 1 >= separation_.size())
+  {
+    return false;
+  }
+  const double aft = separation_[k - 1] - separation_[k];
+  const double fore = separation_[k + 1] - separation_[k];
+  const double rail_per_y = (rail_outline_.u(k + 1) - rail_outline_.u(k - 1)) / (2 * spacing);
+  const double wheel_per_y = (wheel_outline_.u(k + 1) - wheel_outline_.u(k - 1)) / (2 * spacing);
+  double step = 0.5 * spacing * (aft - fore) / (aft + fore);
+  double rail_u = rail_outline_.u(k);
+  contact.wheel_u = wheel_outline_.u(k);
+  for (int i = 0; i < most_place_steps; ++i)
+  {
+    rail_u += step * rail_per_y;
+    contact.wheel_u += step * wheel_per_y;
+    double slope_difference = 0;
+    if (!exact(rail_u, contact, slope_difference))
+    {
+      return false;
+    }
+    step = -slope_difference / contact.curvature;
+    if (!(contact.curvature > 0) || !(std::abs(contact.y + step - stations_.y(k)) < spacing))
+    {
+      return false;
+    }
+    if (std::abs(step * rail_per_y) < root_tolerance)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// The contact near a station: where the difference of slopes changes its sign between the stations beside it.
 InitialContact ContactSearch::refined(std::size_t k) const
 {
@@ -81,9 +119,13 @@ InitialContact ContactSearch::refined(std::size_t k) const
   {
     return nearest_;
   }
+  InitialContact trial;
+  if (settles(k, trial) && isNear(trial, k))
+  {
+    return trial;
+  }
   const std::size_t before = k > 0 ? k - 1 : k;
   const std::size_t after = std::min(k + 1, separation_.size() - 1);
-  InitialContact trial;
   double difference = 0;
   bool found = false;
   const auto slope_difference_at = [&](double rail_u)

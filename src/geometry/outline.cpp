@@ -35,6 +35,18 @@ void Outline::measureSegments(const OutlinePoints& points, std::size_t first_poi
   }
 }
 
+void Outline::above(const Outline& other, std::vector<double>& distance) const
+{
+  const double *here = height_.data(), *there = other.height_.data();
+  const double sign = sign_, other_sign = other.sign_;
+  double* out = distance.data();
+  const std::size_t count = height_.size();
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    out[k] = sign * here[k] - other_sign * there[k];
+  }
+}
+
 void Outline::add(const OutlinePoints& points, std::size_t first_point, std::size_t behind)
 {
   measureSegments(points, first_point, behind);

@@ -19,8 +19,8 @@ struct SolvedPatch
 /// Looks at the stretch beyond a patch's grid: where the undeformed bodies overlap by more than its pressure pushes
 /// them apart there, pressure was missed (a second lobe, say). Widens the patch's extent over such places, and
 /// lengthens it where a yawed wheel comes nearest to the rail ahead of the grid or behind it.
-/// @param stations  separation over the stretch, less that of the first touch
+/// @param stations  where the undeformed bodies overlap in the stretch
 /// The pressure must not be zero everywhere. @return true if pressure was missed.
-bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const PlacedRail& rail,
-                            const std::vector<Station>& stations, WheelPatch& patch);
+bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const std::vector<Station>& stations,
+                            WheelPatch& patch);
 }  // namespace wheel_rail_contact

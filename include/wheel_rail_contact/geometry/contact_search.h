@@ -34,13 +34,13 @@ struct OverlapZone
   double u_most = std::numeric_limits<double>::infinity();    ///< likewise [m]
 };
 
-/// Separation at one place across the track.
+/// A place across the track where the separation is below a given value.
 struct Station
 {
-  double wheel_u;     ///< parameter of the wheel's profile [m]
-  double rail_u;      ///< parameter of the rail's profile [m]
-  double y, z;        ///< of the rail's outline, side axes [m]
-  double separation;  ///< vertical distance of the outlines [m]
+  double wheel_u;  ///< parameter of the wheel's profile [m]
+  double rail_u;   ///< parameter of the rail's profile [m]
+  double y, z;     ///< of the rail's outline, side axes [m]
+  double depth;    ///< that value less the vertical distance of the outlines [m], > 0
 };
 
 /// Search for contact between a placed wheel and a placed rail. Own algorithm:
@@ -77,8 +77,8 @@ class ContactSearch
   /// greatest [rad].
   static constexpr double split_angle = 1.0;
 
-  /// The stations between two parameters of the rail's profile, with their separation above `level` [m].
-  void stationsBetween(double u_begin, double u_end, double level, std::vector<Station>& stations) const;
+  /// The stations between two parameters of the rail's profile at which the separation is below `separation` [m].
+  void stationsBetween(double u_begin, double u_end, double separation, std::vector<Station>& stations) const;
 
  private:
   static constexpr double spacing = 2.5e-4;  ///< of stations, and of samples on the profiles [m]
@@ -95,6 +95,7 @@ class ContactSearch
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
   InitialContact refined(std::size_t k) const;
+  bool settles(std::size_t k, InitialContact& contact) const;
   bool isNear(const InitialContact& contact, std::size_t k) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;

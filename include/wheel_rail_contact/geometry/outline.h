@@ -49,6 +49,8 @@ class Outline
 
   /// Height at a station [m]; infinite (up for a lower envelope, down for an upper one) where there is no body.
   double z(std::size_t k) const { return sign_ * height_[k]; }
+  /// Height over another outline at every station [m], into as many places; infinite where either has no body.
+  void above(const Outline& other, std::vector<double>& distance) const;
   /// Profile parameter there [m]; any number where there is no body.
   double u(std::size_t k) const { return u_[k]; }
 
