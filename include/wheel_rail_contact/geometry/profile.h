@@ -28,9 +28,9 @@ struct CurvePoint
 /// A point and the third derivatives: enough to tell the curve close to the point.
 struct CurveExpansion
 {
-  CurvePoint point;
-  double dddy;  ///< d³y/du³ [1/m²]
-  double dddz;  ///< d³z/du³ [1/m²]
+  CurvePoint point;  ///< with its first and second derivatives
+  double dddy;       ///< d³y/du³ [1/m²]
+  double dddz;       ///< d³z/du³ [1/m²]
 };
 
 /// Straight piece; the parameter is its length.
