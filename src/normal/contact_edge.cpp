@@ -11,14 +11,14 @@ namespace
 /// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
 constexpr double kLoneCell = 0.325;
 /// By how much each crossing of the edge with a line of cell centres makes the polygon too large [cells].
-constexpr double kEachCrossing = 0.0032;
-/// The same of lines along the cells' longer side, times the logarithm of the cells' aspect.
-constexpr double kEachLongCrossing = 0.0074;
-/// By how much its chords cut a closed edge short [cells], what few cells add to that [cells^(3/2)], and what a handful
-/// of cells take away from it [cells^(5/2)].
-constexpr double kChords = 0.4, kFewCells = 2.0, kHandful = 34;
+constexpr double kEachCrossing = 0.0054;
+/// By how much more per unit of the logarithm of the cells' aspect, with the sign of lines along x [cells]: any
+/// crossing, and one at which the edge runs along the line, which falls with that logarithm.
+constexpr double kEachLong = 0.0012, kAskew = 0.016, kVeryLong = 0.002;
+/// By how much its chords cut a closed edge short [cells], and what few cells take away from that [cells^(3/2)].
+constexpr double kChords = 0.72, kFewCells = 1.5;
 /// By how much more the chords cut short on each of the four sides, per cell that the edge lies farther out there.
-constexpr double kTip = 0.32;
+constexpr double kTip = 0.3;
 
 double straightEdge(double p1, double p2)
 {
@@ -77,6 +77,55 @@ double loadedShare(unsigned corners, const Sides& s)
   }
 }
 
+/// How the edge crosses a square between neighbouring cell centres.
+struct Chord
+{
+  double rows = 0, columns = 0;  ///< its extent [cells]
+  int ends_along = 0;            ///< how many of its two ends lie on lines along x
+};
+
+/// None where two chords cross the square.
+Chord chordIn(unsigned corners, const Sides& s)
+{
+  switch (corners)
+  {
+    case 1:
+      return {s.lower, s.left, 1};
+    case 2:
+      return {s.lower, s.right, 1};
+    case 4:
+      return {s.upper, s.left, 1};
+    case 8:
+      return {s.upper, s.right, 1};
+    case 1 + 2:
+    case 4 + 8:
+      return {1, s.right - s.left, 0};
+    case 1 + 4:
+    case 2 + 8:
+      return {s.upper - s.lower, 1, 2};
+    case 15 - 1:
+      return {1 - s.lower, 1 - s.left, 1};
+    case 15 - 2:
+      return {1 - s.lower, 1 - s.right, 1};
+    case 15 - 4:
+      return {1 - s.upper, 1 - s.left, 1};
+    case 15 - 8:
+      return {1 - s.upper, 1 - s.right, 1};
+    default:
+      return {};
+  }
+}
+
+/// Squared sine of the angle by which the edge runs askew to the lines it crosses at a chord's ends, half of their sum:
+/// those of lines along x less those of lines along y [-].
+double askewAt(const Chord& chord, double aspect)
+{
+  const double along = aspect * chord.rows * aspect * chord.rows;
+  const double across = chord.columns * chord.columns;
+  const double length = along + across;
+  return length > 0 ? 0.5 * (chord.ends_along * along - (2 - chord.ends_along) * across) / length : 0;
+}
+
 /// Edge's distance from the loaded one of two neighbouring cells, `p` and the one `step` further.
 double reach(const double* p, std::ptrdiff_t step)
 {
@@ -119,7 +168,7 @@ void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 
 double EdgePolygon::cells(double aspect)
 {
-  const double polygon = polygonCells();
+  const double polygon = polygonCells(aspect);
   return std::max(polygon - excess(polygon, aspect), 0.0);
 }
 
@@ -145,18 +194,20 @@ double EdgePolygon::excess(double polygon, double aspect) const
 {
   const double images = mirrored_ ? 2 : 1;
   const double whole = std::max(images * polygon, 1.0);
-  const double chords = std::max(kChords + (kFewCells - kHandful / whole) / std::sqrt(whole), 0.0);
+  const double chords = std::max(kChords - kFewCells / std::sqrt(whole), 0.0);
   const double tips_along = front_.beyond() + (mirrored_ ? 0 : back_.beyond());
   const double tips_across = (left_.beyond() + right_.beyond()) / images;
   const double longer = std::log(aspect);
-  const int long_crossings = longer > 0 ? crossings_along_ : crossings_across_;
-  return kEachCrossing * (crossings_along_ + crossings_across_) +
-         kEachLongCrossing * std::abs(longer) * long_crossings - chords / images - kTip * (tips_along + tips_across);
+  const double by_aspect =
+      kEachLong * (crossings_along_ - crossings_across_) + (kAskew - kVeryLong * std::abs(longer)) * askew_;
+  return kEachCrossing * (crossings_along_ + crossings_across_) + longer * by_aspect - chords / images -
+         kTip * (tips_along + tips_across);
 }
 
-double EdgePolygon::polygonCells()
+double EdgePolygon::polygonCells(double aspect)
 {
   crossings_along_ = crossings_across_ = 0;
+  askew_ = 0;
   front_ = back_ = left_ = right_ = {};
   along_.resize(static_cast<std::size_t>(stride_));
   double whole = 0, middle = 0;
@@ -193,6 +244,8 @@ double EdgePolygon::polygonCells()
           second_column == 4 ? front_.see(row, sides.upper) : back_.see(-row, sides.upper);
         }
         share = loadedShare(corners, sides);
+        const double half_square = mirrored_ && i == 0 ? 0.5 : 1;
+        askew_ += half_square * askewAt(chordIn(corners, sides), aspect);
       }
       whole += share;
       middle += i == 0 ? share : 0;

@@ -29,15 +29,18 @@ double edgeDistance(double p1, double p2, double p3);
 /// known to be off.
 ///
 /// Chords between the crossings cut a closed curve short by about half a cell, all the more the farther its tips reach
-/// out beyond the outermost loaded row or column. Where the edge runs askew to the cells its crossings are found too
-/// far out, all the more those of lines along the longer side of the cells. With m crossings in all, of which m_long of
-/// such lines, a the cells' aspect (longer over shorter side), n the cells of the polygon and d the edge's distance at
-/// the tip of each side,
-///   excess = 0.0032 m + 0.0074 m_long ln(a) - max(0.4 + 2 / n^(1/2) - 34 / n^(3/2), 0) - 0.32 sum(d - 0.325);
-/// the numbers were fitted, by a program that is not kept, to 70 000 Hertz contacts, turned ones too, on 12 cells in
-/// all to 64 × 128, A/B from 0.1 to 30, a up to 27. On others, the median error of the area is thereby 0.02 % on 24 ×
-/// 56 cells, 0.06 % on 12 × 32, 0.18 % on 8 × 16 (without the tips 0.025, 0.09, 0.30 %); test/normal/measures_test.cpp
-/// looks at more. A pressure on several islands counts as one.
+/// out beyond the outermost loaded row or column. Crossings of lines along the longer side of the cells are found too
+/// far out, all the more where the edge runs askew to the line, those of lines along the shorter side too far in. With
+/// m_x and m_y crossings of lines along x and y, f the angle at each between the edge and what is square to its line,
+/// S_x and S_y the sums of sin²(f), a the cells' aspect (dx/dy), n the cells of the polygon and d the edge's distance
+/// at the tip of each side,
+///   excess = 0.0054 (m_x + m_y) + ln(a) (0.0012 (m_x - m_y) + (0.016 - 0.002 |ln(a)|) (S_x - S_y))
+///            - max(0.72 - 1.5 / n^(1/2), 0) - 0.3 sum(d - 0.325).
+/// The numbers were fitted, by a program that is not kept, to the least mean error of 8 200 Hertz contacts (a quarter
+/// of them turned by up to 0.3 rad, on 24 grids of 6 × 12 to 48 × 96 cells, B/A from 0.1 to 20) and 5 800 patches of
+/// test/calibration's wheelsets on 15 grids of 8 × 16 to 32 × 96 cells. On as many others the mean error is 0.17 and
+/// 0.23 cells (0.24 and 0.29 with a number for each crossing along the longer side in place of the angles).
+/// test/normal/measures_test.cpp looks at more. A pressure on several islands counts as one.
 class EdgePolygon
 {
  public:
@@ -72,8 +75,8 @@ class EdgePolygon
     double farthest = 0;
   };
 
-  /// Area of the polygon alone [cells]; counts the crossings and finds the tips.
-  double polygonCells();
+  /// Area of the polygon alone [cells]; counts the crossings, sums their angles and finds the tips.
+  double polygonCells(double aspect);
   /// What the polygon is too large by [cells].
   double excess(double polygon, double aspect) const;
 
@@ -82,6 +85,7 @@ class EdgePolygon
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;
   int crossings_along_ = 0, crossings_across_ = 0;  ///< of the edge with lines along x and along y
+  double askew_ = 0;                                ///< S_x - S_y, see above
   Tip front_, back_, left_, right_;                 ///< towards rising and falling x, falling and rising y
 };
 }  // namespace wheel_rail_contact
