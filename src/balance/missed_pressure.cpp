@@ -100,13 +100,6 @@ double nearestPlace(const PlacedWheel& wheel, const Station& station, const Cont
   const bool found = wheel.locus(wheel.profile().at(station.wheel_u), locus);
   return found ? locus.x - plane.x : 0;
 }
-/// Slope of the rail's outline at a station, from its neighbours [-]; without any, that of the plane.
-double railSlope(const std::vector<Station>& stations, std::size_t k, const PlaneAxes& axes)
-{
-  const Station& before = stations[k > 0 ? k - 1 : k];
-  const Station& after = stations[k + 1 < stations.size() ? k + 1 : k];
-  return after.y > before.y ? (after.z - before.z) / (after.y - before.y) : axes.sine() / axes.cosine();
-}
 }  // namespace
 
 bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const std::vector<Station>& stations,
@@ -120,9 +113,8 @@ bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel,
   const PlaneAxes axes(patch.plane);
   std::optional<PushBeside> push;
   bool missed = false;
-  for (std::size_t k = 0; k < stations.size(); ++k)
+  for (const Station& station : stations)
   {
-    const Station& station = stations[k];
     const bool in_columns = station.rail_u >= u_first && station.rail_u <= u_last;
     if ((in_columns && !yawed) || station.depth < let_pass)
     {
@@ -136,8 +128,7 @@ bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel,
       continue;
     }
     // Along the plane's normal.
-    const double slope = railSlope(stations, k, axes);
-    const double overlap = (station.depth - let_pass) / (axes.cosine() + axes.sine() * slope);
+    const double overlap = (station.depth - let_pass) / (axes.cosine() + axes.sine() * station.slope);
     if (!push)
     {
       push.emplace(solved, patch);

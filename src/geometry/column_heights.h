@@ -77,8 +77,8 @@ using HeightPolynomials = Eigen::Array<double, CrestGroup::together, 5>;
 class ColumnHeights
 {
  public:
-  /// `seen` are the wheel's sections in the plane's axes (t and n), `plane_x` the plane's origin; keeps references to
-  /// `profile` alone. The polynomials are those of columns that reach `reach` [m] fore and aft.
+  /// `seen` are the wheel's sections in the plane's axes (t and n), `plane_x` the plane's origin; keeps a reference
+  /// to `profile` alone. The polynomials are those of columns that reach `reach` [m] fore and aft.
   ColumnHeights(const Profile& profile, const WheelSections& seen, double plane_x, double reach, bool symmetric);
 
   /// The polynomials of columns `0` to `count`, not included.

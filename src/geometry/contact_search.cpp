@@ -230,6 +230,15 @@ double ContactSearch::railAngle(std::size_t k) const
   return std::atan2(rail.dz, rail.dy);
 }
 
+/// Of the outline, from the stations beside; of the profile where the outline breaks off there.
+double ContactSearch::railSlope(std::size_t k) const
+{
+  const std::size_t before = k > 0 ? k - 1 : k;
+  const std::size_t after = std::min(k + 1, stations_.count - 1);
+  const double slope = (rail_outline_.z(after) - rail_outline_.z(before)) / (stations_.y(after) - stations_.y(before));
+  return std::isfinite(slope) ? slope : std::tan(railAngle(k));
+}
+
 /// Adds the stretch of stations `first` to `last`, divided where it bends too much for one plane.
 void ContactSearch::addZones(std::size_t first, std::size_t last, double separation,
                              std::vector<OverlapZone>& zones) const
@@ -306,7 +315,7 @@ void ContactSearch::stationsBetween(double u_begin, double u_end, double separat
     const double u = rail_outline_.u(k);
     if (depth > 0 && u > u_begin && u < u_end)
     {
-      stations.push_back({wheel_outline_.u(k), u, stations_.y(k), rail_outline_.z(k), depth});
+      stations.push_back({wheel_outline_.u(k), u, stations_.y(k), rail_outline_.z(k), railSlope(k), depth});
     }
   }
 }

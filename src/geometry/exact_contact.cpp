@@ -85,6 +85,10 @@ bool ContactSearch::settles(std::size_t k, InitialContact& contact) const
   }
   const double aft = separation_[k - 1] - separation_[k];
   const double fore = separation_[k + 1] - separation_[k];
+  if (!(aft + fore > 0 && aft + fore < infinity))
+  {
+    return false;
+  }
   const double rail_per_y = (rail_outline_.u(k + 1) - rail_outline_.u(k - 1)) / (2 * spacing);
   const double wheel_per_y = (wheel_outline_.u(k + 1) - wheel_outline_.u(k - 1)) / (2 * spacing);
   double step = 0.5 * spacing * (aft - fore) / (aft + fore);

@@ -119,12 +119,17 @@ class GapBuilder
     for (int j = first; j >= 0 && j < grid_.ny; j += step)
     {
       GapColumn next = starts.next();
-      if (findCrest(grid_.y(j), next, count))
+      bool found = findCrest(grid_.y(j), next, count);
+      if (!found)
+      {
+        next = column;
+        found = findCrest(grid_.y(j), next, count);
+      }
+      if (found)
       {
         column = next;
         starts.add(column);
         place_[static_cast<std::size_t>(count++)] = j;
-        found_any = true;
       }
       else
       {
@@ -134,12 +139,11 @@ class GapBuilder
       columns[static_cast<std::size_t>(j)] = column;
       if (count == CrestGroup::together)
       {
-        fillGroup(count, columns, gap);
+        found_any = fillGroup(count, columns, gap) || found_any;
         count = 0;
       }
     }
-    fillGroup(count, columns, gap);
-    return found_any;
+    return fillGroup(count, columns, gap) || found_any;
   }
 
  private:
@@ -175,12 +179,13 @@ class GapBuilder
     return true;
   }
 
-  /// Fills the columns of the group's first `count` places.
-  void fillGroup(int count, const std::vector<GapColumn>& columns, Eigen::ArrayXXd& gap) const
+  /// Fills the columns of the group's first `count` places. @return false if none has both bodies.
+  bool fillGroup(int count, const std::vector<GapColumn>& columns, Eigen::ArrayXXd& gap) const
   {
+    bool found_any = false;
     if (count == 0)
     {
-      return;
+      return found_any;
     }
     const HeightPolynomials heights = heights_.polynomials(crests_, count);
     for (int k = 0; k < count; ++k)
@@ -189,6 +194,7 @@ class GapBuilder
       if (std::isfinite(heights.row(k).sum()))
       {
         const double constant = heights(k, 0) - columns[static_cast<std::size_t>(j)].rail_height;
+        found_any = true;
         fillColumn(grid_, {constant, heights(k, 1), heights(k, 2), heights(k, 3), heights(k, 4)}, gap.col(j).data());
       }
       else
@@ -196,6 +202,7 @@ class GapBuilder
         gap.col(j).setConstant(no_body_gap);
       }
     }
+    return found_any;
   }
 
   Grid grid_;

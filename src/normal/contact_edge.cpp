@@ -12,8 +12,8 @@ namespace
 constexpr double kLoneCell = 0.325;
 /// By how much each crossing of the edge with a line of cell centres makes the polygon too large [cells].
 constexpr double kEachCrossing = 0.0054;
-/// By how much more per unit of the logarithm of the cells' aspect, with the sign of lines along x [cells]: any
-/// crossing, and one at which the edge runs along the line, which falls with that logarithm.
+/// By how much more per unit of the logarithm of the cells' aspect, for lines along x; as much less for lines along y
+/// [cells]: any crossing, and one at which the edge runs along the line, which falls with that logarithm.
 constexpr double kEachLong = 0.0012, kAskew = 0.016, kVeryLong = 0.002;
 /// By how much its chords cut a closed edge short [cells], and what few cells take away from that [cells^(3/2)].
 constexpr double kChords = 0.72, kFewCells = 1.5;
@@ -244,8 +244,7 @@ double EdgePolygon::polygonCells(double aspect)
           second_column == 4 ? front_.see(row, sides.upper) : back_.see(-row, sides.upper);
         }
         share = loadedShare(corners, sides);
-        const double half_square = mirrored_ && i == 0 ? 0.5 : 1;
-        askew_ += half_square * askewAt(chordIn(corners, sides), aspect);
+        askew_ += askewAt(chordIn(corners, sides), aspect);  // nothing at x = 0 of a mirrored pressure
       }
       whole += share;
       middle += i == 0 ? share : 0;

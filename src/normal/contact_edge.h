@@ -28,12 +28,12 @@ double edgeDistance(double p1, double p2, double p3);
 /// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres, less what it is
 /// known to be off.
 ///
-/// Chords between the crossings cut a closed curve short by about half a cell, all the more the farther its tips reach
-/// out beyond the outermost loaded row or column. Crossings of lines along the longer side of the cells are found too
-/// far out, all the more where the edge runs askew to the line, those of lines along the shorter side too far in. With
-/// m_x and m_y crossings of lines along x and y, f the angle at each between the edge and what is square to its line,
-/// S_x and S_y the sums of sin²(f), a the cells' aspect (dx/dy), n the cells of the polygon and d the edge's distance
-/// at the tip of each side,
+/// Chords between the crossings cut a closed curve short by half a cell and more, all the more the farther its tips
+/// reach out beyond the outermost loaded row or column. Where the edge runs askew to a line, crossings of lines along
+/// the longer side of the cells are found too far out, those of lines along the shorter side too far in. With m_x and
+/// m_y crossings of lines along x and y, f the angle at each between the edge and what is square to its line, S_x and
+/// S_y the sums of sin²(f), a the cells' aspect (dx/dy), n the cells of the polygon and d the edge's distance at the
+/// tip of each side,
 ///   excess = 0.0054 (m_x + m_y) + ln(a) (0.0012 (m_x - m_y) + (0.016 - 0.002 |ln(a)|) (S_x - S_y))
 ///            - max(0.72 - 1.5 / n^(1/2), 0) - 0.3 sum(d - 0.325).
 /// The numbers were fitted, by a program that is not kept, to the least mean error of 8 200 Hertz contacts (a quarter

@@ -71,14 +71,14 @@ RungChoice aStepBelowUnitGrid()
 {
   RungChoice choice = onUnitGrid();
   choice.arrive(elsewhere);
-  choice.descend(ofJump(choice.rung(), 0.9 * tolerance));
+  choice.descend(ofJump(choice.rung(), 0.85 * tolerance));
   EXPECT_EQ(cells(choice.rung()), 16 * 64);
   return choice;
 }
 
 TEST(RungChoice, JumpsOfTheCurvatureTakeCellsAcrossAndTailsCellsAlong)
 {
-  const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, just_within); }).rung();
+  const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, 0.85 * tolerance); }).rung();
   EXPECT_EQ(jump.size.along, 12);
   EXPECT_EQ(jump.size.across, 64);
   const Rung& tail = onUnitGrid().rung();

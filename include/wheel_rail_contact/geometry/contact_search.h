@@ -40,6 +40,7 @@ struct Station
   double wheel_u;  ///< parameter of the wheel's profile [m]
   double rail_u;   ///< parameter of the rail's profile [m]
   double y, z;     ///< of the rail's outline, side axes [m]
+  double slope;    ///< dz/dy of the rail's outline there [-]
   double depth;    ///< that value less the vertical distance of the outlines [m], > 0
 };
 
@@ -90,6 +91,7 @@ class ContactSearch
   void findMinima();
   double depthBelowStation(std::size_t k) const;
   double railAngle(std::size_t k) const;
+  double railSlope(std::size_t k) const;
   void addZones(std::size_t first, std::size_t last, double separation, std::vector<OverlapZone>& zones) const;
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;

@@ -147,7 +147,7 @@ class PlacedWheel
 
   /// In its own frame.
   const Profile& profile() const { return *profile_; }
-  /// As given, side axes.
+  /// As given, but for the height (setHeight()); side axes.
   const WheelsetPose& pose() const { return pose_; }
 
  private:
