@@ -70,12 +70,7 @@ Numbers ColumnHeights::heights(const CrestGroup& crests, int count, double x) co
         point.dy[k] > 0 && std::abs(miss[k]) < tangential_tolerance && std::abs(shift[k]) < crests.reach[k];
     if (!found)
     {
-      const auto curve = [&](double u, PlanePoint& at)
-      {
-        const SectionPoint<double> there = seen_.at<double>(profile_->at(u), plane_x_ + x);
-        at = {there.y, there.z, there.dy, there.dz};
-        return there.down > 0;
-      };
+      const auto curve = [&](double u, PlanePoint& at) { return seen_.at(profile_->at(u), plane_x_ + x, at); };
       double u = crests.u[k];
       LocalPoint local;
       n[k] = pointOver(crests.t[k], curve, u, local) ? local.n : std::numeric_limits<double>::quiet_NaN();

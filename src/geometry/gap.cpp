@@ -28,29 +28,12 @@ WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel)
   return seen;
 }
 
-/// A rail's profile points with a plane's axes t and n for coordinates.
-class RailSeen
+/// Likewise of a rail.
+RailFrame seenFrom(const PlaneAxes& axes, const RailFrame& rail)
 {
- public:
-  RailSeen(const PlaneAxes& axes, const PlacedRail& rail)
-  {
-    const PlanePoint origin = rail.place({0, 0, 1, 0, 0, 0});
-    t_ = axes.t(origin);
-    n_ = axes.n(origin);
-    cosine_ = axes.dt(origin);
-    sine_ = axes.dn(origin);
-  }
-
-  PlanePoint at(const CurvePoint& p) const
-  {
-    return {t_ + cosine_ * p.y - sine_ * p.z, n_ + sine_ * p.y + cosine_ * p.z, cosine_ * p.dy - sine_ * p.dz,
-            sine_ * p.dy + cosine_ * p.dz};
-  }
-
- private:
-  double t_, n_;          ///< of the profile's origin [m]
-  double cosine_, sine_;  ///< of the rail's angle against the plane
-};
+  const PlanePoint origin = rail.at({0, 0, 1, 0, 0, 0});
+  return {axes.t(origin), axes.n(origin), axes.dt(origin), axes.dn(origin)};
+}
 
 /// By value: to the compiler, what is written may change any number it does not hold itself.
 void fillColumn(Grid grid, std::array<double, 5> c, double* height)
@@ -100,7 +83,7 @@ class GapBuilder
   GapBuilder(const PlacedWheel& wheel, const PlacedRail& rail, const ContactPlane& plane, const Grid& grid)
       : grid_(grid),
         plane_x_(plane.x),
-        rail_(PlaneAxes(plane), rail),
+        rail_(seenFrom(PlaneAxes(plane), rail.frame())),
         wheel_(seenFrom(PlaneAxes(plane), wheel.sections())),
         heights_(wheel.profile(), wheel_, plane.x, 0.5 * grid.nx * grid.dx, grid.symmetric),
         wheel_profile_(wheel.profile()),
@@ -162,9 +145,7 @@ class GapBuilder
     {
       u = at;
       profile = wheel_profile_.expansionAt(at);
-      const SectionPoint<double> there = wheel_.at<double>(profile.point, plane_x_);
-      point = {there.y, there.z, there.dy, there.dz};
-      return there.down > 0;
+      return wheel_.at(profile.point, plane_x_, point);
     };
     LocalPoint rail;
     LocalPoint wheel;
@@ -207,7 +188,7 @@ class GapBuilder
 
   Grid grid_;
   double plane_x_;
-  RailSeen rail_;
+  RailFrame rail_;
   WheelSections wheel_;
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;

@@ -51,7 +51,7 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
   {
     u_top = bracketedRoot(rise, u_top - step, rise(u_top - step), u_top + step, rise(u_top + step), root_tolerance);
   }
-  z_ = -height(u_top);
+  frame_.z = -height(u_top);
 
   int below = top;
   double y_gauge = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
   const double low = below * step;
   const double u_gauge = bracketedRoot(above, low, above(low), low + step, above(low + step), root_tolerance);
   y_gauge = std::min(y_gauge, at(u_gauge).y);
-  y_ = 0.5 * track.gauge - y_gauge;
+  frame_.y = 0.5 * track.gauge - y_gauge;
 }
 
 PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
@@ -77,8 +77,8 @@ PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
   const PlanePoint before = referencePoint();
   moved.turn(angle() - deflection.roll);
   const PlanePoint turned = moved.referencePoint();
-  moved.y_ += before.y + deflection.lateral - turned.y;
-  moved.z_ += before.z + deflection.vertical - turned.z;
+  moved.frame_.y += before.y + deflection.lateral - turned.y;
+  moved.frame_.z += before.z + deflection.vertical - turned.z;
   return moved;
 }
 
@@ -89,7 +89,7 @@ PlanePoint PlacedRail::at(double u) const
 
 double PlacedRail::angle() const
 {
-  return std::atan2(sine_, cosine_);
+  return std::atan2(frame_.sine, frame_.cosine);
 }
 
 PlanePoint PlacedRail::referencePoint() const
@@ -99,14 +99,8 @@ PlanePoint PlacedRail::referencePoint() const
 
 void PlacedRail::turn(double angle)
 {
-  cosine_ = std::cos(angle);
-  sine_ = std::sin(angle);
-}
-
-PlanePoint PlacedRail::place(const CurvePoint& p) const
-{
-  return {y_ + cosine_ * p.y - sine_ * p.z, z_ + sine_ * p.y + cosine_ * p.z, cosine_ * p.dy - sine_ * p.dz,
-          sine_ * p.dy + cosine_ * p.dz};
+  frame_.cosine = std::cos(angle);
+  frame_.sine = std::sin(angle);
 }
 
 PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose)
@@ -163,9 +157,9 @@ double PlacedWheel::sway() const
   return highest_flange * sections_.radius * (std::abs(sections_.y.down) + std::abs(sections_.y.forward));
 }
 
-bool PlacedWheel::section(const CurvePoint& p, double x, PlanePoint& out) const
+bool WheelSections::at(const CurvePoint& p, double x, PlanePoint& out) const
 {
-  const SectionPoint<double> point = sections_.at<double>(p, x);
+  const SectionPoint<double> point = at<double>(p, x);
   out = {point.y, point.z, point.dy, point.dz};
   return point.down > 0;
 }

@@ -38,81 +38,61 @@ double triangle(double a, double b)
   return 0.5 * std::max(a, 0.0) * std::max(b, 0.0);
 }
 
-double withoutTriangle(double a, double b)
-{
-  return 1 - 0.5 * (1 - a) * (1 - b);
-}
-
-/// Loaded share of a square; bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
-double loadedShare(unsigned corners, const Sides& s)
-{
-  switch (corners)
-  {
-    case 1:
-      return triangle(s.lower, s.left);
-    case 2:
-      return triangle(s.lower, s.right);
-    case 4:
-      return triangle(s.upper, s.left);
-    case 8:
-      return triangle(s.upper, s.right);
-    case 1 + 8:
-      return triangle(s.lower, s.left) + triangle(s.upper, s.right);
-    case 2 + 4:
-      return triangle(s.lower, s.right) + triangle(s.upper, s.left);
-    case 1 + 2:
-    case 4 + 8:
-      return 0.5 * (s.left + s.right);
-    case 1 + 4:
-    case 2 + 8:
-      return 0.5 * (s.lower + s.upper);
-    case 15 - 1:
-      return withoutTriangle(s.lower, s.left);
-    case 15 - 2:
-      return withoutTriangle(s.lower, s.right);
-    case 15 - 4:
-      return withoutTriangle(s.upper, s.left);
-    default:
-      return withoutTriangle(s.upper, s.right);
-  }
-}
-
-/// How the edge crosses a square between neighbouring cell centres.
+/// How the edge crosses a square between neighbouring cell centres; nothing where two chords do.
 struct Chord
 {
   double rows = 0, columns = 0;  ///< its extent [cells]
   int ends_along = 0;            ///< how many of its two ends lie on lines along x
 };
 
-/// None where two chords cross the square.
-Chord chordIn(unsigned corners, const Sides& s)
+struct Square
+{
+  double share;  ///< loaded
+  Chord chord;
+};
+
+/// One corner is loaded, or all others are; `a` and `b` are the distances along x and along y.
+Square loadedCorner(double a, double b)
+{
+  return {triangle(a, b), {a, b, 1}};
+}
+
+Square emptyCorner(double a, double b)
+{
+  return {1 - 0.5 * (1 - a) * (1 - b), {1 - a, 1 - b, 1}};
+}
+
+/// Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
+Square squareOf(unsigned corners, const Sides& s)
 {
   switch (corners)
   {
     case 1:
-      return {s.lower, s.left, 1};
+      return loadedCorner(s.lower, s.left);
     case 2:
-      return {s.lower, s.right, 1};
+      return loadedCorner(s.lower, s.right);
     case 4:
-      return {s.upper, s.left, 1};
+      return loadedCorner(s.upper, s.left);
     case 8:
-      return {s.upper, s.right, 1};
+      return loadedCorner(s.upper, s.right);
+    case 1 + 8:
+      return {triangle(s.lower, s.left) + triangle(s.upper, s.right), {}};
+    case 2 + 4:
+      return {triangle(s.lower, s.right) + triangle(s.upper, s.left), {}};
     case 1 + 2:
     case 4 + 8:
-      return {1, s.right - s.left, 0};
+      return {0.5 * (s.left + s.right), {1, s.right - s.left, 0}};
     case 1 + 4:
     case 2 + 8:
-      return {s.upper - s.lower, 1, 2};
+      return {0.5 * (s.lower + s.upper), {s.upper - s.lower, 1, 2}};
     case 15 - 1:
-      return {1 - s.lower, 1 - s.left, 1};
+      return emptyCorner(s.lower, s.left);
     case 15 - 2:
-      return {1 - s.lower, 1 - s.right, 1};
+      return emptyCorner(s.lower, s.right);
     case 15 - 4:
-      return {1 - s.upper, 1 - s.left, 1};
-    case 15 - 8:
-      return {1 - s.upper, 1 - s.right, 1};
+      return emptyCorner(s.upper, s.left);
     default:
-      return {};
+      return emptyCorner(s.upper, s.right);
   }
 }
 
@@ -243,8 +223,9 @@ double EdgePolygon::polygonCells(double aspect)
           ++crossings_along_;
           second_column == 4 ? front_.see(row, sides.upper) : back_.see(-row, sides.upper);
         }
-        share = loadedShare(corners, sides);
-        askew_ += askewAt(chordIn(corners, sides), aspect);  // nothing at x = 0 of a mirrored pressure
+        const Square square = squareOf(corners, sides);
+        share = square.share;
+        askew_ += askewAt(square.chord, aspect);  // nothing at x = 0 of a mirrored pressure
       }
       whole += share;
       middle += i == 0 ? share : 0;

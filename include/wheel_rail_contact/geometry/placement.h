@@ -35,6 +35,20 @@ struct PlanePoint
   double dy, dz;  ///< derivative with respect to the profile's parameter [-]
 };
 
+/// Where a rail's profile lies in any two coordinates (y and z, or others turned against them).
+struct RailFrame
+{
+  double y = 0, z = 0;          ///< of the profile's origin [m]
+  double cosine = 1, sine = 0;  ///< of the profile's angle against the coordinates
+
+  /// Place and tangent of a point of the profile frame.
+  PlanePoint at(const CurvePoint& p) const
+  {
+    return {y + cosine * p.y - sine * p.z, z + sine * p.y + cosine * p.z, cosine * p.dy - sine * p.dz,
+            sine * p.dy + cosine * p.dz};
+  }
+};
+
 /// A rail in side axes: its profile turned by the cant, set to gauge, and displaced by the rail's deflection.
 class PlacedRail
 {
@@ -51,7 +65,9 @@ class PlacedRail
   /// The point at the profile's parameter u [m].
   PlanePoint at(double u) const;
   /// A point of the profile frame (on the profile or not) in side axes.
-  PlanePoint place(const CurvePoint& point) const;
+  PlanePoint place(const CurvePoint& point) const { return frame_.at(point); }
+  /// All of that, in side axes.
+  const RailFrame& frame() const { return frame_; }
   /// Angle of the rail's own axes against the side axes [rad]: the cant less the outward roll.
   double angle() const;
   /// The head's reference point (ComplianceTable::reference_depth below the crown) [m].
@@ -61,8 +77,7 @@ class PlacedRail
   void turn(double angle);
 
   std::shared_ptr<const Profile> profile_;
-  double cosine_ = 1, sine_ = 0;  ///< of angle()
-  double y_ = 0, z_ = 0;          ///< place of the profile's origin [m]
+  RailFrame frame_;
 };
 
 /// Point in side axes [m].
@@ -112,6 +127,8 @@ struct WheelSections
   /// as arrays.
   template <typename Number, typename Point>
   SectionPoint<Number> at(const Point& p, double x) const;
+  /// The same of one point. @return false if x is beyond the circle.
+  bool at(const CurvePoint& p, double x, PlanePoint& out) const;
 };
 
 /// A wheel in side axes: its profile as a surface of revolution about the wheelset's axle.
@@ -140,7 +157,7 @@ class PlacedWheel
 
   /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
   /// profile at constant x. @return false if x is beyond the circle.
-  bool section(const CurvePoint& p, double x, PlanePoint& out) const;
+  bool section(const CurvePoint& p, double x, PlanePoint& out) const { return sections_.at(p, x, out); }
 
   /// All sections, in side axes.
   const WheelSections& sections() const { return sections_; }
