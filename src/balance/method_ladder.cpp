@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "wheel_rail_contact/normal/conjugate_gradients.h"
 #include "wheel_rail_contact/normal/kik_piotrowski.h"
@@ -29,23 +30,23 @@ constexpr int most_prepared_cells = 64 * 128;
 /// printed them for 300 scenes of seed 3; rounded, errors up. The middle half of the estimates lie within a factor
 /// of 1.1 to 2.3 of one another; on the two coarsest grids and, of areas and tails, where cells are much longer than
 /// wide, of 4.5.
-constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.067, {37, 12, 7.5, 10}},
-                                      {{10, 24}, 0.021, {11.2, 5.6, 4.9, 5.3}},
-                                      {{12, 24}, 0.017, {11.2, 4.2, 4.7, 2.7}},
-                                      {{12, 32}, 0.0094, {4.9, 3.3, 4.5, 3.6}},
-                                      {{16, 32}, 0.0085, {4.7, 2.4, 2.4, 2.2}},
-                                      {{16, 48}, 0.0038, {1.67, 1.65, 2.4, 1.55}},
-                                      {{12, 64}, 0.0039, {1.11, 1.82, 4.4, 10.7}},
-                                      {{20, 48}, 0.0033, {1.47, 1.33, 1.47, 1.29}},
-                                      {{16, 64}, 0.0021, {0.89, 1.28, 2.4, 1.63}},
+constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.066, {21.6, 12.1, 6.76, 8.67}},
+                                      {{10, 24}, 0.0206, {7.8, 6.37, 4.74, 2.63}},
+                                      {{12, 24}, 0.0161, {7.22, 4.06, 3.99, 2.4}},
+                                      {{12, 32}, 0.0091, {4.43, 3.41, 4.01, 2.26}},
+                                      {{16, 32}, 0.0083, {3.76, 2.39, 2.21, 1.99}},
+                                      {{16, 48}, 0.0032, {1.75, 1.76, 2.22, 1.32}},
+                                      {{12, 64}, 0.0034, {1.73, 1.98, 4.04, 6.4}},
+                                      {{20, 48}, 0.0034, {1.42, 1.36, 1.41, 1.22}},
+                                      {{16, 64}, 0.0022, {1.21, 1.4, 2.23, 1.08}},
                                       {{24, 56}, 0.0038, {1, 1, 1, 1}},
-                                      {{16, 80}, 0.0027, {0.42, 1.81, 2.4, 3.3}},
-                                      {{16, 96}, 0.0020, {0.28, 1.81, 2.4, 3.5}},
-                                      {{24, 80}, 0.0016, {0.35, 0.91, 0.99, 0.76}},
-                                      {{24, 96}, 0.0014, {0.23, 0.89, 0.98, 0.62}},
-                                      {{32, 96}, 0.0011, {0.21, 0.58, 0.56, 0.46}},
-                                      {{48, 96}, 0.0007, {0.19, 0.36, 0.28, 0.31}},
-                                      {{64, 128}, 0.0006, {0.094, 0.29, 0.17, 0.18}}}};
+                                      {{16, 80}, 0.0025, {0.46, 1.8, 2.23, 2.08}},
+                                      {{16, 96}, 0.002, {0.326, 1.79, 2.23, 2.31}},
+                                      {{24, 80}, 0.0017, {0.393, 0.953, 1.01, 0.694}},
+                                      {{24, 96}, 0.0014, {0.255, 0.893, 1.01, 0.585}},
+                                      {{32, 96}, 0.001, {0.236, 0.596, 0.63, 0.439}},
+                                      {{48, 96}, 0.0007, {0.214, 0.367, 0.351, 0.301}},
+                                      {{64, 128}, 0.0005, {0.11, 0.309, 0.257, 0.17}}}};
 
 static_assert(rungs.size() <= RungChoice::most_rungs);
 
@@ -121,13 +122,17 @@ std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const
 }
 }  // namespace
 
-MethodLadder::MethodLadder(const ContactModelConfig& config) : rough_{}, closed_form_{}
+MethodLadder::MethodLadder(const ContactModelConfig& config, const Wrap& wrap) : rough_{}, closed_form_{}
 {
   const bool free = config.contact.method == NormalMethod::automatic && config.contact.cells_along == 0;
   rungs_ = free ? std::vector<Rung>(rungs.begin(), rungs.end()) : std::vector<Rung>{rungFor(config.contact)};
   const auto rough = std::find_if(rungs.begin(), rungs.end(), [](const Rung& rung) { return rung.size == rough_grid; });
   rough_ = *rough;
   solver_ = makeSolver(config, rungs_);
+  if (wrap)
+  {
+    solver_ = wrap(std::move(solver_));
+  }
   for (Rung& rung : rungs_)
   {
     rung.solver = solver_.get();

@@ -11,14 +11,16 @@ namespace
 /// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
 constexpr double kLoneCell = 0.325;
 /// By how much each crossing of the edge with a line of cell centres makes the polygon too large [cells].
-constexpr double kEachCrossing = 0.0054;
-/// By how much more per unit of the logarithm of the cells' aspect, for lines along x; as much less for lines along y
-/// [cells]: any crossing, and one at which the edge runs along the line, which falls with that logarithm.
-constexpr double kEachLong = 0.0012, kAskew = 0.016, kVeryLong = 0.002;
-/// By how much its chords cut a closed edge short [cells], and what few cells take away from that [cells^(3/2)].
-constexpr double kChords = 0.72, kFewCells = 1.5;
-/// By how much more the chords cut short on each of the four sides, per cell that the edge lies farther out there.
-constexpr double kTip = 0.3;
+constexpr double kEachCrossing = 0.005;
+/// By how much its chords cut a closed edge short [cells], and what few cells take away from that [cells²].
+constexpr double kChords = 0.67, kFewCells = 1.5;
+/// By how much more on each of the four sides, per cell that the edge lies farther out there; and what of it goes by
+/// that squared, for square cells and per unit of the logarithm of their shape.
+constexpr double kTip = 0.295, kTipBend = 0.335, kLongTipBend = 0.295;
+/// How far out crossings are found at an edge askew to their line, per unit of the logarithm of the cells' shape, each
+/// end of a chord: anywhere between two cells; by the place there (and on square cells); by its square on steep edges,
+/// and on very long cells. See EdgePolygon.
+constexpr double kAskew = 0.0026, kPlace = 0.18, kSquarePlace = -0.024, kSteep = -0.469, kVeryLong = -0.0115;
 
 double straightEdge(double p1, double p2)
 {
@@ -38,11 +40,34 @@ double triangle(double a, double b)
   return 0.5 * std::max(a, 0.0) * std::max(b, 0.0);
 }
 
+/// A chord's ends on lines along x, or on lines along y, by the edge's distances d there.
+struct Ends
+{
+  int count = 0;
+  double place = 0;   ///< sum of t = d - kLoneCell
+  double square = 0;  ///< sum of t² less its mean over all places
+
+  Ends() = default;
+  explicit Ends(double distance) { add(distance); }
+  Ends(double first, double last)
+  {
+    add(first);
+    add(last);
+  }
+  void add(double distance)
+  {
+    const double t = distance - kLoneCell;
+    ++count;
+    place += t;
+    square += t * t - 1.0 / 12;
+  }
+};
+
 /// How the edge crosses a square between neighbouring cell centres; nothing where two chords do.
 struct Chord
 {
   double rows = 0, columns = 0;  ///< its extent [cells]
-  int ends_along = 0;            ///< how many of its two ends lie on lines along x
+  Ends along, across;            ///< on lines along x, on lines along y
 };
 
 struct Square
@@ -54,12 +79,12 @@ struct Square
 /// One corner is loaded, or all others are; `a` and `b` are the distances along x and along y.
 Square loadedCorner(double a, double b)
 {
-  return {triangle(a, b), {a, b, 1}};
+  return {triangle(a, b), {a, b, Ends(a), Ends(b)}};
 }
 
 Square emptyCorner(double a, double b)
 {
-  return {1 - 0.5 * (1 - a) * (1 - b), {1 - a, 1 - b, 1}};
+  return {1 - 0.5 * (1 - a) * (1 - b), {1 - a, 1 - b, Ends(a), Ends(b)}};
 }
 
 /// Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
@@ -81,10 +106,10 @@ Square squareOf(unsigned corners, const Sides& s)
       return {triangle(s.lower, s.right) + triangle(s.upper, s.left), {}};
     case 1 + 2:
     case 4 + 8:
-      return {0.5 * (s.left + s.right), {1, s.right - s.left, 0}};
+      return {0.5 * (s.left + s.right), {1, s.right - s.left, Ends(), Ends(s.left, s.right)}};
     case 1 + 4:
     case 2 + 8:
-      return {0.5 * (s.lower + s.upper), {s.upper - s.lower, 1, 2}};
+      return {0.5 * (s.lower + s.upper), {s.upper - s.lower, 1, Ends(s.lower, s.upper), Ends()}};
     case 15 - 1:
       return emptyCorner(s.lower, s.left);
     case 15 - 2:
@@ -96,14 +121,29 @@ Square squareOf(unsigned corners, const Sides& s)
   }
 }
 
-/// Squared sine of the angle by which the edge runs askew to the lines it crosses at a chord's ends, half of their sum:
-/// those of lines along x less those of lines along y [-].
-double askewAt(const Chord& chord, double aspect)
+/// What ends on lines along x make a chord too far out by; a rule for those along y as well, rows and columns swapped
+/// and the other sign of `longer`. `squared_sine`: of the angle in the plane between the edge and what is square to the
+/// lines; `l`: the chord's length in cells.
+double askewAtEnds(const Ends& ends, double rows, double columns, double l, double squared_sine, double longer)
 {
-  const double along = aspect * chord.rows * aspect * chord.rows;
-  const double across = chord.columns * chord.columns;
-  const double length = along + across;
-  return length > 0 ? 0.5 * (chord.ends_along * along - (2 - chord.ends_along) * across) / length : 0;
+  const double slope = rows / l, askew = slope * columns;
+  return longer * kAskew * ends.count * squared_sine + (longer * kPlace + kSquarePlace) * askew * ends.place +
+         longer * (kSteep * slope * slope * askew + kVeryLong * std::abs(longer) * columns * squared_sine) *
+             ends.square;
+}
+
+/// What both ends of a chord make it too far out by [cells].
+double askewAt(const Chord& chord, double aspect, double longer)
+{
+  const double rows = std::abs(chord.rows), columns = std::abs(chord.columns);
+  const double l = std::sqrt(rows * rows + columns * columns);
+  if (!(l > 0))
+  {
+    return 0;
+  }
+  const double along = aspect * rows * aspect * rows, across = columns * columns, sum = along + across;
+  return askewAtEnds(chord.along, rows, columns, l, along / sum, longer) +
+         askewAtEnds(chord.across, columns, rows, l, across / sum, -longer);
 }
 
 /// Edge's distance from the loaded one of two neighbouring cells, `p` and the one `step` further.
@@ -148,8 +188,9 @@ void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 
 double EdgePolygon::cells(double aspect)
 {
-  const double polygon = polygonCells(aspect);
-  return std::max(polygon - excess(polygon, aspect), 0.0);
+  const double longer = std::log(aspect);
+  const double polygon = polygonCells(aspect, longer);
+  return std::max(polygon - excess(polygon, longer), 0.0);
 }
 
 void EdgePolygon::Tip::see(int outward, double reach)
@@ -165,28 +206,24 @@ void EdgePolygon::Tip::see(int outward, double reach)
   }
 }
 
-double EdgePolygon::Tip::beyond() const
+double EdgePolygon::Tip::cutShort(double longer) const
 {
-  return line > none ? farthest - kLoneCell : 0;
+  const double t = farthest - kLoneCell;
+  return line > none ? (kTip - (kTipBend - kLongTipBend * longer) * t) * t : 0;
 }
 
-double EdgePolygon::excess(double polygon, double aspect) const
+double EdgePolygon::excess(double polygon, double longer) const
 {
   const double images = mirrored_ ? 2 : 1;
-  const double whole = std::max(images * polygon, 1.0);
-  const double chords = std::max(kChords - kFewCells / std::sqrt(whole), 0.0);
-  const double tips_along = front_.beyond() + (mirrored_ ? 0 : back_.beyond());
-  const double tips_across = (left_.beyond() + right_.beyond()) / images;
-  const double longer = std::log(aspect);
-  const double by_aspect =
-      kEachLong * (crossings_along_ - crossings_across_) + (kAskew - kVeryLong * std::abs(longer)) * askew_;
-  return kEachCrossing * (crossings_along_ + crossings_across_) + longer * by_aspect - chords / images -
-         kTip * (tips_along + tips_across);
+  const double chords = std::max(kChords - kFewCells / std::max(images * polygon, 1.0), 0.0);
+  const double tips_along = front_.cutShort(longer) + (mirrored_ ? 0 : back_.cutShort(longer));
+  const double tips_across = left_.cutShort(-longer) + right_.cutShort(-longer);
+  return kEachCrossing * crossings_ + askew_ - tips_along - (chords + tips_across) / images;
 }
 
-double EdgePolygon::polygonCells(double aspect)
+double EdgePolygon::polygonCells(double aspect, double longer)
 {
-  crossings_along_ = crossings_across_ = 0;
+  crossings_ = 0;
   askew_ = 0;
   front_ = back_ = left_ = right_ = {};
   along_.resize(static_cast<std::size_t>(stride_));
@@ -215,17 +252,17 @@ double EdgePolygon::polygonCells(double aspect)
         const int row = static_cast<int>(i), column = static_cast<int>(j);
         if (crosses_row)
         {
-          ++crossings_across_;
+          ++crossings_;
           second_row == 2 ? right_.see(column, sides.right) : left_.see(-column, sides.right);
         }
         if (crosses_column)
         {
-          ++crossings_along_;
+          ++crossings_;
           second_column == 4 ? front_.see(row, sides.upper) : back_.see(-row, sides.upper);
         }
         const Square square = squareOf(corners, sides);
         share = square.share;
-        askew_ += askewAt(square.chord, aspect);  // nothing at x = 0 of a mirrored pressure
+        askew_ += askewAt(square.chord, aspect, longer);  // nothing at x = 0 of a mirrored pressure
       }
       whole += share;
       middle += i == 0 ? share : 0;

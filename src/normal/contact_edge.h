@@ -29,18 +29,21 @@ double edgeDistance(double p1, double p2, double p3);
 /// known to be off.
 ///
 /// Chords between the crossings cut a closed curve short by half a cell and more, all the more the farther its tips
-/// reach out beyond the outermost loaded row or column. Where the edge runs askew to a line, crossings of lines along
-/// the longer side of the cells are found too far out, those of lines along the shorter side too far in. With m_x and
-/// m_y crossings of lines along x and y, f the angle at each between the edge and what is square to its line, S_x and
-/// S_y the sums of sin²(f), a the cells' aspect (dx/dy), n the cells of the polygon and d the edge's distance at the
-/// tip of each side,
-///   excess = 0.0054 (m_x + m_y) + ln(a) (0.0012 (m_x - m_y) + (0.016 - 0.002 |ln(a)|) (S_x - S_y))
-///            - max(0.72 - 1.5 / n^(1/2), 0) - 0.3 sum(d - 0.325).
-/// The numbers were fitted, by a program that is not kept, to the least mean error of 8 200 Hertz contacts (a quarter
-/// of them turned by up to 0.3 rad, on 24 grids of 6 × 12 to 48 × 96 cells, B/A from 0.1 to 20) and 5 800 patches of
-/// test/calibration's wheelsets on 15 grids of 8 × 16 to 32 × 96 cells. On as many others the mean error is 0.17 and
-/// 0.23 cells (0.24 and 0.29 with a number for each crossing along the longer side in place of the angles).
-/// test/normal/measures_test.cpp looks at more. A pressure on several islands counts as one.
+/// reach out beyond the outermost loaded row or column. Where the edge runs askew to a line, its crossing is found too
+/// far out or in, by the cells' shape and by how far beyond the last loaded centre it lies. With m crossings; n the
+/// cells of the polygon; a the cells' aspect (dx/dy); at each end of a chord t the edge's distance d less 0.325, l =
+/// ln(a) on a line along x and -ln(a) on one along y, e = t² - 1/12; r and c the chord's extent along the end's line
+/// and square to it in cells, f the angle in the plane between the edge and what is square to the line; and t at the
+/// tip of each side, with l as on a line towards it,
+///   excess = 0.005 m - max(0.67 - 1.5 / n, 0)
+///            + sum over ends of [ 0.0026 l sin²(f) + (0.18 l - 0.024) t r c / (r² + c²)^(1/2)
+///                                 - 0.469 l e r³ c / (r² + c²)^(3/2) - 0.0115 l |l| e c sin²(f) ]
+///            - sum over tips of [ 0.295 t - (0.335 - 0.295 l) t² ].
+/// Terms and numbers were fitted, by a program that is not kept, to the least error of 11 800 Hertz contacts (a
+/// quarter of them turned by up to 0.3 rad, on 24 grids of 4 × 16 to 48 × 96 cells, B/A from 0.1 to 20), 3 000 of a
+/// handful of cells and 11 400 patches of test/calibration's wheelsets on 18 grids of 4 × 16 to 32 × 96 cells. On as
+/// many others the mean error is 0.13 and 0.18 cells (0.17 and 0.23 without the terms in t at the ends and t² at the
+/// tips). test/normal/measures_test.cpp looks at more. A pressure on several islands counts as one.
 class EdgePolygon
 {
  public:
@@ -67,25 +70,26 @@ class EdgePolygon
 
     /// Looks at the edge `reach` cells beyond the line `outward`, which counts up towards the side.
     void see(int outward, double reach);
-    /// Of the edge's farthest place there, less that in the middle of the range in which the next line is not loaded
-    /// [cells].
-    double beyond() const;
+    /// What the polygon is too small by here [cells]. `longer`: logarithm of the cells' extent towards the side over
+    /// that square to it.
+    double cutShort(double longer) const;
 
     int line = none;
     double farthest = 0;
   };
 
-  /// Area of the polygon alone [cells]; counts the crossings, sums their angles and finds the tips.
-  double polygonCells(double aspect);
+  /// Area of the polygon alone [cells]; counts the crossings, sums what the chords are off by and finds the tips.
+  /// `longer` is the logarithm of `aspect`.
+  double polygonCells(double aspect, double longer);
   /// What the polygon is too large by [cells].
-  double excess(double polygon, double aspect) const;
+  double excess(double polygon, double longer) const;
 
   std::vector<double> framed_, along_;  ///< pressure; edge's distances along x at the last column, where it crosses
   Eigen::Index rows_ = 0, columns_ = 0;
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;
-  int crossings_along_ = 0, crossings_across_ = 0;  ///< of the edge with lines along x and along y
-  double askew_ = 0;                                ///< S_x - S_y, see above
-  Tip front_, back_, left_, right_;                 ///< towards rising and falling x, falling and rising y
+  int crossings_ = 0;
+  double askew_ = 0;                 ///< sum over the chords' ends, see above [cells]
+  Tip front_, back_, left_, right_;  ///< towards rising and falling x, falling and rising y
 };
 }  // namespace wheel_rail_contact

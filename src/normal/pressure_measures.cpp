@@ -8,20 +8,6 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// How much three squared pressures bend down, the middle one being the highest [Pa²].
-double bendOf(double before, double top, double after)
-{
-  return 2 * top * top - before * before - after * after;
-}
-
-/// Rise of the parabola through three squared pressures above the middle one, which is the highest; zero at an edge.
-double rise(double before, double top, double after)
-{
-  const double slope = (after - before) * (after + before);
-  const double bend = bendOf(before, top, after);
-  return bend > 0 && before > 0 && after > 0 ? slope * slope / (8 * bend) : 0;
-}
-
 /// By how much cells hold more than the highest pressure, over it [-]. `bend` is bendOf() along and across, over the
 /// highest cell's square [-].
 ///
@@ -37,6 +23,16 @@ double excess(double bend)
 }
 }  // namespace
 
+double PressureMeasures::topAt(Eigen::Index row, Eigen::Index column) const
+{
+  const double* peak = polygon_.at(row, column);
+  const std::ptrdiff_t next = polygon_.stride();
+  const double top = *peak;
+  const double bend = (bendOf(peak[-1], top, peak[1]) + bendOf(peak[-next], top, peak[next])) / (top * top);
+  const double highest = std::sqrt(top * top + riseOf(peak[-1], top, peak[1]) + riseOf(peak[-next], top, peak[next]));
+  return (1 - excess(bend)) * highest;
+}
+
 void PressureMeasures::measure(PatchPressure& patch)
 {
   const Grid& grid = patch.grid;
@@ -45,13 +41,20 @@ void PressureMeasures::measure(PatchPressure& patch)
   patch.force = p.sum() * grid.cellArea();
   patch.area = polygon_.cells(grid.dx / grid.dy) * grid.cellArea();
 
-  Eigen::Index i = 0, j = 0;
-  const double top = p.maxCoeff(&i, &j);
-  const double* peak = polygon_.at(i, j);
-  const std::ptrdiff_t column = polygon_.stride();
-  const double bend = (bendOf(peak[-1], top, peak[1]) + bendOf(peak[-column], top, peak[column])) / (top * top);
-  const double highest = std::sqrt(top * top + rise(peak[-1], top, peak[1]) + rise(peak[-column], top, peak[column]));
-  patch.max_pressure = top > 0 ? std::max((1 - excess(bend)) * highest, top) : 0;
+  patch.max_pressure = 0;
+  double before = 0, here = p.col(0).maxCoeff();
+  for (Eigen::Index j = 0; j < p.cols(); ++j)
+  {
+    const double after = j + 1 < p.cols() ? p.col(j + 1).maxCoeff() : 0;
+    if (here > 0 && here >= before && here >= after)
+    {
+      Eigen::Index i = 0;
+      const double cell = p.col(j).maxCoeff(&i);
+      patch.max_pressure = std::max({patch.max_pressure, cell, topAt(i, j)});
+    }
+    before = here;
+    here = after;
+  }
 
   const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);
   patch.touches_border = ends || p.col(0).maxCoeff() > 0 || p.col(p.cols() - 1).maxCoeff() > 0;

@@ -71,15 +71,15 @@ RungChoice aStepBelowUnitGrid()
 {
   RungChoice choice = onUnitGrid();
   choice.arrive(elsewhere);
-  choice.descend(ofJump(choice.rung(), 0.85 * tolerance));
+  choice.descend(ofJump(choice.rung(), 0.62 * tolerance));
   EXPECT_EQ(cells(choice.rung()), 16 * 64);
   return choice;
 }
 
 TEST(RungChoice, JumpsOfTheCurvatureTakeCellsAcrossAndTailsCellsAlong)
 {
-  const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, 0.85 * tolerance); }).rung();
-  EXPECT_EQ(jump.size.along, 12);
+  const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, 0.8 * tolerance); }).rung();
+  EXPECT_EQ(jump.size.along, 16);
   EXPECT_EQ(jump.size.across, 64);
   const Rung& tail = onUnitGrid().rung();
   EXPECT_EQ(tail.size.along, 24);

@@ -36,24 +36,35 @@ inline std::string nameOf(const GridSize& size)
   return std::to_string(size.along) + "x" + std::to_string(size.across);
 }
 
-/// States of a sweep from y = -6 mm to 6 mm and back in steps of 0.05 mm, again and again.
-class Sweep
+/// States to and fro about a place across the track in steps of 0.05 mm, again and again.
+class ToAndFro
 {
  public:
+  /// @param y  middle [m]
+  /// @param reach  steps from there to either end
+  ToAndFro(double y, int reach) : y_(y), reach_(reach) {}
+
   const WheelsetState& next()
   {
-    constexpr int half_sweep = 120;   // steps from the middle to either end
     constexpr double step = 0.05e-3;  // [m]
-    constexpr int period = 4 * half_sweep;
+    const int period = 4 * reach_;
     const int place = count_++ % period;
-    const int k = place < 2 * half_sweep ? place : period - place;
-    state_.y = (k - half_sweep) * step;
+    const int k = place < 2 * reach_ ? place : period - place;
+    state_.y = y_ + (k - reach_) * step;
     return state_;
   }
 
  private:
+  double y_;
+  int reach_;
   WheelsetState state_{0, 0, 0, 0, -200e3, 0, {}};
   int count_ = 0;
+};
+
+/// From y = -6 mm to 6 mm and back.
+struct Sweep : ToAndFro
+{
+  Sweep() : ToAndFro(0, 120) {}
 };
 
 /// One wheel on one rail, to be stepped through by hand.

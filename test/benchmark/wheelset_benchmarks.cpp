@@ -2,9 +2,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmarks.h"
+#include "wheel_rail_contact/balance/wheelset_balance.h"
 
 namespace wheel_rail_contact
 {
@@ -55,6 +59,91 @@ void jitter(benchmark::State& state, const ContactModelConfig& config)
   state.counters["max_us"] = times.back();
 }
 
+/// Another solver, and the time it takes.
+class TimedSolver : public NormalSolver
+{
+ public:
+  TimedSolver(std::unique_ptr<NormalSolver> solver, double& spent) : solver_(std::move(solver)), spent_(spent) {}
+
+  const char* name() const override { return solver_->name(); }
+  bool solvesSupport() const override { return solver_->solvesSupport(); }
+  void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override
+  {
+    spent_ += seconds([&] { solver_->solve(problem, warm, solution); });
+  }
+  void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                      std::vector<ErrorEstimate>& errors) const override
+  {
+    spent_ += seconds([&] { solver_->estimateErrors(problem, solution, errors); });
+  }
+
+ private:
+  std::unique_ptr<NormalSolver> solver_;
+  double& spent_;  ///< in both [s]
+};
+
+/// A message's time, and that of its normal solutions and their error estimates [s].
+struct Message
+{
+  double all, solutions;
+};
+
+double shareOf(std::vector<Message>::const_iterator begin, std::vector<Message>::const_iterator end)
+{
+  double all = 0, solutions = 0;
+  for (; begin != end; ++begin)
+  {
+    all += begin->all;
+    solutions += begin->solutions;
+  }
+  return 100 * solutions / all;
+}
+
+/// Share of the normal solutions in the time of a warm answer; the rest is search, gap and balance. Of all messages,
+/// and of the tenth of them about the median, which the dear ones (jumps, way to a finer grid) do not rule [%].
+void shareOfSolutions(benchmark::State& state, const ContactModelConfig& config, ToAndFro way)
+{
+  constexpr std::size_t count = 4800, first = 480;
+  double spent = 0;
+  const MethodLadder ladder(config, [&](std::unique_ptr<NormalSolver> solver)
+                            { return std::make_unique<TimedSolver>(std::move(solver), spent); });
+  WheelsetBalance balance(config, ladder);
+  std::vector<Message> messages;
+  for (auto _ : state)
+  {
+    messages.clear();
+    for (std::size_t k = 0; k < first + count; ++k)
+    {
+      const WheelsetState& now = way.next();
+      const double before = spent;
+      const double all = seconds([&] { balance.solve(now); });
+      if (k >= first)
+      {
+        messages.push_back({all, spent - before});
+      }
+    }
+  }
+  state.counters["solutions_%"] = shareOf(messages.begin(), messages.end());
+  std::sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) { return a.all < b.all; });
+  state.counters["at_median_%"] = shareOf(messages.begin() + count * 45 / 100, messages.begin() + count * 55 / 100);
+  state.counters["median_us"] = 1e6 * messages[count / 2].all;
+}
+
+/// Over the sweep, and at places a wheelset moves about by 0.2 mm to either side.
+void addShares(const std::string& tolerance, const ContactModelConfig& config)
+{
+  const auto register_share = [](const std::string& name, auto share)
+  { benchmark::RegisterBenchmark(name.c_str(), share)->Unit(benchmark::kMillisecond)->Iterations(1); };
+  register_share("wheelset/solutions/" + tolerance,
+                 [config](benchmark::State& state) { shareOfSolutions(state, config, Sweep()); });
+  for (const char* place : {"0", "0.5", "3", "5", "6.5"})
+  {
+    register_share("wheelset/solutions/" + tolerance + "/" + place + "mm",
+                   [config, y = 1e-3 * std::stod(place)](benchmark::State& state)
+                   { shareOfSolutions(state, config, ToAndFro(y, 4)); });
+  }
+}
+
 void add(const std::string& name, const ContactModelConfig& config, Start start)
 {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { evaluate(state, config, start); })
@@ -70,6 +159,7 @@ void registerWheelsets()
     config.contact.tolerance = std::stod(tolerance);
     add(std::string("wheelset/cold/") + tolerance, config, Start::cold);
     add(std::string("wheelset/warm/") + tolerance, config, Start::warm);
+    addShares(tolerance, config);
   }
   ContactModelConfig bending = manchesterScene();
   bending.rail_bending.model = RailBendingConfig::Model::compliance;

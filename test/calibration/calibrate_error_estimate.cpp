@@ -5,18 +5,24 @@
 //   calibrate_error_estimate [scenes of each set, default 4000] [seed of the fit, default 1] [of the check, default 2]
 //                            [hertz, kik_piotrowski or grid; default: all]
 //
-// Half of the scenes are wheelsets (the whole chain), half random gaps; each is solved on a random one of
-// ten grids, and by conjugate gradients on one four times finer each way, whose answer counts as true; gaps by Hertz,
-// whose errors do not fall with the cells, on one of 96 × 256 cells. Weights of the terms are those with the greatest
-// likelihood of errors that are Laplace-distributed with the weighted sum as their mean; then all are scaled so that
-// the largest of the three estimates is at least the true error in 98 % of the single patches (Hertz: 97.5 %,
-// Kik–Piotrowski: 99 %). Prints the weights as they stand in error_estimate.cpp, hertz_solver.cpp and
+// Three of four scenes are wheelsets (the whole chain), the others random gaps; each is solved on a random one of
+// fourteen grids, and by conjugate gradients on one four times finer each way, whose answer counts as true; gaps by
+// Hertz, whose errors do not fall with the cells, on one of 96 × 256 cells. Weights of the terms of Hertz and
+// Kik–Piotrowski are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as
+// their mean, scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
+// patches (Kik–Piotrowski: 99 %, grids: 98 %). Those of grids go on from there by quantile regression: of the pressure
+// so that its estimate is as close to its error as can be while 99 % are within it, of area and approach so that the
+// largest is to the largest error while 98 % are. Prints the weights as they stand in error_estimate.cpp,
+// hertz_solver.cpp and
 // kik_piotrowski.cpp, and for each grid and kind of scene the share of patches whose true error is within the estimate,
 // and estimate over true error (median, and what 5 and 1 % of the patches stay below), once with the built-in weights
 // (all patches) and once with those just found. Takes about ten minutes; not part of the test run, in which
 // normal/error_estimate_test.cpp checks the built-in weights.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -41,7 +47,7 @@ std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long
   {
     scenes::Random random(seeds());
     const GridSize& size = scenes::grids[random() % scenes::grids.size()];
-    const bool done = i % 2 == 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
+    const bool done = i % 4 > 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
                                  : gaps.sample(method, scenes::randomGapScene(method, random), size, random, samples);
     left_out += done ? 0 : 1;
     if ((i + 1) % 20 == 0)
@@ -97,8 +103,8 @@ double sumOf(const std::array<double, N>& weights, const std::array<double, N>& 
 
 ErrorEstimate estimateWith(const ErrorWeights& weights, const ErrorSample& s)
 {
-  return {sumOf(weights.max_pressure, s.terms.max_pressure), sumOf(weights.area, s.terms.area),
-          sumOf(weights.approach, s.terms.approach)};
+  return {std::max(sumOf(weights.max_pressure, s.terms.max_pressure), s.terms.overtopping),
+          std::max(sumOf(weights.area, s.terms.area), s.terms.tail), sumOf(weights.approach, s.terms.approach)};
 }
 
 ErrorEstimate estimateWith(const ShapeWeights& weights, const ErrorSample& s)
@@ -117,8 +123,7 @@ void print(const char* name, const std::array<double, N>& list)
   std::printf("\n");
 }
 
-/// Scales the weights of all quantities alike so that the largest estimate covers the share `coverage`, and prints
-/// them.
+/// Scales the weights of all quantities alike so that the largest estimate covers the share `coverage`.
 template <typename Weights>
 void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weights& weights)
 {
@@ -139,24 +144,113 @@ void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weig
   multiply(weights.max_pressure);
   multiply(weights.area);
   multiply(weights.approach);
-  std::printf("weights, scaled by %.2f for %.1f %% within the estimate\n", scale, 100 * coverage);
 }
 
-ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples)
+/// Share of single patches that the fitted estimate covers; asked are 95 % of all. Strips miss by much in a few scenes
+/// that their terms do not tell from the others, and their estimate is close to the truth in most: there is room for
+/// more. A grid is chosen where its estimate is just below the tolerance, so that misses gather there.
+double coverageOf(scenes::Method method)
 {
-  return {fit(
-              samples, [](const ErrorSample& s) { return s.terms.max_pressure; }, &ErrorEstimate::max_pressure),
-          fit(
-              samples, [](const ErrorSample& s) { return s.terms.area; }, &ErrorEstimate::area),
-          fit(
-              samples, [](const ErrorSample& s) { return s.terms.approach; }, &ErrorEstimate::approach)};
+  return method == scenes::Method::hertz ? 0.975 : method == scenes::Method::grid ? 0.98 : 0.99;
 }
 
-ShapeWeights fitShapeWeights(const std::vector<ErrorSample>& samples)
+/// Mean of what quantile regression minimises (Koenker and Bassett 1978) for the logarithms of an error and an
+/// estimate: the estimate is then closest to the share `coverage` of the errors, whatever it is about. `error` and
+/// `estimate` give a sample's.
+template <typename Error, typename Estimate>
+double lossOf(const std::vector<ErrorSample>& samples, double coverage, Error error, Estimate estimate)
+{
+  constexpr double least_error = 2e-5;  // below it the truth itself is in doubt
+  double sum = 0;
+  for (const ErrorSample& s : samples)
+  {
+    const double beyond = std::log(std::max(error(s), least_error) / estimate(s));
+    sum += (beyond > 0 ? coverage : coverage - 1) * beyond;
+  }
+  return sum / static_cast<double>(samples.size());
+}
+
+/// Goes downhill one weight after the other, each by steps of its own that grow while they help.
+template <typename Loss>
+void lower(const std::vector<double*>& weights, Loss loss)
+{
+  constexpr int rounds = 40;
+  std::vector<double> factors(weights.size(), 1.2);
+  double least = loss();
+  for (int round = 0; round < rounds; ++round)
+  {
+    for (std::size_t i = 0; i < weights.size(); ++i)
+    {
+      const double before = *weights[i];
+      bool better = false;
+      for (const double factor : {factors[i], 1 / factors[i]})
+      {
+        if (!better)
+        {
+          *weights[i] = before * factor;
+          const double now = loss();
+          better = now < least;
+          least = std::min(least, now);
+        }
+      }
+      *weights[i] = better ? *weights[i] : before;
+      factors[i] = std::pow(factors[i], better ? 1.3 : 0.6);
+    }
+  }
+}
+
+/// All but the last `left` of a list's weights.
+template <std::size_t N>
+void append(std::array<double, N>& list, std::size_t left, std::vector<double*>& weights)
+{
+  std::transform(list.begin(), list.end() - static_cast<std::ptrdiff_t>(left), std::back_inserter(weights),
+                 [](double& weight) { return &weight; });
+}
+
+ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples, double coverage)
+{
+  ErrorWeights weights = {
+      fit(
+          samples, [](const ErrorSample& s) { return s.terms.max_pressure; }, &ErrorEstimate::max_pressure),
+      fit(
+          samples, [](const ErrorSample& s) { return s.terms.area; }, &ErrorEstimate::area),
+      fit(
+          samples, [](const ErrorSample& s) { return s.terms.approach; }, &ErrorEstimate::approach)};
+  scaleToCover(samples, coverage, weights);
+
+  // The pressure first, for itself: together with the others it would be given away where it misses by much in few
+  // scenes, at joints of the profiles.
+  constexpr double pressure_coverage = 0.99;
+  std::vector<double*> of_pressure, of_others;
+  append(weights.max_pressure, 0, of_pressure);
+  lower(of_pressure,
+        [&]
+        {
+          return lossOf(
+              samples, pressure_coverage, [](const ErrorSample& s) { return s.error.max_pressure; },
+              [&](const ErrorSample& s) { return estimateWith(weights, s).max_pressure; });
+        });
+
+  // Weights of residuals, the last ones, stay: they decide where the iteration has not ended, in few scenes.
+  append(weights.area, 1, of_others);
+  append(weights.approach, 1, of_others);
+  lower(of_others,
+        [&]
+        {
+          return lossOf(
+              samples, coverage, [](const ErrorSample& s) { return s.error.largest(); },
+              [&](const ErrorSample& s) { return estimateWith(weights, s).largest(); });
+        });
+  return weights;
+}
+
+ShapeWeights fitShapeWeights(const std::vector<ErrorSample>& samples, double coverage)
 {
   const auto terms = [](const ErrorSample& s) { return s.shape; };
-  return {fit(samples, terms, &ErrorEstimate::max_pressure), fit(samples, terms, &ErrorEstimate::area),
-          fit(samples, terms, &ErrorEstimate::approach)};
+  ShapeWeights weights{fit(samples, terms, &ErrorEstimate::max_pressure), fit(samples, terms, &ErrorEstimate::area),
+                       fit(samples, terms, &ErrorEstimate::approach)};
+  scaleToCover(samples, coverage, weights);
+  return weights;
 }
 
 /// Rows of the table: how often the estimate holds, and by how much it is above.
@@ -207,29 +301,13 @@ struct Sets
   unsigned long fit_seed, check_seed;
 };
 
-/// Share of single patches that the fitted estimate covers; asked are 95 % of all. Strips miss by much in a few scenes
-/// that their terms do not tell from the others, and their estimate is close to the truth in most: there is room for
-/// more.
-double coverageOf(scenes::Method method)
-{
-  switch (method)
-  {
-    case scenes::Method::kik_piotrowski:
-      return 0.99;
-    case scenes::Method::grid:
-      return 0.98;
-    default:
-      return 0.975;
-  }
-}
-
 template <typename FitWeights>
 void calibrate(const char* name, scenes::Method method, const Sets& sets, FitWeights fit_weights)
 {
   std::printf("\n== %s ==\n", name);
   const std::vector<ErrorSample> samples = alone(collect(method, sets.count, sets.fit_seed));
-  auto weights = fit_weights(samples);
-  scaleToCover(samples, coverageOf(method), weights);
+  const auto weights = fit_weights(samples, coverageOf(method));
+  std::printf("weights, for %.1f %% within the estimate\n", 100 * coverageOf(method));
   print("max_pressure", weights.max_pressure);
   print("area", weights.area);
   print("approach", weights.approach);

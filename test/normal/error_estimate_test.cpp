@@ -14,7 +14,7 @@ namespace
 using scenes::ErrorSample;
 using scenes::Method;
 
-constexpr std::size_t used_grids = 7;  ///< of scenes::grids, the coarsest: up to 16 × 64 cells
+constexpr std::size_t used_grids = 10;  ///< of scenes::grids, the coarsest: up to 16 × 64 cells
 
 /// Fresh random scenes, half wheelsets (whole chain), half gaps; calibration has used seeds 1 and 2.
 std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long seed)

@@ -50,8 +50,20 @@ constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each
 constexpr GridSize closed_form_truth{96, 256};
 
 /// Grids of many shapes, coarse to fine; not only those of `auto`.
-constexpr std::array<GridSize, 10> grids{
-    {{4, 16}, {8, 16}, {8, 24}, {12, 32}, {16, 32}, {16, 48}, {16, 64}, {24, 48}, {32, 64}, {32, 96}}};
+constexpr std::array<GridSize, 14> grids{{{4, 16},
+                                          {8, 16},
+                                          {8, 24},
+                                          {10, 24},
+                                          {12, 24},
+                                          {12, 32},
+                                          {16, 32},
+                                          {16, 48},
+                                          {12, 64},
+                                          {16, 64},
+                                          {24, 48},
+                                          {16, 96},
+                                          {32, 64},
+                                          {32, 96}}};
 
 inline ConjugateGradientsOptions strictOptions()
 {

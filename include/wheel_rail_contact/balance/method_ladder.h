@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bitset>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,8 +32,11 @@ struct Rung
 class MethodLadder
 {
  public:
+  /// Puts another solver in the place of the grids' method, which it is given, to watch or to time it.
+  using Wrap = std::function<std::unique_ptr<NormalSolver>(std::unique_ptr<NormalSolver>)>;
+
   /// Copies what it needs of `config`; computes the coefficients of its grids.
-  explicit MethodLadder(const ContactModelConfig& config);
+  explicit MethodLadder(const ContactModelConfig& config, const Wrap& wrap = nullptr);
 
   /// The method of the grids.
   NormalSolver& solver() const { return *solver_; }

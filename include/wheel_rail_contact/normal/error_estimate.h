@@ -41,18 +41,18 @@ struct ErrorTerms
   /// turn out higher, by its own terms and their weights, or one at a step of the gap, on cells four times
   /// finer.
   double overtopping = 0;
-  /// Of area: 1 + 0.3 |logarithm of the cells' aspect|, per cell of the area · by how much the sum of 1 / (cells
+  /// Of area: 1 + 0.5 |logarithm of the cells' aspect|, per cell of the area · by how much the sum of 1 / (cells
   /// loaded) over the columns, times (cells along) / (cells across), is above an oval's, per cell of the area · jumps
   /// of k near the edges, as a pressure over the maximum, per cell of the area · variation of k over its mean and
-  /// (cells across)² · 1 / (cells along)³ · residual. All of them a third larger where the pressure fills its grid
+  /// (cells across)² · residual. All of them a third larger where the pressure fills its grid
   /// along, which then does not show where it ends, and again where it fills it across: without the latter 5 % of the
   /// answers of `auto` at a tolerance of 10 % were off by more than their estimate, with it 1 %.
-  std::array<double, 6> area{};
+  std::array<double, 5> area{};
   /// Of area, without a weight, the least that it may be off: by a tail of the pressure that is narrower than the cells
-  /// tell, one and a half cells for each of its columns but the few of an oval; or for want of cells, 3 / cells².
+  /// tell, one and a half cells for each of its columns but the few of an oval; or for want of cells, 6 / cells².
   double tail = 0;
-  /// Of approach: 1 / (cells along)² · variation of k, as above · residual.
-  std::array<double, 3> approach{};
+  /// Of approach: 1 / (cells along)² · residual.
+  std::array<double, 2> approach{};
 };
 
 /// Terms of a patch that carries pressure. `residual` is the solution's, over the patch's own approach.
@@ -62,8 +62,8 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 struct ErrorWeights
 {
   std::array<double, 3> max_pressure{};  ///< of ErrorTerms::max_pressure [-]
-  std::array<double, 6> area{};          ///< of ErrorTerms::area [-]
-  std::array<double, 3> approach{};      ///< of ErrorTerms::approach [-]
+  std::array<double, 5> area{};          ///< of ErrorTerms::area [-]
+  std::array<double, 2> approach{};      ///< of ErrorTerms::approach [-]
 };
 
 /// The weights in use.
@@ -86,9 +86,9 @@ struct ShapeWeights
 /// cells; zero for a patch without pressure. `errors` gets one for each patch.
 ///
 /// Weights were fitted to random contacts, each against the same one on a grid four times finer each way, so that the
-/// largest of the three is at least the true one in 98 % of single patches; test/calibration does that again and prints
-/// the table. In several patches, one patch's error of approach shifts the load to the others: with Hertz's laws
-/// (maximum ~ approach^1/2, area ~ approach) that is added in.
+/// largest of the three is at least the true one in 98 % of single patches, and as close to it as that allows;
+/// test/calibration does that again and prints the table. In several patches, one patch's error of approach shifts the
+/// load to the others: with Hertz's laws (maximum ~ approach^1/2, area ~ approach) that is added in.
 void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solution,
                         std::vector<ErrorEstimate>& errors);
 }  // namespace wheel_rail_contact
