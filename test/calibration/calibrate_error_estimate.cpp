@@ -48,7 +48,7 @@ std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long
     scenes::Random random(seeds());
     const GridSize& size = scenes::grids[random() % scenes::grids.size()];
     const bool done = i % 4 > 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
-                                 : gaps.sample(method, scenes::randomGapScene(method, random), size, random, samples);
+                                : gaps.sample(method, scenes::randomGapScene(method, random), size, random, samples);
     left_out += done ? 0 : 1;
     if ((i + 1) % 20 == 0)
     {
