@@ -31,7 +31,7 @@ constexpr int narrow_tips = 4;
 constexpr double tail_cells = 1.5;
 
 /// What the area of a handful of cells may be off by, times the cells it is worth squared. Six of them are off by
-/// more than 10 %; of 30 the weighted terms say more than this.
+/// more than 10 %; of 33 the weighted terms say more than this.
 constexpr double handful = 6;
 
 /// A line of cells through a crest; cells beyond the grid carry nothing, those beyond x = 0 of a symmetric grid are

@@ -38,7 +38,7 @@ class PressureMeasures
   void measure(PatchPressure& patch);
 
  private:
-  /// Highest pressure about a cell that is higher than its neighbours, between the cells if it lies there [Pa].
+  /// Highest pressure about a cell that no neighbour exceeds, between the cells if it lies there [Pa].
   double topAt(Eigen::Index row, Eigen::Index column) const;
 
   EdgePolygon polygon_;

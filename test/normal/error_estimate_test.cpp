@@ -16,7 +16,7 @@ using scenes::Method;
 
 constexpr std::size_t used_grids = 10;  ///< of scenes::grids, the coarsest: up to 16 × 64 cells
 
-/// Fresh random scenes, half wheelsets (whole chain), half gaps; calibration has used seeds 1 and 2.
+/// Fresh random scenes, half wheelsets (whole chain), half gaps; calibration has used seeds 1, 2 and 11.
 std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long seed)
 {
   std::cout << "seed " << seed << ", " << count << " scenes\n";
@@ -73,7 +73,7 @@ void expectCalibrated(const std::vector<ErrorSample>& samples)
 
 TEST(ErrorEstimate, holdsOnFreshScenesSolvedOnGrids)
 {
-  expectCalibrated(freshSamples(Method::grid, 260, 11));
+  expectCalibrated(freshSamples(Method::grid, 260, 211));
 }
 
 TEST(ErrorEstimate, holdsOnFreshScenesSolvedByHertz)
