@@ -123,10 +123,10 @@ Square squareOf(unsigned corners, const Sides& s)
 
 /// What ends on lines along x make a chord too far out by; a rule for those along y as well, rows and columns swapped
 /// and the other sign of `longer`. `squared_sine`: of the angle in the plane between the edge and what is square to the
-/// lines; `l`: the chord's length in cells.
-double askewAtEnds(const Ends& ends, double rows, double columns, double l, double squared_sine, double longer)
+/// lines; `length`: the chord's, in cells.
+double askewAtEnds(const Ends& ends, double rows, double columns, double length, double squared_sine, double longer)
 {
-  const double slope = rows / l, askew = slope * columns;
+  const double slope = rows / length, askew = slope * columns;
   return longer * kAskew * ends.count * squared_sine + (longer * kPlace + kSquarePlace) * askew * ends.place +
          longer * (kSteep * slope * slope * askew + kVeryLong * std::abs(longer) * columns * squared_sine) *
              ends.square;
@@ -136,14 +136,14 @@ double askewAtEnds(const Ends& ends, double rows, double columns, double l, doub
 double askewAt(const Chord& chord, double aspect, double longer)
 {
   const double rows = std::abs(chord.rows), columns = std::abs(chord.columns);
-  const double l = std::sqrt(rows * rows + columns * columns);
-  if (!(l > 0))
+  const double length = std::sqrt(rows * rows + columns * columns);
+  if (!(length > 0))
   {
     return 0;
   }
   const double along = aspect * rows * aspect * rows, across = columns * columns, sum = along + across;
-  return askewAtEnds(chord.along, rows, columns, l, along / sum, longer) +
-         askewAtEnds(chord.across, columns, rows, l, across / sum, -longer);
+  return askewAtEnds(chord.along, rows, columns, length, along / sum, longer) +
+         askewAtEnds(chord.across, columns, rows, length, across / sum, -longer);
 }
 
 /// Edge's distance from the loaded one of two neighbouring cells, `p` and the one `step` further.

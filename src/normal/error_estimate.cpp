@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "patch_errors.h"
-#include "pressure_measures.h"
+#include "pressure_crests.h"
 
 namespace wheel_rail_contact
 {
@@ -44,17 +44,18 @@ class CrestLine
   {
   }
 
-  /// Squared pressure over the maximum, `offset` cells from the crest.
-  double q(Index offset) const
+  /// Pressure over the crest's, `offset` cells from there.
+  double p(Index offset) const
   {
     Index place = crest_ + offset;
     place = mirrored_ && place < 0 ? -1 - place : place;
-    const double p = place >= 0 && place < size_ ? first_[place * stride_] / top_ : 0;
-    return p * p;
+    return place >= 0 && place < size_ ? first_[place * stride_] / top_ : 0;
   }
-  double bend() const { return 2 * q(0) - q(-1) - q(1); }
+  /// The same squared.
+  double q(Index offset) const { return p(offset) * p(offset); }
+  double bend() const { return bendOf(p(-1), p(0), p(1)); }
   /// Of the squared pressure between the cells, over its value at the crest.
-  double rise() const { return riseOf(std::sqrt(q(-1)), 1, std::sqrt(q(1))); }
+  double rise() const { return riseOf(p(-1), p(0), p(1)); }
   double thirdDifference() const
   {
     const double up = std::abs(q(-1) - 3 * q(0) + 3 * q(1) - q(2));
@@ -197,18 +198,15 @@ double byLowerCrest(const PatchGap& gap, const PatchPressure& pressure, double m
 /// none may. The narrower of two lobes grows with finer cells.
 double byLowerCrests(const PatchGap& gap, const PatchPressure& pressure, double modulus, Index highest)
 {
-  const Eigen::ArrayXXd& p = pressure.pressure;
-  double most = 0, before = 0, here = p.col(0).maxCoeff();
-  for (Index j = 0; j < p.cols(); ++j)
-  {
-    const double after = j + 1 < p.cols() ? p.col(j + 1).maxCoeff() : 0;
-    if (j != highest && here > before && here >= after)
-    {
-      most = std::max(most, byLowerCrest(gap, pressure, modulus, j));
-    }
-    before = here;
-    here = after;
-  }
+  double most = 0;
+  visitCrests(pressure.pressure,
+              [&](Index column, bool rises)
+              {
+                if (rises && column != highest)
+                {
+                  most = std::max(most, byLowerCrest(gap, pressure, modulus, column));
+                }
+              });
   return most;
 }
 
@@ -286,10 +284,7 @@ ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& so
   }
   const double residual = solution.residual * largest_approach / own;
   const ErrorTerms terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
-  const ErrorWeights& weights = gridErrorWeights();
-  return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.overtopping),
-          std::max(weighted(weights.area, terms.area), terms.tail), weighted(weights.approach, terms.approach),
-          std::max(weights.area[1] * terms.area[1], terms.tail)};
+  return weighted(gridErrorWeights(), terms);
 }
 }  // namespace
 

@@ -24,6 +24,13 @@ inline ErrorEstimate weighted(const ShapeWeights& weights, const ShapeTerms& ter
   return {weighted(weights.max_pressure, terms), weighted(weights.area, terms), weighted(weights.approach, terms)};
 }
 
+inline ErrorEstimate weighted(const ErrorWeights& weights, const ErrorTerms& terms)
+{
+  return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.overtopping),
+          std::max(weighted(weights.area, terms.area), terms.tail), weighted(weights.approach, terms.approach),
+          std::max(weights.area[1] * terms.area[1], terms.tail)};
+}
+
 /// Errors of all patches, from `alone(k)`, the errors of each patch as if it carried its load alone. The common
 /// approach is off by as much as the patch whose own approach is worst known; with Hertz's laws (maximum ~
 /// approach^1/2, area ~ approach) that adds to all of them.

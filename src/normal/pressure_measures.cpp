@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pressure_crests.h"
+
 namespace wheel_rail_contact
 {
 namespace
 {
 /// By how much cells hold more than the highest pressure, over it [-]. `bend` is bendOf() along and across, over the
-/// highest cell's square [-].
+/// crest's highest cell's square [-].
 ///
 /// A constant pressure on a cell that has to meet the contact condition in its centre exceeds the pressure there by
 /// size² / 24 times the pressure's own bend (to first order, for waves of any direction: the mean of the influence over
@@ -42,19 +44,13 @@ void PressureMeasures::measure(PatchPressure& patch)
   patch.area = polygon_.cells(grid.dx / grid.dy) * grid.cellArea();
 
   patch.max_pressure = 0;
-  double before = 0, here = p.col(0).maxCoeff();
-  for (Eigen::Index j = 0; j < p.cols(); ++j)
-  {
-    const double after = j + 1 < p.cols() ? p.col(j + 1).maxCoeff() : 0;
-    if (here > 0 && here >= before && here >= after)
-    {
-      Eigen::Index i = 0;
-      const double cell = p.col(j).maxCoeff(&i);
-      patch.max_pressure = std::max({patch.max_pressure, cell, topAt(i, j)});
-    }
-    before = here;
-    here = after;
-  }
+  visitCrests(p,
+              [&](Eigen::Index column, bool)
+              {
+                Eigen::Index row = 0;
+                const double cell = p.col(column).maxCoeff(&row);
+                patch.max_pressure = std::max({patch.max_pressure, cell, topAt(row, column)});
+              });
 
   const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);
   patch.touches_border = ends || p.col(0).maxCoeff() > 0 || p.col(p.cols() - 1).maxCoeff() > 0;

@@ -6,21 +6,6 @@
 
 namespace wheel_rail_contact
 {
-/// How much three squared pressures bend down, the middle one being the highest [Pa²].
-inline double bendOf(double before, double top, double after)
-{
-  return 2 * top * top - before * before - after * after;
-}
-
-/// Rise of the parabola through three squared pressures above the middle one, which is the highest; zero at an edge
-/// [Pa²].
-inline double riseOf(double before, double top, double after)
-{
-  const double slope = (after - before) * (after + before);
-  const double bend = bendOf(before, top, after);
-  return bend > 0 && before > 0 && after > 0 ? slope * slope / (8 * bend) : 0;
-}
-
 /// Reads force, maximum, area and border contact off a pressure. Keeps scratch memory, so that shapes seen before
 /// allocate nothing.
 class PressureMeasures

@@ -29,6 +29,7 @@
 
 #include "../normal/error_samples.h"
 #include "chart/quantile.h"
+#include "normal/patch_errors.h"
 
 namespace
 {
@@ -95,21 +96,14 @@ auto fit(const std::vector<ErrorSample>& samples, Terms terms, double ErrorEstim
   return weights;
 }
 
-template <std::size_t N>
-double sumOf(const std::array<double, N>& weights, const std::array<double, N>& terms)
-{
-  return std::inner_product(weights.begin(), weights.end(), terms.begin(), 0.0);
-}
-
 ErrorEstimate estimateWith(const ErrorWeights& weights, const ErrorSample& s)
 {
-  return {std::max(sumOf(weights.max_pressure, s.terms.max_pressure), s.terms.overtopping),
-          std::max(sumOf(weights.area, s.terms.area), s.terms.tail), sumOf(weights.approach, s.terms.approach)};
+  return weighted(weights, s.terms);
 }
 
 ErrorEstimate estimateWith(const ShapeWeights& weights, const ErrorSample& s)
 {
-  return {sumOf(weights.max_pressure, s.shape), sumOf(weights.area, s.shape), sumOf(weights.approach, s.shape)};
+  return weighted(weights, s.shape);
 }
 
 template <std::size_t N>
@@ -151,7 +145,15 @@ void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weig
 /// more. A grid is chosen where its estimate is just below the tolerance, so that misses gather there.
 double coverageOf(scenes::Method method)
 {
-  return method == scenes::Method::hertz ? 0.975 : method == scenes::Method::grid ? 0.98 : 0.99;
+  switch (method)
+  {
+    case scenes::Method::kik_piotrowski:
+      return 0.99;
+    case scenes::Method::grid:
+      return 0.98;
+    default:
+      return 0.975;
+  }
 }
 
 /// Mean of what quantile regression minimises (Koenker and Bassett 1978) for the logarithms of an error and an
@@ -181,19 +183,16 @@ void lower(const std::vector<double*>& weights, Loss loss)
   {
     for (std::size_t i = 0; i < weights.size(); ++i)
     {
-      const double before = *weights[i];
-      bool better = false;
-      for (const double factor : {factors[i], 1 / factors[i]})
+      const auto helps = [&, before = *weights[i]](double factor)
       {
-        if (!better)
-        {
-          *weights[i] = before * factor;
-          const double now = loss();
-          better = now < least;
-          least = std::min(least, now);
-        }
-      }
-      *weights[i] = better ? *weights[i] : before;
+        *weights[i] = before * factor;
+        const double now = loss();
+        const bool better = now < least;
+        *weights[i] = better ? *weights[i] : before;
+        least = std::min(least, now);
+        return better;
+      };
+      const bool better = helps(factors[i]) || helps(1 / factors[i]);
       factors[i] = std::pow(factors[i], better ? 1.3 : 0.6);
     }
   }
