@@ -17,6 +17,10 @@ namespace
 /// Residual of the normal solution where rail deflection and contact forces have to agree closely [-].
 constexpr double coupled_residual = 1e-6;
 
+/// Residual of the normal solution for each unit of contact/tolerance [-]. Of 150 random wheelsets a residual made
+/// pressure and area wrong by as much as itself in 90 %, by three times as much in 99 %.
+constexpr double residual_per_tolerance = 0.02;
+
 constexpr GridSize rough_grid{10, 24};
 constexpr GridSize closed_form_grid{8, 16};  ///< on which the gap is looked at and the ellipsoid is told
 
@@ -85,6 +89,7 @@ std::unique_ptr<NormalSolver> makeSeidel(SeidelOptions::Form form)
 std::unique_ptr<NormalSolver> makeConjugateGradients(const ContactModelConfig& config, const std::vector<Rung>& grids)
 {
   ConjugateGradientsOptions options;
+  options.residual = residual_per_tolerance * config.contact.tolerance;
   const RailBendingConfig& bending = config.rail_bending;
   if (bending.model == RailBendingConfig::Model::compliance &&
       bending.lateral_force != RailBendingConfig::LateralForce::contact)

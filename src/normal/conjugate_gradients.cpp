@@ -28,14 +28,14 @@ struct ConjugateGradients::Workshop
 {
   explicit Workshop(const ConjugateGradientsOptions& options) : iteration(options) {}
 
-  void finish(SolveStatus status, NormalSolution& solution);
+  void finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution);
 
   OperatorCache cache;
   ContactIteration iteration;
   PressureMeasures measures;
 };
 
-void ConjugateGradients::Workshop::finish(SolveStatus status, NormalSolution& solution)
+void ConjugateGradients::Workshop::finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution)
 {
   iteration.end();
   solution.status = status;
@@ -50,7 +50,7 @@ void ConjugateGradients::Workshop::finish(SolveStatus status, NormalSolution& so
     patch.grid = layout.grid;
     fromField(layout, layout.stiffness, iteration.pressure(), patch.pressure);
     fromField(layout, 1, iteration.displacement(), patch.displacement);
-    measures.measure(patch);
+    measures.measure(problem.patches[k], problem.modulus, patch);
     touching = touching || patch.force > 0;
   }
   if (status == SolveStatus::converged && !touching)  // a support has sprung back from where it was given
@@ -87,6 +87,6 @@ void ConjugateGradients::solve(const NormalProblem& problem, bool warm, NormalSo
   ContactIteration& iteration = workshop_->iteration;
   iteration.begin(problem, workshop_->cache);
   const bool touching = iteration.start(warm ? &solution : nullptr);
-  workshop_->finish(touching ? iteration.iterate() : SolveStatus::no_contact, solution);
+  workshop_->finish(problem, touching ? iteration.iterate() : SolveStatus::no_contact, solution);
 }
 }  // namespace wheel_rail_contact

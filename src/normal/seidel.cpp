@@ -317,7 +317,7 @@ void Seidel::Sweeps::finish(SolveStatus status, NormalSolution& solution)
     patch.grid = patches_[k].grid;
     fromField(patches_[k], patches_[k].stiffness, p_, patch.pressure);
     fromField(patches_[k], 1, u_, patch.displacement);
-    measures_.measure(patch);
+    measures_.measure(problem_->patches[k], problem_->modulus, patch);
   }
 }
 

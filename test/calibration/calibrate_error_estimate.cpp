@@ -6,7 +6,7 @@
 //                            [hertz, kik_piotrowski or grid; default: all]
 //
 // Three of four scenes are wheelsets (the whole chain), the others random gaps; each is solved on a random one of
-// fourteen grids, and by conjugate gradients on one four times finer each way, whose answer counts as true; gaps by
+// fifteen grids, and by conjugate gradients on one four times finer each way, whose answer counts as true; gaps by
 // Hertz, whose errors do not fall with the cells, on one of 96 × 256 cells. Weights of the terms of Hertz and
 // Kik–Piotrowski are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as
 // their mean, scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
@@ -198,12 +198,10 @@ void lower(const std::vector<double*>& weights, Loss loss)
   }
 }
 
-/// All but the last `left` of a list's weights.
 template <std::size_t N>
-void append(std::array<double, N>& list, std::size_t left, std::vector<double*>& weights)
+void append(std::array<double, N>& list, std::vector<double*>& weights)
 {
-  std::transform(list.begin(), list.end() - static_cast<std::ptrdiff_t>(left), std::back_inserter(weights),
-                 [](double& weight) { return &weight; });
+  std::transform(list.begin(), list.end(), std::back_inserter(weights), [](double& weight) { return &weight; });
 }
 
 ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples, double coverage)
@@ -221,7 +219,7 @@ ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples, double cove
   // scenes, at joints of the profiles.
   constexpr double pressure_coverage = 0.99;
   std::vector<double*> of_pressure, of_others;
-  append(weights.max_pressure, 0, of_pressure);
+  append(weights.max_pressure, of_pressure);
   lower(of_pressure,
         [&]
         {
@@ -230,9 +228,8 @@ ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples, double cove
               [&](const ErrorSample& s) { return estimateWith(weights, s).max_pressure; });
         });
 
-  // Weights of residuals, the last ones, stay: they decide where the iteration has not ended, in few scenes.
-  append(weights.area, 1, of_others);
-  append(weights.approach, 1, of_others);
+  append(weights.area, of_others);
+  append(weights.approach, of_others);
   lower(of_others,
         [&]
         {

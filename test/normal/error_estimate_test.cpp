@@ -209,7 +209,7 @@ TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
       EXPECT_LE(sample.error.max_pressure, sample.estimate.max_pressure);
       largest = std::max(largest, sample.error.max_pressure);
     }
-    EXPECT_GT(largest, 0.1);
+    EXPECT_GT(largest, 0.05);
   }
 }
 

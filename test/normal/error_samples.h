@@ -50,7 +50,7 @@ constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each
 constexpr GridSize closed_form_truth{96, 256};
 
 /// Grids of many shapes, coarse to fine; not only those of `auto`.
-constexpr std::array<GridSize, 14> grids{{{4, 16},
+constexpr std::array<GridSize, 15> grids{{{4, 16},
                                           {8, 16},
                                           {8, 24},
                                           {10, 24},
@@ -63,7 +63,8 @@ constexpr std::array<GridSize, 14> grids{{{4, 16},
                                           {24, 48},
                                           {16, 96},
                                           {32, 64},
-                                          {32, 96}}};
+                                          {32, 96},
+                                          {48, 96}}};
 
 inline ConjugateGradientsOptions strictOptions()
 {

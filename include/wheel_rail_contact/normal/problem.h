@@ -55,7 +55,8 @@ struct PatchGap
   /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
   double weight = 1;
   /// By how much a unit of each of the support's coordinates opens the gap, the same all along a column: ny × 3; used
-  /// only if the support yields [m/m] or [m/rad].
+  /// only if the support yields [m/m] or [m/rad]. A rigid body's are linear across: max_pressure, which looks at how the
+  /// gap bends, counts on that.
   Eigen::ArrayX3d opening;
 };
 
