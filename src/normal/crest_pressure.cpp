@@ -122,6 +122,22 @@ Jumps findJumps(const Row& row)
   }
 }
 
+/// Two jumps to and fro within a few cells are the flanks of a wave, as rough profiles have them.
+bool areWave(const Jump& one, const Jump& other)
+{
+  constexpr double near = 4, alike = 1.0 / 3;
+  const double larger = std::max(std::abs(one.size), std::abs(other.size));
+  return std::abs(one.place - other.place) < near && one.size * other.size < -alike * larger * larger;
+}
+
+bool areWaves(const Jumps& found)
+{
+  return std::any_of(
+      found.begin(), found.end(),
+      [&](const Jump& one)
+      { return std::any_of(found.begin(), found.end(), [&one](const Jump& other) { return areWave(one, other); }); });
+}
+
 /// True pressure beside a jump of one, but for what is linear in t.
 double partOfJump(double t)
 {
@@ -219,6 +235,11 @@ double cellErrorAtJump(double t)
   return t < 0 ? -error : error;
 }
 
+bool showsWaves(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure, Index row, Index column)
+{
+  return areWaves(findJumps(readRow(gap, modulus, pressure, row, column)));
+}
+
 double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure, Index row, Index column)
 {
   const double top = pressure(row, column);
@@ -229,7 +250,9 @@ double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd&
     return top;
   }
   const double bend_across = bendOf(p[0], p[1], p[2]);
-  const Jumps found = findJumps(across);
+  Jumps found = findJumps(across);
+  const bool waves = areWaves(found);
+  found.count = waves ? 0 : found.count;
   takeOffEdge(across, -1, p);
   takeOffEdge(across, 1, p);
   for (const Jump& jump : found)
@@ -247,6 +270,7 @@ double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd&
     return mirrored >= 0 && mirrored < pressure.rows() ? pressure(mirrored, column) / top : 0;
   };
   const double before = along(row - 1), after = along(row + 1);
-  return top * (1 - excess(bendOf(before, 1, after), bend_across)) * std::sqrt(q + riseOf(before, 1, after));
+  const double raised = (1 - excess(bendOf(before, 1, after), bend_across)) * std::sqrt(q + riseOf(before, 1, after));
+  return top * (waves ? std::max(raised, 1.0) : raised);
 }
 }  // namespace wheel_rail_contact

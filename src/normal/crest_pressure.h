@@ -16,12 +16,18 @@ namespace wheel_rail_contact
 /// * A curvature of the gap that jumps at s by D, the jump of the gap's second difference times E* / (dy p_crest), as
 ///   at the joint of two arcs: the true pressure has the part -(D / 2 pi) t ln|t|, t = y - s (Hilbert's transform of
 ///   the curvature; Johnson 1985, eq. 2.25b), which no parabola follows. The cells' differs from it by D cellError(t).
-///   A jump shows as three second differences in a row, whose first moment is its place.
+///   A jump shows as three second differences in a row, whose first moment is its place. Where jumps to and fro are
+///   close, see showsWaves(), none is told, and the cell's own pressure is the least.
 /// * The edge of the contact, see edgeDistance(): the cells' pressure next to it differs from the root of the distance.
 /// * Smooth bends: numbers fitted to test/calibration's wheelsets.
 /// All is of plane strain: a joint runs along the patch, whose cells are small against its length.
 double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure, Eigen::Index row,
                      Eigen::Index column);
+
+/// The gap's curvature jumps to and fro within a few cells of a crest, as on rough profiles: then nothing is known of
+/// its jumps.
+bool showsWaves(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure, Eigen::Index row,
+                Eigen::Index column);
 
 /// What the pressure of cells that meet the contact condition in their centres exceeds the true one by, a distance t
 /// [cells] beside a jump of the gap's curvature, per jump of the gap's second difference as a pressure; odd in t [-].

@@ -77,13 +77,14 @@ TEST(LeastGap, FallsNoFartherBesideAKinkThanItMayOnTheOtherSide)
 }
 
 // The rail's crown and gauge corner: what a patch's approach is does not depend on where the cells lie. By the least of
-// the cells it was off by 0.5 % at y = 4.9 mm. What is left is the coarse grid's own error of the descent, 0.05 %.
+// the cells it was off by 0.5 % at y = 4.9 mm on 16 × 32 cells. What is left is the coarse grid's own error of the
+// descent, 0.07 % there.
 TEST(LeastGap, MakesApproachesThatDoNotDependOnTheCells)
 {
   for (const double y : {0.0, 3e-3, 4.9e-3})
   {
     std::vector<double> approach[2];
-    for (const int along : {16, 64})
+    for (const int along : {24, 64})
     {
       ContactModelConfig config = manchesterScene();
       config.contact.method = NormalMethod::conjugate_gradient;
@@ -96,7 +97,7 @@ TEST(LeastGap, MakesApproachesThatDoNotDependOnTheCells)
       state.force_z = -200e3;
       for (const PatchResult& patch : contact.evaluate(state).patches)
       {
-        approach[along == 16 ? 0 : 1].push_back(patch.approach);
+        approach[along == 24 ? 0 : 1].push_back(patch.approach);
       }
     }
     ASSERT_EQ(approach[0].size(), approach[1].size());

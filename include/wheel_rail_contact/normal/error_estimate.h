@@ -36,7 +36,7 @@ struct ErrorTerms
 {
   /// Of max_pressure: bend of q at the crest, along plus across · square of the jumps of k, weighted by 1 / (distance
   /// from the crest + 1/2)², as a pressure over the maximum · the bend again where a cell beside the crest across is
-  /// not loaded · residual.
+  /// not loaded, and a share of it where the gap's curvature goes to and fro about the crest · residual.
   std::array<double, 4> max_pressure{};
   /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
   /// turn out higher, by its own terms and their weights, or one at a step of the gap, on cells four times
