@@ -5,7 +5,8 @@ namespace wheel_rail_contact::chart
 {
 const MethodLadder& Ladders::find(const Choice& choice)
 {
-  std::unique_ptr<MethodLadder>& ladder = ladders_[{choice.method, choice.grid.along, choice.grid.across}];
+  std::unique_ptr<MethodLadder>& ladder =
+      ladders_[{choice.method, choice.grid.along, choice.grid.across, choice.tolerance}];
   if (!ladder)
   {
     ContactModelConfig config;

@@ -17,6 +17,6 @@ class Ladders
   const MethodLadder& find(const Choice& choice);
 
  private:
-  std::map<std::tuple<NormalMethod, int, int>, std::unique_ptr<MethodLadder>> ladders_;
+  std::map<std::tuple<NormalMethod, int, int, double>, std::unique_ptr<MethodLadder>> ladders_;
 };
 }  // namespace wheel_rail_contact::chart

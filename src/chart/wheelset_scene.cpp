@@ -88,7 +88,7 @@ Outcome WheelsetScene::truth(const GridSize& grid, int offset)
 {
   ContactModelConfig config = pool_->config();
   config.contact.tolerance = true_balance;
-  WheelsetBalance balance(config, ladders_->find({NormalMethod::conjugate_gradient, grid, 0}));
+  WheelsetBalance balance(config, ladders_->find({NormalMethod::conjugate_gradient, grid, true_balance}));
   return outcomeOf(balance, balance.solve(beside(state_, offset)));
 }
 

@@ -320,7 +320,7 @@ class WheelsetSampler
     ContactModelConfig settled = scene.config;
     if (method_ == Method::grid)
     {
-      settled.contact.tolerance = 1.0 / (size.along * size.across);
+      settled.contact.tolerance = settledTolerance(size);
     }
     const MethodLadder& ladder = ladderFor(method_, size);
     WheelsetBalance balance(settled, ladder);
@@ -351,12 +351,16 @@ class WheelsetSampler
                                                         : NormalMethod::kik_piotrowski;
       config.contact.cells_along = size.along;
       config.contact.cells_across = size.across;
+      config.contact.tolerance = settledTolerance(size);
       ladder = std::make_unique<MethodLadder>(config);
     }
     return *ladder;
   }
 
  private:
+  /// Leaves less open than the cells make wrong [-].
+  static double settledTolerance(const GridSize& size) { return 1.0 / (size.along * size.across); }
+
   /// @return false if the wheel has other patches in its truth
   bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
            std::vector<ErrorSample>& samples) const

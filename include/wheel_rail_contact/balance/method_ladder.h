@@ -35,7 +35,8 @@ class MethodLadder
   /// Puts another solver in the place of the grids' method, which it is given, to watch or to time it.
   using Wrap = std::function<std::unique_ptr<NormalSolver>(std::unique_ptr<NormalSolver>)>;
 
-  /// Copies what it needs of `config`; computes the coefficients of its grids.
+  /// Copies what it needs of `config`, of which a balance that uses the ladder needs the same method, grid, tolerance
+  /// and rail bending; computes the coefficients of its grids.
   explicit MethodLadder(const ContactModelConfig& config, const Wrap& wrap = nullptr);
 
   /// The method of the grids.
