@@ -32,7 +32,7 @@ struct PatchResult
   double normal_force = 0;      ///< [N]
   double approach = 0;          ///< along the patch's normal [m]
   double area = 0;              ///< [m²]
-  double max_pressure = 0;      ///< [Pa]
+  double max_pressure = 0;      ///< highest, between the cells; may be below the highest cell [Pa]
   double error_estimate = 0;    ///< relative [-]
   int iterations = 0;           ///< products with the influence matrix
   double residual = 0;          ///< violation of the contact conditions over the approach [-]

@@ -55,13 +55,6 @@ class EdgePolygon
   /// @param aspect  of the cells: length along x, the rows, over width along y, the columns [-]
   double cells(double aspect);
 
-  /// Framed pressure around a cell; the next row is one further, the next column stride().
-  const double* at(Eigen::Index row, Eigen::Index column) const
-  {
-    return framed_.data() + (row + kFrame) + (column + kFrame) * stride_;
-  }
-  std::ptrdiff_t stride() const { return stride_; }
-
  private:
   /// The outermost loaded line of cells on one side, and how far the edge lies beyond it.
   struct Tip
@@ -78,6 +71,11 @@ class EdgePolygon
     double farthest = 0;
   };
 
+  /// Framed pressure around a cell; the next row is one further, the next column stride_.
+  const double* at(Eigen::Index row, Eigen::Index column) const
+  {
+    return framed_.data() + (row + kFrame) + (column + kFrame) * stride_;
+  }
   /// Area of the polygon alone [cells]; counts the crossings, sums what the chords are off by and finds the tips.
   /// `longer` is the logarithm of `aspect`.
   double polygonCells(double aspect, double longer);

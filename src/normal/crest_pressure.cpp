@@ -18,13 +18,15 @@ const double pi = std::acos(-1.0);
 
 constexpr int reach = 6;  ///< columns looked at to either side of the crest
 constexpr int width = 2 * reach + 1;
-constexpr int jumps = width - 1;  ///< between columns
+constexpr int between = width - 1;  ///< places between columns
 
 /// Jumps of less are smooth; cells are wrong by a fiftieth of it at most.
 constexpr double least_jump = 0.01;
-/// Second differences of more are the end of a body.
-constexpr double no_surface = 20;
+/// Second differences of more are the end of a body; those of joints are below 3.
+constexpr double no_surface = 5;
 constexpr int edge_cells = 5;  ///< from the edge inward, whose pressure is known to be off
+/// How far an edge may lie beyond the centre of the outermost loaded cell [cells], see edgeDistance().
+constexpr double least_beyond = -0.175, most_beyond = 0.825;
 
 /// The crest's row, columns from -reach to reach. Pressures are over the crest's.
 struct Row
@@ -32,6 +34,7 @@ struct Row
   std::array<double, width> p{};       ///< zero beyond the grid
   std::array<double, width> second{};  ///< second differences of the gap as pressures
   std::array<bool, width> known{};     ///< whether they are, of loaded cells
+  int first = 0, last = 0;             ///< outermost columns of the grid, at most `reach` away
 
   double at(int offset) const { return p[static_cast<std::size_t>(offset + reach)]; }
 };
@@ -45,7 +48,7 @@ struct Jump
 
 struct Jumps
 {
-  std::array<Jump, jumps> list;
+  std::array<Jump, between> list;
   std::size_t count = 0;
 
   const Jump* begin() const { return list.data(); }
@@ -64,6 +67,8 @@ Row readRow(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure
     if (j >= 0 && j < pressure.cols())
     {
       line.p[k] = pressure(row, j) / top;
+      line.first = std::min(line.first, o);
+      line.last = o;
     }
     if (line.p[k] > 0 && j > 0 && j + 1 < pressure.cols())
     {
@@ -76,14 +81,14 @@ Row readRow(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure
 
 /// Steps of the second differences between the columns, less what those two columns on to either side share with
 /// them: a curvature that changes smoothly. Zero within two of the ends.
-std::array<double, jumps> stepsBesideSmooth(const Row& row)
+std::array<double, between> stepsBesideSmooth(const Row& row)
 {
-  std::array<double, jumps> steps{}, sharp{};
-  for (std::size_t k = 0; k < jumps; ++k)
+  std::array<double, between> steps{}, sharp{};
+  for (std::size_t k = 0; k < between; ++k)
   {
     steps[k] = row.known[k] && row.known[k + 1] ? row.second[k + 1] - row.second[k] : 0;
   }
-  for (std::size_t k = 2; k + 2 < jumps; ++k)
+  for (std::size_t k = 2; k + 2 < between; ++k)
   {
     const bool smooth = steps[k - 2] * steps[k] > 0 && steps[k + 2] * steps[k] > 0;
     const double shared = smooth ? std::min(std::abs(steps[k - 2]), std::abs(steps[k + 2])) : 0;
@@ -95,7 +100,7 @@ std::array<double, jumps> stepsBesideSmooth(const Row& row)
 /// Takes the greatest step with those beside it of the same sign for one jump, then the greatest of the others.
 Jumps findJumps(const Row& row)
 {
-  std::array<double, jumps> steps = stepsBesideSmooth(row);
+  std::array<double, between> steps = stepsBesideSmooth(row);
   Jumps found;
   const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
   for (;;)
@@ -155,20 +160,21 @@ double cellErrorAtEdge(int n, double beyond)
   return constant + slope * beyond - std::sqrt(std::max(beyond + n, 0.0));
 }
 
-/// Takes off what the edge beyond the crest on the side `outward` (+1 or -1) makes of three cells' pressures.
+/// Takes off what the edge beyond the crest on the side `outward` (+1 or -1) makes of three cells' pressures. Where the
+/// pressure is cut by the grid's border there is none.
 void takeOffEdge(const Row& row, int outward, std::array<double, 3>& p)
 {
-  int last = 0;
+  int last = 1;
   while (last < reach && row.at(outward * (last + 1)) > 0)
   {
     ++last;
   }
-  const double p1 = row.at(outward * last), p2 = row.at(outward * (last - 1));
-  if (last == reach || last == 0 || !(p1 < p2))
+  const double p1 = row.at(outward * last), p2 = row.at(outward * (last - 1)), p3 = row.at(outward * (last - 2));
+  if (last >= (outward < 0 ? -row.first : row.last) || !(p1 < p2))
   {
     return;
   }
-  const double beyond = std::clamp(edgeDistance(p1, p2, row.at(outward * (last - 2))), -0.175, 0.825);
+  const double beyond = std::clamp(edgeDistance(p1, p2, p3), least_beyond, most_beyond);
   const double root = p2 / (cellErrorAtEdge(1, beyond) + std::sqrt(beyond + 1));
   for (int side = -1; side <= 1; ++side)
   {
@@ -187,7 +193,8 @@ double topAcross(const std::array<double, 3>& p, const Jumps& near)
   const std::array<double, 3> q{p[0] * p[0], p[1] * p[1], p[2] * p[2]};
   if (near.count == 0)
   {
-    return std::max({q[0], q[1] + riseOf(p[0], p[1], p[2]), q[2]});
+    const bool highest = q[1] >= q[0] && q[1] >= q[2];
+    return highest ? q[1] + riseOf(p[0], p[1], p[2]) : std::max(q[0], q[2]);
   }
   const auto part = [&near](double y)
   {
@@ -213,7 +220,9 @@ double topAcross(const std::array<double, 3>& p, const Jumps& near)
 /// By how much cells hold more than the highest pressure of smooth bends, over it [-], from bendOf() along and across
 /// over the crest's square. A constant pressure on a cell that has to meet the contact condition in its centre exceeds
 /// the pressure there by bend / 48 (to first order, for waves of any direction: the mean of the influence over a cell
-/// is that much less than in its centre). A smaller approach takes part of it back, and across nearly all.
+/// is that much less than in its centre). A smaller approach takes part of it back, and across nearly all. Numbers
+/// fitted to 32 000 patches of wheelsets on the grids of `auto`, and of 4 and 6 cells along: of smooth contacts they
+/// leave less than 0.03 % on 16 × 48 cells, 0.2 % on 8 × 16 in nine of ten.
 double excess(double along, double across)
 {
   return along * std::min(0.011 + 0.1 * along, 0.022) + 0.006 * across * across;
@@ -259,7 +268,8 @@ double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd&
   {
     for (int side = -1; side <= 1; ++side)
     {
-      p[static_cast<std::size_t>(side + 1)] -= jump.size * cellErrorAtJump(side - jump.place);
+      double& cell = p[static_cast<std::size_t>(side + 1)];
+      cell = std::max(cell - jump.size * cellErrorAtJump(side - jump.place), 0.0);
     }
   }
   const double q = topAcross(p, found);

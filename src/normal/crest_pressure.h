@@ -15,9 +15,10 @@ namespace wheel_rail_contact
 /// depends on the bends along and across is taken off. Lengths in cells across (dy), pressures over the crest's:
 /// * A curvature of the gap that jumps at s by D, the jump of the gap's second difference times E* / (dy p_crest), as
 ///   at the joint of two arcs: the true pressure has the part -(D / 2 pi) t ln|t|, t = y - s (Hilbert's transform of
-///   the curvature; Johnson 1985, eq. 2.25b), which no parabola follows. The cells' differs from it by D cellError(t).
-///   A jump shows as three second differences in a row, whose first moment is its place. Where jumps to and fro are
-///   close, see showsWaves(), none is told, and the cell's own pressure is the least.
+///   the curvature; Johnson 1985, eq. 2.25b), which no parabola follows. The cells' differs from it by D
+///   cellErrorAtJump(t). A jump shows as up to three steps of the second differences in a row: their sum is D, their
+///   mean place s. Where jumps to and fro are close, see showsWaves(), none is told, and the cell's own pressure is the
+///   least.
 /// * The edge of the contact, see edgeDistance(): the cells' pressure next to it differs from the root of the distance.
 /// * Smooth bends: numbers fitted to test/calibration's wheelsets.
 /// All is of plane strain: a joint runs along the patch, whose cells are small against its length.

@@ -108,6 +108,7 @@ TEST(ClosedForm, isLeftAtTheJointOfTwoArcs)
   scene.contact.method = NormalMethod::conjugate_gradient;
   scene.contact.cells_along = 64;
   scene.contact.cells_across = 128;
+  scene.contact.tolerance = 1e-3;
   WheelsetContact fine(scene);
   std::set<std::string_view> seen;
   for (double y = -6e-3; y <= 6e-3; y += 0.5e-3)

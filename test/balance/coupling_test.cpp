@@ -57,7 +57,7 @@ std::vector<double> plainIteration(double y, int steps)
 }  // namespace
 
 // By symmetry both rails bend alike, and can be held there. On one grid both solutions differ by the residual they
-// leave, 1e-4, and by where their planes and boxes came to lie.
+// leave, 2e-5, and by where their planes and boxes came to lie.
 TEST(Coupling, RailsHeldWhereTheyWentCarryTheSameForces)
 {
   ContactModelConfig config = onPads(softPads());

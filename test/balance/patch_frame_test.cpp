@@ -94,8 +94,8 @@ TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndMakesTheNormalForce)
       EXPECT_GT(p.maxCoeff(), 0);
       EXPECT_NEAR(p.sum() * patch.grid.cellArea(), patch.normal_force, 1e-9 * patch.normal_force);
       // The highest pressure lies between cells: on a grid of n cells across it is above the highest cell by less than
-      // 2 / n² of an ellipse's top each way, 2 % on the coarsest one. Beside a joint of the profiles cells hold too much
-      // by up to 2 % of what the joint makes of the pressure, here by less than 1 %.
+      // 2 / n² of an ellipse's top each way, 2 % on the coarsest one. Beside a joint of the profiles cells hold too
+      // much by up to 2 % of what the joint makes of the pressure, here by less than 1 %.
       EXPECT_GT(patch.max_pressure, 0.99 * p.maxCoeff());
       EXPECT_LT(patch.max_pressure, 1.02 * p.maxCoeff());
     }

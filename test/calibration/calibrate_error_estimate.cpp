@@ -12,12 +12,11 @@
 // their mean, scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
 // patches (Kik–Piotrowski: 99 %, grids: 98 %). Those of grids go on from there by quantile regression: of the pressure
 // so that its estimate is as close to its error as can be while 99 % are within it, of area and approach so that the
-// largest is to the largest error while 98 % are. Prints the weights as they stand in error_estimate.cpp,
-// hertz_solver.cpp and
-// kik_piotrowski.cpp, and for each grid and kind of scene the share of patches whose true error is within the estimate,
-// and estimate over true error (median, and what 5 and 1 % of the patches stay below), once with the built-in weights
-// (all patches) and once with those just found. Takes about ten minutes; not part of the test run, in which
-// normal/error_estimate_test.cpp checks the built-in weights.
+// largest is to the largest error while 98 % are. Prints the weights as they stand in hertz_solver.cpp and
+// kik_piotrowski.cpp, those near which error_estimate.cpp keeps its own, and for each grid and kind of scene the share
+// of patches whose true error is within the estimate, and estimate over true error (median, and what 5 and 1 % of the
+// patches stay below), once with the built-in weights (all patches) and once with those just found. Takes about ten
+// minutes; not part of the test run, in which normal/error_estimate_test.cpp checks the built-in weights.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -44,12 +44,14 @@ std::vector<GridSize> ladderGrids()
   return sizes;
 }
 
-/// Max pressure, area without tails, approach, tails.
+/// Max pressure, area without tails, approach, tails; all without the residual's part.
 using Parts = std::array<double, 4>;
 
 Parts partsOf(const ErrorEstimate& error)
 {
-  return {error.max_pressure, error.area - error.tails, error.approach, error.tails};
+  const ErrorEstimate algebra = ofResidual(error.residual);
+  return {error.max_pressure - algebra.max_pressure, error.area - error.tails - algebra.area,
+          error.approach - algebra.approach, error.tails};
 }
 
 /// Of the patches of every scene that all grids tell alike, in the same order for each grid.

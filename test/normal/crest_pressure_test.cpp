@@ -141,6 +141,57 @@ TEST(CrestPressure, liesBetweenTwoEqualCells)
   EXPECT_GT(std::abs(p(0, 15) / hertz.exact.max_pressure - 1), 1e-3);
 }
 
+/// A row of cells (one row of a grid that is the same all along) over a gap of one column's height each.
+struct Row
+{
+  PatchGap gap;
+  Eigen::ArrayXXd pressure;
+
+  Row(const std::vector<double>& heights, const std::vector<double>& pressures)
+  {
+    const auto columns = static_cast<int>(heights.size());
+    gap.grid = {2, columns, 1e-3, 1e-3, 0, true};
+    gap.gap = Eigen::Map<const Eigen::RowVectorXd>(heights.data(), columns).array();
+    pressure = Eigen::Map<const Eigen::RowVectorXd>(pressures.data(), columns).array();
+  }
+  double at(int column) const { return crestPressure(gap, 1e11, pressure, 0, column); }
+};
+
+TEST(CrestPressure, besideAnUnloadedCellOrTheBorderIsTheCellsOwn)
+{
+  EXPECT_EQ(Row({0, 0, 0, 0}, {0, 1e9, 8e8, 0}).at(1), 1e9);
+  EXPECT_EQ(Row({0, 0, 0, 0}, {1e9, 8e8, 0, 0}).at(0), 1e9);
+  EXPECT_EQ(Row({0, 0, 0, 0}, {0, 0, 8e8, 1e9}).at(3), 1e9);
+}
+
+// A pressure that the box cuts has no edge at the border: what is taken off beside a true one is not.
+TEST(CrestPressure, takesNoBorderOfTheGridForTheContactsEdge)
+{
+  const std::vector<double> flat(6, 0.0);
+  const double cut = Row(flat, {3e8, 9e8, 1e9, 9e8, 7e8, 5e8}).at(2);
+  const std::vector<double> wider(8, 0.0);
+  const double edge = Row(wider, {0, 3e8, 9e8, 1e9, 9e8, 7e8, 5e8, 4e8}).at(3);
+  EXPECT_NE(cut, edge);
+  EXPECT_NEAR(cut / edge, 1, 0.02);
+}
+
+TEST(CrestPressure, ofWavesIsNotBelowTheirHighestCell)
+{
+  std::vector<double> waves, pressures;
+  for (int j = 0; j < 24; ++j)
+  {
+    waves.push_back(1e-6 * std::cos(2 * pi * j / 5.0));
+    pressures.push_back(1e9 * (1 - 0.3 * std::cos(2 * pi * j / 5.0)));
+  }
+  const Row row(waves, pressures);
+  Eigen::Index crest = 0;
+  row.pressure.row(0).segment(6, 12).maxCoeff(&crest);
+  crest += 6;
+  EXPECT_TRUE(showsWaves(row.gap, 1e11, row.pressure, 0, crest));
+  EXPECT_GE(row.at(static_cast<int>(crest)), row.pressure(0, crest));
+  EXPECT_FALSE(showsWaves(Row(std::vector<double>(24, 0.0), pressures).gap, 1e11, row.pressure, 0, crest));
+}
+
 TEST(CrestPressure, ofAHalfIsThatOfTheWhole)
 {
   ConjugateGradientsOptions options;

@@ -198,7 +198,7 @@ std::vector<ErrorSample> patchesOf(Profile (*rail)(), double y, double wheel_loa
 // rail's 300 mm meet its 80 mm. In the second, a patch of 0.5 mm lies over a step of 43 nm in the benchmark's rail.
 TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
 {
-  const std::vector<ErrorSample> lobes = patchesOf(rail60E1, 0.000115, 65190, {8, 16});
+  const std::vector<ErrorSample> lobes = patchesOf(rail60E1, 0.000035, 40000, {8, 16});
   const std::vector<ErrorSample> step = patchesOf(railUic60Manchester, 0.004237, 1e5, {24, 56});
   for (const std::vector<ErrorSample>& samples : {lobes, step})
   {
@@ -209,7 +209,7 @@ TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
       EXPECT_LE(sample.error.max_pressure, sample.estimate.max_pressure);
       largest = std::max(largest, sample.error.max_pressure);
     }
-    EXPECT_GT(largest, 0.05);
+    EXPECT_GT(largest, 0.1);
   }
 }
 

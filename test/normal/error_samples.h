@@ -359,7 +359,7 @@ class WheelsetSampler
 
  private:
   /// Leaves less open than the cells make wrong [-].
-  static double settledTolerance(const GridSize& size) { return 1.0 / (size.along * size.across); }
+  static double settledTolerance(const GridSize& size) { return std::min(2e-3, 1.0 / (size.along * size.across)); }
 
   /// @return false if the wheel has other patches in its truth
   bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,

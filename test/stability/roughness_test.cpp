@@ -42,6 +42,7 @@ TEST(Roughness, EstimatesHoldOnProfilesThroughPoints)
     config.contact.method = NormalMethod::conjugate_gradient;
     config.contact.cells_along = 192;
     config.contact.cells_across = 256;
+    config.contact.tolerance = 1e-3;
     WheelsetContact truth(config);
     for (double y = -6e-3; y <= 6e-3; y += 137e-6)
     {

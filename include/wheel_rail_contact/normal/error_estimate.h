@@ -18,6 +18,9 @@ struct ErrorEstimate
   /// The part of `area` that columns make on which the pressure is narrower than the cells tell, as in a tail: it falls
   /// with the cells along, hardly with those across.
   double tails = 0;
+  /// The residual over the patch's own approach, of which ofResidual() tells the parts in the first three: they do not
+  /// fall with the cells.
+  double residual = 0;
 
   /// The largest of the first three [-].
   double largest() const;
@@ -28,6 +31,9 @@ ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other);
 /// The largest of each quantity's errors; zero of none.
 ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors);
 
+/// What a residual makes of each error [-]; `residual` is over the patch's own approach.
+ErrorEstimate ofResidual(double residual);
+
 /// What a solution on a grid shows of its own mesh error: the estimates are sums of these, each times its weight.
 ///
 /// Along the lines of cells through the highest cell, let q be the squared pressure over its maximum (a parabola in a
@@ -35,12 +41,12 @@ ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors);
 struct ErrorTerms
 {
   /// Of max_pressure: bend of q at the crest, along plus across · square of the jumps of k, weighted by 1 / (distance
-  /// from the crest + 1/2)², as a pressure over the maximum · the bend again where a cell beside the crest across is
+  /// from the crest + 1/2)², as a pressure over the crest's · the bend again where a cell beside the crest across is
   /// not loaded, and a share of it where the gap's curvature goes to and fro about the crest · residual.
   std::array<double, 4> max_pressure{};
   /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
-  /// turn out higher, by its own terms and their weights, or one at a step of the gap, on cells four times
-  /// finer.
+  /// turn out higher, by its own terms and their weights but the residual's, by seven tenths if it stands in a lobe of
+  /// two columns; or one at a step of the gap, on cells four times finer.
   double overtopping = 0;
   /// Of area: 1 + 0.5 |logarithm of the cells' aspect|, per cell of the area · by how much the sum of 1 / (cells
   /// loaded) over the columns, times (cells along) / (cells across), is above an oval's, per cell of the area · jumps

@@ -55,8 +55,8 @@ struct PatchGap
   /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
   double weight = 1;
   /// By how much a unit of each of the support's coordinates opens the gap, the same all along a column: ny × 3; used
-  /// only if the support yields [m/m] or [m/rad]. A rigid body's are linear across: max_pressure, which looks at how the
-  /// gap bends, counts on that.
+  /// only if the support yields [m/m] or [m/rad]. A rigid body's are linear across: max_pressure, which looks at how
+  /// the gap bends, counts on that.
   Eigen::ArrayX3d opening;
 };
 
@@ -121,7 +121,7 @@ struct PatchPressure
   Eigen::ArrayXXd pressure;      ///< [Pa], shape of the gap
   Eigen::ArrayXXd displacement;  ///< of both half-spaces, apart along the normal [m], shape of the gap
   double force = 0;              ///< normal force of the whole patch [N]
-  double max_pressure = 0;       ///< highest pressure, between the cells if it lies there, less their excess [Pa]
+  double max_pressure = 0;       ///< highest pressure, see crestPressure(): between cells, or below theirs [Pa]
   double area = 0;               ///< contact area with sub-cell edge [m²]
   bool touches_border = false;   ///< pressure in an outer cell of the grid: the box cut the patch
 };
