@@ -32,8 +32,8 @@ constexpr int most_prepared_cells = 64 * 128;
 /// In the order of the time they take. Smooth contacts need cells along more than across and find enough on the coarser
 /// half of the grids; jumps of the curvature need cells across, tails of the pressure along. Ordinary errors and
 /// typical estimates (max pressure, area without tails, approach, tails): as test/calibration/calibrate_ladder.cpp
-/// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1.1 to 2.1 of one
-/// another; of areas on the finest grids, where they decide little, of 4, of tails of 5, on 12 × 64 of 14.
+/// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1 to 1.9 of one
+/// another; of areas on the finest grids, where they decide little, of 5, of tails of 10, on 12 × 64 of 44.
 constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0498, {17.5, 13.5, 7.56, 8.28}},
                                       {{10, 24}, 0.0136, {7.07, 7.28, 4.84, 2.57}},
                                       {{12, 24}, 0.0133, {6.6, 4.38, 4.84, 2.26}},
