@@ -14,13 +14,11 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Residual of the normal solution where rail deflection and contact forces have to agree closely [-].
-constexpr double coupled_residual = 1e-6;
-
 /// Residual of the normal solution for each unit of contact/tolerance [-]. Of 150 random wheelsets a residual made
 /// pressure and area wrong by less than itself in 90 %, by less than three times that in 99 %.
 constexpr double residual_per_tolerance = 0.02;
-constexpr double least_residual = 1e-6;  ///< [-]
+/// The least, also where rail deflection and contact forces have to agree closely [-].
+constexpr double least_residual = 1e-6;
 
 constexpr GridSize rough_grid{10, 24};
 constexpr GridSize closed_form_grid{8, 16};  ///< on which the gap is looked at and the ellipsoid is told
@@ -101,7 +99,7 @@ std::unique_ptr<NormalSolver> makeConjugateGradients(const ContactModelConfig& c
   if (bending.model == RailBendingConfig::Model::compliance &&
       bending.lateral_force != RailBendingConfig::LateralForce::contact)
   {
-    options.residual = std::min(options.residual, coupled_residual);
+    options.residual = least_residual;
   }
   auto solver = std::make_unique<ConjugateGradients>(options);
   solver->prepare(rough_grid.along, rough_grid.across);

@@ -252,19 +252,19 @@ bool showsWaves(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pres
 double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure, Index row, Index column)
 {
   const double top = pressure(row, column);
-  const Row across = readRow(gap, modulus, pressure, row, column);
-  std::array<double, 3> p{across.at(-1), across.at(0), across.at(1)};
-  if (!(p[0] > 0) || !(p[2] > 0))
+  const auto [along, across] = linesThrough(gap.grid, pressure, row, column);
+  if (!across.isInside())
   {
     return top;
   }
-  const double bend_across = bendOf(p[0], p[1], p[2]);
-  Jumps found = findJumps(across);
+  const Row cells = readRow(gap, modulus, pressure, row, column);
+  const Jumps found = findJumps(cells);
   const bool waves = areWaves(found);
-  found.count = waves ? 0 : found.count;
-  takeOffEdge(across, -1, p);
-  takeOffEdge(across, 1, p);
-  for (const Jump& jump : found)
+  const Jumps jumps = waves ? Jumps() : found;
+  std::array<double, 3> p{across.p(-1), across.p(0), across.p(1)};
+  takeOffEdge(cells, -1, p);
+  takeOffEdge(cells, 1, p);
+  for (const Jump& jump : jumps)
   {
     for (int side = -1; side <= 1; ++side)
     {
@@ -272,15 +272,8 @@ double crestPressure(const PatchGap& gap, double modulus, const Eigen::ArrayXXd&
       cell = std::max(cell - jump.size * cellErrorAtJump(side - jump.place), 0.0);
     }
   }
-  const double q = topAcross(p, found);
-
-  const auto along = [&](Index i)
-  {
-    const Index mirrored = gap.grid.symmetric && i < 0 ? -1 - i : i;
-    return mirrored >= 0 && mirrored < pressure.rows() ? pressure(mirrored, column) / top : 0;
-  };
-  const double before = along(row - 1), after = along(row + 1);
-  const double raised = (1 - excess(bendOf(before, 1, after), bend_across)) * std::sqrt(q + riseOf(before, 1, after));
+  const double q = topAcross(p, jumps);
+  const double raised = (1 - excess(along.bend(), across.bend())) * std::sqrt(q + along.rise());
   return top * (waves ? std::max(raised, 1.0) : raised);
 }
 }  // namespace wheel_rail_contact

@@ -43,43 +43,11 @@ constexpr double lobe_growth = 0.7;
 /// profiles at hand: stability/roughness_test.cpp.
 constexpr double share_at_waves = 0.25;
 
-/// A line of cells through a crest; cells beyond the grid carry nothing, those beyond x = 0 of a symmetric grid are
-/// the mirror image.
-class CrestLine
-{
- public:
-  CrestLine(const double* first, Index stride, Index size, Index crest, bool mirrored)
-      : first_(first), stride_(stride), size_(size), crest_(crest), mirrored_(mirrored), top_(first[crest * stride])
-  {
-  }
-
-  /// Pressure over the crest's, `offset` cells from there.
-  double p(Index offset) const
-  {
-    Index place = crest_ + offset;
-    place = mirrored_ && place < 0 ? -1 - place : place;
-    return place >= 0 && place < size_ ? first_[place * stride_] / top_ : 0;
-  }
-  double bend() const { return bendOf(p(-1), p(0), p(1)); }
-
- private:
-  const double* first_;
-  Index stride_, size_, crest_;
-  bool mirrored_;
-  double top_;
-};
-
 /// A cell that is the highest of its column, which is higher than its neighbours.
 struct Crest
 {
   Index row = 0, column = 0;
   Index first = 0, last = -1;  ///< outermost loaded columns of its row
-
-  /// A cell beside it across is not loaded.
-  bool isAtEdge(const Eigen::ArrayXXd& p) const
-  {
-    return column == 0 || column + 1 == p.cols() || !(p(row, column - 1) > 0) || !(p(row, column + 1) > 0);
-  }
 };
 
 void findLoadedColumns(const Eigen::ArrayXXd& pressure, Crest& crest)
@@ -168,22 +136,15 @@ Bending gapBending(const Eigen::ArrayXXd& gap, const Crest& crest)
   return bending;
 }
 
-/// The lines of cells through a crest, along and across.
-std::array<CrestLine, 2> linesThrough(const PatchGap& gap, const Eigen::ArrayXXd& p, const Crest& crest)
-{
-  return {CrestLine(p.data() + crest.column * p.rows(), 1, p.rows(), crest.row, gap.grid.symmetric),
-          CrestLine(p.data() + crest.row, p.rows(), p.cols(), crest.column, false)};
-}
-
 /// Terms of the pressure at a crest, whose row's gap jumps by `jumps` about it (see Bending); `residual` is over the
 /// patch's own approach.
 std::array<double, 4> crestTerms(const PatchGap& gap, const Eigen::ArrayXXd& p, double modulus, const Crest& crest,
                                  double jumps, double residual)
 {
-  const auto [along, across] = linesThrough(gap, p, crest);
+  const auto [along, across] = linesThrough(gap.grid, p, crest.row, crest.column);
   const double bend = along.bend() + across.bend();
   const double jump = modulus * jumps / (gap.grid.dy * p(crest.row, crest.column));
-  const double unclear = crest.isAtEdge(p)                                      ? 1
+  const double unclear = !across.isInside()                                     ? 1
                          : showsWaves(gap, modulus, p, crest.row, crest.column) ? share_at_waves
                                                                                 : 0;
   return {bend, jump * jump, unclear * bend, residual};
@@ -199,7 +160,8 @@ double byLowerCrest(const PatchGap& gap, const PatchPressure& pressure, double m
   findLoadedColumns(p, crest);
   const double jumps = gapBending(gap.gap, crest).jumps_at_crest;
   const double own = weighted(gridErrorWeights().max_pressure, crestTerms(gap, p, modulus, crest, jumps, 0));
-  const double growth = crest.isAtEdge(p) ? std::max(own, lobe_growth) : own;
+  const bool inside = linesThrough(gap.grid, p, crest.row, column)[1].isInside();
+  const double growth = inside ? own : std::max(own, lobe_growth);
   return (1 + growth) * crestPressure(gap, modulus, p, crest.row, column) / pressure.max_pressure - 1;
 }
 

@@ -121,7 +121,7 @@ struct PatchPressure
   Eigen::ArrayXXd pressure;      ///< [Pa], shape of the gap
   Eigen::ArrayXXd displacement;  ///< of both half-spaces, apart along the normal [m], shape of the gap
   double force = 0;              ///< normal force of the whole patch [N]
-  double max_pressure = 0;       ///< highest pressure, see crestPressure(): between cells, or below theirs [Pa]
+  double max_pressure = 0;       ///< highest, between the cells less their excess; may be below theirs [Pa]
   double area = 0;               ///< contact area with sub-cell edge [m²]
   bool touches_border = false;   ///< pressure in an outer cell of the grid: the box cut the patch
 };
