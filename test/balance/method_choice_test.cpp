@@ -124,7 +124,7 @@ TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
 TEST(MethodChoice, answersSayWhenTheToleranceIsNotMet)
 {
   ContactModelConfig config = manchesterScene();
-  config.contact.tolerance = 1e-4;  // finer than the finest grid
+  config.contact.tolerance = 3e-5;  // finer than the finest grid
   WheelsetContact strict(config);
   const WheelsetResult& result = strict.evaluate(stateAt(0.003, 1e5));
   ASSERT_EQ(result.status, ContactStatus::ok);

@@ -164,7 +164,7 @@ WheelSum wheelSum(const WheelsetResult& result, Side side)
 WheelsetContact contactOnRails(double outward)
 {
   ContactModelConfig scene = manchesterScene();
-  scene.contact.tolerance = 0.003;
+  scene.contact.tolerance = 0.001;  // so that what is left is not the cells'
   scene.rail_bending.model = RailBendingConfig::Model::prescribed;
   scene.rail_bending.prescribed.lateral = outward;
   return WheelsetContact(scene);

@@ -10,13 +10,13 @@
 // Hertz, whose errors do not fall with the cells, on one of 96 × 256 cells. Weights of the terms of Hertz and
 // Kik–Piotrowski are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as
 // their mean, scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
-// patches (Kik–Piotrowski: 99 %, grids: 98 %). Those of grids go on from there by quantile regression: of the pressure
-// so that its estimate is as close to its error as can be while 99 % are within it, of area and approach so that the
-// largest is to the largest error while 98 % are. Prints the weights as they stand in hertz_solver.cpp and
-// kik_piotrowski.cpp, those near which error_estimate.cpp keeps its own, and for each grid and kind of scene the share
-// of patches whose true error is within the estimate, and estimate over true error (median, and what 5 and 1 % of the
-// patches stay below), once with the built-in weights (all patches) and once with those just found. Takes about ten
-// minutes; not part of the test run, in which normal/error_estimate_test.cpp checks the built-in weights.
+// patches (Kik–Piotrowski: 99 %, grids: 98 %). Those of grids go on from there by quantile regression, each quantity
+// for itself: its estimate is as close to its error as can be while 98 % are within it. Prints the weights as they
+// stand in hertz_solver.cpp and kik_piotrowski.cpp, those near which error_estimate.cpp keeps its own, and for each
+// grid and kind of scene the share of patches whose true error is within the estimate, and estimate over true error
+// (median, and what 5 and 1 % of the patches stay below), once with the built-in weights (all patches) and once with
+// those just found. Takes about ten minutes; not part of the test run, in which normal/error_estimate_test.cpp checks
+// the built-in weights.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -197,10 +197,21 @@ void lower(const std::vector<double*>& weights, Loss loss)
   }
 }
 
+/// Goes on from weights of one quantity, until its estimate is closest to the share `coverage` of its errors.
 template <std::size_t N>
-void append(std::array<double, N>& list, std::vector<double*>& weights)
+void lowerFor(const std::vector<ErrorSample>& samples, double coverage, double ErrorEstimate::*quantity,
+              std::array<double, N> ErrorWeights::*list, ErrorWeights& weights)
 {
-  std::transform(list.begin(), list.end(), std::back_inserter(weights), [](double& weight) { return &weight; });
+  std::vector<double*> each;
+  std::transform((weights.*list).begin(), (weights.*list).end(), std::back_inserter(each),
+                 [](double& weight) { return &weight; });
+  lower(each,
+        [&]
+        {
+          return lossOf(
+              samples, coverage, [&](const ErrorSample& s) { return s.error.*quantity; },
+              [&](const ErrorSample& s) { return estimateWith(weights, s).*quantity; });
+        });
 }
 
 ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples, double coverage)
@@ -213,29 +224,9 @@ ErrorWeights fitGridWeights(const std::vector<ErrorSample>& samples, double cove
       fit(
           samples, [](const ErrorSample& s) { return s.terms.approach; }, &ErrorEstimate::approach)};
   scaleToCover(samples, coverage, weights);
-
-  // The pressure first, for itself: together with the others it would be given away where it misses by much in few
-  // scenes, at joints of the profiles.
-  constexpr double pressure_coverage = 0.99;
-  std::vector<double*> of_pressure, of_others;
-  append(weights.max_pressure, of_pressure);
-  lower(of_pressure,
-        [&]
-        {
-          return lossOf(
-              samples, pressure_coverage, [](const ErrorSample& s) { return s.error.max_pressure; },
-              [&](const ErrorSample& s) { return estimateWith(weights, s).max_pressure; });
-        });
-
-  append(weights.area, of_others);
-  append(weights.approach, of_others);
-  lower(of_others,
-        [&]
-        {
-          return lossOf(
-              samples, coverage, [](const ErrorSample& s) { return s.error.largest(); },
-              [&](const ErrorSample& s) { return estimateWith(weights, s).largest(); });
-        });
+  lowerFor(samples, coverage, &ErrorEstimate::max_pressure, &ErrorWeights::max_pressure, weights);
+  lowerFor(samples, coverage, &ErrorEstimate::area, &ErrorWeights::area, weights);
+  lowerFor(samples, coverage, &ErrorEstimate::approach, &ErrorWeights::approach, weights);
   return weights;
 }
 

@@ -245,7 +245,7 @@ TEST(ErrorEstimate, countsATailNarrowerThanTheCells)
       largest = std::max(largest, sample.error.area);
       of_tails = std::max(of_tails, sample.estimate.tails / sample.estimate.area);
     }
-    EXPECT_GT(largest, 0.005);
+    EXPECT_GT(largest, 0.004);
     EXPECT_GT(of_tails, 0.5);
   }
 }

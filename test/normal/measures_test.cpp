@@ -53,14 +53,14 @@ Errors worstErrors(int nx, int ny)
 }
 
 // Tolerances: the worst case found, rounded up.
-TEST(Measures, areaIsAFiftiethAsWrongAsCountedCells)
+TEST(Measures, areaIsASeventiethAsWrongAsCountedCells)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
-  EXPECT_LT(coarse.area, 0.009);
-  EXPECT_LT(medium.area, 0.0008);
-  EXPECT_LT(fine.area, 0.00035);
-  EXPECT_LT(medium.area, 0.02 * medium.counted_area);
-  EXPECT_LT(fine.area, 0.02 * fine.counted_area);
+  EXPECT_LT(coarse.area, 0.003);
+  EXPECT_LT(medium.area, 0.00055);
+  EXPECT_LT(fine.area, 0.00021);
+  EXPECT_LT(medium.area, medium.counted_area / 70);
+  EXPECT_LT(fine.area, fine.counted_area / 70);
 }
 
 /// Relative errors of area or highest pressure on Hertz contacts, A/B from 0.1 to 30, boxes of any margin and place.
@@ -119,7 +119,7 @@ void expectUnbiased(double PatchPressure::*found, double HertzContact::*exact, c
 // 24 × 56 cells.
 TEST(Measures, areaOfHertzContactsHasNoBias)
 {
-  expectUnbiased(&PatchPressure::area, &HertzContact::area, {{12, 32, 1.8e-3}, {24, 56, 5.6e-4}, {40, 80, 3.2e-4}});
+  expectUnbiased(&PatchPressure::area, &HertzContact::area, {{12, 32, 9.1e-4}, {24, 56, 3.5e-4}, {40, 80, 2.3e-4}});
 }
 
 // Likewise; what cells hold too much made the mean 0.026 % on 24 × 56 cells.
@@ -129,15 +129,15 @@ TEST(Measures, maxPressureOfHertzContactsHasNoBias)
                  {{12, 32, 1.2e-3}, {24, 56, 2.4e-4}, {40, 80, 7.5e-5}});
 }
 
-// Largest less smallest error: how far the edge reaches beyond the outermost loaded rows and columns made it twice
-// that.
+// Largest less smallest error: how far the edge reaches beyond the outermost loaded rows and columns made it three
+// times that.
 TEST(Measures, areaHardlyDependsOnWhereItsTipsLie)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-6;
   options.max_products = 1000;
   ConjugateGradients solver(options);
-  for (const Limit& limit : {Limit{8, 16, 0.0078}, Limit{12, 32, 0.0018}, Limit{16, 32, 0.0012}})
+  for (const Limit& limit : {Limit{8, 16, 0.0047}, Limit{12, 32, 0.001}, Limit{16, 32, 0.0008}})
   {
     for (const double ratio : {0.3, 1.0, 3.0})
     {

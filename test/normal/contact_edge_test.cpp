@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/normal/contact_edge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <random>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+double areaOf(const Eigen::ArrayXXd& pressure, double aspect, bool mirrored = false)
+{
+  EdgePolygon polygon;
+  polygon.frame(pressure, mirrored);
+  return polygon.cells(aspect);
+}
+
+/// Roots of a paraboloid, askew to the cells and off their middle.
+Eigen::ArrayXXd askewPressure(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> part(-1, 1);
+  const double slope = 0.3 * part(random), x0 = part(random), y0 = part(random);
+  Eigen::ArrayXXd pressure(16, 30);
+  for (int j = 0; j < pressure.cols(); ++j)
+  {
+    for (int i = 0; i < pressure.rows(); ++i)
+    {
+      const double x = (i - 7.5 + x0) / 6, y = (j - 14.5 + y0) / 11;
+      pressure(i, j) = std::sqrt(std::max(1 - x * x - y * y - slope * x * y, 0.0));
+    }
+  }
+  return pressure;
+}
+
+TEST(ContactEdge, areaIsTheSameFromWhereverOneLooks)
+{
+  constexpr unsigned seed = 5;
+  constexpr double aspect = 2.3, tolerance = 1e-5;  // sums of single precision, in cells
+  std::cout << "seed " << seed << "\n";
+  std::mt19937 random(seed);
+  for (int k = 0; k < 20; ++k)
+  {
+    const Eigen::ArrayXXd pressure = askewPressure(random);
+    const double area = areaOf(pressure, aspect);
+    EXPECT_GT(area, 150);
+    EXPECT_NEAR(areaOf(pressure.colwise().reverse(), aspect), area, tolerance);
+    EXPECT_NEAR(areaOf(pressure.rowwise().reverse(), aspect), area, tolerance);
+    EXPECT_NEAR(areaOf(pressure.transpose(), 1 / aspect), area, tolerance);
+    EXPECT_NEAR(areaOf(1e9 * pressure, aspect), area, tolerance);
+  }
+}
+
+TEST(ContactEdge, areaOfAStoredHalfIsHalfOfTheWhole)
+{
+  constexpr unsigned seed = 6;
+  std::cout << "seed " << seed << "\n";
+  std::mt19937 random(seed);
+  for (int k = 0; k < 20; ++k)
+  {
+    const Eigen::ArrayXXd half = askewPressure(random).bottomRows(9);
+    Eigen::ArrayXXd whole(18, half.cols());
+    whole << half.colwise().reverse(), half;
+    EXPECT_NEAR(2 * areaOf(half, 1.7, true), areaOf(whole, 1.7), 1e-5);
+  }
+}
+
+// A cell barely loaded beside a much higher island, over an empty one: without a limit on what shows at a crossing the
+// area would be off by the ratio of the two.
+TEST(ContactEdge, anIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
+{
+  Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
+  pressure.block(4, 6, 4, 4) = 1;
+  const double alone = areaOf(pressure, 1);
+  pressure(2, 7) = 1e-7;
+  EXPECT_NEAR(areaOf(pressure, 1), alone, 2);
+}
+
+TEST(ContactEdge, noPressureHasNoArea)
+{
+  EXPECT_EQ(areaOf(Eigen::ArrayXXd::Zero(12, 16), 1), 0);
+}
+
+TEST(ContactEdge, eachLineIsCrossedWhereItsPressureBeginsAndEnds)
+{
+  Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
+  pressure.block(4, 6, 3, 5) = 1;
+  EdgePolygon polygon;
+  polygon.frame(pressure, false);
+  EXPECT_GT(polygon.chords(), 0);
+  EXPECT_EQ(polygon.crossings().size(), 2U * (3 + 5));
+}
+}  // namespace
+}  // namespace wheel_rail_contact
