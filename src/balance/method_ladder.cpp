@@ -31,24 +31,24 @@ constexpr int most_prepared_cells = 64 * 128;
 /// half of the grids; jumps of the curvature need cells across, tails of the pressure along. Ordinary errors and
 /// typical estimates (max pressure, area without tails, approach, tails): as test/calibration/calibrate_ladder.cpp
 /// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1 to 1.9 of one
-/// another; of areas on the finest grids, where they decide little, of 5, of tails of 10, on 12 × 64 of 44.
-constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0498, {17.5, 13.5, 7.56, 8.28}},
-                                      {{10, 24}, 0.0136, {7.07, 7.28, 4.84, 2.57}},
-                                      {{12, 24}, 0.0133, {6.6, 4.38, 4.84, 2.26}},
-                                      {{12, 32}, 0.0072, {3.7, 3.65, 4.84, 2.1}},
-                                      {{16, 32}, 0.0059, {3.12, 2.56, 2.47, 1.93}},
-                                      {{16, 48}, 0.0023, {1.68, 1.83, 2.47, 1.22}},
-                                      {{12, 64}, 0.0033, {1.66, 2.04, 4.84, 4.24}},
-                                      {{20, 48}, 0.0027, {1.39, 1.41, 1.49, 1.15}},
-                                      {{16, 64}, 0.002, {1.18, 1.44, 2.47, 0.961}},
-                                      {{24, 56}, 0.0011, {1, 1, 1, 1}},
-                                      {{16, 80}, 0.0022, {0.495, 2.12, 2.47, 1.76}},
-                                      {{16, 96}, 0.002, {0.358, 2.11, 2.47, 1.99}},
-                                      {{24, 80}, 0.0012, {0.43, 0.954, 1, 0.693}},
-                                      {{24, 96}, 0.0009, {0.296, 0.943, 1, 0.594}},
-                                      {{32, 96}, 0.0009, {0.275, 0.515, 0.562, 0.449}},
-                                      {{48, 96}, 0.0006, {0.26, 0.243, 0.25, 0.295}},
-                                      {{64, 128}, 0.0003, {0.133, 0.134, 0.144, 0.17}}}};
+/// another; of areas on the finest grids, where they decide little, of 5, of tails of 11.
+constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0442, {15.1, 11.1, 7.56, 10.1}},
+                                      {{10, 24}, 0.0105, {6.47, 6.85, 4.84, 8.37}},
+                                      {{12, 24}, 0.0115, {5.76, 4.47, 4.84, 2.95}},
+                                      {{12, 32}, 0.0055, {3.7, 3.82, 4.84, 5.74}},
+                                      {{16, 32}, 0.0053, {2.78, 2.47, 2.47, 2.21}},
+                                      {{16, 48}, 0.0023, {1.77, 2.12, 2.47, 1.72}},
+                                      {{12, 64}, 0.0021, {2.06, 3.46, 4.84, 25.6}},
+                                      {{20, 48}, 0.0024, {1.4, 1.42, 1.49, 1.33}},
+                                      {{16, 64}, 0.0018, {1.35, 2.02, 2.47, 4.38}},
+                                      {{24, 56}, 0.0009, {1, 1, 1, 1}},
+                                      {{16, 80}, 0.0017, {0.486, 1.94, 2.47, 3.16}},
+                                      {{16, 96}, 0.0013, {0.347, 1.97, 2.47, 3.84}},
+                                      {{24, 80}, 0.0008, {0.422, 0.89, 1, 1.23}},
+                                      {{24, 96}, 0.0007, {0.288, 0.816, 1, 1.16}},
+                                      {{32, 96}, 0.0005, {0.264, 0.499, 0.562, 0.547}},
+                                      {{48, 96}, 0.0005, {0.255, 0.25, 0.25, 0.259}},
+                                      {{64, 128}, 0.0003, {0.13, 0.144, 0.144, 0.158}}}};
 
 static_assert(rungs.size() <= RungChoice::most_rungs);
 
@@ -195,9 +195,10 @@ void RungChoice::arrive(double place)
 std::size_t RungChoice::nextRung(const ErrorEstimate& normal, std::size_t highest) const
 {
   const Failure* failure = failureHere();
-  std::size_t best = highest;
-  double least = INFINITY;
-  for (std::size_t next = rung_ + 1; next <= highest && least > tolerance_; ++next)
+  std::size_t best = rung_;
+  double least = promised(normal, rung());
+  const auto goesOn = [&](std::size_t next) { return next <= highest ? least > tolerance_ : best == rung_; };
+  for (std::size_t next = rung_ + 1; next < ladder_->count() && goesOn(next); ++next)
   {
     const double error = promised(normal, ladder_->at(next));
     const bool failed = failure != nullptr && failure->rungs[next];
@@ -207,7 +208,7 @@ std::size_t RungChoice::nextRung(const ErrorEstimate& normal, std::size_t highes
       least = error;
     }
   }
-  return best;
+  return best > rung_ ? best : highest;
 }
 
 bool RungChoice::climb(const ErrorEstimate& error)
