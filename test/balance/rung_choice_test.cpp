@@ -91,8 +91,8 @@ TEST(RungChoice, JumpsOfTheCurvatureTakeCellsAcrossAndTailsCellsAlong)
   EXPECT_EQ(tail.size.across, 56);
 }
 
-// A tail of 1.1 times the tolerance finds 32 × 96 cells: the grids before that have no more cells along than the 24 × 56
-// that failed, promise worse, and are passed over.
+// A tail of 1.1 times the tolerance finds 32 × 96 cells: the grids before that have no more cells along than the 24 ×
+// 56 that failed, promise worse, and are passed over.
 TEST(RungChoice, EachStepIsBetterThanWhatFailed)
 {
   const auto tail = [](const Rung& rung) { return ofTail(rung, 1.1 * tolerance).largest(); };

@@ -2,14 +2,14 @@
 // Fits what a polygon through the crossings of the contact's edge is too large by (normal/edge_excess.h).
 //
 //   fit_edge_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [seed, default 1] [passes, default
-//                   400]
+//                   450]
 //
 // Samples: wheelsets, each on every grid below against 192 × 512 cells, whose area counts as true; Hertz contacts of
-// B/A from 0.1 to 20, half of them turned by up to 0.3 rad, a quarter of a handful of cells, on one of the grids. The
+// B/A from 0.1 to 20, a quarter turned by up to 0.3 rad, a quarter of a handful of cells, on one of the grids. The
 // weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, found by Adam's method (Kingma and Ba
 // 2015) in batches of 256 contacts with steps falling as a cosine. Prints how much of the error is left on samples of
-// the next seed (a quarter as many), and the weights as they stand in edge_excess_weights.cpp. Takes about half an
-// hour; not part of the test run.
+// the next seed (a quarter as many), and the weights as they stand in edge_excess_weights.cpp. Takes about ten
+// minutes; not part of the test run.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
