@@ -32,23 +32,23 @@ constexpr int most_prepared_cells = 64 * 128;
 /// typical estimates (max pressure, area without tails, approach, tails): as test/calibration/calibrate_ladder.cpp
 /// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1 to 1.9 of one
 /// another; of areas on the finest grids, where they decide little, of 5, of tails of 11.
-constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0442, {15.1, 11.1, 7.56, 10.1}},
-                                      {{10, 24}, 0.0105, {6.47, 6.85, 4.84, 8.37}},
-                                      {{12, 24}, 0.0115, {5.76, 4.47, 4.84, 2.95}},
-                                      {{12, 32}, 0.0055, {3.7, 3.82, 4.84, 5.74}},
-                                      {{16, 32}, 0.0053, {2.78, 2.47, 2.47, 2.21}},
-                                      {{16, 48}, 0.0023, {1.77, 2.12, 2.47, 1.72}},
-                                      {{12, 64}, 0.0021, {2.06, 3.46, 4.84, 25.6}},
-                                      {{20, 48}, 0.0024, {1.4, 1.42, 1.49, 1.33}},
-                                      {{16, 64}, 0.0018, {1.35, 2.02, 2.47, 4.38}},
+constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0442, {17.5, 11.1, 7.56, 10.2}},
+                                      {{10, 24}, 0.0105, {6.9, 6.84, 4.84, 9.64}},
+                                      {{12, 24}, 0.0115, {6.22, 4.46, 4.84, 2.95}},
+                                      {{12, 32}, 0.0055, {3.76, 3.82, 4.84, 6.77}},
+                                      {{16, 32}, 0.0053, {2.86, 2.47, 2.47, 2.21}},
+                                      {{16, 48}, 0.0023, {1.78, 2.12, 2.47, 1.72}},
+                                      {{12, 64}, 0.0021, {2.06, 3.47, 4.84, 25.7}},
+                                      {{20, 48}, 0.0024, {1.41, 1.42, 1.49, 1.33}},
+                                      {{16, 64}, 0.0018, {1.35, 2.03, 2.47, 4.48}},
                                       {{24, 56}, 0.0009, {1, 1, 1, 1}},
-                                      {{16, 80}, 0.0017, {0.486, 1.94, 2.47, 3.16}},
-                                      {{16, 96}, 0.0013, {0.347, 1.97, 2.47, 3.84}},
-                                      {{24, 80}, 0.0008, {0.422, 0.89, 1, 1.23}},
-                                      {{24, 96}, 0.0007, {0.288, 0.816, 1, 1.16}},
-                                      {{32, 96}, 0.0005, {0.264, 0.499, 0.562, 0.547}},
-                                      {{48, 96}, 0.0005, {0.255, 0.25, 0.25, 0.259}},
-                                      {{64, 128}, 0.0003, {0.13, 0.144, 0.144, 0.158}}}};
+                                      {{16, 80}, 0.0017, {0.449, 2.04, 2.47, 2.88}},
+                                      {{16, 96}, 0.0013, {0.314, 2.07, 2.47, 3.64}},
+                                      {{24, 80}, 0.0008, {0.388, 0.962, 1, 1.15}},
+                                      {{24, 96}, 0.0007, {0.258, 0.952, 1, 1.08}},
+                                      {{32, 96}, 0.0005, {0.239, 0.507, 0.562, 0.516}},
+                                      {{48, 96}, 0.0005, {0.228, 0.251, 0.25, 0.255}},
+                                      {{64, 128}, 0.0003, {0.112, 0.144, 0.144, 0.155}}}};
 
 static_assert(rungs.size() <= RungChoice::most_rungs);
 
@@ -195,20 +195,32 @@ void RungChoice::arrive(double place)
 std::size_t RungChoice::nextRung(const ErrorEstimate& normal, std::size_t highest) const
 {
   const Failure* failure = failureHere();
+  const auto failed = [failure](std::size_t rung) { return failure != nullptr && failure->rungs[rung]; };
   std::size_t best = rung_;
   double least = promised(normal, rung());
-  const auto goesOn = [&](std::size_t next) { return next <= highest ? least > tolerance_ : best == rung_; };
-  for (std::size_t next = rung_ + 1; next < ladder_->count() && goesOn(next); ++next)
+  for (std::size_t next = rung_ + 1; next < ladder_->count(); ++next)
   {
+    const bool found = best > rung_, beyond = next > highest;
+    if (beyond ? found || descended_ : found && least <= tolerance_)
+    {
+      break;
+    }
     const double error = promised(normal, ladder_->at(next));
-    const bool failed = failure != nullptr && failure->rungs[next];
-    if (!failed && error < least)
+    if (!failed(next) && error < least)
     {
       best = next;
       least = error;
     }
   }
-  return best > rung_ ? best : highest;
+  if (best == rung_)
+  {
+    ++best;
+    while (best < highest && failed(best))
+    {
+      ++best;
+    }
+  }
+  return best;
 }
 
 bool RungChoice::climb(const ErrorEstimate& error)

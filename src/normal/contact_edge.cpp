@@ -10,6 +10,10 @@ namespace
 {
 /// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
 constexpr double kLoneCell = 0.325;
+/// Of its polygon, an edge that is all corners (islands of single cells) keeps that much whatever it is found to be
+/// off.
+constexpr double least_share = 0.5;
+
 double straightEdge(double p1, double p2)
 {
   const double outer = std::min(p1, p2);
@@ -28,13 +32,8 @@ double triangle(double a, double b)
   return 0.5 * std::max(a, 0.0) * std::max(b, 0.0);
 }
 
-/// Loaded share of a square of which one corner is loaded, or all others are; `a` and `b` are the distances along x and
-/// along y.
-double loadedCorner(double a, double b)
-{
-  return triangle(a, b);
-}
-
+/// Loaded share of a square of which all corners but one are loaded; `a` and `b` are the edge's distances from theirs
+/// along x and along y.
 double emptyCorner(double a, double b)
 {
   return 1 - 0.5 * (1 - a) * (1 - b);
@@ -48,13 +47,13 @@ double loadedShare(unsigned corners, const Sides& s)
     case 0:
       return 0;
     case 1:
-      return loadedCorner(s.lower, s.left);
+      return triangle(s.lower, s.left);
     case 2:
-      return loadedCorner(s.lower, s.right);
+      return triangle(s.lower, s.right);
     case 4:
-      return loadedCorner(s.upper, s.left);
+      return triangle(s.upper, s.left);
     case 8:
-      return loadedCorner(s.upper, s.right);
+      return triangle(s.upper, s.right);
     case 1 + 8:
       return triangle(s.lower, s.left) + triangle(s.upper, s.right);
     case 2 + 4:
@@ -78,6 +77,7 @@ double loadedShare(unsigned corners, const Sides& s)
   }
 }
 
+/// Edge's distance from the crossing's loaded cell.
 double reach(const EdgeCrossing& crossing)
 {
   const double* loaded = crossing.loaded;
@@ -132,7 +132,7 @@ double EdgePolygon::cells(double aspect)
   {
     excess += static_cast<double>(known.at(edgeInputs(crossing, longer)));
   }
-  return std::max(polygon - excess, 0.0);
+  return std::max(polygon - excess, least_share * polygon);
 }
 
 double EdgePolygon::cross(const double* p, std::ptrdiff_t step)

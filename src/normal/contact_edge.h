@@ -46,7 +46,8 @@ class EdgePolygon
 
   /// The same of the polygon alone; finds the crossings.
   double chords();
-  /// Those of what was framed, found by the last chords() or cells(); of a mirrored pressure those of the stored half.
+  /// Those of what was framed, found by the last chords() or cells(), until the next frame(); of a mirrored pressure
+  /// those of the stored half.
   const std::vector<EdgeCrossing>& crossings() const { return crossings_; }
 
  private:

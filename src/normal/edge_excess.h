@@ -18,8 +18,8 @@ struct EdgeCrossing
 /// What shows there, with the cells' pressures over the largest among the crossing's loaded cell, the next one inward
 /// and those beside the two: the three cells of the line from the loaded one inward; for the empty cell and these
 /// three, the mean of the pressures on the lines on either side, then half of their difference; half of the logarithm
-/// of the cells' extent along the line over that square to it. Cells off the contact count as 0, pressures above 1.5 as
-/// that.
+/// of the cells' extent along the line over that square to it. Cells off the contact count as 0, and so does the third
+/// of a line behind an empty second; pressures above 1.5 count as that, cells of more than e^3.5 in shape as of that.
 constexpr int edge_inputs = 12;
 using EdgeInputs = Eigen::Array<float, edge_inputs, 1>;
 

@@ -313,11 +313,11 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 
 const ErrorWeights& gridErrorWeights()
 {
-  // Near what test/calibration/calibrate_error_estimate.cpp prints: pressure 0.0120, 0.0301, 0.0480 (for wheelsets on
-  // the grids of `auto` alone the third 0.104), area 0.0883, 0.0996, 1.20, 0.144 (a seventh more for the weak ends,
-  // fine grids and tails), approach 0.173. Its samples do not tell the weights of the residual, the last ones, which
-  // are by hand: of 150 wheelsets it made pressure and area wrong by itself at most in nine of ten, by three times that
-  // in 99 of 100.
+  // What test/calibration/calibrate_error_estimate.cpp prints is pressure 0.0120, 0.0301, 0.0480 (of wheelsets on the
+  // grids of `auto` alone the third is 0.104), area 0.0883, 0.0996, 1.20, 0.144, approach 0.173. Area's first and third
+  // are a seventh more, for fine grids, its second is three times that, for tails, its fourth less instead. Its samples
+  // do not tell the weights of the residual, the last ones, which are by hand: of 150 wheelsets it made pressure and
+  // area wrong by itself at most in nine of ten, by three times that in 99 of 100.
   static constexpr ErrorWeights weights{{0.0125, 0.03, 0.09, 1.7}, {0.1, 0.3, 1.4, 0.12, 1.5}, {0.17, 0.3}};
   return weights;
 }

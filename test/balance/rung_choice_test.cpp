@@ -108,6 +108,18 @@ TEST(RungChoice, EachStepIsBetterThanWhatFailed)
   EXPECT_EQ(cells(choice.rung()), 32 * 96);
 }
 
+// What the algebra leaves is the same on all grids.
+TEST(RungChoice, AnErrorThatNoGridPromisesToLowerTakesTheNextOne)
+{
+  RungChoice choice(ladder(), tolerance);
+  choice.arrive(0);
+  choice.start(ErrorEstimate());
+  const ErrorEstimate algebra = ofResidual(tolerance);
+  ASSERT_GT(algebra.largest(), tolerance);
+  ASSERT_TRUE(choice.climb(algebra));
+  EXPECT_EQ(cells(choice.rung()), cells(ladder().at(1)));
+}
+
 // Far too coarse, as its promise tells, or by a tenth, as it itself has shown.
 TEST(RungChoice, AGridThatWasTooCoarseAtAPlaceIsNotTakenThereFor64Answers)
 {

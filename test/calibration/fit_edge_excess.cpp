@@ -4,17 +4,19 @@
 //   fit_edge_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [seed, default 1] [passes, default
 //                   450]
 //
-// Samples: wheelsets, each on every grid below against 192 × 512 cells, whose area counts as true; Hertz contacts of
-// B/A from 0.1 to 20, a quarter turned by up to 0.3 rad, a quarter of a handful of cells, on one of the grids. The
-// weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, found by Adam's method (Kingma and Ba
-// 2015) in batches of 256 contacts with steps falling as a cosine. Prints how much of the error is left on samples of
-// the next seed (a quarter as many), and the weights as they stand in edge_excess_weights.cpp. Takes about ten
-// minutes; not part of the test run.
+// Samples: wheelsets, each on every grid below against 192 × 512 cells, whose area by the present weights counts as
+// true; Hertz contacts of B/A from 0.1 to 20, a quarter turned by up to 0.3 rad, a quarter of a handful of cells, on
+// one of the grids. The weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, found by Adam's
+// method (Kingma and Ba 2015) in batches of 256 contacts with steps falling as a cosine. Prints how much of the error
+// is left on samples of the next seed (a quarter as many), and the weights as they stand in edge_excess_weights.cpp.
+// Takes about ten minutes; not part of the test run.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
+#include <random>
 #include <vector>
 
 #include "../normal/error_samples.h"
@@ -26,7 +28,6 @@
 namespace
 {
 using namespace wheel_rail_contact;
-using Weights = Eigen::Array<float, Eigen::Dynamic, 1>;
 
 constexpr std::array<GridSize, 20> grids{{{4, 16},  {6, 16},  {6, 24},  {8, 16},  {8, 24},  {10, 24}, {12, 24},
                                           {12, 32}, {16, 32}, {16, 48}, {12, 64}, {20, 48}, {16, 64}, {24, 56},
@@ -232,7 +233,7 @@ class Fit
   {
     const auto count = batch.excess.size();
     const Eigen::MatrixXf ramp = ramps(batch);
-    const Eigen::ArrayXf left = predicted(batch, ramp) - batch.excess;
+    Eigen::ArrayXf left = predicted(batch, ramp) - batch.excess;
     const Eigen::ArrayXf pull = left / (left.square() + blunt * blunt).sqrt() / static_cast<float>(count);
     Eigen::RowVectorXf at(batch.inputs.cols());
     for (Eigen::Index c = 0; c < at.size(); ++c)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -76,6 +77,21 @@ TEST(ContactEdge, anIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
   const double alone = areaOf(pressure, 1);
   pressure(2, 7) = 1e-7;
   EXPECT_NEAR(areaOf(pressure, 1), alone, 2);
+}
+
+// Every cell of a line lies at the edge, and the next line is empty.
+TEST(ContactEdge, stripesOfSingleColumnsKeepTheirArea)
+{
+  Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 40);
+  for (int j = 2; j < 38; j += 2)
+  {
+    pressure.col(j).segment(2, 8) = 1;
+  }
+  EdgePolygon polygon;
+  polygon.frame(pressure, false);
+  const double chords = polygon.chords();
+  EXPECT_GE(polygon.cells(1), 0.5 * chords);
+  EXPECT_LE(polygon.cells(1), 2 * chords);
 }
 
 TEST(ContactEdge, noPressureHasNoArea)

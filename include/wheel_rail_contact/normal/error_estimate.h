@@ -45,7 +45,7 @@ struct ErrorTerms
   /// not loaded, and a share of it where the gap's curvature goes to and fro about the crest · residual.
   std::array<double, 4> max_pressure{};
   /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
-  /// turn out higher, by its own terms and their weights but the residual's, by seven tenths if it stands in a lobe of
+  /// turn out higher, by its own terms and their weights but the residual's, twofold if it stands in a lobe of
   /// two columns; or one at a step of the gap, on cells four times finer.
   double overtopping = 0;
   /// Of area: 1 + 0.5 |logarithm of the cells' aspect|, per cell of the area · by how much the sum of 1 / (cells
