@@ -2,46 +2,58 @@
 #include "edge_excess.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 namespace wheel_rail_contact
 {
 namespace
 {
 /// Pressures two cells inward over those at the edge reach 1.4; beyond that they belong to another island.
-constexpr double highest_input = 1.5;
+constexpr float highest_input = 1.5F;
 /// Logarithms of the cells' shape that the weights were fitted for.
 constexpr double longest_cells = 3.5;
 
-/// The cell two inward from `p`, if no empty one lies between two loaded ones there.
-double thirdInward(const double* p, std::ptrdiff_t outward)
+/// Cells of a line: beyond the crossing, at it, and two inward.
+struct Line
 {
-  return p[0] > 0 && !(p[-outward] > 0) ? 0 : p[-2 * outward];
-}
+  float beyond, first, second, third;
+
+  Line(const double* p, std::ptrdiff_t outward)
+      : beyond(static_cast<float>(p[outward])),
+        first(static_cast<float>(p[0])),
+        second(static_cast<float>(p[-outward])),
+        third(first > 0 && !(second > 0) ? 0.0F : static_cast<float>(p[-2 * outward]))
+  {
+  }
+  float highest() const { return std::max(first, second); }
+  void scale(float factor)
+  {
+    beyond = std::min(factor * beyond, highest_input);
+    first *= factor;
+    second *= factor;
+    third = std::min(factor * third, highest_input);
+  }
+};
 }  // namespace
 
 EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer)
 {
-  const double *loaded = crossing.loaded, *left = loaded - crossing.sideways, *right = loaded + crossing.sideways;
-  const std::ptrdiff_t outward = crossing.outward;
-  const double scale = 1 / std::max({loaded[0], loaded[-outward], left[0], left[-outward], right[0], right[-outward]});
-  const auto scaled = [scale](double p) { return std::min(scale * p, highest_input); };
+  Line own(crossing.loaded, crossing.outward), left(crossing.loaded - crossing.sideways, crossing.outward),
+      right(crossing.loaded + crossing.sideways, crossing.outward);
+  const float highest = std::max(own.highest(), std::max(left.highest(), right.highest()));
+  const float scale = 1 / std::max(highest, std::numeric_limits<float>::min());
+  own.scale(scale);
+  left.scale(scale);
+  right.scale(scale);
+  const auto shape = static_cast<float>(0.5 * std::clamp(longer, -longest_cells, longest_cells));
   EdgeInputs inputs;
-  inputs[0] = static_cast<float>(scaled(loaded[0]));
-  inputs[1] = static_cast<float>(scaled(loaded[-outward]));
-  inputs[2] = static_cast<float>(scaled(thirdInward(loaded, outward)));
-  const std::array<double, 4> ones{left[outward], left[0], left[-outward], thirdInward(left, outward)};
-  const std::array<double, 4> others{right[outward], right[0], right[-outward], thirdInward(right, outward)};
-  for (std::size_t k = 0; k < ones.size(); ++k)
-  {
-    const auto place = static_cast<Eigen::Index>(k);
-    const double one = scaled(ones[k]), other = scaled(others[k]);
-    inputs[3 + place] = static_cast<float>(0.5 * (one + other));
-    inputs[7 + place] = static_cast<float>(0.5 * std::abs(one - other));
-  }
-  const double shape = 0.5 * std::clamp(longer, -longest_cells, longest_cells);
-  inputs[11] = static_cast<float>(crossing.along ? shape : -shape);
+  inputs << own.first, own.second, own.third,  //
+      0.5F * (left.beyond + right.beyond), 0.5F * (left.first + right.first), 0.5F * (left.second + right.second),
+      0.5F * (left.third + right.third),  //
+      0.5F * std::abs(left.beyond - right.beyond), 0.5F * std::abs(left.first - right.first),
+      0.5F * std::abs(left.second - right.second), 0.5F * std::abs(left.third - right.third),  //
+      crossing.along ? shape : -shape;
   return inputs;
 }
 
