@@ -110,9 +110,9 @@ class RungChoice
   const Failure* failureHere() const;
   /// The rung failed at this place of late, or what did promises that it would, clearly.
   bool failsHere(std::size_t rung) const;
-  /// The first rung above the present one, up to `highest`, that promises to do; if none does, the best of them; if none
-  /// promises better than the present one has shown, the first beyond that does (not after a descent), or else the next.
-  /// Those that failed here are passed over.
+  /// The first rung above the present one, up to `highest`, that promises to do; if none does, the best of them; if
+  /// none promises better than the present one has shown, the first beyond that does (not after a descent), or else the
+  /// next. Those that failed here are passed over.
   std::size_t nextRung(const ErrorEstimate& normal, std::size_t highest) const;
   static std::size_t slot(long place) { return static_cast<std::size_t>(place & (remembered - 1)); }
 
