@@ -12,7 +12,7 @@ namespace
 constexpr double kLoneCell = 0.325;
 /// Of its polygon, an edge that is all corners (islands of single cells) keeps that much whatever it is found to be
 /// off.
-constexpr double least_share = 0.5;
+constexpr double kLeastShare = 0.5;
 
 double straightEdge(double p1, double p2)
 {
@@ -132,13 +132,18 @@ double EdgePolygon::cells(double aspect)
   {
     excess += static_cast<double>(known.at(edgeInputs(crossing, longer)));
   }
-  return std::max(polygon - excess, least_share * polygon);
+  return std::max(polygon - excess, kLeastShare * polygon);
+}
+
+EdgeCrossing EdgePolygon::crossingAfter(const double* p, std::ptrdiff_t step) const
+{
+  const bool rises = !(p[0] > 0);
+  return {rises ? p + step : p, rises ? -step : step, step == 1 ? stride_ : 1, step == 1};
 }
 
 double EdgePolygon::cross(const double* p, std::ptrdiff_t step)
 {
-  const bool rises = !(p[0] > 0);
-  crossings_.push_back({rises ? p + step : p, rises ? -step : step, step == 1 ? stride_ : 1, step == 1});
+  crossings_.push_back(crossingAfter(p, step));
   return reach(crossings_.back());
 }
 
@@ -152,11 +157,8 @@ double EdgePolygon::chords()
     const double *p = at(-1, j), *q = p + stride_;
     unsigned corners = (p[0] > 0 ? 2U : 0U) | (q[0] > 0 ? 8U : 0U);
     Sides sides;
-    if (corners == 2 || corners == 8)
-    {
-      sides.right = cross(p, stride_);
-      crossings_.pop_back();  // it is the first row's image
-    }
+    // Of a mirrored pressure: the first row's image, whose crossing is not another one.
+    sides.right = corners == 2 || corners == 8 ? reach(crossingAfter(p, stride_)) : 0;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(rows_); ++i, ++p, ++q)
     {
       // Half of this square's corners and two of its sides are its neighbours', of the row and the column before.

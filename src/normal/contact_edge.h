@@ -56,7 +56,9 @@ class EdgePolygon
   {
     return framed_.data() + (row + kFrame) + (column + kFrame) * stride_;
   }
-  /// Keeps the crossing between a cell and the one `step` further, and gives the edge's distance from the loaded one.
+  /// Between a cell and the one `step` further, of which one is loaded.
+  EdgeCrossing crossingAfter(const double* p, std::ptrdiff_t step) const;
+  /// Keeps that crossing, and gives the edge's distance from the loaded cell.
   double cross(const double* p, std::ptrdiff_t step);
 
   std::vector<double> framed_, along_;  ///< pressure; edge's distances along x at the last column, where it crosses

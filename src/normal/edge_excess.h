@@ -31,6 +31,7 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer);
 struct EdgeExcess
 {
   static constexpr int ramps = 16;
+  static constexpr int numbers = ramps * (edge_inputs + 2) + edge_inputs + 3;  ///< all of the below
 
   Eigen::Array<float, ramps, edge_inputs> slopes;  ///< of each ramp
   Eigen::Array<float, ramps, 1> offsets;           ///< of each ramp

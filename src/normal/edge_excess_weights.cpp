@@ -8,13 +8,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int kRamps = EdgeExcess::ramps;
-constexpr int kNumbers = kRamps * (edge_inputs + 2) + edge_inputs + 3;
-
 /// As test/calibration/fit_edge_excess.cpp prints them: the ramps' slopes by input, their offsets and heights, the
 /// linear function, each, whole, few_cells.
 // clang-format off
-constexpr std::array<double, kNumbers> fitted{
+constexpr std::array<double, EdgeExcess::numbers> fitted{
     -0.6668, 1.112, 0.6871, -0.3653, 0.02027, -0.4504, 0.9748, -0.1003, 0.01908, 0.3237, -0.33, 0.02157,
     -1.023, -0.2533, 0.9853, -0.5287, -0.9445, -0.3316, 0.596, -0.2171, -0.4308, -0.2954, -0.6617, 0.04237,
     0.5269, 0.2872, 0.002186, 0.4081, -0.7628, 0.2336, -0.006409, -0.599, -5.539, 0.3888, 0.1971, 0.428,

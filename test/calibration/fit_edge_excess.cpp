@@ -111,14 +111,16 @@ class Wheelsets
  public:
   void add(const scenes::WheelsetScene& scene, Samples& samples)
   {
-    WheelsetBalance truth(settled(scene), sampler_.ladderFor(scenes::Method::grid, true_size));
+    ContactModelConfig settled = scene.config;
+    settled.contact.tolerance = 1e-4;
+    WheelsetBalance truth(settled, sampler_.ladderFor(scenes::Method::grid, true_size));
     if (truth.solve(scene.state) != ContactStatus::ok)
     {
       return;
     }
     for (const GridSize& size : grids)
     {
-      WheelsetBalance balance(settled(scene), sampler_.ladderFor(scenes::Method::grid, size));
+      WheelsetBalance balance(settled, sampler_.ladderFor(scenes::Method::grid, size));
       if (balance.solve(scene.state) != ContactStatus::ok)
       {
         continue;
@@ -136,13 +138,6 @@ class Wheelsets
   }
 
  private:
-  static ContactModelConfig settled(const scenes::WheelsetScene& scene)
-  {
-    ContactModelConfig config = scene.config;
-    config.contact.tolerance = 1e-4;
-    return config;
-  }
-
   scenes::WheelsetSampler sampler_{scenes::Method::grid};
 };
 
@@ -202,9 +197,8 @@ struct Batch
 class Fit
 {
   static constexpr int ramp_count = EdgeExcess::ramps;
-  static constexpr int size = ramp_count * (edge_inputs + 2) + edge_inputs + 3;
   static constexpr float blunt = 0.05F;  ///< errors below that count by their square [cells]
-  using Values = Eigen::Matrix<float, size, 1>;
+  using Values = Eigen::Matrix<float, EdgeExcess::numbers, 1>;
 
   static Eigen::Map<Eigen::Matrix<float, ramp_count, edge_inputs>> slopes(Values& v)
   {

@@ -136,7 +136,7 @@ class RungChoice
   static constexpr double clear_failure = 1.5;  ///< promised error over the tolerance [-]
   static constexpr int first_wait = 2;
   static constexpr int longest_wait = 64;
-  static constexpr std::size_t longest_climb = 4;  ///< rungs at a time
+  static constexpr std::size_t longest_climb = 4;  ///< rungs at a time, if one of them promises better
   static constexpr double descend_reserve = 0.8;   ///< promised error over the tolerance when descending [-]
   static constexpr double large_reserve = 0.4;     ///< the same while it waits [-]
   static constexpr double fading = 0.9;            ///< of earlier estimates, with each answer [-]
