@@ -77,15 +77,18 @@ double loadedShare(unsigned corners, const Sides& s)
   }
 }
 
-/// Edge's distance from the crossing's loaded cell.
-double reach(const EdgeCrossing& crossing)
-{
-  const double* loaded = crossing.loaded;
-  const std::ptrdiff_t inward = -crossing.outward;
-  return std::min(edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]), 1.0);
-}
-}  // namespace
-
+/// Where the edge of the contact lies, in cells outward from the centre of the outermost loaded cell of a line.
+///
+/// p1 > 0 is that cell's pressure, p2 and p3 those of the next two inward (zero if not loaded).
+///
+/// Near its edge the true pressure rises like the root of the distance. For cells of constant pressure matched at their
+/// centres, the discrete pressures along such an edge are linear in the edge's place, whatever the cells' size:
+/// with the edge d cells outside the first centre,
+///   d = (1.07425 p1 - 0.17475 p2) / (p2 - 0.42487 p1),   p3 = 1.42487 p2 -
+///   0.26582 p1.
+/// The numbers were fitted (to 1e-5) to a line contact of 667 cells' width, moved through a cell in 200 steps; a cell
+/// is loaded when d lies between -0.175 and 0.825. What p3 differs from this is taken as the next term of the pressure,
+/// (distance)^(3/2), and removed from p1 and p2 first.
 double edgeDistance(double p1, double p2, double p3)
 {
   if (!(p2 > 0))
@@ -98,6 +101,15 @@ double edgeDistance(double p1, double p2, double p3)
   const double x1 = std::max(straight, 0.0), x2 = 1 + straight;
   return straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2));
 }
+
+/// Edge's distance from the crossing's loaded cell.
+double reach(const EdgeCrossing& crossing)
+{
+  const double* loaded = crossing.loaded;
+  const std::ptrdiff_t inward = -crossing.outward;
+  return std::min(edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]), 1.0);
+}
+}  // namespace
 
 void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 {
@@ -130,7 +142,7 @@ double EdgePolygon::cells(double aspect)
   double excess = known.of(images * polygon) / images;
   for (const EdgeCrossing& crossing : crossings_)
   {
-    excess += static_cast<double>(known.at(edgeInputs(crossing, longer)));
+    excess += static_cast<double>(known.crossing(edgeInputs(crossing, longer)));
   }
   return std::max(polygon - excess, kLeastShare * polygon);
 }

@@ -9,23 +9,6 @@
 
 namespace wheel_rail_contact
 {
-/// Cells around a pressure that the functions below may read.
-constexpr int kFrame = 3;
-
-/// Where the edge of the contact lies, in cells outward from the centre of the outermost loaded cell of a line.
-///
-/// p1 > 0 is that cell's pressure, p2 and p3 those of the next two inward (zero if not loaded).
-///
-/// Near its edge the true pressure rises like the root of the distance. For cells of constant pressure matched at their
-/// centres, the discrete pressures along such an edge are linear in the edge's place, whatever the cells' size:
-/// with the edge d cells outside the first centre,
-///   d = (1.07425 p1 - 0.17475 p2) / (p2 - 0.42487 p1),   p3 = 1.42487 p2 -
-///   0.26582 p1.
-/// The numbers were fitted (to 1e-5) to a line contact of 667 cells' width, moved through a cell in 200 steps; a cell
-/// is loaded when d lies between -0.175 and 0.825. What p3 differs from this is taken as the next term of the pressure,
-/// (distance)^(3/2), and removed from p1 and p2 first.
-double edgeDistance(double p1, double p2, double p3);
-
 /// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres, less what it is
 /// known to be off (EdgeExcess).
 ///
@@ -35,6 +18,8 @@ double edgeDistance(double p1, double p2, double p3);
 /// pressures about a crossing. A pressure on several islands counts as one.
 class EdgePolygon
 {
+  static constexpr int kFrame = 3;  ///< cells around the pressure that may be read
+
  public:
   /// Copies a pressure (rows × columns) into a frame of kFrame zeros; with `mirrored` the rows before the first are its
   /// mirror image instead. Allocates only for larger arrays than before.

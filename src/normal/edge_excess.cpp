@@ -53,18 +53,8 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer)
       0.5F * (left.third + right.third),  //
       0.5F * std::abs(left.beyond - right.beyond), 0.5F * std::abs(left.first - right.first),
       0.5F * std::abs(left.second - right.second), 0.5F * std::abs(left.third - right.third),  //
-      crossing.along ? shape : -shape;
+      crossing.along ? shape : -shape, 1;
   return inputs;
-}
-
-float EdgeExcess::at(const EdgeInputs& inputs) const
-{
-  Eigen::Array<float, ramps, 1> ramp = offsets;
-  for (int k = 0; k < edge_inputs; ++k)
-  {
-    ramp += slopes.col(k) * inputs[k];
-  }
-  return each + (linear * inputs).sum() + (heights * ramp.max(0.0F)).sum();
 }
 
 double EdgeExcess::of(double polygon) const

@@ -4,12 +4,14 @@
 #include <Eigen/Core>
 #include <cstddef>
 
+#include "ramp_sum.h"
+
 namespace wheel_rail_contact
 {
 /// Where the contact's edge crosses a line of cell centres, between a loaded cell and one that is not.
 struct EdgeCrossing
 {
-  const double* loaded;     ///< pressure of the loaded cell; two cells around it may be read
+  const double* loaded;     ///< pressure of the loaded cell; read are one cell outward to two inward, also beside it
   std::ptrdiff_t outward;   ///< step to the empty cell
   std::ptrdiff_t sideways;  ///< step to the next line
   bool along;               ///< the line runs along x
@@ -18,31 +20,27 @@ struct EdgeCrossing
 /// What shows there, with the cells' pressures over the largest among the crossing's loaded cell, the next one inward
 /// and those beside the two: the three cells of the line from the loaded one inward; for the empty cell and these
 /// three, the mean of the pressures on the lines on either side, then half of their difference; half of the logarithm
-/// of the cells' extent along the line over that square to it. Cells off the contact count as 0, and so does the third
-/// of a line behind an empty second; pressures above 1.5 count as that, cells of more than e^3.5 in shape as of that.
-constexpr int edge_inputs = 12;
+/// of the cells' extent along the line over that square to it; one. Cells off the contact count as 0, and so does the
+/// third of a line behind an empty second; pressures above 1.5 count as that, cells of more than e^3.5 in shape as of
+/// that.
+constexpr int edge_inputs = 13;
 using EdgeInputs = Eigen::Array<float, edge_inputs, 1>;
 
 /// @param longer  logarithm of the cells' length along x over their width
 EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer);
 
-/// What a polygon through the edge's crossings (EdgePolygon) is too large by: at each crossing, by what shows there, a
-/// linear function and a sum of ramps (a network with one layer of rectified units); and for the contact as a whole.
+/// What a polygon through the edge's crossings (EdgePolygon) is too large by: at each crossing by what shows there, and
+/// for the contact as a whole.
 struct EdgeExcess
 {
   static constexpr int ramps = 16;
-  static constexpr int numbers = ramps * (edge_inputs + 2) + edge_inputs + 3;  ///< all of the below
+  using At = RampSum<edge_inputs, ramps>;
+  static constexpr int numbers = At::numbers + 2;  ///< all of the below
 
-  Eigen::Array<float, ramps, edge_inputs> slopes;  ///< of each ramp
-  Eigen::Array<float, ramps, 1> offsets;           ///< of each ramp
-  Eigen::Array<float, ramps, 1> heights;           ///< of each ramp [cells]
-  EdgeInputs linear;                               ///< [cells]
-  float each = 0;                                  ///< for every crossing [cells]
-  float whole = 0;                                 ///< for every contact [cells]
-  float few_cells = 0;                             ///< the same, times the polygon's area [cells²]
+  At crossing;          ///< for every crossing [cells]
+  float whole = 0;      ///< for every contact [cells]
+  float few_cells = 0;  ///< the same, times the polygon's area [cells²]
 
-  /// At a crossing [cells].
-  float at(const EdgeInputs& inputs) const;
   /// For a contact of `polygon` cells, besides its crossings [cells].
   double of(double polygon) const;
 };

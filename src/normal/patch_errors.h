@@ -28,7 +28,7 @@ inline ErrorEstimate weighted(const ErrorWeights& weights, const ErrorTerms& ter
 {
   return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.overtopping),
           std::max(weighted(weights.area, terms.area), terms.tail), weighted(weights.approach, terms.approach),
-          std::max(weights.area[1] * terms.area[1], terms.tail), terms.max_pressure[3]};
+          std::max(weights.area[1] * terms.area[1], terms.tail), terms.max_pressure.back()};
 }
 
 /// Errors of all patches, from `alone(k)`, the errors of each patch as if it carried its load alone. The common

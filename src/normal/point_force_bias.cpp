@@ -12,7 +12,7 @@ namespace wheel_rail_contact
 namespace
 {
 /// Errors for each unit of bias over the approach [-].
-constexpr ErrorEstimate errors_per_bias{1.2, 2.8, 0.9};
+constexpr ErrorEstimate errors_per_bias{1.4, 3.2, 0.9};
 }  // namespace
 
 double pointForceBias(const PatchPressure& pressure, double modulus)

@@ -11,8 +11,8 @@ double pointForceBias(const PatchPressure& pressure, double modulus);
 
 /// Errors that a solution with point forces has beyond those of its grid, in a patch with pressure.
 ///
-/// Multiples of the bias over the approach, fitted once, by a program that is not kept, to 279 random contacts on grids
-/// of 4 × 16 to 16 × 32 cells: together with the grid's, the largest estimate was at least the true error in 97 % of
+/// Multiples of the bias over the approach, fitted once, by a program that is not kept, to 882 random contacts on grids
+/// of 4 × 16 to 12 × 32 cells: together with the grid's, the largest estimate was at least the true error in 98 % of
 /// them; normal/error_estimate_test.cpp asks for 95 % on others. They do not hold where cells are so long that the
 /// matrix is indefinite (more than 4.70 times their width).
 ErrorEstimate pointForceErrors(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "crest_pressure.h"
-#include "pressure_crests.h"
 
 namespace wheel_rail_contact
 {
@@ -17,13 +16,9 @@ void PressureMeasures::measure(const PatchGap& gap, double modulus, PatchPressur
   patch.area = polygon_.cells(grid.dx / grid.dy) * grid.cellArea();
 
   patch.max_pressure = 0;
-  visitCrests(p,
-              [&](Eigen::Index column, bool)
-              {
-                Eigen::Index row = 0;
-                p.col(column).maxCoeff(&row);
-                patch.max_pressure = std::max(patch.max_pressure, crestPressure(gap, modulus, p, row, column));
-              });
+  visitCrests(grid, p,
+              [&](const CellsAround& crest, bool)
+              { patch.max_pressure = std::max(patch.max_pressure, crestPressure(gap, modulus, crest)); });
 
   const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);
   patch.touches_border = ends || p.col(0).maxCoeff() > 0 || p.col(p.cols() - 1).maxCoeff() > 0;

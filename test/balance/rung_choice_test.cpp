@@ -76,14 +76,14 @@ RungChoice aStepBelowUnitGrid()
 {
   RungChoice choice = onUnitGrid();
   choice.arrive(elsewhere);
-  choice.descend(ofJump(choice.rung(), 0.58 * tolerance));
+  choice.descend(ofJump(choice.rung(), 0.85 * tolerance));
   EXPECT_EQ(cells(choice.rung()), 16 * 64);
   return choice;
 }
 
 TEST(RungChoice, JumpsOfTheCurvatureTakeCellsAcrossAndTailsCellsAlong)
 {
-  const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, 0.72 * tolerance); }).rung();
+  const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, 0.95 * tolerance); }).rung();
   EXPECT_EQ(jump.size.along, 16);
   EXPECT_EQ(jump.size.across, 64);
   const Rung& tail = settled([](const Rung& rung) { return ofTail(rung, 0.8 * tolerance); }).rung();

@@ -147,19 +147,6 @@ TEST(ErrorEstimate, isTheSameWithAndWithoutSymmetry)
   EXPECT_NEAR(a.approach, b.approach, 1e-4 * a.approach);
 }
 
-TEST(ErrorEstimate, seesACurvatureJumpUnderTheCrest)
-{
-  NormalProblem smooth = paraboloid({16, 32}, 1.1, 2.0), jump = smooth;
-  PatchGap& patch = jump.patches[0];
-  scenes::sample([](double x, double y) { return 1.1 * x * x + (y < 0 ? 1 : 20) * y * y; }, patch);
-  ConjugateGradients solver;
-  NormalSolution solution;
-  solver.solve(smooth, false, solution);
-  const double without = errorsOf(solver, smooth, solution)[0].max_pressure;
-  solver.solve(jump, false, solution);
-  EXPECT_GT(errorsOf(solver, jump, solution)[0].max_pressure, 4 * without);
-}
-
 /// True relative error of the highest pressure on a grid, against cells four times finer each way, and its estimate.
 struct PeakError
 {
@@ -179,6 +166,35 @@ PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
   EXPECT_EQ(coarse.status, SolveStatus::converged);
   EXPECT_EQ(fine.status, SolveStatus::converged);
   return {std::abs(coarse.patches[0].max_pressure / fine.patches[0].max_pressure - 1), estimate};
+}
+
+// A wheel of 0.46 m on a crown that a shoulder joins, wherever that is among the cells; of five places one may be off
+// by a quarter more than estimated.
+TEST(ErrorEstimate, holdsAtACurvatureJumpUnderTheCrest)
+{
+  for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 56}})
+  {
+    NormalProblem problem;
+    problem.modulus = 1.14e11;
+    problem.value = 1e5;
+    problem.patches.resize(1);
+    Grid& grid = problem.patches[0].grid;
+    grid = {size.along, size.across, 0.018 / size.along, 0.026 / size.across, 0, true};
+    grid.y0 = -0.5 * (size.across - 1) * grid.dy;
+    int held = 0;
+    for (const double shift : {0.0, 0.2, 0.4, 0.6, 0.8})
+    {
+      const double joint = shift * grid.dy;
+      const PeakError error = peakError(problem, [joint](double x, double y)
+                                        { return x * x / 0.92 + (y - joint) * (y - joint) / (y > joint ? 0.1 : 0.8); });
+      std::cout << size.along << " x " << size.across << ": true " << error.truth << ", estimated " << error.estimate
+                << "\n";
+      held += error.truth <= error.estimate ? 1 : 0;
+      EXPECT_LE(error.truth, 1.25 * error.estimate);
+      EXPECT_LT(error.estimate, 0.3);
+    }
+    EXPECT_GE(held, 4);
+  }
 }
 
 /// Patches of S1002 on a rail [m, N], with their true errors of the highest pressure.

@@ -134,10 +134,9 @@ inline ErrorEstimate relativeErrors(const PatchPressure& found, double found_app
 class GapSampler
 {
  public:
-  /// Adds a sample for every patch; false if the scene has no usable truth (a patch without pressure, or no box found),
-  /// or the method has no answer.
-  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
-              std::vector<ErrorSample>& samples)
+  /// Solves a scene by the method's solver on a random box of a size, and for truth() on one finer; false if there is
+  /// no usable truth (a patch without pressure, or no box found), or the method has no answer.
+  bool solve(Method method, NormalSolver& solver, const GapScene& scene, const GridSize& size, Random& random)
   {
     problem_.modulus = modulus;
     problem_.value = scene.load;
@@ -150,14 +149,13 @@ class GapSampler
     {
       return false;
     }
-    const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
     for (PatchGap& patch : problem_.patches)
     {
       patch.grid = looser(random, patch.grid, size);
     }
     fill(scene);
-    solver->solve(problem_, false, found_);
-    const NormalProblem coarse = problem_;
+    solver.solve(problem_, false, found_);
+    coarse_ = problem_;
     for (PatchGap& patch : problem_.patches)
     {
       patch.grid = method == Method::hertz ? relaid(patch.grid, closed_form_truth) : refined(patch.grid, finer);
@@ -166,7 +164,20 @@ class GapSampler
     ConjugateGradients strict(strictOptions());
     strict.solve(problem_, false, true_);
     return found_.status == SolveStatus::converged && true_.status == SolveStatus::converged &&
-           add(scene.kind, method, *solver, coarse, samples);
+           std::all_of(true_.patches.begin(), true_.patches.end(),
+                       [](const PatchPressure& patch) { return patch.force > 0 && !patch.touches_border; });
+  }
+  /// Of the last solve().
+  const NormalProblem& problem() const { return coarse_; }
+  const NormalSolution& found() const { return found_; }
+  const NormalSolution& truth() const { return true_; }
+
+  /// Adds a sample for every patch; false as of solve(), or if a patch has no pressure on the sample's cells.
+  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
+              std::vector<ErrorSample>& samples)
+  {
+    const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
+    return solve(method, *solver, scene, size, random) && add(scene.kind, method, *solver, samples);
   }
 
  private:
@@ -244,17 +255,9 @@ class GapSampler
     return covering(tight, length, middleOf(tight) + shift, width, size);
   }
 
-  bool add(const char* kind, Method method, const NormalSolver& solver, const NormalProblem& coarse,
-           std::vector<ErrorSample>& samples) const
+  bool add(const char* kind, Method method, const NormalSolver& solver, std::vector<ErrorSample>& samples) const
   {
-    for (const PatchPressure& patch : true_.patches)
-    {
-      if (!(patch.force > 0) || patch.touches_border)
-      {
-        return false;
-      }
-    }
-    for (std::size_t k = 0; k < coarse.patches.size(); ++k)
+    for (std::size_t k = 0; k < coarse_.patches.size(); ++k)
     {
       const double touch = problem_.patches[k].gap.minCoeff();
       const double found_approach = found_.approach - touch, true_approach = true_.approach - touch;
@@ -262,7 +265,7 @@ class GapSampler
       {
         return false;
       }
-      ErrorSample sample = describe(kind, method, solver, coarse, found_, k, found_approach);
+      ErrorSample sample = describe(kind, method, solver, coarse_, found_, k, found_approach);
       sample.error = relativeErrors(found_.patches[k], found_approach, true_.patches[k], true_approach);
       samples.push_back(sample);
     }
@@ -270,7 +273,7 @@ class GapSampler
   }
 
   ConjugateGradients boxer_;
-  NormalProblem problem_;
+  NormalProblem problem_, coarse_;
   NormalSolution found_, true_;
 };
 

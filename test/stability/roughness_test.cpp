@@ -26,9 +26,10 @@ const PatchResult* hardest(const WheelsetResult& result, Side side)
 
 /// A profile that passes through every one of its points, 0.25 mm apart and 0.5 um off, waves between the columns of a
 /// coarse grid. The highest pressure has to be known to within its estimate all the same, in 99 of 100 patches, and is
-/// never off by more than 1.25 times that; against 192 x 256 cells, which see the waves.
+/// never off by more than 1.25 times that and what the truth is off by; against 192 x 256 cells, which see the waves.
 TEST(Roughness, EstimatesHoldOnProfilesThroughPoints)
 {
+  constexpr double error_of_truth = 0.0024;  // mean difference to 192 x 512 cells
   const Pool pool = makePool({});
   int held = 0, count = 0;
   for (const NamedProfile& rail : {pool.rails[0], pool.rails[1]})
@@ -55,7 +56,7 @@ TEST(Roughness, EstimatesHoldOnProfilesThroughPoints)
         const double error = std::abs(found.max_pressure / exact.max_pressure - 1);
         held += error <= found.error_estimate ? 1 : 0;
         ++count;
-        EXPECT_LT(error, 1.25 * found.error_estimate) << rail.name << ", y = " << y;
+        EXPECT_LT(error, 1.25 * found.error_estimate + error_of_truth) << rail.name << ", y = " << y;
       }
     }
   }

@@ -40,10 +40,10 @@ ErrorEstimate ofResidual(double residual);
 /// Hertz contact), and k the second differences of the gap across. Lengths are counted in cells.
 struct ErrorTerms
 {
-  /// Of max_pressure: bend of q at the crest, along plus across · square of the jumps of k, weighted by 1 / (distance
-  /// from the crest + 1/2)², as a pressure over the crest's · the bend again where a cell beside the crest across is
-  /// not loaded, and a share of it where the gap's curvature goes to and fro about the crest · residual.
-  std::array<double, 4> max_pressure{};
+  /// Of max_pressure: bend of q at the crest, along plus across · its square · fourth power of the sum of the jumps of
+  /// k, each over (distance from the crest + 1/2)², as a pressure over the crest's · the bend again where a cell beside
+  /// the crest across is not loaded or the gap's curvature goes to and fro about it · residual.
+  std::array<double, 5> max_pressure{};
   /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
   /// turn out higher, by its own terms and their weights but the residual's, twofold if it stands in a lobe of
   /// two columns; or one at a step of the gap, on cells four times finer.
@@ -68,7 +68,7 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 /// Weights of the terms.
 struct ErrorWeights
 {
-  std::array<double, 4> max_pressure{};  ///< of ErrorTerms::max_pressure [-]
+  std::array<double, 5> max_pressure{};  ///< of ErrorTerms::max_pressure [-]
   std::array<double, 5> area{};          ///< of ErrorTerms::area [-]
   std::array<double, 2> approach{};      ///< of ErrorTerms::approach [-]
 };

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "../normal/error_samples.h"
+#include "wheel_rail_contact/normal/hertz.h"
+
+/// Contacts solved on cells until only those make them wrong, with what is true of them: samples for fits.
+namespace wheel_rail_contact::fits
+{
+/// A patch that is alone on its problem.
+struct Contact
+{
+  const PatchGap& gap;
+  double modulus;  ///< [Pa]
+  const PatchPressure& found;
+  double true_area;      ///< [m²]
+  double true_pressure;  ///< the highest [Pa]
+};
+
+constexpr std::array<GridSize, 20> grids{{{4, 16},  {6, 16},  {6, 24},  {8, 16},  {8, 24},  {10, 24}, {12, 24},
+                                          {12, 32}, {16, 32}, {16, 48}, {12, 64}, {20, 48}, {16, 64}, {24, 56},
+                                          {16, 80}, {16, 96}, {24, 80}, {32, 64}, {32, 96}, {48, 96}}};
+
+/// Contacts of B/A from 0.1 to 20 on one of the grids, a quarter turned by up to 0.3 rad, a quarter of a handful of
+/// cells; by parts of a cell off the grid's middle.
+class HertzContacts
+{
+ public:
+  template <typename Visit>
+  void visit(scenes::Random& random, Visit visit)
+  {
+    constexpr double modulus = 1.14e11, load = 1e4;
+    const GridSize size = grids[random() % grids.size()];
+    const bool symmetric = scenes::oneIn(random, 2), few = scenes::oneIn(random, 4);
+    const double angle = symmetric || scenes::oneIn(random, 2) ? 0 : scenes::uniform(random, 0, 0.3);
+    const double ratio = std::exp(scenes::uniform(random, std::log(0.1), std::log(20)));
+    const HertzContact hertz = hertzForForce({1, ratio}, modulus, load);
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const double along = std::hypot(hertz.semi_axis_x * cosine, hertz.semi_axis_y * sine);
+    const double across = std::hypot(hertz.semi_axis_y * cosine, hertz.semi_axis_x * sine);
+    const double margin_along = few ? scenes::uniform(random, 1.1, size.along / 2.5) : usualMargin(random);
+    const double margin_across = few ? scenes::uniform(random, 1.1, size.across / 3.0) : usualMargin(random);
+    const aspect_ladder::Cell cell =
+        aspect_ladder::coveringCell(2 * margin_along * along, 2 * margin_across * across, size.along, size.across);
+    const double x0 = symmetric ? 0 : scenes::uniform(random, -0.5, 0.5) * cell.dx;
+    const double y0 = scenes::uniform(random, -0.5, 0.5) * cell.dy;
+    const auto gap = [=](double x, double y)
+    {
+      const double u = (x - x0) * cosine + (y - y0) * sine, v = (y - y0) * cosine - (x - x0) * sine;
+      return u * u + ratio * v * v;
+    };
+    NormalProblem problem;
+    problem.modulus = modulus;
+    problem.value = load;
+    problem.patches.resize(1);
+    problem.patches[0].grid = {size.along, size.across, cell.dx, cell.dy, -0.5 * (size.across - 1) * cell.dy,
+                               symmetric};
+    scenes::sample(gap, problem.patches[0]);
+    solver_.solve(problem, false, solution_);
+    if (solution_.status == SolveStatus::converged && !solution_.patches[0].touches_border)
+    {
+      visit(Contact{problem.patches[0], modulus, solution_.patches[0], hertz.area, hertz.max_pressure});
+    }
+  }
+
+ private:
+  static double usualMargin(scenes::Random& random) { return scenes::uniform(random, 1.03, 1.35); }
+
+  ConjugateGradients solver_{scenes::strictOptions()};
+  NormalSolution solution_;
+};
+
+/// A wheel over two to four arcs of 0.05 to 3 m, joined anywhere under it.
+inline scenes::Gap arcsGap(scenes::Random& random)
+{
+  constexpr double reach = 8e-3;  // of the joints [m]
+  std::vector<double> joints(1 + random() % 3), curvatures(joints.size() + 1);
+  std::generate(joints.begin(), joints.end(), [&] { return scenes::uniform(random, -reach, reach); });
+  std::sort(joints.begin(), joints.end());
+  std::generate(curvatures.begin(), curvatures.end(), [&] { return 1 / scenes::spread(random, 0.05, 3); });
+  const double along = 0.5 / scenes::uniform(random, 0.3, 0.6);
+  const scenes::ArcCurve curve(joints, curvatures);
+  return [=](double x, double y) { return along * x * x + curve(y); };
+}
+
+/// Gaps on one of the grids against cells four times finer each way: half of them scenes of all kinds, the others arcs.
+class GapContacts
+{
+ public:
+  template <typename Visit>
+  void visit(scenes::Random& random, Visit visit)
+  {
+    scenes::GapScene scene = scenes::randomGapScene(random);
+    if (scenes::oneIn(random, 2))
+    {
+      const scenes::Gap arcs = arcsGap(random);
+      scene.patches = {scene.even ? arcs : scenes::yawed(random, arcs)};
+    }
+    const GridSize size = grids[random() % grids.size()];
+    if (scene.patches.size() == 1 && sampler_.solve(scenes::Method::grid, solver_, scene, size, random) &&
+        sampler_.found().patches[0].force > 0 && !sampler_.found().patches[0].touches_border)
+    {
+      const PatchPressure& fine = sampler_.truth().patches[0];
+      visit(Contact{sampler_.problem().patches[0], sampler_.problem().modulus, sampler_.found().patches[0], fine.area,
+                    fine.max_pressure});
+    }
+  }
+
+ private:
+  scenes::GapSampler sampler_;
+  ConjugateGradients solver_{scenes::strictOptions()};
+};
+
+/// Wheels with a single patch, on each of the grids against 192 × 512 cells, which count as true by the weights in use.
+class WheelsetContacts
+{
+ public:
+  template <typename Visit>
+  void visit(const scenes::WheelsetScene& scene, Visit visit)
+  {
+    ContactModelConfig settled = scene.config;
+    settled.contact.tolerance = 1e-4;
+    WheelsetBalance truth(settled, sampler_.ladderFor(scenes::Method::grid, {192, 512}));
+    if (truth.solve(scene.state) != ContactStatus::ok)
+    {
+      return;
+    }
+    for (const GridSize& size : grids)
+    {
+      WheelsetBalance balance(settled, sampler_.ladderFor(scenes::Method::grid, size));
+      if (balance.solve(scene.state) != ContactStatus::ok)
+      {
+        continue;
+      }
+      for (const Side side : {Side::left, Side::right})
+      {
+        const WheelContact &found = balance.wheel(side), &exact = truth.wheel(side);
+        if (found.patches().size() == 1 && exact.patches().size() == 1)
+        {
+          const PatchPressure& fine = exact.solution().patches[0];
+          const NormalProblem& problem = found.problem();
+          visit(
+              Contact{problem.patches[0], problem.modulus, found.solution().patches[0], fine.area, fine.max_pressure});
+        }
+      }
+    }
+  }
+
+ private:
+  scenes::WheelsetSampler sampler_{scenes::Method::grid};
+};
+
+/// How many of each kind; of the wheelsets scenes.
+struct Counts
+{
+  int wheelsets = 0, hertz = 0, gaps = 0;
+};
+
+template <typename Visit>
+void visitContacts(const Counts& counts, unsigned long seed, Visit visit)
+{
+  scenes::Random seeds(seed);
+  HertzContacts hertz;
+  for (int i = 0; i < counts.hertz; ++i)
+  {
+    hertz.visit(seeds, visit);
+  }
+  GapContacts gaps;
+  for (int i = 0; i < counts.gaps; ++i)
+  {
+    scenes::Random random(seeds());
+    gaps.visit(random, visit);
+    std::fprintf(stderr, "\rseed %lu: %d of %d gaps", seed, i + 1, counts.gaps);
+  }
+  WheelsetContacts wheelsets;
+  for (int i = 0; i < counts.wheelsets; ++i)
+  {
+    scenes::Random random(seeds());
+    wheelsets.visit(scenes::randomWheelsetScene(random), visit);
+    std::fprintf(stderr, "\rseed %lu: %d of %d wheelsets", seed, i + 1, counts.wheelsets);
+  }
+  std::fprintf(stderr, "\n");
+}
+}  // namespace wheel_rail_contact::fits
