@@ -30,9 +30,8 @@ constexpr int most_prepared_cells = 64 * 128;
 /// In the order of the time they take. Smooth contacts need cells along more than across and find enough on the coarser
 /// half of the grids; jumps of the curvature need cells across, tails of the pressure along. Ordinary errors and
 /// typical estimates (max pressure, area without tails, approach, tails): as test/calibration/calibrate_ladder.cpp
-/// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1 to 2.9 of one
-/// another; of pressures on the coarsest grid of 9; of areas on the finest grids, where they decide little, of 5, of
-/// tails of 8.
+/// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1 to 3 of one
+/// another; of areas on the finest grids, where they decide little, of 5, of tails of 9.
 constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0360, {79.7, 12.4, 7.56, 10.2}},
                                       {{10, 24}, 0.0074, {19.1, 6.76, 4.84, 7.42}},
                                       {{12, 24}, 0.0066, {17.6, 4.68, 4.84, 2.88}},

@@ -12,7 +12,7 @@
 namespace wheel_rail_contact
 {
 constexpr int crest_reach = 4;      ///< columns beside a crest that are looked at
-constexpr double largest_step = 2;  ///< GapSteps of more count as that; joints of the profiles have less
+constexpr double largest_step = 2;  ///< GapSteps of more count as that
 constexpr int crest_inputs = 19;    ///< of each side
 
 /// What shows about a crest.

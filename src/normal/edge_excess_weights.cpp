@@ -7,8 +7,8 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// As test/calibration/fit_edge_excess.cpp printed them; from the random numbers it starts with now it finds others that
-/// leave the same errors. Crossing, whole, few_cells.
+/// As test/calibration/fit_edge_excess.cpp printed them; from the random numbers it starts with now it finds others
+/// that leave the same errors. Crossing, whole, few_cells.
 // clang-format off
 constexpr std::array<double, EdgeExcess::numbers> fitted{
     -0.6668, 1.112, 0.6871, -0.3653, 0.02027, -0.4504, 0.9748, -0.1003, 0.01908, 0.3237, -0.33, 0.02157,

@@ -40,6 +40,9 @@ constexpr double handful = 6;
 /// from one at hand, balance/warm_start_test.cpp, where it is 0.64 from 24 × 56 and 0.96 from 20 × 48 cells on.
 constexpr double lobe_growth = 1;
 
+/// Jumps about a crest count up to that: the estimate is above 100 % then.
+constexpr double largest_jump = 4;
+
 /// The highest cell of a column that neither neighbouring one exceeds.
 struct Crest
 {
@@ -137,7 +140,7 @@ Bending gapBending(const Eigen::ArrayXXd& gap, const Crest& crest)
 std::array<double, 5> crestTerms(const PatchGap& gap, double modulus, const CellsAround& crest, double jumps,
                                  double residual)
 {
-  const double bend = crest.bend(), jump = modulus * jumps / (gap.grid.dy * crest.top());
+  const double bend = crest.bend(), jump = std::min(modulus * jumps / (gap.grid.dy * crest.top()), largest_jump);
   const bool unclear = !crest.isInside() || areWaves(gapSteps(crest, gap, modulus));
   return {bend, bend * bend, std::pow(jump, 4), unclear ? bend : 0, residual};
 }

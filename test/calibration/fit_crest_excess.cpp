@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fits what the parabolas through a crest of the pressure are too large by (normal/crest_excess.h).
 //
-//   fit_crest_excess [wheelset scenes, default 1200] [Hertz contacts, default 12000] [seed, default 1] [passes, default
-//                    300]
+//   fit_crest_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [gaps, default 6000] [seed,
+//   default
+//                    1] [passes, default 300]
 //
 // The weights are those with the least mean of (error² + 0.05²)^1/2, errors over an eightieth of the bend and 0.01 %
 // (about what the parabolas are off by in smooth contacts), on settled_contacts.h (the truth of its wheelsets is by the
 // weights in use, on cells that hardly need them). Prints how much of the error is left on samples of the next seed (a
-// quarter as many, and other gaps than those of wheelsets; of the new weights without crestPressure()'s limit), and the
+// quarter as many; of the new weights without crestPressure()'s limit), and the
 // weights as they stand in crest_excess_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
@@ -177,18 +178,19 @@ int main(int argc, char** argv)
 {
   const auto argument = [&](int index, long otherwise)
   { return argc > index ? std::strtol(argv[index], nullptr, 10) : otherwise; };
-  const int wheelsets = static_cast<int>(argument(1, 1200)), hertz = static_cast<int>(argument(2, 12000));
-  const auto seed = static_cast<unsigned long>(argument(3, 1));
-  const Samples samples = collect({wheelsets, hertz, 0}, seed);
+  const int wheelsets = static_cast<int>(argument(1, 1000)), hertz = static_cast<int>(argument(2, 12000)),
+            gaps = static_cast<int>(argument(3, 6000));
+  const auto seed = static_cast<unsigned long>(argument(4, 1));
+  const Samples samples = collect({wheelsets, hertz, gaps}, seed);
   std::mt19937_64 random(seed);
   Fit fit(random, unitsOf(samples));
-  fits::inBatches(samples.crests.size(), static_cast<int>(argument(4, 300)), random,
+  fits::inBatches(samples.crests.size(), static_cast<int>(argument(5, 300)), random,
                   [&](const std::vector<std::size_t>& batch, double rate)
                   { return fit.step(Batch(samples, batch, fit.units()), rate); });
   printErrors("these samples", samples, fit);
   printErrors("wheelsets of the next seed", collect({wheelsets / 4, 0, 0}, seed + 1), fit);
   printErrors("Hertz contacts of the next seed", collect({0, hertz / 4, 0}, seed + 1), fit);
-  printErrors("gaps of the next seed", collect({0, 0, wheelsets}, seed + 1), fit);
+  printErrors("gaps of the next seed", collect({0, 0, gaps / 4}, seed + 1), fit);
   fit.print();
   return 0;
 }

