@@ -61,6 +61,11 @@ CrestInputs::CrestInputs(const CellsAround& crest, const GapSteps& steps, double
 {
 }
 
+bool showsExcess(const CellsAround& crest, const GapSteps& steps)
+{
+  return crest.isInside() && !areWaves(steps) && !crest.isCutAlong();
+}
+
 double CrestExcess::of(const CrestInputs& inputs) const
 {
   const float from_tips = tip(inputs.tips[0]) + tip(inputs.tips[1]);

@@ -32,6 +32,10 @@ struct CrestInputs
   CrestInputs(const CellsAround& crest, const GapSteps& steps, double longer);
 };
 
+/// Something is known of the excess: the crest has loaded cells beside it, the gap's curvature does not go to and fro
+/// about it, and the grid's border does not cut the pressure along.
+bool showsExcess(const CellsAround& crest, const GapSteps& steps);
+
 /// What the top of the parabolas through the squared pressures of a crest and its neighbours is too large by.
 struct CrestExcess
 {

@@ -22,7 +22,7 @@ double crestPressure(const PatchGap& gap, double modulus, const CellsAround& cre
     return crest.top();
   }
   const GapSteps steps = gapSteps(crest, gap, modulus);
-  if (areWaves(steps) || crest.isCutAlong())
+  if (!showsExcess(crest, steps))
   {
     return crest.parabolas();
   }

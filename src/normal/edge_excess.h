@@ -34,10 +34,10 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer);
 struct EdgeExcess
 {
   static constexpr int ramps = 16;
-  using At = RampSum<edge_inputs, ramps>;
-  static constexpr int numbers = At::numbers + 2;  ///< all of the below
+  using Crossing = RampSum<edge_inputs, ramps>;
+  static constexpr int numbers = Crossing::numbers + 2;  ///< all of the below
 
-  At crossing;          ///< for every crossing [cells]
+  Crossing crossing;    ///< for every crossing [cells]
   float whole = 0;      ///< for every contact [cells]
   float few_cells = 0;  ///< the same, times the polygon's area [cells²]
 

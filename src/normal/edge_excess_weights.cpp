@@ -41,7 +41,7 @@ const EdgeExcess& edgeExcess()
   {
     const Eigen::Map<const Eigen::Array<double, EdgeExcess::numbers, 1>> numbers(fitted.data());
     EdgeExcess unpacked;
-    unpacked.crossing.all = numbers.head<EdgeExcess::At::numbers>().cast<float>();
+    unpacked.crossing.all = numbers.head<EdgeExcess::Crossing::numbers>().cast<float>();
     unpacked.whole = static_cast<float>(fitted[fitted.size() - 2]);
     unpacked.few_cells = static_cast<float>(fitted.back());
     return unpacked;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fits what the parabolas through a crest of the pressure are too large by (normal/crest_excess.h).
 //
-//   fit_crest_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [gaps, default 6000] [seed,
-//   default
-//                    1] [passes, default 300]
+//   fit_crest_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [gaps, default 6000]
+//                    [seed, default 1] [passes, default 300]
 //
 // The weights are those with the least mean of (error² + 0.05²)^1/2, errors over an eightieth of the bend and 0.01 %
 // (about what the parabolas are off by in smooth contacts), on settled_contacts.h (the truth of its wheelsets is by the
 // weights in use, on cells that hardly need them). Prints how much of the error is left on samples of the next seed (a
-// quarter as many; of the new weights without crestPressure()'s limit), and the
-// weights as they stand in crest_excess_weights.cpp. Takes about ten minutes; not part of the test run.
+// quarter as many; of the new weights without crestPressure()'s limit), and the weights as they stand in
+// crest_excess_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -43,7 +42,7 @@ void add(const fits::Contact& contact, Samples& samples)
   const CellsAround crest(patch.grid, patch.pressure, row, column);
   const double present = crestPressure(contact.gap, contact.modulus, crest);
   const GapSteps steps = gapSteps(crest, contact.gap, contact.modulus);
-  if (present < patch.max_pressure || !crest.isInside() || areWaves(steps) || crest.isCutAlong())
+  if (present < patch.max_pressure || !showsExcess(crest, steps))
   {
     return;
   }
