@@ -116,7 +116,7 @@ bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel,
   for (const Station& station : stations)
   {
     const bool in_columns = station.rail_u >= u_first && station.rail_u <= u_last;
-    if ((in_columns && !yawed) || station.depth < let_pass)
+    if (station.depth < let_pass)
     {
       continue;
     }

@@ -301,6 +301,23 @@ void WheelContact::learn()
   }
 }
 
+/// Where the bodies overlap in a patch's stretch at this separation [m]; without yaw, beside the grid's columns.
+void WheelContact::findStations(std::size_t patch, double separation)
+{
+  const OverlapZone& zone = patches_[patch].zone;
+  const std::vector<GapColumn>& columns = patches_[patch].columns;
+  stations_.clear();
+  if (problem_.patches[patch].grid.symmetric)
+  {
+    search_.addStationsBetween(zone.u_begin, columns.front().rail_u, separation, stations_);
+    search_.addStationsBetween(columns.back().rail_u, zone.u_end, separation, stations_);
+  }
+  else
+  {
+    search_.addStationsBetween(zone.u_begin, zone.u_end, separation, stations_);
+  }
+}
+
 bool WheelContact::missesPressure(const RigidTouch& touch)
 {
   bool missed = false;
@@ -309,8 +326,7 @@ bool WheelContact::missesPressure(const RigidTouch& touch)
     WheelPatch& patch = patches_[k];
     if (!patch.extent.empty())
     {
-      search_.stationsBetween(patch.zone.u_begin, patch.zone.u_end, touch.contact.separation + solution_.approach,
-                              stations_);
+      findStations(k, touch.contact.separation + solution_.approach);
       const SolvedPatch solved{problem_.patches[k].grid, solution_.patches[k].pressure, modulus_, solution_.approach};
       missed = growOverMissedPressure(solved, *wheel_, stations_, patch) || missed;
     }

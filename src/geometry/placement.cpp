@@ -116,38 +116,46 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
   sections_ = {wheelset.rolling_radius, wheelset.halfBase(), ax, 1 / forward_x_, y, z};
 }
 
-/// Locus of one point, or of several at once; there is none where the sine of t is not between -1 and 1.
-template <typename Number>
-PlacedWheel::Locus<Number> PlacedWheel::locusAt(const Number& y, const Number& z, const Number& slope) const
+namespace
 {
-  using std::sqrt;
-  // e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) forward_x - r' ax vanishes.
-  const WheelSections& s = sections_;
-  const Number radius = s.radius - z;
-  const Number sine = -slope * (s.axle_x * s.per_forward_x);
-  const Number cosine = sqrt(1 - sine * sine);
-  const Number along = s.half_base + y;
-  return {sine, s.axle_x * along + radius * sine * forward_x_,
-          s.y.origin + s.y.along * along + radius * (cosine * s.y.down + sine * s.y.forward),
-          s.z.origin + s.z.along * along + radius * (cosine * s.z.down + sine * s.z.forward)};
+/// A coordinate of the point at angle t from the lowest one of a circle, or of several [m].
+template <typename Number>
+Number coordinateOn(const WheelCoordinate& c, const Number& along, const Number& radius, const Number& sine,
+                    const Number& cosine)
+{
+  return c.origin + c.along * along + radius * (cosine * c.down + sine * c.forward);
 }
+}  // namespace
 
+// e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) forward_x - r' ax vanishes.
 bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
 {
-  const Locus<double> locus = locusAt(p.y, p.z, p.slope());
-  out = {locus.x, locus.y, locus.z};
-  return std::abs(locus.sine) < 1;
+  const WheelSections& s = sections_;
+  const double sine = -p.slope() * (s.axle_x * s.per_forward_x);
+  const double cosine = std::sqrt(1 - sine * sine);
+  const double radius = s.radius - p.z;
+  const double along = s.half_base + p.y;
+  out = {s.axle_x * along + radius * sine * forward_x_, coordinateOn(s.y, along, radius, sine, cosine),
+         coordinateOn(s.z, along, radius, sine, cosine)};
+  return std::abs(sine) < 1;
 }
 
 void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const
 {
-  using Group = Eigen::Array<double, WheelPoints::together, 1>;
-  for (std::size_t i = first; i < behind; i += WheelPoints::together)
+  constexpr std::size_t together = 4;  // as many as two registers of any processor hold: all of them stay in registers
+  static_assert(WheelPoints::together % together == 0, "points come in groups");
+  using Group = Eigen::Array<double, together, 1>;
+  const WheelSections s = sections_;
+  const double sine_of_slope = -s.axle_x * s.per_forward_x;
+  for (std::size_t i = first; i < behind; i += together)
   {
     const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
-    const Locus<Group> locus = locusAt<Group>(group(points.y), group(points.z), group(points.slope));
-    Group::Map(y + i) = (locus.sine.abs() < 1).select(locus.y, std::numeric_limits<double>::quiet_NaN());
-    Group::Map(z + i) = locus.z;
+    const Group sine = group(points.slope) * sine_of_slope;
+    const Group cosine = (1 - sine * sine).sqrt();  // not a number where there is no locus
+    const Group radius = s.radius - group(points.z);
+    const Group along = s.half_base + group(points.y);
+    Group::Map(y + i) = coordinateOn(s.y, along, radius, sine, cosine);
+    Group::Map(z + i) = coordinateOn(s.z, along, radius, sine, cosine);
   }
 }
 

@@ -19,7 +19,8 @@ struct SolvedPatch
 /// Looks at the stretch beyond a patch's grid: where the undeformed bodies overlap by more than its pressure pushes
 /// them apart there, pressure was missed (a second lobe, say). Widens the patch's extent over such places, and
 /// lengthens it where a yawed wheel comes nearest to the rail ahead of the grid or behind it.
-/// @param stations  where the undeformed bodies overlap in the stretch
+/// @param stations  where the undeformed bodies overlap in the stretch; those over the grid's columns count for a yawed
+///                  wheel only
 /// The pressure must not be zero everywhere. @return true if pressure was missed.
 bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const std::vector<Station>& stations,
                             WheelPatch& patch);

@@ -182,6 +182,7 @@ class WheelContact
   double slipError(std::size_t patch, double slip) const;
   double slip(const WheelPatch& patch) const;
   double yieldSlip(const WheelPatch& patch) const;
+  void findStations(std::size_t patch, double separation);
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
 

@@ -78,8 +78,8 @@ class ContactSearch
   /// greatest [rad].
   static constexpr double split_angle = 1.0;
 
-  /// The stations between two parameters of the rail's profile at which the separation is below `separation` [m].
-  void stationsBetween(double u_begin, double u_end, double separation, std::vector<Station>& stations) const;
+  /// Adds the stations between two parameters of the rail's profile at which the separation is below `separation` [m].
+  void addStationsBetween(double u_begin, double u_end, double separation, std::vector<Station>& stations) const;
 
  private:
   static constexpr double spacing = 2.5e-4;  ///< of stations, and of samples on the profiles [m]
@@ -96,6 +96,7 @@ class ContactSearch
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
+  std::pair<std::size_t, std::size_t> stationsOfRail(double u_begin, double u_end) const;
   InitialContact refined(std::size_t k) const;
   bool settles(std::size_t k, InitialContact& contact) const;
   bool isNear(const InitialContact& contact, std::size_t k) const;

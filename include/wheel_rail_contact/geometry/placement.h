@@ -168,14 +168,6 @@ class PlacedWheel
   const WheelsetPose& pose() const { return pose_; }
 
  private:
-  template <typename Number>
-  struct Locus
-  {
-    Number sine, x, y, z;
-  };
-  template <typename Number>
-  Locus<Number> locusAt(const Number& y, const Number& z, const Number& slope) const;
-
   const Profile* profile_;
   WheelsetPose pose_;
   WheelSections sections_;
