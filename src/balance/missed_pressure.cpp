@@ -115,11 +115,11 @@ bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel,
   bool missed = false;
   for (const Station& station : stations)
   {
-    const bool in_columns = station.rail_u >= u_first && station.rail_u <= u_last;
     if (station.depth < let_pass)
     {
       continue;
     }
+    const bool in_columns = station.rail_u >= u_first && station.rail_u <= u_last;
     const double y = axes.t(station.y, station.z);
     const double x = yawed ? nearestPlace(wheel, station, patch.plane) : 0;
     const bool beside = !in_columns && (y < near.y_begin || y > near.y_end);

@@ -309,8 +309,9 @@ void WheelContact::findStations(std::size_t patch, double separation)
   stations_.clear();
   if (problem_.patches[patch].grid.symmetric)
   {
-    search_.addStationsBetween(zone.u_begin, columns.front().rail_u, separation, stations_);
-    search_.addStationsBetween(columns.back().rail_u, zone.u_end, separation, stations_);
+    // A grid laid as remembered may lie all beside the stretch.
+    search_.addStationsBetween(zone.u_begin, std::min(columns.front().rail_u, zone.u_end), separation, stations_);
+    search_.addStationsBetween(std::max(columns.back().rail_u, zone.u_begin), zone.u_end, separation, stations_);
   }
   else
   {

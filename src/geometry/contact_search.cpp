@@ -305,13 +305,13 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
   keepApart(zones);
 }
 
-/// First and last of the stations that the rail's profile passes between two of its parameters, and perhaps one more on
-/// either side; the first behind the last if there is none.
+/// The first of the stations that the rail's profile passes between two of its parameters, and the one behind the last,
+/// or a few more. Where the rail overhangs, its furthest points need not be those at the parameters.
 std::pair<std::size_t, std::size_t> ContactSearch::stationsOfRail(double u_begin, double u_end) const
 {
   if (!(u_begin < u_end))
   {
-    return {1, 0};
+    return {0, 0};
   }
   const auto last_point = static_cast<double>(rail_line_.u.size() - 1);
   const double per_point = rail_line_.u.back() / last_point;
@@ -320,14 +320,14 @@ std::pair<std::size_t, std::size_t> ContactSearch::stationsOfRail(double u_begin
   const auto end = rail_line_.y.begin() + point(std::ceil(u_end / per_point)) + 1;
   const auto [least, most] = std::minmax_element(begin, end);
   const auto station = [this](double y) { return static_cast<std::size_t>((y - stations_.first) / stations_.spacing); };
-  return {station(*least), std::min(station(*most) + 1, stations_.count - 1)};
+  return {station(*least), std::min(station(*most) + 2, stations_.count)};
 }
 
 void ContactSearch::addStationsBetween(double u_begin, double u_end, double separation,
                                        std::vector<Station>& stations) const
 {
-  const auto [first, last] = stationsOfRail(u_begin, u_end);
-  for (std::size_t k = first; k <= last; ++k)
+  const auto [first, behind] = stationsOfRail(u_begin, u_end);
+  for (std::size_t k = first; k < behind; ++k)
   {
     const double depth = separation - separation_[k];
     const double u = rail_outline_.u(k);

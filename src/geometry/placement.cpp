@@ -118,44 +118,50 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
 
 namespace
 {
-/// A coordinate of the point at angle t from the lowest one of a circle, or of several [m].
+/// Where the normal of a wheel's surface has no x component on the circle through a profile point, or on several: at
+/// angle t from its lowest point. e = cos(t) down + sin(t) forward; normal = e - r' a; its x component
+/// sin(t) forward_x - r' ax vanishes. There is no such place unless the sine lies between -1 and 1.
 template <typename Number>
-Number coordinateOn(const WheelCoordinate& c, const Number& along, const Number& radius, const Number& sine,
-                    const Number& cosine)
+struct LocusOnCircle
 {
-  return c.origin + c.along * along + radius * (cosine * c.down + sine * c.forward);
-}
+  LocusOnCircle(const WheelSections& s, const Number& y, const Number& z, const Number& slope)
+      : along(s.half_base + y), radius(s.radius - z), sine(slope * (-s.axle_x * s.per_forward_x))
+  {
+    using std::sqrt;
+    cosine = sqrt(1 - sine * sine);
+  }
+
+  /// Its y or z [m].
+  Number at(const WheelCoordinate& c) const
+  {
+    return c.origin + c.along * along + radius * (cosine * c.down + sine * c.forward);
+  }
+
+  Number along, radius;  ///< of the circle: place on the axle and size [m]
+  Number sine, cosine;   ///< of t
+};
 }  // namespace
 
-// e = cos(t) down + sin(t) forward; normal = e - r' a; its x component sin(t) forward_x - r' ax vanishes.
 bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
 {
-  const WheelSections& s = sections_;
-  const double sine = -p.slope() * (s.axle_x * s.per_forward_x);
-  const double cosine = std::sqrt(1 - sine * sine);
-  const double radius = s.radius - p.z;
-  const double along = s.half_base + p.y;
-  out = {s.axle_x * along + radius * sine * forward_x_, coordinateOn(s.y, along, radius, sine, cosine),
-         coordinateOn(s.z, along, radius, sine, cosine)};
-  return std::abs(sine) < 1;
+  const LocusOnCircle<double> locus(sections_, p.y, p.z, p.slope());
+  out = {sections_.axle_x * locus.along + locus.radius * locus.sine * forward_x_, locus.at(sections_.y),
+         locus.at(sections_.z)};
+  return std::abs(locus.sine) < 1;
 }
 
 void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const
 {
-  constexpr std::size_t together = 4;  // as many as two registers of any processor hold: all of them stay in registers
-  static_assert(WheelPoints::together % together == 0, "points come in groups");
-  using Group = Eigen::Array<double, together, 1>;
-  const WheelSections s = sections_;
-  const double sine_of_slope = -s.axle_x * s.per_forward_x;
-  for (std::size_t i = first; i < behind; i += together)
+  constexpr std::size_t at_once = 4;  // with more, numbers would no longer all stay in registers
+  static_assert(WheelPoints::together % at_once == 0, "points come in groups");
+  using Group = Eigen::Array<double, at_once, 1>;
+  const WheelSections sections = sections_;  // to the compiler, what is written may change any number of this object
+  for (std::size_t i = first; i < behind; i += at_once)
   {
     const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
-    const Group sine = group(points.slope) * sine_of_slope;
-    const Group cosine = (1 - sine * sine).sqrt();  // not a number where there is no locus
-    const Group radius = s.radius - group(points.z);
-    const Group along = s.half_base + group(points.y);
-    Group::Map(y + i) = coordinateOn(s.y, along, radius, sine, cosine);
-    Group::Map(z + i) = coordinateOn(s.z, along, radius, sine, cosine);
+    const LocusOnCircle<Group> locus(sections, group(points.y), group(points.z), group(points.slope));
+    Group::Map(y + i) = (locus.sine.abs() < 1).select(locus.at(sections.y), std::numeric_limits<double>::quiet_NaN());
+    Group::Map(z + i) = locus.at(sections.z);
   }
 }
 

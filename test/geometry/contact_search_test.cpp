@@ -302,48 +302,6 @@ TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
   }
 }
 
-// Whatever the rail's profile is divided into, no station is lost or counted twice.
-TEST_F(ContactSearchTest, StationsOfTheRailsPartsAreThoseOfTheWhole)
-{
-  std::size_t most = 0;
-  for (int i = 0; i < 200; ++i)
-  {
-    const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.06);
-    look(scene);
-    InitialContact contact;
-    ASSERT_TRUE(search_.nearest(contact));
-    SCOPED_TRACE(scene.description);
-    const double separation = contact.separation + 2e-3 * std::abs(unit());
-    std::vector<Station> whole;
-    search_.addStationsBetween(-1, 1, separation, whole);
-    std::vector<double> ends{-1, 1};
-    for (int k = 0; k < 6; ++k)
-    {
-      ends.push_back(contact.rail_u + 0.01 * unit());
-    }
-    std::sort(ends.begin(), ends.end());
-    std::vector<Station> parts;
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-    {
-      const std::size_t before = parts.size();
-      search_.addStationsBetween(ends[k], ends[k + 1], separation, parts);
-      for (std::size_t n = before; n < parts.size(); ++n)
-      {
-        EXPECT_TRUE(parts[n].rail_u > ends[k] && parts[n].rail_u < ends[k + 1]);
-        EXPECT_GT(parts[n].depth, 0);
-      }
-    }
-    ASSERT_EQ(parts.size(), whole.size());
-    for (std::size_t n = 0; n < whole.size(); ++n)
-    {
-      EXPECT_EQ(parts[n].rail_u, whole[n].rail_u);
-      EXPECT_EQ(parts[n].depth, whole[n].depth);
-    }
-    most = std::max(most, whole.size());
-  }
-  EXPECT_GT(most, 50U);
-}
-
 TEST_F(ContactSearchTest, NothingOverlapsAboveTheFirstTouch)
 {
   look({config_, Side::left, {0, 0.46, 0, 0}, {}});

@@ -78,7 +78,8 @@ class ContactSearch
   /// greatest [rad].
   static constexpr double split_angle = 1.0;
 
-  /// Adds the stations between two parameters of the rail's profile at which the separation is below `separation` [m].
+  /// Adds the stations between two parameters of the rail's profile (neither of them included) at which the separation
+  /// is below `separation` [m], from the gauge side on.
   void addStationsBetween(double u_begin, double u_end, double separation, std::vector<Station>& stations) const;
 
  private:
