@@ -119,6 +119,7 @@ void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
   mirrored_ = mirrored;
   framed_.assign(static_cast<std::size_t>(stride_ * (columns_ + 2 * kFrame)), 0.0);
   crossings_.reserve(2 * framed_.size());
+  inputs_.reserve(2 * framed_.size());
   for (Eigen::Index j = 0; j < columns_; ++j)
   {
     double* column = framed_.data() + kFrame + (j + kFrame) * stride_;
@@ -134,6 +135,7 @@ double EdgePolygon::cells(double aspect)
 {
   const EdgeExcess& known = edgeExcess();
   const double polygon = chords(), images = mirrored_ ? 2 : 1;
+  inputs_.clear();
   if (crossings_.empty())
   {
     return 0;
@@ -142,9 +144,16 @@ double EdgePolygon::cells(double aspect)
   double excess = known.of(images * polygon) / images;
   for (const EdgeCrossing& crossing : crossings_)
   {
-    excess += static_cast<double>(known.crossing(edgeInputs(crossing, longer)));
+    inputs_.push_back(edgeInputs(crossing, longer));
+    excess += static_cast<double>(known.crossing(inputs_.back()));
   }
   return std::max(polygon - excess, kLeastShare * polygon);
+}
+
+EdgePolygon::Cell EdgePolygon::loadedCell(const EdgeCrossing& crossing) const
+{
+  const std::ptrdiff_t from_corner = crossing.loaded - framed_.data();
+  return {from_corner % stride_ - kFrame, from_corner / stride_ - kFrame};
 }
 
 EdgeCrossing EdgePolygon::crossingAfter(const double* p, std::ptrdiff_t step) const

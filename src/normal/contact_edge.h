@@ -35,6 +35,17 @@ class EdgePolygon
   /// those of the stored half.
   const std::vector<EdgeCrossing>& crossings() const { return crossings_; }
 
+  /// What shows at each of them; found by the last cells().
+  const std::vector<EdgeInputs>& inputs() const { return inputs_; }
+
+  /// A cell of the framed pressure.
+  struct Cell
+  {
+    Eigen::Index row, column;
+  };
+  /// Where one of those crossings has its loaded cell.
+  Cell loadedCell(const EdgeCrossing& crossing) const;
+
  private:
   /// Framed pressure around a cell; the next row is one further, the next column stride_.
   const double* at(Eigen::Index row, Eigen::Index column) const
@@ -51,5 +62,6 @@ class EdgePolygon
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;
   std::vector<EdgeCrossing> crossings_;
+  std::vector<EdgeInputs> inputs_;
 };
 }  // namespace wheel_rail_contact

@@ -87,15 +87,48 @@ inline scenes::GapScene quarticScene(scenes::Random& random)
           1e3 * scenes::spread(random, 5, 150)};
 }
 
-/// Smooth gaps whose curvature varies, on one of the grids against cells four times finer each way: half of them bowls
-/// (gap_scenes.h), half quartics.
+/// A smooth gap whose curvature varies: half of them bowls (gap_scenes.h), half quartics.
+inline scenes::GapScene smoothScene(scenes::Random& random)
+{
+  return scenes::oneIn(random, 2) ? scenes::randomBowlScene(random) : quarticScene(random);
+}
+
+/// A paraboloid whose curvature across jumps about the edge of the contact: by up to three times itself, or to concave.
+inline scenes::GapScene edgeJointScene(scenes::Random& random)
+{
+  const double load = 1e3 * scenes::spread(random, 5, 150);
+  const double along = 0.5 / scenes::spread(random, 0.1, 1), across = along * std::exp(scenes::uniform(random, -3, 3));
+  const double edge = hertzForForce({along, across}, 1.14e11, load).semi_axis_y;
+  const double joint = scenes::uniform(random, 0.4, 1.4) * edge, jump = scenes::uniform(random, -1.3, 3) * across;
+  const scenes::Gap gap = [=](double x, double y)
+  {
+    const double beyond = std::max(y - joint, 0.0);
+    return along * x * x + across * y * y + jump * beyond * beyond;
+  };
+  const bool even = !scenes::oneIn(random, 3);
+  return {"joint", even, {even ? gap : scenes::yawed(random, gap)}, load};
+}
+
+/// A gap with jumps of its curvature: half of them arcs of a rail's head (gap_scenes.h), half with one about the edge.
+inline scenes::GapScene jointScene(scenes::Random& random)
+{
+  if (scenes::oneIn(random, 2))
+  {
+    return edgeJointScene(random);
+  }
+  const scenes::Gap gap = scenes::jointGap(random);
+  const double load = 1e3 * scenes::spread(random, 5, 150);
+  const bool even = !scenes::oneIn(random, 3);
+  return {"arcs", even, {even ? gap : scenes::yawed(random, gap)}, load};
+}
+
+/// Gaps on one of the grids, against cells four times finer each way.
 class GapContacts
 {
  public:
   template <typename Visit>
-  void visit(scenes::Random& random, Visit visit)
+  void visit(const scenes::GapScene& scene, scenes::Random& random, Visit visit)
   {
-    const scenes::GapScene scene = scenes::oneIn(random, 2) ? scenes::randomBowlScene(random) : quarticScene(random);
     const GridSize size = grids[random() % grids.size()];
     if (sampler_.solve(scenes::Method::grid, solver_, scene, size, random) && sampler_.found().patches[0].force > 0 &&
         !sampler_.found().patches[0].touches_border)
@@ -153,7 +186,7 @@ class WheelsetContacts
 /// How many of each kind; of the wheelsets scenes.
 struct Counts
 {
-  int wheelsets = 0, hertz = 0, gaps = 0;
+  int wheelsets = 0, hertz = 0, gaps = 0, joints = 0;
 };
 
 template <typename Visit>
@@ -166,11 +199,11 @@ void visitContacts(const Counts& counts, unsigned long seed, Visit visit)
     hertz.visit(seeds, visit);
   }
   GapContacts gaps;
-  for (int i = 0; i < counts.gaps; ++i)
+  for (int i = 0; i < counts.gaps + counts.joints; ++i)
   {
     scenes::Random random(seeds());
-    gaps.visit(random, visit);
-    std::fprintf(stderr, "\rseed %lu: %d of %d gaps", seed, i + 1, counts.gaps);
+    gaps.visit(i < counts.gaps ? smoothScene(random) : jointScene(random), random, visit);
+    std::fprintf(stderr, "\rseed %lu: %d of %d gaps", seed, i + 1, counts.gaps + counts.joints);
   }
   WheelsetContacts wheelsets;
   for (int i = 0; i < counts.wheelsets; ++i)

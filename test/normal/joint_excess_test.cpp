@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/normal/joint_excess.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "error_samples.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double modulus = 1.14e11;  // steel on steel [Pa]
+
+/// A bowl along and across, whose curvature across jumps by `jump` times itself at y = `joint`.
+scenes::Gap jointed(double joint, double jump)
+{
+  return [=](double x, double y)
+  {
+    const double beyond = std::max(y - joint, 0.0);
+    return x * x + 4 * (y * y + jump * beyond * beyond);
+  };
+}
+
+/// A patch on cells that hold the pressure of 20 kN on every gap of these tests.
+NormalProblem problemOf(const scenes::Gap& gap, const GridSize& size, bool symmetric = false)
+{
+  NormalProblem problem;
+  problem.modulus = modulus;
+  problem.value = 2e4;
+  problem.patches.resize(1);
+  const double length = 13e-3, width = 7e-3, dx = length / size.along, dy = width / size.across;
+  problem.patches[0].grid = {size.along, size.across, dx, dy, -0.5 * (size.across - 1) * dy, symmetric};
+  scenes::sample(gap, problem.patches[0]);
+  return problem;
+}
+
+PatchPressure solve(const NormalProblem& problem)
+{
+  ConjugateGradients solver(scenes::strictOptions());
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::converged);
+  EXPECT_FALSE(solution.patches[0].touches_border);
+  return solution.patches[0];
+}
+
+JointSums sumsOf(const NormalProblem& problem, const PatchPressure& patch)
+{
+  EdgePolygon polygon;
+  polygon.frame(patch.pressure, patch.grid.symmetric);
+  EXPECT_GT(polygon.cells(patch.grid.dx / patch.grid.dy), 0);
+  return sumAtJoints({polygon, problem.patches[0], problem.modulus, patch.max_pressure});
+}
+
+TEST(JointExcess, smoothGapsHaveNone)
+{
+  const NormalProblem problem = problemOf(jointed(0, 0), {16, 32});
+  const PatchPressure patch = solve(problem);
+  EXPECT_EQ(sumsOf(problem, patch).sizes, 0);
+  EXPECT_EQ(patch.moved_at_joints, 0);
+}
+
+TEST(JointExcess, isTheSameFromWhereverOneLooks)
+{
+  const NormalProblem problem = problemOf(jointed(1.6e-3, -1.1), {16, 32});
+  const PatchPressure patch = solve(problem);
+  const JointSums sums = sumsOf(problem, patch);
+  EXPECT_GT(sums.sizes, 0.1);
+  constexpr double tolerance = 1e-4;  // sums of single precision, in cells
+  const auto look = [&](auto turn)
+  {
+    NormalProblem turned = problem;
+    PatchPressure seen = patch;
+    turned.patches[0].gap = turn(problem.patches[0].gap);
+    seen.pressure = turn(patch.pressure);
+    const JointSums there = sumsOf(turned, seen);
+    EXPECT_NEAR(there.excess, sums.excess, tolerance);
+    EXPECT_NEAR(there.sizes, sums.sizes, tolerance);
+  };
+  look([](const Eigen::ArrayXXd& a) -> Eigen::ArrayXXd { return a.colwise().reverse(); });
+  look([](const Eigen::ArrayXXd& a) -> Eigen::ArrayXXd { return a.rowwise().reverse(); });
+
+  const NormalProblem half = problemOf(jointed(1.6e-3, -1.1), {16, 32}, true);
+  const PatchPressure stored = solve(half);
+  EXPECT_NEAR(2 * sumsOf(half, stored).excess, sums.excess, 1e-3);
+  EXPECT_NEAR(stored.moved_at_joints / patch.moved_at_joints, 1, 1e-3);
+}
+
+// Joints from well inside to beyond the edge, jumps to more curvature and to less.
+TEST(JointExcess, areaIsNearerToThatOnFineCells)
+{
+  double with = 0, without = 0;
+  int count = 0;
+  for (const double jump : {-0.9, -0.5, 1.0, 3.0})
+  {
+    for (double joint = 0.8e-3; joint < 2.5e-3; joint += 0.15e-3, ++count)
+    {
+      const scenes::Gap gap = jointed(joint, jump);
+      const NormalProblem problem = problemOf(gap, {12, 24});
+      const PatchPressure coarse = solve(problem), fine = solve(problemOf(gap, {96, 192}));
+      const double error = (coarse.area - fine.area) / coarse.grid.cellArea();
+      with += std::abs(error);
+      without += std::abs(error + sumsOf(problem, coarse).excess);
+    }
+  }
+  std::cout << count << " joints: areas " << with / count << " cells off in the mean, " << without / count
+            << " without what is known of joints\n";
+  EXPECT_LT(with, 0.6 * without);
+}
+}  // namespace
+}  // namespace wheel_rail_contact
