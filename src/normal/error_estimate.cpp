@@ -25,6 +25,9 @@ constexpr double long_cells = 0.5;
 /// Sum of 1 / (cells loaded) over the columns of an oval, times (cells along) / (cells across): pi / 2 for an ellipse.
 constexpr double oval = 1.6;
 
+/// What joints move the edge by in all, below which areas are not the less sure [cells].
+constexpr double usual_move = 0.2;
+
 /// Columns loaded on at most `narrow_cells` cells are narrower than the cells tell. The tips of an oval have a few;
 /// more of them are a tail, of which each may be off by `tail_cells` cells. Taken from tails of scenes at hand:
 /// normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
@@ -288,8 +291,8 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   terms.tail = std::max(tail_cells * std::max(loaded.narrow_columns - narrow_tips, 0), handful * per_cell) * per_cell;
   const double aspect = 1 + long_cells * std::abs(std::log(grid.dx / grid.dy));
   const double beyond_oval = std::max(loaded.thin_columns * loaded.along / loaded.across - oval, 0.0);
-  terms.area = {aspect * per_cell, beyond_oval * per_cell, pressure.moved_at_joints / pressure.area, variation,
-                residual};
+  const double moved = std::max(pressure.moved_at_joints / pressure.area - usual_move * per_cell, 0.0);
+  terms.area = {aspect * per_cell, beyond_oval * per_cell, moved, variation, residual};
   terms.approach = {1 / (loaded.along * loaded.along), residual};
   const double unseen = (loaded.along >= grid.nx ? unseen_edge : 1) * (loaded.across >= grid.ny ? unseen_edge : 1);
   std::transform(terms.area.begin(), terms.area.end(), terms.area.begin(),

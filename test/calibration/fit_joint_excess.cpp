@@ -121,7 +121,7 @@ class Fit
   Eigen::ArrayXf step(const Samples& samples, const std::vector<std::size_t>& contacts, double rate)
   {
     const Crossings along(samples.along, contacts), across(samples.across, contacts);
-    const Eigen::ArrayXf errors = leftOf(samples, contacts, along, across);
+    Eigen::ArrayXf errors = leftOf(samples, contacts, along, across);
     Eigen::ArrayXf pull = fits::pullOf(errors, blunt);
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {

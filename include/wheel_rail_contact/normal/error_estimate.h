@@ -50,10 +50,10 @@ struct ErrorTerms
   double overtopping = 0;
   /// Of area: 1 + 0.5 |logarithm of the cells' aspect|, per cell of the area · by how much the sum of 1 / (cells
   /// loaded) over the columns, times (cells along) / (cells across), is above an oval's, per cell of the area · by how
-  /// much jumps of k at the edge have moved it, over the area · variation of k over its mean and (cells across)² ·
-  /// residual. All of them a third larger where the pressure fills its grid
-  /// along, which then does not show where it ends, and again where it fills it across: without the latter 5 % of the
-  /// answers of `auto` at a tolerance of 10 % were off by more than their estimate, with it 1 %.
+  /// much jumps of k at the edge have moved it beyond a fifth of a cell, over the area · variation of k over its mean
+  /// and (cells across)² · residual. All of them a third larger where the pressure fills its grid along, which then
+  /// does not show where it ends, and again where it fills it across: without the latter 5 % of the answers of `auto`
+  /// at a tolerance of 10 % were off by more than their estimate, with it 1 %.
   std::array<double, 5> area{};
   /// Of area, without a weight, the least that it may be off: by a tail of the pressure that is narrower than the cells
   /// tell, one and a half cells for each of its columns but the few of an oval; or for want of cells, 6 / cells².
