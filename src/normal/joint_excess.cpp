@@ -52,7 +52,7 @@ struct SecondDifference
 };
 }  // namespace
 
-JointColumns::JointColumns(const EdgeOf& edge) : first(edge.gap.gap.cols()), last(-1)
+JointColumns::JointColumns(const EdgeOf& edge) : first(edge.gap.gap.cols())
 {
   // Under yaw another row's joints are a little aside, and its steps may be larger.
   constexpr Index aside = 1;

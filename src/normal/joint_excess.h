@@ -30,7 +30,7 @@ struct EdgeOf
 /// Columns about which the gap's curvature may jump, by its middle row; none if `first` is above `last`.
 struct JointColumns
 {
-  Eigen::Index first, last;
+  Eigen::Index first, last = -1;
 
   explicit JointColumns(const EdgeOf& edge);
 };
