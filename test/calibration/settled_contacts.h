@@ -93,6 +93,13 @@ inline scenes::GapScene smoothScene(scenes::Random& random)
   return scenes::oneIn(random, 2) ? scenes::randomBowlScene(random) : quarticScene(random);
 }
 
+/// One in three yawed.
+inline scenes::GapScene evenOrYawed(scenes::Random& random, const char* kind, const scenes::Gap& gap, double load)
+{
+  const bool even = !scenes::oneIn(random, 3);
+  return {kind, even, {even ? gap : scenes::yawed(random, gap)}, load};
+}
+
 /// A paraboloid whose curvature across jumps about the edge of the contact: by up to three times itself, or to concave.
 inline scenes::GapScene edgeJointScene(scenes::Random& random)
 {
@@ -105,8 +112,7 @@ inline scenes::GapScene edgeJointScene(scenes::Random& random)
     const double beyond = std::max(y - joint, 0.0);
     return along * x * x + across * y * y + jump * beyond * beyond;
   };
-  const bool even = !scenes::oneIn(random, 3);
-  return {"joint", even, {even ? gap : scenes::yawed(random, gap)}, load};
+  return evenOrYawed(random, "joint", gap, load);
 }
 
 /// A gap with jumps of its curvature: half of them arcs of a rail's head (gap_scenes.h), half with one about the edge.
@@ -118,8 +124,7 @@ inline scenes::GapScene jointScene(scenes::Random& random)
   }
   const scenes::Gap gap = scenes::jointGap(random);
   const double load = 1e3 * scenes::spread(random, 5, 150);
-  const bool even = !scenes::oneIn(random, 3);
-  return {"arcs", even, {even ? gap : scenes::yawed(random, gap)}, load};
+  return evenOrYawed(random, "arcs", gap, load);
 }
 
 /// Gaps on one of the grids, against cells four times finer each way.
