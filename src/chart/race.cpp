@@ -160,6 +160,7 @@ class Runner
     }
     else
     {
+      series.answers.push_back({errors.largest(), series.outcome.estimate});
       series.estimate = errors.largest() >= series.errors.largest() ? series.outcome.estimate : series.estimate;
       series.errors = larger(series.errors, errors);
     }

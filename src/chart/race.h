@@ -30,12 +30,20 @@ struct Series
     other_patches,  ///< an answer has not the patches of the truth: no error can be given
     not_run         ///< expected to take too long
   };
+  /// What is off of one answer that was looked at.
+  struct Answer
+  {
+    double error;     ///< largest of its Errors [-]
+    double estimate;  ///< its own [-]
+  };
+
   Status status = Status::answered;
-  std::string reason;         ///< empty if answered
-  std::vector<double> times;  ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
-  Errors errors;              ///< largest seen, at any of the places that were timed
-  double estimate = 0;        ///< the answer's own, where its error was largest [-]
-  Outcome outcome;            ///< last seen
+  std::string reason;           ///< empty if answered
+  std::vector<double> times;    ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
+  std::vector<Answer> answers;  ///< at all of the places that were timed
+  Errors errors;                ///< largest seen of them
+  double estimate = 0;          ///< the answer's own, where its error was largest [-]
+  Outcome outcome;              ///< last seen
 };
 
 const char* toString(Series::Status status);

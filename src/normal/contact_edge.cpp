@@ -2,6 +2,7 @@
 #include "contact_edge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wheel_rail_contact
@@ -77,6 +78,10 @@ double loadedShare(unsigned corners, const Sides& s)
   }
 }
 
+/// Quarter turns of the edge in a square with these corners loaded: of an island four in all, of a hole in one -4 (Gray
+/// 1971, for cells that are neighbours by their sides).
+constexpr std::array<int, 16> quarter_turns{0, 1, 1, 0, 1, 0, 2, -1, 1, 2, 0, -1, 0, -1, -1, 0};
+
 /// Where the edge of the contact lies, in cells outward from the centre of the outermost loaded cell of a line.
 ///
 /// p1 > 0 is that cell's pressure, p2 and p3 those of the next two inward (zero if not loaded).
@@ -141,7 +146,7 @@ double EdgePolygon::cells(double aspect)
     return 0;
   }
   const double longer = std::log(aspect);
-  double excess = known.of(images * polygon) / images;
+  double excess = known.of(images * polygon, islands_) / images;
   for (const EdgeCrossing& crossing : crossings_)
   {
     inputs_.push_back(edgeInputs(crossing, longer));
@@ -173,6 +178,7 @@ double EdgePolygon::chords()
   crossings_.clear();
   along_.resize(static_cast<std::size_t>(stride_));
   double whole = 0, middle = 0;
+  int turns = 0, middle_turns = 0;
   for (Eigen::Index j = -1; j < columns_; ++j)
   {
     const double *p = at(-1, j), *q = p + stride_;
@@ -196,8 +202,11 @@ double EdgePolygon::chords()
       const double share = loadedShare(corners, sides);
       whole += share;
       middle += i == 0 ? share : 0;
+      turns += quarter_turns[corners];
+      middle_turns += i == 0 ? quarter_turns[corners] : 0;
     }
   }
+  islands_ = (mirrored_ ? 2 * turns - middle_turns : turns) / 4;
   return mirrored_ ? whole - 0.5 * middle : whole;
 }
 }  // namespace wheel_rail_contact

@@ -15,7 +15,7 @@ namespace wheel_rail_contact
 /// Chords between the crossings cut a closed curve short by half a cell and more, all the more the farther its tips
 /// reach out beyond the outermost loaded row or column; where the edge runs askew to a line or bends, its crossing is
 /// found too far out or in, by the cells' shape and by where between the centres it lies. All of that shows in the
-/// pressures about a crossing. A pressure on several islands counts as one.
+/// pressures about a crossing.
 class EdgePolygon
 {
   static constexpr int kFrame = 3;  ///< cells around the pressure that may be read
@@ -37,6 +37,10 @@ class EdgePolygon
 
   /// What shows at each of them; found by the last cells().
   const std::vector<EdgeInputs>& inputs() const { return inputs_; }
+
+  /// Islands of the whole contact, less the holes in them; found by the last chords() or cells(). What touches only by
+  /// its corners is apart.
+  int islands() const { return islands_; }
 
   /// A cell of the framed pressure.
   struct Cell
@@ -61,6 +65,7 @@ class EdgePolygon
   Eigen::Index rows_ = 0, columns_ = 0;
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;
+  int islands_ = 0;
   std::vector<EdgeCrossing> crossings_;
   std::vector<EdgeInputs> inputs_;
 };

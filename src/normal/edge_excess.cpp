@@ -57,8 +57,9 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer)
   return inputs;
 }
 
-double EdgeExcess::of(double polygon) const
+double EdgeExcess::of(double polygon, int islands) const
 {
-  return static_cast<double>(whole) + static_cast<double>(few_cells) / std::max(polygon, 1.0);
+  const double each = polygon / std::max(islands, 1);
+  return islands * (static_cast<double>(whole) + static_cast<double>(few_cells) / std::max(each, 1.0));
 }
 }  // namespace wheel_rail_contact

@@ -30,7 +30,7 @@ using EdgeInputs = Eigen::Array<float, edge_inputs, 1>;
 EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer);
 
 /// What a polygon through the edge's crossings (EdgePolygon) is too large by: at each crossing by what shows there, and
-/// for the contact as a whole.
+/// for each island of the contact.
 struct EdgeExcess
 {
   static constexpr int ramps = 16;
@@ -38,11 +38,11 @@ struct EdgeExcess
   static constexpr int numbers = Crossing::numbers + 2;  ///< all of the below
 
   Crossing crossing;    ///< for every crossing [cells]
-  float whole = 0;      ///< for every contact [cells]
+  float whole = 0;      ///< for every island [cells]
   float few_cells = 0;  ///< the same, times the polygon's area [cells²]
 
-  /// For a contact of `polygon` cells, besides its crossings [cells].
-  double of(double polygon) const;
+  /// For a contact of `polygon` cells on so many islands, taken as alike, besides its crossings [cells].
+  double of(double polygon, int islands) const;
 };
 
 /// The weights in use. Fitted by test/calibration/fit_edge_excess.cpp.

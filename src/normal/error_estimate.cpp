@@ -141,7 +141,7 @@ std::array<double, 5> crestTerms(const PatchGap& gap, double modulus, const Cell
 {
   const double bend = crest.bend(), jump = std::min(modulus * jumps / (gap.grid.dy * crest.top()), largest_jump);
   const bool unclear = !crest.isInside() || areWaves(gapSteps(crest, gap, modulus));
-  return {bend, bend * bend, std::pow(jump, 4), unclear ? bend : 0, residual};
+  return {bend, bend * bend / (1 + bend), std::pow(jump, 4), unclear ? bend : 0, residual};
 }
 
 /// By how much a lower crest may overtop the highest one by its own error, over the maximum [-].

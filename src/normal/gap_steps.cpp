@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "second_difference.h"
+
 namespace wheel_rail_contact
 {
 namespace
 {
 using Eigen::Index;
-
-/// Second differences of more, as pressures over the crest's, are the end of a body; those of joints are below 3.
-constexpr double no_surface = 5;
-/// Jumps of less (as GapSteps) are smooth.
-constexpr double least_jump = 0.01;
 
 /// A jump of the gap's curvature.
 struct Jump
@@ -54,7 +51,7 @@ Jumps findJumps(GapSteps steps)
   {
     const auto greatest = static_cast<std::size_t>(std::max_element(steps.begin(), steps.end(), less) - steps.begin());
     const double step = steps[greatest];
-    if (!(std::abs(step) > least_jump))
+    if (!(std::abs(step) > smooth_step))
     {
       return found;
     }
@@ -85,22 +82,18 @@ bool areWave(const Jump& one, const Jump& other)
 
 GapSteps gapSteps(const CellsAround& crest, const PatchGap& gap, double modulus)
 {
-  const auto row = gap.gap.row(crest.row());
-  const double as_pressure = modulus / (gap.grid.dy * crest.top());
+  const SecondDifference second(gap, modulus, crest.top());
   GapSteps steps{};
   double before = NAN;
   for (Index offset = -steps_reach; offset <= steps_reach; ++offset)
   {
-    const Index j = crest.column() + offset;
-    const bool loaded = j > 0 && j + 1 < row.size() && crest.p(0, offset) > 0;
-    const double here = loaded ? as_pressure * (row[j + 1] - 2 * row[j] + row[j - 1]) : NAN;
-    const double second = std::abs(here) < no_surface ? here : NAN;
-    const double step = second - before;
+    const double here = crest.p(0, offset) > 0 ? second.at(crest.row(), crest.column() + offset) : NAN;
+    const double step = here - before;
     if (offset > -steps_reach && !std::isnan(step))
     {
       steps[static_cast<std::size_t>(offset - 1 + steps_reach)] = step;
     }
-    before = second;
+    before = here;
   }
   return steps;
 }

@@ -9,9 +9,8 @@ namespace wheel_rail_contact
 {
 constexpr int steps_reach = 6;  ///< columns looked at to either side of a crest
 
-/// Steps of the gap's second differences across, between the columns about a crest in its row (the first between those
-/// -steps_reach and 1 - steps_reach columns from it), times E* / dy over the crest's pressure: where the curvature
-/// jumps, the pressure's slope per cell grows by that times a logarithm. Zero where a cell carries nothing or the body
+/// Steps of the gap's SecondDifference over the crest's pressure, between the columns about a crest in its row (the
+/// first between those -steps_reach and 1 - steps_reach columns from it). Zero where a cell carries nothing or the body
 /// ends.
 using GapSteps = std::array<double, static_cast<std::size_t>(2 * steps_reach)>;
 

@@ -241,6 +241,7 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
     patch.force = contact.force;
     patch.max_pressure = contact.max_pressure;
     patch.area = contact.area;
+    patch.moved_at_joints = 0;
     layPressure(minimum, contact, patch);
     touches = touches || own > 0;
   }

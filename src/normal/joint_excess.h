@@ -11,10 +11,10 @@
 
 namespace wheel_rail_contact
 {
-/// Steps of the gap's second differences across, in the row of an edge's crossing: between the columns three and two
-/// inward from its loaded cell, and so on to that between it and the next one outward; times E* / dy over the
-/// pressure that EdgeInputs are over, at most 3. Outward is away from the pressure; on a line along x, to the side
-/// where the next line carries less. Zero where a body ends.
+/// Steps of the gap's SecondDifference over the pressure that EdgeInputs are over, in the row of an edge's crossing:
+/// between the columns three and two inward from its loaded cell, and so on to that between it and the next one
+/// outward, at most 3. Outward is away from the pressure; on a line along x, to the side where the next line carries
+/// less. Zero where a body ends.
 constexpr int edge_steps = 4;
 using EdgeSteps = Eigen::Array<float, edge_steps, 1>;
 
@@ -35,7 +35,7 @@ struct JointColumns
   explicit JointColumns(const EdgeOf& edge);
 };
 
-/// Steps at a crossing where `inputs` show; false if all of them are smooth.
+/// Steps at a crossing where `inputs` show; false if all of them are smooth, and where neither side is outward.
 bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeInputs& inputs, EdgeSteps& steps);
 
 /// Calls `visit(crossing, inputs, steps)` for the crossings at which the gap's curvature jumps.

@@ -11,7 +11,6 @@
 // crest_excess_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -50,13 +49,6 @@ void add(const fits::Contact& contact, Samples& samples)
   samples.excess.push_back(static_cast<float>(crest.parabolas() / contact.true_pressure - 1));
   samples.off.push_back(static_cast<float>(present / contact.true_pressure - 1));
   samples.expected.push_back(static_cast<float>(crest.bend() / 80 + 1e-4));
-}
-
-Samples collect(const fits::Counts& counts, unsigned long seed)
-{
-  Samples samples;
-  fits::visitContacts(counts, seed, [&](const fits::Contact& contact) { add(contact, samples); });
-  return samples;
 }
 
 /// Several crests side by side, everything over what is expected. The first half of the columns are the first tips and
@@ -161,8 +153,7 @@ CrestInputs::Side unitsOf(const Samples& samples)
 
 void printErrors(const char* name, const Samples& samples, Fit& fit)
 {
-  std::vector<std::size_t> all(samples.crests.size());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<std::size_t> all = fits::upTo(samples.crests.size());
   const Batch batch(samples, all, fit.units());
   const auto count = batch.excess.size();
   std::printf("%s: %td crests; errors over an eightieth of the bend and 0.01 %%\n", name, count);
@@ -180,16 +171,16 @@ int main(int argc, char** argv)
   const int wheelsets = static_cast<int>(argument(1, 1000)), hertz = static_cast<int>(argument(2, 12000)),
             gaps = static_cast<int>(argument(3, 6000));
   const auto seed = static_cast<unsigned long>(argument(4, 1));
-  const Samples samples = collect({wheelsets, hertz, gaps}, seed);
+  const Samples samples = fits::collect<Samples>({wheelsets, hertz, gaps}, seed);
   std::mt19937_64 random(seed);
   Fit fit(random, unitsOf(samples));
   fits::inBatches(samples.crests.size(), static_cast<int>(argument(5, 300)), random,
                   [&](const std::vector<std::size_t>& batch, double rate)
                   { return fit.step(Batch(samples, batch, fit.units()), rate); });
   printErrors("these samples", samples, fit);
-  printErrors("wheelsets of the next seed", collect({wheelsets / 4, 0, 0}, seed + 1), fit);
-  printErrors("Hertz contacts of the next seed", collect({0, hertz / 4, 0}, seed + 1), fit);
-  printErrors("gaps of the next seed", collect({0, 0, gaps / 4}, seed + 1), fit);
+  printErrors("wheelsets of the next seed", fits::collect<Samples>({wheelsets / 4, 0, 0}, seed + 1), fit);
+  printErrors("Hertz contacts of the next seed", fits::collect<Samples>({0, hertz / 4, 0}, seed + 1), fit);
+  printErrors("gaps of the next seed", fits::collect<Samples>({0, 0, gaps / 4}, seed + 1), fit);
   fit.print();
   return 0;
 }

@@ -9,7 +9,6 @@
 // edge_excess_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -29,8 +28,9 @@ struct Samples
   std::vector<std::size_t> ends;      ///< of each contact's crossings
   std::vector<float> images;          ///< of each contact's crossings: 2 if half of it is stored
   std::vector<float> polygon;         ///< of the whole [cells]
-  std::vector<float> excess;          ///< of the polygon [cells]
-  std::vector<float> off;             ///< the area that the present weights give less the true one [cells]
+  std::vector<float> islands;
+  std::vector<float> excess;  ///< of the polygon [cells]
+  std::vector<float> off;     ///< the area that the present weights give less the true one [cells]
 
   std::size_t count() const { return ends.size(); }
   std::size_t begin(std::size_t contact) const { return contact > 0 ? ends[contact - 1] : 0; }
@@ -46,6 +46,7 @@ void add(const fits::Contact& contact, Samples& samples)
   samples.off.push_back(static_cast<float>(images * polygon.cells(aspect) - cells));
   const double chords = images * polygon.chords();
   samples.polygon.push_back(static_cast<float>(chords));
+  samples.islands.push_back(static_cast<float>(polygon.islands()));
   samples.excess.push_back(static_cast<float>(chords - cells));
   samples.images.push_back(static_cast<float>(images));
   for (const EdgeCrossing& crossing : polygon.crossings())
@@ -55,30 +56,28 @@ void add(const fits::Contact& contact, Samples& samples)
   samples.ends.push_back(samples.crossings.size());
 }
 
-Samples collect(const fits::Counts& counts, unsigned long seed)
-{
-  Samples samples;
-  fits::visitContacts(counts, seed, [&](const fits::Contact& contact) { add(contact, samples); });
-  return samples;
-}
-
 /// Several contacts side by side.
 struct Batch
 {
   Eigen::MatrixXf inputs;    ///< edge_inputs × crossings
   std::vector<int> contact;  ///< of each crossing
   Eigen::ArrayXf images;     ///< of each contact
-  Eigen::ArrayXf few;        ///< 1 / polygon
+  Eigen::ArrayXf islands;    ///< of each contact
+  Eigen::ArrayXf few;        ///< the same over the cells of each island
   Eigen::ArrayXf excess;     ///< true
 
   Batch(const Samples& samples, const std::vector<std::size_t>& contacts)
-      : images(static_cast<Eigen::Index>(contacts.size())), few(images.size()), excess(images.size())
+      : images(static_cast<Eigen::Index>(contacts.size())),
+        islands(images.size()),
+        few(images.size()),
+        excess(images.size())
   {
     for (Eigen::Index i = 0; i < images.size(); ++i)
     {
       const std::size_t k = contacts[static_cast<std::size_t>(i)];
       images[i] = samples.images[k];
-      few[i] = 1 / std::max(samples.polygon[k], 1.0F);
+      islands[i] = samples.islands[k];
+      few[i] = islands[i] / std::max(samples.polygon[k] / std::max(islands[i], 1.0F), 1.0F);
       excess[i] = samples.excess[k];
       contact.insert(contact.end(), samples.ends[k] - samples.begin(k), static_cast<int>(i));
     }
@@ -105,7 +104,7 @@ class Fit
   Eigen::ArrayXf left(const Batch& batch)
   {
     const Eigen::RowVectorXf at = crossing_.values(batch.inputs);
-    Eigen::ArrayXf sum = contact_[0] + contact_[1] * batch.few - batch.excess;
+    Eigen::ArrayXf sum = contact_[0] * batch.islands + contact_[1] * batch.few - batch.excess;
     for (Eigen::Index c = 0; c < at.size(); ++c)
     {
       const int k = batch.contact[static_cast<std::size_t>(c)];
@@ -125,7 +124,7 @@ class Fit
       at[c] = pull[k] * batch.images[k];
     }
     crossing_.step(batch.inputs, at, rate);
-    adam_.step({pull.sum(), (pull * batch.few).sum()}, rate, contact_);
+    adam_.step({(pull * batch.islands).sum(), (pull * batch.few).sum()}, rate, contact_);
     return errors;
   }
 
@@ -144,8 +143,7 @@ class Fit
 
 void printErrors(const char* name, const Samples& samples, Fit& fit)
 {
-  std::vector<std::size_t> all(samples.count());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<std::size_t> all = fits::upTo(samples.count());
   const Batch batch(samples, all);
   std::printf("%s: %zu contacts, %zu crossings; errors in cells\n", name, samples.count(), samples.crossings.size());
   fits::printSizes("the polygon", batch.excess);
@@ -160,15 +158,15 @@ int main(int argc, char** argv)
   { return argc > index ? std::strtol(argv[index], nullptr, 10) : otherwise; };
   const int wheelsets = static_cast<int>(argument(1, 1000)), hertz = static_cast<int>(argument(2, 12000));
   const auto seed = static_cast<unsigned long>(argument(3, 1));
-  const Samples samples = collect({wheelsets, hertz, 0}, seed);
+  const Samples samples = fits::collect<Samples>({wheelsets, hertz, 0}, seed);
   std::mt19937_64 random(seed);
   Fit fit(random);
   fits::inBatches(samples.count(), static_cast<int>(argument(4, 450)), random,
                   [&](const std::vector<std::size_t>& batch, double rate)
                   { return fit.step(Batch(samples, batch), rate); });
   printErrors("these samples", samples, fit);
-  printErrors("wheelsets of the next seed", collect({wheelsets / 4, 0, 0}, seed + 1), fit);
-  printErrors("Hertz contacts of the next seed", collect({0, hertz / 4, 0}, seed + 1), fit);
+  printErrors("wheelsets of the next seed", fits::collect<Samples>({wheelsets / 4, 0, 0}, seed + 1), fit);
+  printErrors("Hertz contacts of the next seed", fits::collect<Samples>({0, hertz / 4, 0}, seed + 1), fit);
   fit.print();
   return 0;
 }

@@ -9,7 +9,6 @@
 // minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -67,13 +66,6 @@ void add(const fits::Contact& contact, Samples& samples)
     samples.excess.push_back(static_cast<float>(area - contact.true_area / cell));
     samples.off.push_back(static_cast<float>((patch.area - contact.true_area) / cell));
   }
-}
-
-Samples collect(int wheelsets, int gaps, unsigned long seed)
-{
-  Samples samples;
-  fits::visitContacts({wheelsets, 0, 0, gaps}, seed, [&](const fits::Contact& contact) { add(contact, samples); });
-  return samples;
 }
 
 /// Crossings of several contacts side by side: first with their steps, then without.
@@ -181,8 +173,7 @@ class Fit
 
 void printErrors(const char* name, const Samples& samples, Fit& fit)
 {
-  std::vector<std::size_t> all(samples.count());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<std::size_t> all = fits::upTo(samples.count());
   const auto count = static_cast<Eigen::Index>(all.size());
   std::printf("%s: %td contacts, %zu crossings; errors in cells\n", name, count,
               samples.along.inputs.size() + samples.across.inputs.size());
@@ -198,14 +189,14 @@ int main(int argc, char** argv)
   { return argc > index ? std::strtol(argv[index], nullptr, 10) : otherwise; };
   const int wheelsets = static_cast<int>(argument(1, 1000)), gaps = static_cast<int>(argument(2, 8000));
   const auto seed = static_cast<unsigned long>(argument(3, 1));
-  const Samples samples = collect(wheelsets, gaps, seed);
+  const Samples samples = fits::collect<Samples>({wheelsets, 0, 0, gaps}, seed);
   std::mt19937_64 random(seed);
   Fit fit(random);
   fits::inBatches(samples.count(), static_cast<int>(argument(4, 60)), random,
                   [&](const std::vector<std::size_t>& batch, double rate) { return fit.step(samples, batch, rate); });
   printErrors("these samples", samples, fit);
-  printErrors("wheelsets of the next seed", collect(wheelsets / 4, 0, seed + 1), fit);
-  printErrors("gaps of the next seed", collect(0, gaps / 4, seed + 1), fit);
+  printErrors("wheelsets of the next seed", fits::collect<Samples>({wheelsets / 4, 0, 0, 0}, seed + 1), fit);
+  printErrors("gaps of the next seed", fits::collect<Samples>({0, 0, 0, gaps / 4}, seed + 1), fit);
   fit.print();
   return 0;
 }

@@ -90,6 +90,14 @@ inline Eigen::ArrayXf pullOf(const Eigen::ArrayXf& errors, float blunt)
   return errors / (errors.square() + blunt * blunt).sqrt() / static_cast<float>(errors.size());
 }
 
+/// 0 … count - 1.
+inline std::vector<std::size_t> upTo(std::size_t count)
+{
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
 /// Calls `step(indices, rate)`, which returns the errors left, for batches of 0 … count - 1 in random order, pass after
 /// pass, with rates falling as a cosine.
 template <typename Step>
@@ -97,8 +105,7 @@ void inBatches(std::size_t count, int passes, std::mt19937_64& random, Step step
 {
   constexpr std::size_t batch_size = 256;
   constexpr double first_rate = 4e-3, last_rate = 1e-5;
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<std::size_t> order = upTo(count);
   for (int pass = 0; pass < passes; ++pass)
   {
     const double rate = last_rate + first_rate * 0.5 * (1 + std::cos(std::acos(-1.0) * pass / passes));

@@ -100,13 +100,14 @@ inline scenes::GapScene evenOrYawed(scenes::Random& random, const char* kind, co
   return {kind, even, {even ? gap : scenes::yawed(random, gap)}, load};
 }
 
-/// A paraboloid whose curvature across jumps about the edge of the contact: by up to three times itself, or to concave.
+/// A paraboloid whose curvature across jumps about the edge of the contact: by up to ten times itself, or to concave.
 inline scenes::GapScene edgeJointScene(scenes::Random& random)
 {
   const double load = 1e3 * scenes::spread(random, 5, 150);
   const double along = 0.5 / scenes::spread(random, 0.1, 1), across = along * std::exp(scenes::uniform(random, -3, 3));
   const double edge = hertzForForce({along, across}, 1.14e11, load).semi_axis_y;
-  const double joint = scenes::uniform(random, 0.4, 1.4) * edge, jump = scenes::uniform(random, -1.3, 3) * across;
+  const double joint = scenes::uniform(random, 0.4, 1.4) * edge, most = scenes::oneIn(random, 4) ? 10 : 3;
+  const double jump = scenes::uniform(random, -1.3, most) * across;
   const scenes::Gap gap = [=](double x, double y)
   {
     const double beyond = std::max(y - joint, 0.0);
@@ -115,16 +116,18 @@ inline scenes::GapScene edgeJointScene(scenes::Random& random)
   return evenOrYawed(random, "joint", gap, load);
 }
 
-/// A gap with jumps of its curvature: half of them arcs of a rail's head (gap_scenes.h), half with one about the edge.
+/// A gap whose curvature jumps, half of them with one jump about the edge, or varies within a few cells (gap_scenes.h):
+/// arcs of a rail's head, lobes and waves.
 inline scenes::GapScene jointScene(scenes::Random& random)
 {
   if (scenes::oneIn(random, 2))
   {
     return edgeJointScene(random);
   }
-  const scenes::Gap gap = scenes::jointGap(random);
+  const bool arcs = scenes::oneIn(random, 2), waves = scenes::oneIn(random, 2);
+  const scenes::Gap gap = arcs ? scenes::jointGap(random) : waves ? scenes::roughGap(random) : scenes::lobesGap(random);
   const double load = 1e3 * scenes::spread(random, 5, 150);
-  return evenOrYawed(random, "arcs", gap, load);
+  return evenOrYawed(random, arcs ? "arcs" : waves ? "waves" : "lobes", gap, load);
 }
 
 /// Gaps on one of the grids, against cells four times finer each way.
@@ -218,5 +221,14 @@ void visitContacts(const Counts& counts, unsigned long seed, Visit visit)
     std::fprintf(stderr, "\rseed %lu: %d of %d wheelsets", seed, i + 1, counts.wheelsets);
   }
   std::fprintf(stderr, "\n");
+}
+
+/// Samples that an add(contact, samples) beside their declaration makes of them.
+template <typename Samples>
+Samples collect(const Counts& counts, unsigned long seed)
+{
+  Samples samples;
+  visitContacts(counts, seed, [&](const Contact& contact) { add(contact, samples); });
+  return samples;
 }
 }  // namespace wheel_rail_contact::fits

@@ -68,6 +68,48 @@ TEST(ContactEdge, areaOfAStoredHalfIsHalfOfTheWhole)
   }
 }
 
+/// Islands of a pressure, less holes.
+int islandsOf(const Eigen::ArrayXXd& pressure, bool mirrored = false)
+{
+  EdgePolygon polygon;
+  polygon.frame(pressure, mirrored);
+  polygon.chords();
+  return polygon.islands();
+}
+
+TEST(ContactEdge, twoIslandsHaveTwiceTheAreaOfOne)
+{
+  constexpr unsigned seed = 8;
+  std::cout << "seed " << seed << "\n";
+  std::mt19937 random(seed);
+  for (int k = 0; k < 20; ++k)
+  {
+    const Eigen::ArrayXXd one = askewPressure(random);
+    Eigen::ArrayXXd beside(one.rows(), 2 * one.cols()), behind(2 * one.rows(), one.cols());
+    beside << one, one;
+    behind << one.colwise().reverse(), one;
+    EXPECT_EQ(islandsOf(one), 1);
+    EXPECT_EQ(islandsOf(beside), 2);
+    EXPECT_EQ(islandsOf(behind), 2);
+    EXPECT_EQ(islandsOf(one, true), 2);
+    EXPECT_NEAR(areaOf(beside, 1.4), 2 * areaOf(one, 1.4), 1e-4);
+    EXPECT_NEAR(areaOf(behind, 1.4), 2 * areaOf(one, 1.4), 1e-4);
+    EXPECT_NEAR(areaOf(one, 1.4, true), areaOf(one, 1.4), 1e-4);
+  }
+}
+
+TEST(ContactEdge, aRingIsAnIslandLessAHole)
+{
+  Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
+  pressure.block(2, 3, 8, 9) = 1;
+  pressure.block(5, 6, 3, 3) = 0;
+  EXPECT_EQ(islandsOf(pressure), 0);
+  pressure(6, 7) = 1;
+  EXPECT_EQ(islandsOf(pressure), 1);
+  pressure(5, 6) = 1;  // touches the ring, the one in its middle only by a corner
+  EXPECT_EQ(islandsOf(pressure), 1);
+}
+
 // A cell barely loaded beside a much higher island, over an empty one: without a limit on what shows at a crossing the
 // area would be off by the ratio of the two.
 TEST(ContactEdge, anIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)

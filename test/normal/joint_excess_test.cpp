@@ -64,6 +64,23 @@ TEST(JointExcess, smoothGapsHaveNone)
   EXPECT_EQ(patch.moved_at_joints, 0);
 }
 
+// No side of it is outward to its ends along, which lie on a line beside which nothing is loaded.
+TEST(JointExcess, aSingleColumnIsTheSameFromEitherSide)
+{
+  NormalProblem problem = problemOf(jointed(0.05e-3, 3), {16, 32});
+  PatchGap& gap = problem.patches[0];
+  PatchPressure patch;
+  patch.grid = gap.grid;
+  patch.pressure.setZero(gap.gap.rows(), gap.gap.cols());
+  patch.pressure.block(4, 15, 8, 1) = 1e9;
+  patch.max_pressure = 1e9;
+  const JointSums sums = sumsOf(problem, patch);
+  EXPECT_GT(sums.sizes, 0.01);
+  gap.gap = gap.gap.rowwise().reverse().eval();
+  patch.pressure = patch.pressure.rowwise().reverse().eval();
+  EXPECT_NEAR(sumsOf(problem, patch).excess, sums.excess, 1e-5);
+}
+
 TEST(JointExcess, isTheSameFromWhereverOneLooks)
 {
   const NormalProblem problem = problemOf(jointed(1.6e-3, -1.1), {16, 32});
@@ -90,26 +107,60 @@ TEST(JointExcess, isTheSameFromWhereverOneLooks)
   EXPECT_NEAR(stored.moved_at_joints / patch.moved_at_joints, 1, 1e-3);
 }
 
+/// Errors of areas with what is known of joints and without it, sizes in the mean [cells].
+class AreaErrors
+{
+ public:
+  void add(const scenes::Gap& gap, const GridSize& size)
+  {
+    const NormalProblem problem = problemOf(gap, size);
+    const PatchPressure coarse = solve(problem), fine = solve(problemOf(gap, {96, 192}));
+    const double error = (coarse.area - fine.area) / coarse.grid.cellArea();
+    with_ += std::abs(error);
+    without_ += std::abs(error + sumsOf(problem, coarse).excess);
+    ++count_;
+  }
+  double with() const { return with_ / count_; }
+  double without() const { return without_ / count_; }
+  void print(const char* gaps) const
+  {
+    std::cout << count_ << ' ' << gaps << ": areas " << with() << " cells off in the mean, " << without()
+              << " without what is known of joints\n";
+  }
+
+ private:
+  double with_ = 0, without_ = 0;
+  int count_ = 0;
+};
+
 // Joints from well inside to beyond the edge, jumps to more curvature and to less.
 TEST(JointExcess, areaIsNearerToThatOnFineCells)
 {
-  double with = 0, without = 0;
-  int count = 0;
+  AreaErrors errors;
   for (const double jump : {-0.9, -0.5, 1.0, 3.0})
   {
-    for (double joint = 0.8e-3; joint < 2.5e-3; joint += 0.15e-3, ++count)
+    for (double joint = 0.8e-3; joint < 2.5e-3; joint += 0.15e-3)
     {
-      const scenes::Gap gap = jointed(joint, jump);
-      const NormalProblem problem = problemOf(gap, {12, 24});
-      const PatchPressure coarse = solve(problem), fine = solve(problemOf(gap, {96, 192}));
-      const double error = (coarse.area - fine.area) / coarse.grid.cellArea();
-      with += std::abs(error);
-      without += std::abs(error + sumsOf(problem, coarse).excess);
+      errors.add(jointed(joint, jump), {12, 24});
     }
   }
-  std::cout << count << " joints: areas " << with / count << " cells off in the mean, " << without / count
-            << " without what is known of joints\n";
-  EXPECT_LT(with, 0.6 * without);
+  errors.print("joints");
+  EXPECT_LT(errors.with(), 0.6 * errors.without());
+}
+
+// A curvature that grows shows steps as well.
+TEST(JointExcess, areaIsNoFartherOffWithoutJoints)
+{
+  AreaErrors errors;
+  for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 24}})
+  {
+    for (double fourth = 1e5; fourth < 1.5e6; fourth *= 1.3)
+    {
+      errors.add([=](double x, double y) { return x * x + (1 + fourth * y * y) * y * y; }, size);
+    }
+  }
+  errors.print("smooth gaps");
+  EXPECT_LT(errors.with(), errors.without());
 }
 }  // namespace
 }  // namespace wheel_rail_contact

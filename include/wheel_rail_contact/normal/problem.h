@@ -123,7 +123,7 @@ struct PatchPressure
   double force = 0;              ///< normal force of the whole patch [N]
   double max_pressure = 0;       ///< highest, between the cells less their excess; may be below theirs [Pa]
   double area = 0;               ///< contact area with sub-cell edge [m²]
-  double moved_at_joints = 0;    ///< by how much `area` was changed where the gap's curvature jumps, sizes summed [m²]
+  double moved_at_joints = 0;    ///< what jumps of the gap's curvature move the edge by, sizes summed [m²]
   bool touches_border = false;   ///< pressure in an outer cell of the grid: the box cut the patch
 };
 
