@@ -30,25 +30,25 @@ constexpr int most_prepared_cells = 64 * 128;
 /// In the order of the time they take. Smooth contacts need cells along more than across and find enough on the coarser
 /// half of the grids; jumps of the curvature need cells across, tails of the pressure along. Ordinary errors and
 /// typical estimates (max pressure, area without tails, approach, tails): as test/calibration/calibrate_ladder.cpp
-/// printed them for 300 scenes of seed 3. The middle half of the estimates lie within a factor of 1 to 3 of one
-/// another; of areas on the finest grids, where they decide little, of 5, of tails of 9.
-constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0360, {79.7, 12.4, 7.56, 10.2}},
-                                      {{10, 24}, 0.0074, {19.1, 6.76, 4.84, 7.42}},
-                                      {{12, 24}, 0.0066, {17.6, 4.68, 4.84, 2.88}},
-                                      {{12, 32}, 0.0047, {6.46, 3.73, 4.84, 4.18}},
-                                      {{16, 32}, 0.0038, {5.69, 2.63, 2.47, 2.24}},
-                                      {{16, 48}, 0.0022, {1.77, 2.03, 2.47, 1.67}},
-                                      {{12, 64}, 0.0021, {1.1, 2.31, 4.84, 24.7}},
-                                      {{20, 48}, 0.0015, {1.51, 1.42, 1.49, 1.33}},
-                                      {{16, 64}, 0.0016, {0.864, 1.39, 2.47, 3.92}},
+/// printed them for 300 scenes of seed 3. The middle half of the estimates mostly lie within a factor of 3 of one
+/// another; of pressures on the coarsest grids of 5 to 20, of tails of 8.
+constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0340, {48.3, 11, 7.56, 10.3}},
+                                      {{10, 24}, 0.0054, {11.8, 6.82, 4.84, 11.3}},
+                                      {{12, 24}, 0.0053, {11.1, 4.62, 4.84, 3.78}},
+                                      {{12, 32}, 0.0036, {4.79, 3.66, 4.84, 7.16}},
+                                      {{16, 32}, 0.0022, {4.41, 2.49, 2.47, 2.45}},
+                                      {{16, 48}, 0.0016, {1.68, 2.01, 2.47, 2}},
+                                      {{12, 64}, 0.002, {1.04, 2.86, 4.84, 30.4}},
+                                      {{20, 48}, 0.001, {1.38, 1.42, 1.49, 1.38}},
+                                      {{16, 64}, 0.0013, {0.841, 1.67, 2.47, 6.01}},
                                       {{24, 56}, 0.0007, {1, 1, 1, 1}},
-                                      {{16, 80}, 0.0015, {0.364, 2.11, 2.47, 2.88}},
-                                      {{16, 96}, 0.0014, {0.238, 2.1, 2.47, 3.64}},
-                                      {{24, 80}, 0.0008, {0.306, 0.971, 1, 1.15}},
-                                      {{24, 96}, 0.0006, {0.183, 0.962, 1, 1.08}},
-                                      {{32, 96}, 0.0005, {0.172, 0.52, 0.562, 0.516}},
-                                      {{48, 96}, 0.0003, {0.153, 0.253, 0.25, 0.259}},
-                                      {{64, 128}, 0.0002, {0.0682, 0.145, 0.144, 0.158}}}};
+                                      {{16, 80}, 0.0013, {0.36, 0.479, 2.47, 4.24}},
+                                      {{16, 96}, 0.0014, {0.236, 0.311, 2.47, 4.02}},
+                                      {{24, 80}, 0.0007, {0.302, 0.471, 1, 1.73}},
+                                      {{24, 96}, 0.0006, {0.183, 0.307, 1, 1.48}},
+                                      {{32, 96}, 0.0004, {0.172, 0.296, 0.562, 0.547}},
+                                      {{48, 96}, 0.0003, {0.156, 0.259, 0.25, 0.13}},
+                                      {{64, 128}, 0.0001, {0.0754, 0.139, 0.144, 0.0738}}}};
 
 static_assert(rungs.size() <= RungChoice::most_rungs);
 
