@@ -178,7 +178,7 @@ double EdgePolygon::chords()
   crossings_.clear();
   along_.resize(static_cast<std::size_t>(stride_));
   double whole = 0, middle = 0;
-  int turns = 0, middle_turns = 0;
+  int turns = 0;
   for (Eigen::Index j = -1; j < columns_; ++j)
   {
     const double *p = at(-1, j), *q = p + stride_;
@@ -203,10 +203,9 @@ double EdgePolygon::chords()
       whole += share;
       middle += i == 0 ? share : 0;
       turns += quarter_turns[corners];
-      middle_turns += i == 0 ? quarter_turns[corners] : 0;
     }
   }
-  islands_ = (mirrored_ ? 2 * turns - middle_turns : turns) / 4;
+  islands_ = (mirrored_ ? 2 : 1) * turns / 4;  // squares across the mirror have no turn
   return mirrored_ ? whole - 0.5 * middle : whole;
 }
 }  // namespace wheel_rail_contact

@@ -60,6 +60,6 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer)
 double EdgeExcess::of(double polygon, int islands) const
 {
   const double each = polygon / std::max(islands, 1);
-  return islands * (static_cast<double>(whole) + static_cast<double>(few_cells) / std::max(each, 1.0));
+  return islands * (static_cast<double>(island) + static_cast<double>(few_cells) / std::max(each, 1.0));
 }
 }  // namespace wheel_rail_contact

@@ -38,8 +38,8 @@ struct EdgeExcess
   static constexpr int numbers = Crossing::numbers + 2;  ///< all of the below
 
   Crossing crossing;    ///< for every crossing [cells]
-  float whole = 0;      ///< for every island [cells]
-  float few_cells = 0;  ///< the same, times the polygon's area [cells²]
+  float island = 0;     ///< for every island [cells]
+  float few_cells = 0;  ///< the same, times the island's area [cells²]
 
   /// For a contact of `polygon` cells on so many islands, taken as alike, besides its crossings [cells].
   double of(double polygon, int islands) const;

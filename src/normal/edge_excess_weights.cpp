@@ -8,7 +8,8 @@ namespace wheel_rail_contact
 namespace
 {
 /// As test/calibration/fit_edge_excess.cpp printed them; from the random numbers it starts with now it finds others
-/// that leave the same errors. Crossing, whole, few_cells.
+/// that leave the same errors. Crossing, island, few_cells: the latter two of contacts nearly all of which were a
+/// single island.
 // clang-format off
 constexpr std::array<double, EdgeExcess::numbers> fitted{
     -0.6668, 1.112, 0.6871, -0.3653, 0.02027, -0.4504, 0.9748, -0.1003, 0.01908, 0.3237, -0.33, 0.02157,
@@ -42,7 +43,7 @@ const EdgeExcess& edgeExcess()
     const Eigen::Map<const Eigen::Array<double, EdgeExcess::numbers, 1>> numbers(fitted.data());
     EdgeExcess unpacked;
     unpacked.crossing.all = numbers.head<EdgeExcess::Crossing::numbers>().cast<float>();
-    unpacked.whole = static_cast<float>(fitted[fitted.size() - 2]);
+    unpacked.island = static_cast<float>(fitted[fitted.size() - 2]);
     unpacked.few_cells = static_cast<float>(fitted.back());
     return unpacked;
   }();

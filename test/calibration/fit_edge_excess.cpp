@@ -137,7 +137,7 @@ class Fit
 
  private:
   fits::RampFit<edge_inputs, EdgeExcess::ramps> crossing_;
-  Eigen::Array2f contact_ = Eigen::Array2f::Zero();  ///< whole, few_cells
+  Eigen::Array2f contact_ = Eigen::Array2f::Zero();  ///< island, few_cells
   fits::Adam<2> adam_;
 };
 

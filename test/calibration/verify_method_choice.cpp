@@ -8,10 +8,10 @@
 // are CPU times of the thread (src/chart/race.h). Truth are conjugate gradients on 256 × 512 cells, four times finer
 // than the finest that `auto` takes. Prints for each tolerance in how many scenes all answers met it, in how many of
 // the others the worst answer said that it may not, in how many the largest true error seen was within that answer's
-// estimate; what share of all answers met it, or else said so; and the time over that of the cheapest fixed method that
-// is settled to the tolerance and whose true error meets it: median, and what 25, 75 and 90 % of the scenes stay below.
-// Seidel is left out, which is never the cheapest. Takes some minutes; not part of the test run, in which
-// balance/method_choice_test.cpp asks for the tolerance.
+// estimate; what share of all answers to these scenes met it, or else said so; and the time over that of the cheapest
+// fixed method that is settled to the tolerance and whose true error meets it: median, and what 25, 75 and 90 % of the
+// scenes stay below. Seidel is left out, which is never the cheapest. Takes some minutes; not part of the test run, in
+// which balance/method_choice_test.cpp asks for the tolerance.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -149,7 +149,7 @@ TEST(JointExcess, areaIsNearerToThatOnFineCells)
 }
 
 // A curvature that grows shows steps as well.
-TEST(JointExcess, areaIsNoFartherOffWithoutJoints)
+TEST(JointExcess, areaIsNearerWhereCurvatureGrowsSmoothly)
 {
   AreaErrors errors;
   for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 24}})
@@ -160,7 +160,7 @@ TEST(JointExcess, areaIsNoFartherOffWithoutJoints)
     }
   }
   errors.print("smooth gaps");
-  EXPECT_LT(errors.with(), errors.without());
+  EXPECT_LT(errors.with(), 0.6 * errors.without());
 }
 }  // namespace
 }  // namespace wheel_rail_contact
