@@ -76,7 +76,7 @@ RungChoice aStepBelowUnitGrid()
 {
   RungChoice choice = onUnitGrid();
   choice.arrive(elsewhere);
-  choice.descend(ofJump(choice.rung(), 0.97 * tolerance));
+  choice.descend(ofJump(choice.rung(), 0.85 * tolerance));
   EXPECT_EQ(cells(choice.rung()), 16 * 64);
   return choice;
 }
@@ -84,7 +84,7 @@ RungChoice aStepBelowUnitGrid()
 TEST(RungChoice, JumpsOfTheCurvatureTakeCellsAcrossAndTailsCellsAlong)
 {
   const Rung& jump = settled([](const Rung& rung) { return ofJump(rung, 0.95 * tolerance); }).rung();
-  EXPECT_EQ(jump.size.along, 12);
+  EXPECT_EQ(jump.size.along, 16);
   EXPECT_EQ(jump.size.across, 64);
   const Rung& tail = settled([](const Rung& rung) { return ofTail(rung, 0.8 * tolerance); }).rung();
   EXPECT_EQ(tail.size.along, 24);

@@ -9,8 +9,8 @@
 // Prints for each grid the true error that 98 % of the patches stay below, the typical estimates of max pressure, area
 // without tails, approach and tails over those of the same patch on 24 × 56 cells, and for each of them between what
 // the middle half lie. A quantity's typical estimate is the median over the patches that it decides, being the largest
-// on 24 × 56 cells (approach, which decides few: over all patches); of grids with more columns, which are for jumps of
-// the curvature, only where that is above 0.3 %. Takes ten minutes; not part of the test run.
+// on 24 × 56 cells (approach, which decides few: over all patches); of finer grids only where that is above 0.3 %: the
+// others are not for them. Takes ten minutes; not part of the test run.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -29,7 +29,7 @@ using namespace wheel_rail_contact;
 using scenes::ErrorSample;
 
 constexpr GridSize truth{128, 320}, unit{24, 56};
-/// Grids of more columns than the unit are for patches whose estimate on it is above this [-].
+/// Finer grids than the unit are for patches whose estimate on it is above this [-].
 constexpr double finest_tolerance = 0.003;
 
 /// Grids of the ladder, in its order.
@@ -104,7 +104,6 @@ double ordinaryError(const Errors& errors, std::size_t grid)
 std::vector<double> ratios(const Estimates& estimates, std::size_t grid, std::size_t quantity)
 {
   constexpr std::size_t approach = 2;
-  const bool all = quantity == approach || estimates.sizes()[grid].across <= unit.across;
   const auto unit_grid = static_cast<std::size_t>(std::find(estimates.sizes().begin(), estimates.sizes().end(), unit) -
                                                   estimates.sizes().begin());
   std::vector<double> list;
@@ -113,7 +112,7 @@ std::vector<double> ratios(const Estimates& estimates, std::size_t grid, std::si
     const Parts& parts = estimates.of(unit_grid)[k];
     const auto largest = std::max_element(parts.begin(), parts.end());
     const bool decides = quantity == approach || largest == parts.begin() + static_cast<std::ptrdiff_t>(quantity);
-    if (decides && (all || *largest > finest_tolerance))
+    if (decides && (grid <= unit_grid || quantity == approach || *largest > finest_tolerance))
     {
       list.push_back(estimates.of(grid)[k][quantity] / parts[quantity]);
     }
