@@ -161,7 +161,6 @@ class Runner
     else
     {
       series.answers.push_back({errors.largest(), series.outcome.estimate});
-      series.estimate = errors.largest() >= series.errors.largest() ? series.outcome.estimate : series.estimate;
       series.errors = larger(series.errors, errors);
     }
   }
@@ -232,6 +231,13 @@ std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, cons
   return runners;
 }
 }  // namespace
+
+double Series::estimate() const
+{
+  const auto less = [](const Answer& one, const Answer& other) { return one.error < other.error; };
+  const auto worst = std::max_element(answers.rbegin(), answers.rend(), less);  // the last one of equals
+  return worst != answers.rend() ? worst->estimate : 0;
+}
 
 const char* toString(Series::Status status)
 {

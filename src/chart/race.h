@@ -42,8 +42,10 @@ struct Series
   std::vector<double> times;    ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
   std::vector<Answer> answers;  ///< at all of the places that were timed
   Errors errors;                ///< largest seen of them
-  double estimate = 0;          ///< the answer's own, where its error was largest [-]
   Outcome outcome;              ///< last seen
+
+  /// The answer's own, where its error was largest [-]; 0 without answers.
+  double estimate() const;
 };
 
 const char* toString(Series::Status status);

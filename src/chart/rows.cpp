@@ -22,7 +22,7 @@ void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choi
   {
     const Errors& errors = series.errors;
     std::fprintf(out, "%s,%.4g,%.4g,%.4g,%.4g,%.4g,", series.outcome.solver.c_str(), errors.largest(),
-                 errors.max_pressure, errors.area, errors.approach, series.estimate);
+                 errors.max_pressure, errors.area, errors.approach, series.estimate());
   }
   else
   {

@@ -114,11 +114,12 @@ TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
       }
     }
   }
+  ASSERT_EQ(tallies.size(), ladders.size());
   for (const auto& [tolerance, tally] : tallies)
   {
     std::cout << 100 * tolerance << " %: " << tally.answers << " answers, " << tally.met << " within it, "
               << tally.flagged << " beyond it and flagged, " << tally.held << " within their estimate\n";
-    EXPECT_GE(tally.answers, 250);
+    ASSERT_GE(tally.answers, 250);
     EXPECT_GE(tally.share(tally.met), 0.99) << "tolerance " << tolerance;
     EXPECT_GE(tally.share(tally.held), 0.95) << "tolerance " << tolerance;
   }

@@ -28,7 +28,7 @@ struct Samples
   std::vector<std::size_t> ends;      ///< of each contact's crossings
   std::vector<float> images;          ///< of each contact's crossings: 2 if half of it is stored
   std::vector<float> polygon;         ///< of the whole [cells]
-  std::vector<float> islands;
+  std::vector<int> islands;
   std::vector<float> excess;  ///< of the polygon [cells]
   std::vector<float> off;     ///< the area that the present weights give less the true one [cells]
 
@@ -46,7 +46,7 @@ void add(const fits::Contact& contact, Samples& samples)
   samples.off.push_back(static_cast<float>(images * polygon.cells(aspect) - cells));
   const double chords = images * polygon.chords();
   samples.polygon.push_back(static_cast<float>(chords));
-  samples.islands.push_back(static_cast<float>(polygon.islands()));
+  samples.islands.push_back(polygon.islands());
   samples.excess.push_back(static_cast<float>(chords - cells));
   samples.images.push_back(static_cast<float>(images));
   for (const EdgeCrossing& crossing : polygon.crossings())
@@ -72,12 +72,14 @@ struct Batch
         few(images.size()),
         excess(images.size())
   {
+    EdgeExcess of_few;
+    of_few.few_cells = 1;
     for (Eigen::Index i = 0; i < images.size(); ++i)
     {
       const std::size_t k = contacts[static_cast<std::size_t>(i)];
       images[i] = samples.images[k];
-      islands[i] = samples.islands[k];
-      few[i] = islands[i] / std::max(samples.polygon[k] / std::max(islands[i], 1.0F), 1.0F);
+      islands[i] = static_cast<float>(samples.islands[k]);
+      few[i] = static_cast<float>(of_few.of(static_cast<double>(samples.polygon[k]), samples.islands[k]));
       excess[i] = samples.excess[k];
       contact.insert(contact.end(), samples.ends[k] - samples.begin(k), static_cast<int>(i));
     }

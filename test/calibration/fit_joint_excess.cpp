@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fits by how much jumps of the gap's curvature move the edge of the contact (normal/joint_excess.h).
 //
-//   fit_joint_excess [wheelset scenes, default 1000] [gaps, default 8000] [seed, default 1] [passes, default 60]
+//   fit_joint_excess [wheelset scenes, default 2000] [gaps, default 12000] [seed, default 1] [passes, default 60]
 //
 // The weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, on wheelsets and gaps with jumps
 // (settled_contacts.h), with the weights of EdgeExcess as they are. Prints how much of the error is left on samples of
-// the next seed (a quarter as many), and the weights as they stand in joint_excess_weights.cpp. Takes about ten
-// minutes; not part of the test run.
+// the next seed (a quarter as many), and the weights as they stand in joint_excess_weights.cpp. Takes about
+// twelve minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -187,7 +187,7 @@ int main(int argc, char** argv)
 {
   const auto argument = [&](int index, long otherwise)
   { return argc > index ? std::strtol(argv[index], nullptr, 10) : otherwise; };
-  const int wheelsets = static_cast<int>(argument(1, 1000)), gaps = static_cast<int>(argument(2, 8000));
+  const int wheelsets = static_cast<int>(argument(1, 2000)), gaps = static_cast<int>(argument(2, 12000));
   const auto seed = static_cast<unsigned long>(argument(3, 1));
   const Samples samples = fits::collect<Samples>({wheelsets, 0, 0, gaps}, seed);
   std::mt19937_64 random(seed);

@@ -68,8 +68,8 @@ struct Tally
     const double time = chart::quantile(series.times, 0.5);
     ++scenes;
     met += within ? 1 : 0;
-    flagged += !within && series.estimate > tolerance ? 1 : 0;
-    held += series.errors.largest() <= series.estimate ? 1 : 0;
+    flagged += !within && series.estimate() > tolerance ? 1 : 0;
+    held += series.errors.largest() <= series.estimate() ? 1 : 0;
     for (const chart::Series::Answer& answer : series.answers)
     {
       ++answers;
