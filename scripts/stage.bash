@@ -6,11 +6,11 @@
 : "${root:?}" "${build:?}" "${out:?}"
 started=()  # leaders of the process groups to end
 
-# Builds what is missing, and makes the folder empty.
+# set_up [TARGET]: builds the target (default: all programs) and empties the output folder.
 set_up()
 {
   say "setting up"
-  "$root/scripts/setup"
+  "$root/scripts/setup" "$@"
   source_setup "$build/devel/setup.bash"
   rm -rf "$out"
   mkdir -p "$out"

@@ -14,7 +14,7 @@
 
 namespace
 {
-using namespace wheel_rail_contact::chart;
+using namespace wheel_rail_contact::core::chart;
 
 Plan quickPlan()
 {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "wheel_rail_contact/replay/join.h"
+#include "replay/join.h"
 
 int main(int argc, char** argv)
 {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "wheel_rail_contact/ros/contact_server.h"
+#include "ros/node/contact_server.h"
 
 namespace
 {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "wheel_rail_contact/ros/contact_server.h"
+#include "ros/node/contact_server.h"
 
 namespace wheel_rail_contact
 {

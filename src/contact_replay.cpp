@@ -5,7 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "wheel_rail_contact/replay/replay.h"
+#include "replay/replay.h"
 
 namespace
 {

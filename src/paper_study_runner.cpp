@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "paper/study.h"
-#include "wheel_rail_contact/ros/compliance_table_file.h"
-#include "wheel_rail_contact/ros/parameters.h"
+#include "ros/parameters/compliance_table_file.h"
+#include "ros/parameters/parameters.h"
 
 namespace
 {
@@ -19,18 +19,18 @@ using namespace wheel_rail_contact;
 void run(const std::filesystem::path& folder, const std::string& config_file,
          const std::vector<std::string>& table_files)
 {
-  const ContactModelConfig config =
+  const core::ContactModelConfig config =
       readNodeConfig(readParameterFile(config_file), "", std::filesystem::current_path().string()).model;
-  std::vector<paper::NamedTable> tables;
+  std::vector<core::paper::NamedTable> tables;
   for (const std::string& name : table_files)
   {
     const ComplianceTableFile file = readComplianceTable(name);
     tables.push_back({file.name, file.table, file.linear_range});
   }
   const auto progress = [](const std::string& what) { std::cerr << "paper_study: " << what << std::endl; };
-  paper::writeCases(config, folder, progress);
-  paper::writeForces(config, tables, folder, progress);
-  paper::writeScan(config, tables, folder, progress);
+  core::paper::writeCases(config, folder, progress);
+  core::paper::writeForces(config, tables, folder, progress);
+  core::paper::writeScan(config, tables, folder, progress);
 }
 }  // namespace
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "wheel_rail_contact/geometry/standard_profiles.h"
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
-namespace wheel_rail_contact
+namespace wheel_rail_contact::core
 {
 /// The Manchester contact benchmark (Shackleton and Iwnicki 2008, Vehicle System Dynamics 46): S1002 on UIC60, rails
 /// inclined 1:40, gauge 1435 mm, flange backs 1360 mm apart, rolling radius 460 mm.
@@ -30,4 +30,4 @@ inline ComplianceTable verySoftPads()
 {
   return {135.8e-9, 612e-9, 4.60e-6, 14.5e-9};
 }
-}  // namespace wheel_rail_contact
+}  // namespace wheel_rail_contact::core

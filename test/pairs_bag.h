@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "wheel_rail_contact/bag/bag_writer.h"
+#include "bag/bag_writer.h"
 
 namespace wheel_rail_contact
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/bag/bag_compression.h"
+#include "bag/bag_compression.h"
 
 #include <bzlib.h>
 #include <roslz4/lz4s.h>
@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-#include "wheel_rail_contact/bag/bag_record.h"
+#include "bag/bag_record.h"
 
 namespace wheel_rail_contact
 {

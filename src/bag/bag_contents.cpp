@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/bag/bag_contents.h"
+#include "bag/bag_contents.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "wheel_rail_contact/bag/bag_compression.h"
+#include "bag/bag_compression.h"
 
 namespace wheel_rail_contact
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/bag/bag_file.h"
+#include "bag/bag_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

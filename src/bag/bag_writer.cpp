@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/bag/bag_writer.h"
+#include "bag/bag_writer.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "wheel_rail_contact/bag/bag_compression.h"
+#include "bag/bag_compression.h"
 
 namespace wheel_rail_contact
 {

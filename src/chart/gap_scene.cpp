@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gap_scene.h"
+#include "chart/gap_scene.h"
 
 #include <algorithm>
 
-#include "wheel_rail_contact/balance/pressure_extent.h"
-#include "wheel_rail_contact/normal/aspect_ladder.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "core/balance/pressure_extent.h"
+#include "core/normal/operator/cell_aspect.h"
+#include "core/normal/solvers/conjugate_gradients.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 namespace
 {
@@ -210,4 +210,4 @@ std::unique_ptr<Contender> GapScene::contender(const Choice& choice)
 {
   return std::make_unique<GapContender>(*this, ladders_->find(choice), contactConfig(choice).tolerance);
 }
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

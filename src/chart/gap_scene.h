@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "contender.h"
-#include "ladders.h"
+#include "chart/grid_series.h"
+#include "chart/method_run.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 /// Gap at (x, y) [m], even in x.
 using Gap = std::function<double(double, double)>;
@@ -55,4 +55,4 @@ class GapScene : public Scene
 
 /// Hertz 1:1 and 1:5, a curvature joint, two patches, merged lobes, nearly conformal.
 std::vector<std::unique_ptr<Scene>> gapScenes();
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

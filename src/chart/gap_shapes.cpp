@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap_scene.h"
-#include "wheel_rail_contact/normal/hertz.h"
+#include "chart/gap_scene.h"
+#include "core/normal/solvers/hertz.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 namespace
 {
@@ -81,4 +81,4 @@ std::vector<std::unique_ptr<Scene>> gapScenes()
   add("conformal", "Nearly conformal arcs", {{conformal, wide, 0, 1}});
   return scenes;
 }
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

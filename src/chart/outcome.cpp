@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "outcome.h"
+#include "chart/outcome.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-void takeFiner(const Grid& grid, std::string_view solver, Outcome& outcome)
+void takeFiner(GridSize grid, std::string_view solver, Outcome& outcome)
 {
-  if (grid.nx * grid.ny > outcome.grid.along * outcome.grid.across)
+  if (grid.along * grid.across > outcome.grid.along * outcome.grid.across)
   {
-    outcome.grid = {grid.nx, grid.ny};
+    outcome.grid = grid;
     outcome.solver = solver;
   }
 }
@@ -52,7 +52,7 @@ Outcome outcomeOf(const WheelsetResult& result)
   outcome.reason = outcome.usable ? "" : result.reason;
   for (const PatchResult& patch : result.patches)
   {
-    takeFiner(patch.grid, patch.method, outcome);
+    takeFiner({patch.grid.nx, patch.grid.ny}, patch.method, outcome);
     outcome.estimate = std::max(outcome.estimate, patch.error_estimate);
     outcome.patches.push_back({static_cast<int>(patch.side), patch.max_pressure, patch.area, patch.approach});
   }
@@ -70,9 +70,10 @@ Outcome outcomeOf(const WheelsetBalance& balance, ContactStatus status)
     for (std::size_t k = 0; outcome.usable && k < wheel.patches().size(); ++k)
     {
       const PatchPressure& pressure = wheel.solution().patches[k];
+      const Grid& grid = wheel.problem().patches[k].grid;
       if (pressure.force > 0)
       {
-        takeFiner(wheel.problem().patches[k].grid, wheel.solver().name(), outcome);
+        takeFiner({grid.nx, grid.ny}, wheel.solver().name(), outcome);
         outcome.patches.push_back(
             {static_cast<int>(side), pressure.max_pressure, pressure.area, wheel.patchApproach(k)});
       }
@@ -80,4 +81,4 @@ Outcome outcomeOf(const WheelsetBalance& balance, ContactStatus status)
   }
   return outcome;
 }
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

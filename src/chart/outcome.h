@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "wheel_rail_contact/balance/wheelset_balance.h"
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "core/balance/wheelset_balance.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 /// What the chart compares of one patch.
 struct PatchOutcome
@@ -47,4 +47,4 @@ Outcome outcomeOf(const WheelsetResult& result);
 
 /// The same from the balance itself, which takes finer grids than a user may ask for.
 Outcome outcomeOf(const WheelsetBalance& balance, ContactStatus status);
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "quantile.h"
+#include "chart/quantile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 double quantile(std::vector<double> values, double share)
 {
@@ -17,4 +17,4 @@ double quantile(std::vector<double> values, double share)
   std::nth_element(values.begin(), values.begin() + place, values.end());
   return values[static_cast<std::size_t>(place)];
 }
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

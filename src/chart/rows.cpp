@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rows.h"
+#include "chart/rows.h"
 
-#include "quantile.h"
+#include "chart/quantile.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 namespace
 {
@@ -48,4 +48,4 @@ void writeRows(std::FILE* out, const Scene& scene, const Result& result)
     writeRow(out, scene, result.truth_error, entry.choice, "warm", entry.warm);
   }
 }
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

@@ -3,13 +3,13 @@
 
 #include <cstdio>
 
-#include "race.h"
+#include "chart/comparison.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 /// Writes the names of the columns.
 void writeHeader(std::FILE* out);
 
 /// Writes two rows, cold and warm, for every choice.
 void writeRows(std::FILE* out, const Scene& scene, const Result& result);
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

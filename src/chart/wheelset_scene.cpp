@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheelset_scene.h"
+#include "chart/wheelset_scene.h"
 
 #include <cstdio>
 
-#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 namespace
 {
@@ -113,4 +113,4 @@ std::vector<std::unique_ptr<Scene>> wheelsetScenes()
       "paper", "Paper's case, rails bent", std::make_shared<WheelsetPool>(paper()), ladders, loadedAt(0.572e-3)));
   return scenes;
 }
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

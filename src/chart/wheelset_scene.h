@@ -6,10 +6,10 @@
 #include <tuple>
 #include <vector>
 
-#include "contender.h"
-#include "ladders.h"
+#include "chart/grid_series.h"
+#include "chart/method_run.h"
 
-namespace wheel_rail_contact::chart
+namespace wheel_rail_contact::core::chart
 {
 /// Wheelsets of one configuration by choice, each made once.
 class WheelsetPool
@@ -44,4 +44,4 @@ class WheelsetScene : public Scene
 
 /// S1002 on UIC60 in the Manchester contact benchmark's track, 100 kN a wheel; and the paper's case.
 std::vector<std::unique_ptr<Scene>> wheelsetScenes();
-}  // namespace wheel_rail_contact::chart
+}  // namespace wheel_rail_contact::core::chart

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// A CSV file: a line of column names, then rows, each written at once, so that a full disk is noticed. Numbers keep
 /// eight digits.
@@ -42,4 +42,4 @@ class Csv
   std::filesystem::path file_;
   std::ofstream stream_;
 };
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forces.h"
+#include "paper/forces.h"
 
 #include <cmath>
 
-#include "one_wheel.h"
-#include "placement.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "paper/one_wheel.h"
+#include "paper/placement.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 namespace
 {
@@ -16,13 +16,13 @@ constexpr GridSize force_grid{32, 64};
 
 /// Deflection of the upright rail's table, seen from the track, under a lateral force at the crown's height and, if
 /// asked for, its displacement across the track alone.
-RailDeflection givenDeflection(const ComplianceTable& table, DeflectionShare share, double force, double cant)
+RailDeflection givenDeflection(const ComplianceTable& table, DeflectionShare share, double force, double inclination)
 {
   const double moment = force * ComplianceTable::reference_depth;
-  RailDeflection moved = deflectionInTrack(table, {force, printed_wheel_load, moment}, cant);
+  RailDeflection moved = deflectionInTrack(table, {force, printed_wheel_load, moment}, inclination);
   if (share == DeflectionShare::shift_only)
   {
-    moved = deflectionInTrack(table, {force, 0, moment}, cant);
+    moved = deflectionInTrack(table, {force, 0, moment}, inclination);
     moved.vertical = 0;
     moved.roll = 0;
   }
@@ -70,7 +70,7 @@ std::vector<ForceRow> given(const ContactModelConfig& config, const NamedTable& 
   {
     for (const double force : forces)
     {
-      const RailDeflection moved = givenDeflection(table.table, share, force, config.track.cant);
+      const RailDeflection moved = givenDeflection(table.table, share, force, config.track.rail_inclination);
       left.setRail(undeflected.deflected(moved));
       right.setRail(undeflected.deflected(moved));
       double roll = 0;
@@ -106,4 +106,4 @@ std::vector<ForceRow> underForces(const ContactModelConfig& config, const NamedT
   }
   return rows;
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

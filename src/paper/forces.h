@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "printed_figures.h"
-#include "wheel_rail_contact/config.h"
+#include "paper/printed_figures.h"
+#include "wheel_rail_contact/core/config.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// A compliance table with its name and range.
 struct NamedTable
@@ -41,4 +41,4 @@ struct ForceRow
 /// Both rails under lateral forces of the given values at each of the positions, wheel loads as printed.
 std::vector<ForceRow> underForces(const ContactModelConfig& config, const NamedTable& table, DeflectionShare share,
                                   const std::vector<double>& positions, const std::vector<double>& forces);
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods.h"
+#include "paper/methods.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "one_wheel.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
-#include "wheel_rail_contact/normal/seidel.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "core/normal/solvers/seidel.h"
+#include "paper/one_wheel.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 namespace
 {
@@ -79,4 +79,4 @@ std::vector<MethodRow> compareMethods(const ContactModelConfig& config, const Ra
   }
   return rows;
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "printed_figures.h"
-#include "wheel_rail_contact/balance/wheel_patch.h"
-#include "wheel_rail_contact/config.h"
+#include "core/balance/wheel_patch.h"
+#include "paper/printed_figures.h"
+#include "wheel_rail_contact/core/config.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// What a method makes of a case on one grid.
 struct MethodRow
@@ -27,4 +27,4 @@ struct MethodRow
 /// several sizes, stopped early and late.
 /// @throw std::runtime_error if the accurate solution fails: the squares are cut after it.
 std::vector<MethodRow> compareMethods(const ContactModelConfig& config, const RailDeflection& deflection);
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

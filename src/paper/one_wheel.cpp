@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "one_wheel.h"
+#include "paper/one_wheel.h"
 
 #include <cmath>
 #include <utility>
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 namespace
 {
@@ -22,13 +22,13 @@ ContactModelConfig checked(ContactModelConfig config)
 }
 }  // namespace
 
-RailDeflection withCrownDisplaced(const RailDeflection& crown, double cant)
+RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclination)
 {
   // The crown lies by the depth up the rail's own axis (-sin a, cos a), a being the rail's inclination.
   const double depth = ComplianceTable::reference_depth;
-  const double turned = cant - crown.roll;
-  return {crown.lateral - depth * (std::sin(cant) - std::sin(turned)),
-          crown.vertical - depth * (std::cos(turned) - std::cos(cant)), crown.roll};
+  const double turned = inclination - crown.roll;
+  return {crown.lateral - depth * (std::sin(inclination) - std::sin(turned)),
+          crown.vertical - depth * (std::cos(turned) - std::cos(inclination)), crown.roll};
 }
 
 OneWheel::OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSize& size)
@@ -42,7 +42,7 @@ OneWheel::OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSi
 
 void OneWheel::displaceCrown(const RailDeflection& crown)
 {
-  contact_.setRail(undeflected_.deflected(withCrownDisplaced(crown, config_.track.cant)));
+  contact_.setRail(undeflected_.deflected(withCrownDisplaced(crown, config_.track.rail_inclination)));
 }
 
 bool OneWheel::solve(double y, double roll, double load)
@@ -109,4 +109,4 @@ bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, dou
   }
   return false;
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

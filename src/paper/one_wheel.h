@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "printed_figures.h"
-#include "wheel_rail_contact/balance/wheel_contact.h"
-#include "wheel_rail_contact/config.h"
-#include "wheel_rail_contact/normal/normal_solver.h"
+#include "core/balance/wheel_contact.h"
+#include "paper/printed_figures.h"
+#include "wheel_rail_contact/core/config.h"
+#include "wheel_rail_contact/core/normal_solver.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// The rail's deflection (at the head's reference point) that displaces its crown by `crown`: what the paper's finite
 /// elements give is the displacement of the rail's top.
-/// @param cant  inclination of the undeflected rail towards the track's centre [rad]
-RailDeflection withCrownDisplaced(const RailDeflection& crown, double cant);
+/// @param inclination  inclination of the undeflected rail towards the track's centre [rad]
+RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclination);
 
 /// One wheel on one rail at a given roll of the wheelset, under a given vertical load: what the balance of a wheelset
 /// solves on either side, for scans in which roll and deflection are given. Side axes.
@@ -53,4 +53,4 @@ class OneWheel
 /// @param y  towards `first`'s flange positive [m]
 /// @return false if there is no answer; otherwise both wheels hold their solution at `roll` (first wheel up positive).
 bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, double& roll);
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "placement.h"
+#include "paper/placement.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "one_wheel.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "paper/one_wheel.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 namespace
 {
@@ -20,7 +20,7 @@ ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
   if (of.name != own_rail)
   {
     changed.rail_bending.model = RailBendingConfig::Model::prescribed;
-    changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.cant);
+    changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.rail_inclination);
   }
   return changed;
 }
@@ -90,4 +90,4 @@ Placement solveCase(const ContactModelConfig& config, const Case& of)
   addOutlines(config, rail, placement);
   return placement;
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

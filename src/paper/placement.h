@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "printed_figures.h"
-#include "wheel_rail_contact/geometry/placement.h"
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "core/track/placement.h"
+#include "paper/printed_figures.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// A displacement of both rails under the wheelset at the case's position.
 struct Case
@@ -44,4 +44,4 @@ struct Placement
 /// Solves a case with the options of `config` (config/paper.yaml): its compliance table is used for "own_rail" only.
 /// @throw std::runtime_error if there is no answer.
 Placement solveCase(const ContactModelConfig& config, const Case& of);
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

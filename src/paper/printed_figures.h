@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// Highest pressure and area of a wheel's contact.
 struct Figures
@@ -32,4 +32,4 @@ inline double deviation(const Figures& found, const Figures& printed)
 {
   return std::max(std::abs(found.max_pressure / printed.max_pressure - 1), std::abs(found.area / printed.area - 1));
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

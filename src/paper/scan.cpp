@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan.h"
+#include "paper/scan.h"
 
 #include <algorithm>
 #include <array>
@@ -7,17 +7,17 @@
 #include <optional>
 #include <utility>
 
-#include "one_wheel.h"
-#include "wheel_rail_contact/geometry/profile_reader.h"
+#include "paper/one_wheel.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 namespace
 {
 constexpr GridSize scan_grid{32, 64};
 constexpr Range refined_position{-0.1e-3, 0.1e-3, 20};  ///< around a position of the coarse scan [m]
 constexpr double near_printed = 0.04;  ///< deviation without bending up to which other inclinations are gone into [-]
-constexpr Range refined_cant{-0.75e-3, 0.75e-3, 6};           ///< around a pair of the coarse scan [rad]
+constexpr Range refined_inclination{-0.75e-3, 0.75e-3, 6};           ///< around a pair of the coarse scan [rad]
 constexpr Range refined_pair_position{-0.12e-3, 0.12e-3, 8};  ///< likewise [m]
 constexpr Range refined_turn{-1e-3, 1e-3, 8};                 ///< likewise [rad]
 constexpr double sinking = 1e-3;                              ///< of the other rail [m]
@@ -54,11 +54,11 @@ Scan::Scan(ContactModelConfig config, NormalSolver& solver, ScanRanges ranges)
 {
 }
 
-ContactModelConfig Scan::configFor(const std::string& rail, double cant) const
+ContactModelConfig Scan::configFor(const std::string& rail, double inclination) const
 {
   ContactModelConfig config = config_;
   config.rail_profile = std::make_shared<Profile>(loadProfile(rail, ProfileKind::rail));
-  config.track.cant = cant;
+  config.track.rail_inclination = inclination;
   return config;
 }
 
@@ -67,14 +67,14 @@ std::vector<ScanRow> Scan::start() const
   std::vector<ScanRow> rows;
   for (const std::string& rail : ranges_.rails)
   {
-    for (const double cant : ranges_.cants)
+    for (const double inclination : ranges_.inclinations)
     {
-      OneWheel wheel(configFor(rail, cant), solver_, scan_grid);
+      OneWheel wheel(configFor(rail, inclination), solver_, scan_grid);
       for (const double load : ranges_.loads)
       {
         for (const double y : ranges_.position.values())
         {
-          add(wheel, {"start", rail, cant, load, y, 0, {}, {}, {}, {}}, rows);
+          add(wheel, {"start", rail, inclination, load, y, 0, {}, {}, {}, {}}, rows);
         }
       }
     }
@@ -87,19 +87,19 @@ std::vector<ScanRow> Scan::nearestStarts(const std::vector<ScanRow>& rows, doubl
   std::vector<ScanRow> nearest;
   for (const std::string& rail : ranges_.rails)
   {
-    for (const double cant : ranges_.cants)
+    for (const double inclination : ranges_.inclinations)
     {
       const ScanRow* best = nullptr;
       for (const ScanRow& row : rows)
       {
-        const bool fits = row.rail == rail && row.cant == cant && row.load == printed_wheel_load;
+        const bool fits = row.rail == rail && row.inclination == inclination && row.load == printed_wheel_load;
         best = fits && (best == nullptr || startDeviation(row) < startDeviation(*best)) ? &row : best;
       }
       if (best == nullptr || startDeviation(*best) > 2 * limit)
       {
         continue;
       }
-      OneWheel wheel(configFor(rail, cant), solver_, scan_grid);
+      OneWheel wheel(configFor(rail, inclination), solver_, scan_grid);
       ScanRow refined = *best;
       for (const double way : refined_position.values())
       {
@@ -121,7 +121,7 @@ std::vector<ScanRow> Scan::nearestStarts(const std::vector<ScanRow>& rows, doubl
 
 std::vector<ScanRow> Scan::shift(const ScanRow& start) const
 {
-  OneWheel wheel(configFor(start.rail, start.cant), solver_, scan_grid);
+  OneWheel wheel(configFor(start.rail, start.inclination), solver_, scan_grid);
   std::vector<ScanRow> rows;
   for (const double lateral : ranges_.pure_shift.values())
   {
@@ -134,7 +134,7 @@ std::vector<ScanRow> Scan::shift(const ScanRow& start) const
 
 std::vector<ScanRow> Scan::pair(const ScanRow& start) const
 {
-  OneWheel wheel(configFor(start.rail, start.cant), solver_, scan_grid);
+  OneWheel wheel(configFor(start.rail, start.inclination), solver_, scan_grid);
   std::vector<ScanRow> rows;
   for (const double way : ranges_.position_around_start.values())
   {
@@ -174,11 +174,11 @@ void Scan::addPairs(OneWheel& wheel, ScanRow row, const Range& turns, std::vecto
 void Scan::refine(const ScanRow& best, std::vector<ScanRow>& rows) const
 {
   const Range turns{best.crown.roll + refined_turn.first, best.crown.roll + refined_turn.last, refined_turn.steps};
-  for (const double change : refined_cant.values())
+  for (const double change : refined_inclination.values())
   {
     ScanRow row = best;
-    row.cant += change;
-    OneWheel wheel(configFor(row.rail, row.cant), solver_, scan_grid);
+    row.inclination += change;
+    OneWheel wheel(configFor(row.rail, row.inclination), solver_, scan_grid);
     for (const double way : refined_pair_position.values())
     {
       row.y = best.y + way;
@@ -190,12 +190,12 @@ void Scan::refine(const ScanRow& best, std::vector<ScanRow>& rows) const
 std::vector<ScanRow> Scan::inclination(const std::string& rail) const
 {
   std::vector<ScanRow> rows;
-  for (const double cant : ranges_.free_cant.values())
+  for (const double inclination : ranges_.free_inclination.values())
   {
-    OneWheel wheel(configFor(rail, cant), solver_, scan_grid);
+    OneWheel wheel(configFor(rail, inclination), solver_, scan_grid);
     for (const double y : ranges_.position.values())
     {
-      addPairs(wheel, {"inclination", rail, cant, printed_wheel_load, y, 0, {}, {}, {}, {}}, ranges_.turn, rows);
+      addPairs(wheel, {"inclination", rail, inclination, printed_wheel_load, y, 0, {}, {}, {}, {}}, ranges_.turn, rows);
     }
   }
   for (const double direction : {-1.0, 1.0})
@@ -216,13 +216,13 @@ std::vector<ScanRow> Scan::inclination(const std::string& rail) const
 
 std::vector<ScanRow> Scan::alone(const std::string& rail) const
 {
-  OneWheel wheel(configFor(rail, config_.track.cant), solver_, scan_grid);
+  OneWheel wheel(configFor(rail, config_.track.rail_inclination), solver_, scan_grid);
   std::vector<ScanRow> rows;
   for (const double y : ranges_.free_position.values())
   {
     for (const double turn : ranges_.free_turn.values())
     {
-      add(wheel, {"alone", rail, config_.track.cant, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}}, rows);
+      add(wheel, {"alone", rail, config_.track.rail_inclination, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}}, rows);
     }
   }
   return rows;
@@ -230,7 +230,7 @@ std::vector<ScanRow> Scan::alone(const std::string& rail) const
 
 std::vector<ScanRow> Scan::roll(const ScanRow& start) const
 {
-  OneWheel wheel(configFor(start.rail, start.cant), solver_, scan_grid);
+  OneWheel wheel(configFor(start.rail, start.inclination), solver_, scan_grid);
   std::vector<ScanRow> rows;
   for (const double shift : {-printed_displacement, 0.0, printed_displacement})
   {
@@ -247,8 +247,8 @@ std::vector<ScanRow> Scan::roll(const ScanRow& start) const
 
 std::vector<ScanRow> Scan::rails(const ScanRow& start) const
 {
-  OneWheel wheel(configFor(start.rail, start.cant), solver_, scan_grid);
-  OneWheel other(configFor(start.rail, start.cant), solver_, scan_grid);
+  OneWheel wheel(configFor(start.rail, start.inclination), solver_, scan_grid);
+  OneWheel other(configFor(start.rail, start.inclination), solver_, scan_grid);
   const std::array<RailDeflection, 4> displacements{
       {{}, {printed_displacement, 0, 0}, {-printed_displacement, 0, 0}, {0, -sinking, 0}}};
   std::vector<ScanRow> rows;
@@ -267,4 +267,4 @@ std::vector<ScanRow> Scan::rails(const ScanRow& start) const
   }
   return rows;
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

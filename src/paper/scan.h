@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "printed_figures.h"
-#include "wheel_rail_contact/config.h"
-#include "wheel_rail_contact/normal/normal_solver.h"
+#include "paper/printed_figures.h"
+#include "wheel_rail_contact/core/config.h"
+#include "wheel_rail_contact/core/normal_solver.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// One setting of the wheel looked at, and what it gives.
 struct ScanRow
 {
   std::string part;            ///< what the scan was for, see the functions below
   std::string rail;            ///< name of its profile
-  double cant;                 ///< inclination of the unturned rail towards the track's centre [rad]
+  double inclination;                 ///< inclination of the unturned rail towards the track's centre [rad]
   double load;                 ///< vertical, of each wheel [N]
   double y;                    ///< wheelset's position, towards the flange [m]
   double roll;                 ///< wheelset's, this wheel up positive [rad]
@@ -57,7 +57,7 @@ inline const std::vector<std::string> studied_rails{"UIC60_manchester", "60E1"};
 struct ScanRanges
 {
   std::vector<std::string> rails = studied_rails;
-  std::vector<double> cants{0, 1.0 / 40, 1.0 / 20};                                                         ///< [rad]
+  std::vector<double> inclinations{0, 1.0 / 40, 1.0 / 20};                                                         ///< [rad]
   std::vector<double> loads{100e3, 50e3};                                                                   ///< [N]
   Range position{-6e-3, 6.4e-3, 124};                                                                       ///< [m]
   Range position_around_start{-0.06e-3, 0.06e-3, 6};                                                        ///< [m]
@@ -67,18 +67,18 @@ struct ScanRanges
   Range free_position{-6e-3, 5.2e-3, 28};                                                                   ///< [m]
   Range free_turn{-26e-3, 26e-3, 52};                                                                       ///< [rad]
   Range roll{-1e-3, 1e-3, 20};                                                                              ///< [rad]
-  Range free_cant{14e-3, 50e-3, 36};                                                                        ///< [rad]
+  Range free_inclination{14e-3, 50e-3, 36};                                                                        ///< [rad]
 };
 
 /// Runs the scans. All solutions on one grid of 32 × 64 cells, from cold.
 class Scan
 {
  public:
-  /// Track, wheelset and materials are taken from `config`; its profile of the rail and its cant are replaced.
+  /// Track, wheelset and materials are taken from `config`; its profile of the rail and its inclination are replaced.
   /// `solver` must outlive it.
   Scan(ContactModelConfig config, NormalSolver& solver, ScanRanges ranges);
 
-  /// Part "start": where the figures without bending could come from: rails, cants, loads, positions.
+  /// Part "start": where the figures without bending could come from: rails, inclinations, loads, positions.
   std::vector<ScanRow> start() const;
   /// Part "shift": from a start, the rail displaced across the track only.
   std::vector<ScanRow> shift(const ScanRow& start) const;
@@ -94,17 +94,17 @@ class Scan
   /// Part "rails": from a start, the wheelset balanced on two rails that are displaced differently.
   std::vector<ScanRow> rails(const ScanRow& start) const;
 
-  /// Of rows of the part "start", for each rail and cant at loads as printed, the one nearest to the figures without
+  /// Of rows of the part "start", for each rail and inclination at loads as printed, the one nearest to the figures without
   /// bending, if nearer than `limit` [-]; nearest of all first. Positions are refined to 0.01 mm.
   std::vector<ScanRow> nearestStarts(const std::vector<ScanRow>& rows, double limit) const;
 
  private:
   void addPairs(OneWheel& wheel, ScanRow row, const Range& turns, std::vector<ScanRow>& rows) const;
   void refine(const ScanRow& best, std::vector<ScanRow>& rows) const;
-  ContactModelConfig configFor(const std::string& rail, double cant) const;
+  ContactModelConfig configFor(const std::string& rail, double inclination) const;
 
   ContactModelConfig config_;
   NormalSolver& solver_;
   ScanRanges ranges_;
 };
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

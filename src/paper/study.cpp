@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "study.h"
+#include "paper/study.h"
 
 #include <utility>
 
-#include "csv.h"
-#include "methods.h"
-#include "placement.h"
-#include "scan.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "paper/csv.h"
+#include "paper/methods.h"
+#include "paper/placement.h"
+#include "paper/scan.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 namespace
 {
@@ -90,7 +90,7 @@ void writeScanRows(Csv& csv, const std::vector<ScanRow>& rows)
 {
   for (const ScanRow& row : rows)
   {
-    csv.row(row.part, row.rail, row.cant, row.load, row.y, row.roll, row.crown.lateral, row.crown.vertical,
+    csv.row(row.part, row.rail, row.inclination, row.load, row.y, row.roll, row.crown.lateral, row.crown.vertical,
             row.crown.roll, row.other_crown.lateral, row.other_crown.vertical, row.without.max_pressure,
             row.without.area, row.figures.max_pressure, row.figures.area,
             deviation(row.figures, printed_without_bending), deviation(row.figures, printed_with_bending),
@@ -147,7 +147,7 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
   ConjugateGradients solver;
   const Scan scan(config, solver, {});
   Csv csv(folder / "scan.csv",
-          "part,rail,cant,load,y,wheelset_roll,crown_lateral,crown_vertical,rail_turn,other_crown_lateral,"
+          "part,rail,inclination,load,y,wheelset_roll,crown_lateral,crown_vertical,rail_turn,other_crown_lateral,"
           "other_crown_vertical,without_max_pressure,without_area,max_pressure,area,deviation_without,deviation_with,"
           "deviation_pair");
   progress("scan: where the figures without bending come from");
@@ -176,4 +176,4 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
         search, underForces(config, table, DeflectionShare::whole, search_positions.values(), search_forces.values()));
   }
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

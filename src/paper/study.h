@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "forces.h"
-#include "wheel_rail_contact/config.h"
+#include "paper/forces.h"
+#include "wheel_rail_contact/core/config.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 /// Is told what comes next.
 using Progress = std::function<void(const std::string&)>;
@@ -24,4 +24,4 @@ void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>
 /// What settings lead to the printed figures: scan.csv, and search.csv for rails that give way by the tables.
 void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
                const std::filesystem::path& folder, const Progress& progress);
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

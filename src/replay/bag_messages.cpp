@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bag_messages.h"
+#include "replay/bag_messages.h"
 
 namespace wheel_rail_contact
 {

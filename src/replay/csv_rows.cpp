@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/csv_rows.h"
+#include "replay/csv_rows.h"
 
 #include <charconv>
 #include <cinttypes>
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "wheel_rail_contact/ros/contact_statistics.h"
-#include "wheel_rail_contact/ros/text.h"
+#include "ros/node/contact_statistics.h"
+#include "ros/node/text.h"
 
 namespace wheel_rail_contact
 {
@@ -46,7 +46,7 @@ std::string stamp(const ros::Time& time)
   return formatted("%" PRIu32 ".%09" PRIu32, time.sec, time.nsec);
 }
 
-std::string cells(const RailDeflectionMsg& rail)
+std::string cells(const RailDeflection& rail)
 {
   return cell(rail.lateral) + cell(rail.vertical) + cell(rail.roll) + cell(rail.lateral_force) +
          cell(rail.vertical_force);
@@ -67,7 +67,7 @@ std::string angles(const geometry_msgs::Quaternion& q)
 }
 }  // namespace
 
-std::string csvRows(const WheelsetContactMsg& answer, std::uint64_t number, const std::string& wheelset)
+std::string csvRows(const WheelsetContact& answer, std::uint64_t number, const std::string& wheelset)
 {
   const auto& position = answer.wheelset.position;
   const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(answer.header.stamp) + "," +

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/evaluation_pool.h"
+#include "replay/evaluation_pool.h"
 
 #include <ros/serialization.h>
 
 #include <exception>
 #include <utility>
 
-#include "wheel_rail_contact/replay/csv_rows.h"
+#include "replay/csv_rows.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-std::string serialized(const WheelsetContactMsg& message)
+std::string serialized(const WheelsetContact& message)
 {
   std::string bytes(ros::serialization::serializationLength(message), '\0');
   ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
@@ -132,14 +132,14 @@ void EvaluationPool::answer(ContactEvaluator& evaluator, const Job& job) const
   {
     return;
   }
-  WheelsetContactMsg message = toMessage(answer, format_.grids, 0);
+  WheelsetContact message = toMessage(answer, format_.grids, 0);
   message.header.seq = job.item->sequence;
   std::string csv;
   if (format_.csv)
   {
     csv = csvRows(message, job.item->answer, format_.wheelsets[*job.item->wheelset]);
   }
-  const bool is_ok = message.status == WheelsetContactMsg::OK;
+  const bool is_ok = message.status == WheelsetContact::OK;
   output_.complete(*job.item, serialized(message), std::move(csv), message.status,
                    is_ok ? std::string() : message.status_text);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/join.h"
+#include "replay/join.h"
 
 #include <limits>
 #include <map>
@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "wheel_rail_contact/bag/bag_stream.h"
-#include "wheel_rail_contact/bag/bag_writer.h"
-#include "wheel_rail_contact/replay/replay_options.h"
-#include "wheel_rail_contact/replay/replay_source.h"
+#include "bag/bag_stream.h"
+#include "bag/bag_writer.h"
+#include "replay/replay_options.h"
+#include "replay/replay_source.h"
 
 namespace wheel_rail_contact
 {

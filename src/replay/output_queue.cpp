@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/output_queue.h"
+#include "replay/output_queue.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/profile_outlines.h"
+#include "replay/profile_outlines.h"
 
 #include <sstream>
 #include <utility>
 
-#include "wheel_rail_contact/geometry/placement.h"
+#include "core/track/placement.h"
 
 namespace wheel_rail_contact
 {
@@ -19,7 +19,7 @@ void write(double y, double z, std::ostream& text)
 }
 
 template <typename Place>
-std::string outline(const Profile& profile, const Place& place)
+std::string outline(const core::Profile& profile, const Place& place)
 {
   std::ostringstream text;
   for (int i = 0; i < points; ++i)
@@ -31,33 +31,33 @@ std::string outline(const Profile& profile, const Place& place)
 }
 }  // namespace
 
-std::string railOutlineText(const ContactModelConfig& config)
+std::string railOutlineText(const core::ContactModelConfig& config)
 {
-  const PlacedRail rail(config.rail_profile, config.track);
+  const core::PlacedRail rail(config.rail_profile, config.track);
   return outline(*config.rail_profile,
                  [&rail](double u)
                  {
-                   const PlanePoint p = rail.at(u);
+                   const core::PlanePoint p = rail.at(u);
                    return std::make_pair(p.y, p.z);
                  });
 }
 
-std::string railReferenceText(const ContactModelConfig& config)
+std::string railReferenceText(const core::ContactModelConfig& config)
 {
-  const PlanePoint point = PlacedRail(config.rail_profile, config.track).referencePoint();
+  const core::PlanePoint point = core::PlacedRail(config.rail_profile, config.track).referencePoint();
   std::ostringstream text;
   write(point.y, point.z, text);
   return text.str();
 }
 
-std::string wheelOutlineText(const ContactModelConfig& config)
+std::string wheelOutlineText(const core::ContactModelConfig& config)
 {
-  const Profile& profile = *config.wheel_profile;
-  const WheelsetConfig& wheelset = config.wheelset;
+  const core::Profile& profile = *config.wheel_profile;
+  const core::WheelsetConfig& wheelset = config.wheelset;
   return outline(profile,
                  [&](double u)
                  {
-                   const CurvePoint p = profile.at(u);
+                   const core::CurvePoint p = profile.at(u);
                    return std::make_pair(wheelset.halfBase() + p.y, p.z - wheelset.rolling_radius);
                  });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/progress.h"
+#include "replay/progress.h"
 
 #include <unistd.h>
 

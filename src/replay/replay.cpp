@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/replay.h"
+#include "replay/replay.h"
 
 #include <filesystem>
 #include <ostream>
@@ -7,10 +7,10 @@
 #include <thread>
 #include <utility>
 
-#include "wheel_rail_contact/replay/lead_in.h"
-#include "wheel_rail_contact/replay/profile_outlines.h"
-#include "wheel_rail_contact/replay/progress.h"
-#include "wheel_rail_contact/ros/text.h"
+#include "replay/profile_outlines.h"
+#include "replay/progress.h"
+#include "replay/warm_up.h"
+#include "ros/node/text.h"
 
 namespace wheel_rail_contact
 {
@@ -19,14 +19,14 @@ namespace
 constexpr std::size_t queue_budget = 96 << 20;  ///< [B]
 
 BagConnection answerConnection(const std::string& wheelset, const std::string& description,
-                               const ContactModelConfig& model)
+                               const core::ContactModelConfig& model)
 {
   BagConnection connection;
   connection.topic = answerTopic(wheelset);
   connection.header.set("topic", connection.topic)
-      .set("type", ros::message_traits::datatype<WheelsetContactMsg>())
-      .set("md5sum", ros::message_traits::md5sum<WheelsetContactMsg>())
-      .set("message_definition", ros::message_traits::definition<WheelsetContactMsg>())
+      .set("type", ros::message_traits::datatype<WheelsetContact>())
+      .set("md5sum", ros::message_traits::md5sum<WheelsetContact>())
+      .set("message_definition", ros::message_traits::definition<WheelsetContact>())
       .set("callerid", wheelset + "/contact_node")
       .set(description_field, description)
       .set("rail_outline", railOutlineText(model))

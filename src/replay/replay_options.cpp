@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/replay_options.h"
+#include "replay/replay_options.h"
 
 #include <ros/message_traits.h>
 
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <thread>
 
-#include "wheel_rail_contact/ros/file_names.h"
-#include "wheel_rail_contact/ros/messages.h"
+#include <wheel_rail_contact/WheelsetContact.h>
+#include "ros/parameters/file_names.h"
 
 namespace wheel_rail_contact
 {
@@ -251,7 +251,7 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
 {
   std::ostringstream text;
   text << "input size: " << input_size << " B\n";
-  text << "options: message " << ros::message_traits::md5sum<WheelsetContactMsg>() << ", grids " << options.grids
+  text << "options: message " << ros::message_traits::md5sum<WheelsetContact>() << ", grids " << options.grids
        << ", keep topics " << options.keep_topics << ", compression " << options.compression << "\n";
   for (const std::string& name : options.wheelsets)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/replay/replay_source.h"
+#include "replay/replay_source.h"
 
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bag_messages.h"
+#include "replay/bag_messages.h"
 
 namespace wheel_rail_contact
 {
@@ -139,7 +139,7 @@ std::pair<std::string, std::string> ReplaySource::typeAndSumOf(Role role)
     case Role::pose:
       return typeAndSum<geometry_msgs::PoseStamped>();
     case Role::neighbour:
-      return typeAndSum<WheelsetContactMsg>();
+      return typeAndSum<WheelsetContact>();
     case Role::transform:
     case Role::static_transform:
       return typeAndSum<tf2_msgs::TFMessage>();
@@ -281,7 +281,7 @@ std::optional<ContactInput> ReplaySource::pair(const Use& use, const BagMessage&
   {
     return pairing.addLoad(wrench);
   }
-  return pairing.addRailForce(use.role == Role::left_rail_force ? Side::left : Side::right, wrench);
+  return pairing.addRailForce(use.role == Role::left_rail_force ? core::Side::left : core::Side::right, wrench);
 }
 
 /// Lets go the inputs that wait no longer, in the order of each wheelset.
@@ -311,7 +311,7 @@ void ReplaySource::emit(std::size_t wheelset)
   event.input.lacks_neighbour = !effect.complete;
   event.read = read_;
   event.lead_in = !in_span_;
-  const bool is_evaluated = event.input.status == WheelsetContactMsg::OK;
+  const bool is_evaluated = event.input.status == WheelsetContact::OK;
   own.lacking_neighbour += in_span_ && is_evaluated && event.input.lacks_neighbour ? 1U : 0U;
   observe(own, event.input.stamp);
   own.waiting.pop_front();

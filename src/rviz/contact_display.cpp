@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact_display.h"
+#include "rviz/contact_display.h"
 
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "panel_picture.h"
-#include "wheel_rail_contact/ros/answer_text.h"
-#include "wheel_rail_contact/ros/contact_statistics.h"
-#include "wheel_rail_contact/ros/node_parameters.h"
-#include "wheel_rail_contact/ros/rail_motion.h"
+#include "ros/markers/rail_motion.h"
+#include "ros/node/contact_statistics.h"
+#include "ros/node/result_text.h"
+#include "ros/parameters/node_parameters.h"
+#include "rviz/panel_picture.h"
 
 namespace wheel_rail_contact
 {
@@ -55,7 +55,7 @@ void ContactDisplay::clear()
   }
 }
 
-void ContactDisplay::processMessage(const WheelsetContactMsg::ConstPtr& message)
+void ContactDisplay::processMessage(const WheelsetContact::ConstPtr& message)
 {
   if (!config_ && ros::WallTime::now() >= next_reading_)
   {
@@ -76,7 +76,7 @@ void ContactDisplay::processMessage(const WheelsetContactMsg::ConstPtr& message)
   changed_ = true;
 }
 
-const ContactModelConfig* ContactDisplay::model() const
+const core::ContactModelConfig* ContactDisplay::model() const
 {
   return config_ ? &config_->model : nullptr;
 }
@@ -86,7 +86,7 @@ void ContactDisplay::extendTrail()
   const std::size_t length = properties_.trailLength();
   if (length > 0)
   {
-    const std::optional<PlacedRail> at_rest = restingRail(model());
+    const std::optional<core::PlacedRail> at_rest = restingRail(model());
     trail_.add(*answer_, at_rest ? &*at_rest : nullptr);
   }
   trail_.limit(length);

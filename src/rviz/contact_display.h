@@ -6,18 +6,18 @@
 #include <string>
 
 #include <rviz/message_filter_display.h>
-#include "wheel_rail_contact/ros/contact_trail.h"
-#include "wheel_rail_contact/ros/messages.h"
-#include "wheel_rail_contact/ros/parameters.h"
+#include <wheel_rail_contact/WheelsetContact.h>
+#include "ros/markers/contact_trail.h"
+#include "ros/parameters/parameters.h"
 
-#include "display_properties.h"
-#include "marker_drawing.h"
-#include "screen_panel.h"
+#include "rviz/display_properties.h"
+#include "rviz/marker_drawing.h"
+#include "rviz/screen_panel.h"
 
 namespace wheel_rail_contact
 {
 /// rviz's display of WheelsetContact: see doc/rviz.md.
-class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContactMsg>
+class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
 {
  public:
   ContactDisplay();
@@ -29,14 +29,14 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContactMsg>
  protected:
   void onInitialize() override;
   void onDisable() override;
-  void processMessage(const WheelsetContactMsg::ConstPtr& message) override;
+  void processMessage(const WheelsetContact::ConstPtr& message) override;
 
  private:
   void clear();
   void extendTrail();
   void readParameters();
   /// Null while the node's parameters are not known.
-  const ContactModelConfig* model() const;
+  const core::ContactModelConfig* model() const;
   std::string parameterNamespace() const;
   void reportAnswer();
   void draw();
@@ -46,7 +46,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContactMsg>
   std::unique_ptr<ScreenPanel> panel_;
   std::optional<NodeConfig> config_;  ///< of the contact node; without it wheels and rails are not drawn
   ros::WallTime next_reading_;        ///< of parameters that could not be read
-  WheelsetResult result_;
+  core::WheelsetResult result_;
   std::optional<ContactAnswer> answer_;  ///< refers to `result_`
   ContactTrail trail_;
   bool changed_ = false;  ///< since the last drawing

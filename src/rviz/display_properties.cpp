@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "display_properties.h"
+#include "rviz/display_properties.h"
 
 namespace wheel_rail_contact
 {
@@ -46,8 +46,8 @@ DisplayProperties::DisplayProperties(Property* parent)
       "Parameters", "", "Namespace of the contact node's parameters, which tell the profiles; empty: that of the topic",
       parent);
   side_ = new rviz::EnumProperty("Side", "both", "Side of the track that is shown", parent);
-  side_->addOption("left", static_cast<int>(Side::left));
-  side_->addOption("right", static_cast<int>(Side::right));
+  side_->addOption("left", static_cast<int>(core::Side::left));
+  side_->addOption("right", static_cast<int>(core::Side::right));
   side_->addOption("both", both_sides);
   follow_ =
       new BoolProperty("Follow Wheelset", false, "Draw the wheelset at x = 0, so that it stays in the view", parent);
@@ -110,10 +110,11 @@ void DisplayProperties::onParametersChange(const std::function<void()>& changed)
   connectBelow(parameters_, changed);
 }
 
-std::vector<Side> DisplayProperties::sides() const
+std::vector<core::Side> DisplayProperties::sides() const
 {
   const int side = side_->getOptionInt();
-  return side == both_sides ? std::vector<Side>{Side::left, Side::right} : std::vector<Side>{static_cast<Side>(side)};
+  return side == both_sides ? std::vector<core::Side>{core::Side::left, core::Side::right}
+                            : std::vector<core::Side>{static_cast<core::Side>(side)};
 }
 
 PatchStyle DisplayProperties::patchStyle() const

@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-#include "wheel_rail_contact/ros/contact_scene.h"
+#include "ros/markers/contact_scene.h"
 
 namespace wheel_rail_contact
 {
@@ -38,7 +38,7 @@ class DisplayProperties
   void makePatchProperties(rviz::Property* parent);
   void makeTrackProperties(rviz::Property* parent);
   void makeTextProperties(rviz::Property* parent);
-  std::vector<Side> sides() const;
+  std::vector<core::Side> sides() const;
   PatchStyle patchStyle() const;
   TrackStyle trackStyle() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "marker_drawing.h"
+#include "rviz/marker_drawing.h"
 
 #include <rviz/default_plugin/marker_utils.h>
 

@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "wheel_rail_contact/ros/marker_tools.h"
+#include "ros/markers/marker_tools.h"
 
 namespace wheel_rail_contact
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "panel_picture.h"
+#include "rviz/panel_picture.h"
 
 #include <QFont>
 #include <QFontMetrics>
 #include <QPainter>
 #include <algorithm>
 
-#include "wheel_rail_contact/ros/color_map.h"
+#include "ros/markers/color_map.h"
 
 namespace wheel_rail_contact
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "screen_panel.h"
+#include "rviz/screen_panel.h"
 
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreMaterialManager.h>

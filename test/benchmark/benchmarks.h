@@ -5,8 +5,8 @@
 #include <string>
 
 #include "../manchester_scene.h"
-#include "wheel_rail_contact/balance/wheel_contact.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
+#include "core/balance/wheel_contact.h"
+#include "core/normal/solvers/conjugate_gradients.h"
 
 /// Parts of contact_benchmark. S1002 on UIC60, 100 kN a wheel, one core.
 namespace wheel_rail_contact
@@ -31,7 +31,7 @@ double seconds(Work work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-inline std::string nameOf(const GridSize& size)
+inline std::string nameOf(const core::GridSize& size)
 {
   return std::to_string(size.along) + "x" + std::to_string(size.across);
 }
@@ -44,7 +44,7 @@ class ToAndFro
   /// @param reach  steps from there to either end
   ToAndFro(double y, int reach) : y_(y), reach_(reach) {}
 
-  const WheelsetState& next()
+  const core::WheelsetState& next()
   {
     constexpr double step = 0.05e-3;  // [m]
     const int period = 4 * reach_;
@@ -57,7 +57,7 @@ class ToAndFro
  private:
   double y_;
   int reach_;
-  WheelsetState state_{0, 0, 0, 0, -200e3, 0, {}};
+  core::WheelsetState state_{0, 0, 0, 0, -200e3, 0, {}};
   int count_ = 0;
 };
 
@@ -70,15 +70,15 @@ struct Sweep : ToAndFro
 /// One wheel on one rail, to be stepped through by hand.
 struct OneWheel
 {
-  ContactModelConfig config = manchesterScene();
-  PlacedRail rail{config.rail_profile, config.track};
-  ConjugateGradients solver;
-  WheelContact wheel{config, solver};
+  core::ContactModelConfig config = core::manchesterScene();
+  core::PlacedRail rail{config.rail_profile, config.track};
+  core::ConjugateGradients solver;
+  core::WheelContact wheel{config, solver};
 
   OneWheel() { wheel.setRail(rail); }
 
   /// Its normal problem in the middle of the track, under 100 kN.
-  const NormalProblem& problemOn(const GridSize& size)
+  const core::NormalProblem& problemOn(const core::GridSize& size)
   {
     wheel.solveLoad(wheel.touch({0, 0, 0, 0}), 100e3, size);
     return wheel.problem();

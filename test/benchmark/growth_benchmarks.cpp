@@ -13,11 +13,11 @@ namespace wheel_rail_contact
 namespace
 {
 /// Shortest of some cold solutions [s].
-double shortestSolution(OneWheel& one, const NormalProblem& problem)
+double shortestSolution(OneWheel& one, const core::NormalProblem& problem)
 {
   constexpr int tries = 9;
   double shortest = INFINITY;
-  NormalSolution solution;
+  core::NormalSolution solution;
   for (int k = 0; k < tries; ++k)
   {
     shortest = std::min(shortest, seconds([&] { one.solver.solve(problem, false, solution); }));
@@ -29,14 +29,15 @@ double shortestSolution(OneWheel& one, const NormalProblem& problem)
 /// logarithms of cells and time.
 void cells(benchmark::State& state)
 {
-  constexpr std::array<GridSize, 7> sizes{{{4, 16}, {8, 32}, {16, 64}, {32, 64}, {64, 128}, {128, 256}, {256, 256}}};
+  constexpr std::array<core::GridSize, 7> sizes{
+      {{4, 16}, {8, 32}, {16, 64}, {32, 64}, {64, 128}, {128, 256}, {256, 256}}};
   OneWheel one;
   std::array<double, sizes.size()> time{};
   for (auto _ : state)
   {
     for (std::size_t k = 0; k < sizes.size(); ++k)
     {
-      time[k] = shortestSolution(one, NormalProblem(one.problemOn(sizes[k])));
+      time[k] = shortestSolution(one, core::NormalProblem(one.problemOn(sizes[k])));
     }
   }
   double x = 0, y = 0, xx = 0, xy = 0;
@@ -57,10 +58,10 @@ void cells(benchmark::State& state)
 void patches(benchmark::State& state, int count)
 {
   OneWheel one;
-  NormalProblem problem = one.problemOn({16, 48});
+  core::NormalProblem problem = one.problemOn({16, 48});
   problem.patches.resize(static_cast<std::size_t>(count), problem.patches[0]);
   problem.value *= count;
-  NormalSolution solution;
+  core::NormalSolution solution;
   for (auto _ : state)
   {
     one.solver.solve(problem, false, solution);
@@ -72,11 +73,11 @@ void patches(benchmark::State& state, int count)
 void wheelsets(benchmark::State& state, int count)
 {
   constexpr int apart = 15;  // steps of the sweep
-  std::vector<WheelsetContact> contacts;
+  std::vector<core::WheelsetContact> contacts;
   std::vector<Sweep> sweeps(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
   {
-    contacts.emplace_back(manchesterScene());
+    contacts.emplace_back(core::manchesterScene());
     for (int step = 0; step < k * apart; ++step)
     {
       sweeps[static_cast<std::size_t>(k)].next();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wheel_rail_contact/normal/operator_cache.h"
+#include "core/normal/operator/operator_cache.h"
 
 namespace wheel_rail_contact
 {
@@ -14,15 +14,15 @@ constexpr double no_surface = 1e9;  ///< gap of cells that only pad the fields [
 constexpr int most_iterations = 500;
 }  // namespace
 
-void PolonskyKeer::begin(const NormalProblem& problem)
+void PolonskyKeer::begin(const core::NormalProblem& problem)
 {
-  const PatchGap& patch = problem.patches[0];
-  const Grid& grid = patch.grid;
-  static OperatorCache cache;
+  const core::PatchGap& patch = problem.patches[0];
+  const core::Grid& grid = patch.grid;
+  static core::OperatorCache cache;
   influence_ = cache.find(grid.nx, grid.ny, grid.symmetric, grid.dx / grid.dy);
   size_ = influence_->fieldSize();
   workspace_.reserve(*influence_);
-  for (LaneBuffer* field : {&p_, &gap_, &g_, &t_, &q_})
+  for (core::LaneBuffer* field : {&p_, &gap_, &g_, &t_, &q_})
   {
     field->resize(size_);
     std::fill_n(field->data(), size_, 0.0);
@@ -73,7 +73,7 @@ void PolonskyKeer::scaleTo(double load)
 }
 
 /// Takes the mean over the contact off a field; returns it.
-double PolonskyKeer::shiftToContact(LaneBuffer& field) const
+double PolonskyKeer::shiftToContact(core::LaneBuffer& field) const
 {
   double sum = 0, cells = 0;
   for (int k = 0; k < size_; ++k)
@@ -143,10 +143,10 @@ bool PolonskyKeer::step()
   return length > 0;
 }
 
-bool PolonskyKeer::solve(const NormalProblem& problem)
+bool PolonskyKeer::solve(const core::NormalProblem& problem)
 {
   begin(problem);
-  const Grid& grid = problem.patches[0].grid;
+  const core::Grid& grid = problem.patches[0].grid;
   // Pressures as lengths p dy / (pi E*), as the operator has them.
   const double load = problem.value / (std::acos(-1.0) * problem.modulus / grid.dy * grid.cellArea());
   start(load);

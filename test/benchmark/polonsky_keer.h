@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "../../src/normal/lanes.h"
-#include "wheel_rail_contact/normal/influence_operator.h"
-#include "wheel_rail_contact/normal/problem.h"
+#include "core/normal/operator/influence_operator.h"
+#include "core/normal/operator/lanes.h"
+#include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact
 {
@@ -19,23 +19,23 @@ class PolonskyKeer
   explicit PolonskyKeer(double residual) : residual_(residual) {}
 
   /// @return false if it did not get there in 500 iterations.
-  bool solve(const NormalProblem& problem);
+  bool solve(const core::NormalProblem& problem);
 
   double approach() const { return approach_; }
   int products() const { return products_; }
 
  private:
-  void begin(const NormalProblem& problem);
+  void begin(const core::NormalProblem& problem);
   void start(double load);
   void scaleTo(double load);
-  double shiftToContact(LaneBuffer& field) const;
+  double shiftToContact(core::LaneBuffer& field) const;
   double measure();
   bool step();
 
   double residual_;
-  std::shared_ptr<const InfluenceOperator> influence_;
-  InfluenceOperator::Workspace workspace_;
-  LaneBuffer p_, gap_, g_, t_, q_;  ///< pressure, gap, gap after deformation, direction, its displacement
+  std::shared_ptr<const core::InfluenceOperator> influence_;
+  core::InfluenceOperator::Workspace workspace_;
+  core::LaneBuffer p_, gap_, g_, t_, q_;  ///< pressure, gap, gap after deformation, direction, its displacement
   int size_ = 0, products_ = 0;
   double approach_ = 0, least_gap_ = 0;
   double last_norm_ = 0;  ///< of g over the contact; 0: start along the gradient

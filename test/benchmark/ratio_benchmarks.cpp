@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "benchmarks.h"
+#include "core/normal/solvers/seidel.h"
 #include "polonsky_keer.h"
-#include "wheel_rail_contact/normal/seidel.h"
 
 namespace wheel_rail_contact
 {
@@ -14,12 +14,12 @@ namespace
 /// Runs conjugate gradients and another solver in turns on one problem, both cold; `slower` is the ratio of the sums of
 /// their times. `other` returns the approach it found; `apart` is how far the two are from one another, relative.
 template <typename Other>
-void compare(benchmark::State& state, const GridSize& size, Other other)
+void compare(benchmark::State& state, const core::GridSize& size, Other other)
 {
   OneWheel one;
-  NormalProblem problem = one.problemOn(size);
+  core::NormalProblem problem = one.problemOn(size);
   problem.patches[0].weight = 1;
-  NormalSolution solution;
+  core::NormalSolution solution;
   double own_time = 0, other_time = 0, other_approach = 0;
   for (auto _ : state)
   {
@@ -30,26 +30,26 @@ void compare(benchmark::State& state, const GridSize& size, Other other)
   state.counters["apart"] = std::abs(other_approach / solution.approach - 1);
 }
 
-void seidel(benchmark::State& state, const GridSize& size, SeidelOptions::Form form)
+void seidel(benchmark::State& state, const core::GridSize& size, core::SeidelOptions::Form form)
 {
-  SeidelOptions options;
+  core::SeidelOptions options;
   options.form = form;
-  Seidel solver(options);
-  NormalSolution solution;
+  core::Seidel solver(options);
+  core::NormalSolution solution;
   compare(state, size,
-          [&](const NormalProblem& problem)
+          [&](const core::NormalProblem& problem)
           {
             solver.solve(problem, false, solution);
             return solution.approach;
           });
 }
 
-void polonskyKeer(benchmark::State& state, const GridSize& size)
+void polonskyKeer(benchmark::State& state, const core::GridSize& size)
 {
-  PolonskyKeer solver(ConjugateGradientsOptions().residual);
+  PolonskyKeer solver(core::ConjugateGradientsOptions().residual);
   bool found = true;
   compare(state, size,
-          [&](const NormalProblem& problem)
+          [&](const core::NormalProblem& problem)
           {
             found = solver.solve(problem) && found;
             return solver.approach();
@@ -65,17 +65,17 @@ void polonskyKeer(benchmark::State& state, const GridSize& size)
 /// is the ratio of the sums of their times.
 void bendingRails(benchmark::State& state)
 {
-  ContactModelConfig config = manchesterScene();
-  WheelsetContact rigid(config);
-  config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = softPads();
-  WheelsetContact bending(config);
+  core::ContactModelConfig config = core::manchesterScene();
+  core::WheelsetContact rigid(config);
+  config.rail_bending.model = core::RailBendingConfig::Model::compliance;
+  config.rail_bending.table = core::softPads();
+  core::WheelsetContact bending(config);
   Sweep sweep;
   double rigid_time = 0, bending_time = 0;
   int refused = 0;
   for (auto _ : state)
   {
-    const WheelsetState& wheelset = sweep.next();
+    const core::WheelsetState& wheelset = sweep.next();
     rigid_time += seconds([&] { refused += isUsable(rigid.evaluate(wheelset).status) ? 0 : 1; });
     bending_time += seconds([&] { refused += isUsable(bending.evaluate(wheelset).status) ? 0 : 1; });
   }
@@ -89,14 +89,14 @@ void registerRatios()
   const auto add = [](const std::string& name, auto run)
   { benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond); };
   add("ratio/bending_rails", bendingRails);
-  for (const GridSize& size : {GridSize{16, 16}, GridSize{16, 32}, GridSize{32, 32}})
+  for (const core::GridSize& size : {core::GridSize{16, 16}, core::GridSize{16, 32}, core::GridSize{32, 32}})
   {
     add("ratio/seidel_printed/" + nameOf(size),
-        [=](benchmark::State& state) { seidel(state, size, SeidelOptions::Form::printed); });
+        [=](benchmark::State& state) { seidel(state, size, core::SeidelOptions::Form::printed); });
     add("ratio/seidel/" + nameOf(size),
-        [=](benchmark::State& state) { seidel(state, size, SeidelOptions::Form::repaired); });
+        [=](benchmark::State& state) { seidel(state, size, core::SeidelOptions::Form::repaired); });
   }
-  for (const GridSize& size : {GridSize{16, 48}, GridSize{32, 64}, GridSize{64, 128}})
+  for (const core::GridSize& size : {core::GridSize{16, 48}, core::GridSize{32, 64}, core::GridSize{64, 128}})
   {
     add("ratio/polonsky_keer/" + nameOf(size), [=](benchmark::State& state) { polonskyKeer(state, size); });
   }

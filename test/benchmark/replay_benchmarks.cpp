@@ -13,7 +13,7 @@
 
 #include "../pairs_bag.h"
 #include "benchmarks.h"
-#include "wheel_rail_contact/replay/replay.h"
+#include "replay/replay.h"
 
 namespace wheel_rail_contact
 {

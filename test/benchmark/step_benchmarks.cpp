@@ -17,24 +17,24 @@ void search(benchmark::State& state)
   }
 }
 
-void gap(benchmark::State& state, const GridSize& size)
+void gap(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
-  PatchGap patch = one.problemOn(size).patches[0];
-  const RigidTouch touch = one.wheel.touch({0, 0, 0, 0});
-  const PlacedWheel placed(*one.config.wheel_profile, one.config.wheelset, {0, touch.axle_height, 0, 0});
-  std::vector<GapColumn> columns;
+  core::PatchGap patch = one.problemOn(size).patches[0];
+  const core::RigidTouch touch = one.wheel.touch({0, 0, 0, 0});
+  const core::PlacedWheel placed(*one.config.wheel_profile, one.config.wheelset, {0, touch.axle_height, 0, 0});
+  std::vector<core::GapColumn> columns;
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(buildGap(placed, one.rail, one.wheel.patches()[0].plane, patch.grid, patch.gap, columns));
   }
 }
 
-void normal(benchmark::State& state, const GridSize& size)
+void normal(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
-  const NormalProblem problem = one.problemOn(size);
-  NormalSolution solution;
+  const core::NormalProblem problem = one.problemOn(size);
+  core::NormalSolution solution;
   for (auto _ : state)
   {
     one.solver.solve(problem, false, solution);
@@ -43,7 +43,7 @@ void normal(benchmark::State& state, const GridSize& size)
   state.counters["products"] = solution.iterations;
 }
 
-void estimate(benchmark::State& state, const GridSize& size)
+void estimate(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
   one.problemOn(size);
@@ -57,10 +57,10 @@ void estimate(benchmark::State& state, const GridSize& size)
 void registerSteps()
 {
   benchmark::RegisterBenchmark("step/search", search)->Unit(benchmark::kMicrosecond);
-  for (const GridSize& size :
-       {GridSize{10, 24}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 56}, GridSize{32, 96}, GridSize{64, 128}})
+  for (const core::GridSize& size : {core::GridSize{10, 24}, core::GridSize{12, 32}, core::GridSize{16, 48},
+                                     core::GridSize{24, 56}, core::GridSize{32, 96}, core::GridSize{64, 128}})
   {
-    const auto add = [&](const std::string& name, void (*run)(benchmark::State&, const GridSize&))
+    const auto add = [&](const std::string& name, void (*run)(benchmark::State&, const core::GridSize&))
     {
       benchmark::RegisterBenchmark((name + nameOf(size)).c_str(), [=](benchmark::State& state) { run(state, size); })
           ->Unit(benchmark::kMicrosecond);

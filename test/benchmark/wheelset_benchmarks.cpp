@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "benchmarks.h"
-#include "wheel_rail_contact/balance/wheelset_balance.h"
+#include "core/balance/wheelset_balance.h"
 
 namespace wheel_rail_contact
 {
@@ -20,9 +20,9 @@ enum class Start
   warm
 };
 
-void evaluate(benchmark::State& state, const ContactModelConfig& config, Start start)
+void evaluate(benchmark::State& state, const core::ContactModelConfig& config, Start start)
 {
-  WheelsetContact contact(config);
+  core::WheelsetContact contact(config);
   Sweep sweep;
   contact.evaluate(sweep.next());
   int refused = 0;
@@ -38,10 +38,10 @@ void evaluate(benchmark::State& state, const ContactModelConfig& config, Start s
 }
 
 /// Spread of the times of 20 000 warm evaluations [us].
-void jitter(benchmark::State& state, const ContactModelConfig& config)
+void jitter(benchmark::State& state, const core::ContactModelConfig& config)
 {
   constexpr std::size_t count = 20000;
-  WheelsetContact contact(config);
+  core::WheelsetContact contact(config);
   Sweep sweep;
   contact.evaluate(sweep.next());
   std::vector<double> times(count);
@@ -60,25 +60,25 @@ void jitter(benchmark::State& state, const ContactModelConfig& config)
 }
 
 /// Another solver, and the time it takes.
-class TimedSolver : public NormalSolver
+class TimedSolver : public core::NormalSolver
 {
  public:
-  TimedSolver(std::unique_ptr<NormalSolver> solver, double& spent) : solver_(std::move(solver)), spent_(spent) {}
+  TimedSolver(std::unique_ptr<core::NormalSolver> solver, double& spent) : solver_(std::move(solver)), spent_(spent) {}
 
   const char* name() const override { return solver_->name(); }
   bool solvesSupport() const override { return solver_->solvesSupport(); }
-  void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override
+  void solve(const core::NormalProblem& problem, bool warm, core::NormalSolution& solution) override
   {
     spent_ += seconds([&] { solver_->solve(problem, warm, solution); });
   }
-  void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
-                      std::vector<ErrorEstimate>& errors) const override
+  void estimateErrors(const core::NormalProblem& problem, const core::NormalSolution& solution,
+                      std::vector<core::ErrorEstimate>& errors) const override
   {
     spent_ += seconds([&] { solver_->estimateErrors(problem, solution, errors); });
   }
 
  private:
-  std::unique_ptr<NormalSolver> solver_;
+  std::unique_ptr<core::NormalSolver> solver_;
   double& spent_;  ///< in both [s]
 };
 
@@ -101,20 +101,20 @@ double shareOf(std::vector<Message>::const_iterator begin, std::vector<Message>:
 
 /// Share of the normal solutions in the time of a warm answer; the rest is search, gap and balance. Of all messages,
 /// and of the tenth of them about the median, which the dear ones (jumps, way to a finer grid) do not rule [%].
-void shareOfSolutions(benchmark::State& state, const ContactModelConfig& config, ToAndFro way)
+void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& config, ToAndFro way)
 {
   constexpr std::size_t count = 4800, first = 480;
   double spent = 0;
-  const MethodLadder ladder(config, [&](std::unique_ptr<NormalSolver> solver)
-                            { return std::make_unique<TimedSolver>(std::move(solver), spent); });
-  WheelsetBalance balance(config, ladder);
+  const core::MethodLadder ladder(config, [&](std::unique_ptr<core::NormalSolver> solver)
+                                  { return std::make_unique<TimedSolver>(std::move(solver), spent); });
+  core::WheelsetBalance balance(config, ladder);
   std::vector<Message> messages;
   for (auto _ : state)
   {
     messages.clear();
     for (std::size_t k = 0; k < first + count; ++k)
     {
-      const WheelsetState& now = way.next();
+      const core::WheelsetState& now = way.next();
       const double before = spent;
       const double all = seconds([&] { balance.solve(now); });
       if (k >= first)
@@ -130,7 +130,7 @@ void shareOfSolutions(benchmark::State& state, const ContactModelConfig& config,
 }
 
 /// Over the sweep, and at places a wheelset moves about by 0.2 mm to either side.
-void addShares(const std::string& tolerance, const ContactModelConfig& config)
+void addShares(const std::string& tolerance, const core::ContactModelConfig& config)
 {
   const auto register_share = [](const std::string& name, auto share)
   { benchmark::RegisterBenchmark(name.c_str(), share)->Unit(benchmark::kMillisecond)->Iterations(1); };
@@ -144,7 +144,7 @@ void addShares(const std::string& tolerance, const ContactModelConfig& config)
   }
 }
 
-void add(const std::string& name, const ContactModelConfig& config, Start start)
+void add(const std::string& name, const core::ContactModelConfig& config, Start start)
 {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { evaluate(state, config, start); })
       ->Unit(benchmark::kMicrosecond);
@@ -155,19 +155,19 @@ void registerWheelsets()
 {
   for (const char* tolerance : {"0.1", "0.03", "0.01", "0.003"})
   {
-    ContactModelConfig config = manchesterScene();
+    core::ContactModelConfig config = core::manchesterScene();
     config.contact.tolerance = std::stod(tolerance);
     add(std::string("wheelset/cold/") + tolerance, config, Start::cold);
     add(std::string("wheelset/warm/") + tolerance, config, Start::warm);
     addShares(tolerance, config);
   }
-  ContactModelConfig bending = manchesterScene();
-  bending.rail_bending.model = RailBendingConfig::Model::compliance;
-  bending.rail_bending.table = softPads();
+  core::ContactModelConfig bending = core::manchesterScene();
+  bending.rail_bending.model = core::RailBendingConfig::Model::compliance;
+  bending.rail_bending.table = core::softPads();
   add("wheelset_bending/cold/0.01", bending, Start::cold);
   add("wheelset_bending/warm/0.01", bending, Start::warm);
   benchmark::RegisterBenchmark("wheelset/jitter/0.01",
-                               [](benchmark::State& state) { jitter(state, manchesterScene()); })
+                               [](benchmark::State& state) { jitter(state, core::manchesterScene()); })
       ->Unit(benchmark::kMillisecond)
       ->Iterations(1);
 }

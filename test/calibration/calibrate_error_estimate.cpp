@@ -26,13 +26,13 @@
 #include <numeric>
 #include <string>
 
-#include "../normal/error_samples.h"
+#include "../core/normal/error_samples.h"
 #include "chart/quantile.h"
-#include "normal/patch_errors.h"
+#include "core/normal/estimate/patch_errors.h"
 
 namespace
 {
-using namespace wheel_rail_contact;
+using namespace wheel_rail_contact::core;
 using chart::quantile;
 using scenes::ErrorSample;
 

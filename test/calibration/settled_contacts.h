@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <vector>
 
-#include "../normal/error_samples.h"
-#include "wheel_rail_contact/normal/hertz.h"
+#include "../core/normal/error_samples.h"
+#include "core/normal/solvers/hertz.h"
 
 /// Contacts solved on cells until only those make them wrong, with what is true of them: samples for fits.
-namespace wheel_rail_contact::fits
+namespace wheel_rail_contact::core::fits
 {
 /// A patch that is alone on its problem.
 struct Contact
@@ -231,4 +231,4 @@ Samples collect(const Counts& counts, unsigned long seed)
   visitContacts(counts, seed, [&](const Contact& contact) { add(contact, samples); });
   return samples;
 }
-}  // namespace wheel_rail_contact::fits
+}  // namespace wheel_rail_contact::core::fits

@@ -22,14 +22,14 @@
 #include <stdexcept>
 #include <vector>
 
-#include "../normal/error_samples.h"
+#include "../core/normal/error_samples.h"
+#include "chart/comparison.h"
 #include "chart/quantile.h"
-#include "chart/race.h"
 #include "chart/wheelset_scene.h"
 
 namespace
 {
-using namespace wheel_rail_contact;
+using namespace wheel_rail_contact::core;
 
 bool meets(const chart::Series& series, double tolerance)
 {

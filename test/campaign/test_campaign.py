@@ -333,7 +333,7 @@ class Misuse(Case):
         with unittest.mock.patch("wheel_rail_contact.campaign.cluster.PATIENCE", "0.5s"):
             self.assertIn(f"--scheduler {absent}: no scheduler", self.refuse(*self.command(bag), "--scheduler", absent))
         self.assertIn("slice 10 is not that of the campaign", self.refuse(*self.command(bag, slice=10)))
-        (self.folder / "grid.yaml").write_text(GRID + "track: {cant: 0.05}\n")
+        (self.folder / "grid.yaml").write_text(GRID + "track: {rail_inclination: 0.05}\n")
         self.assertIn("configs", self.refuse(*self.command(bag)))
         (self.folder / "grid.yaml").write_text(GRID)
         self.assertIn("other.bag is not in the campaign", self.refuse(*self.command(bag, self.make_bag(9, "other.bag"))))

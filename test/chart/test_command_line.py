@@ -9,14 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
-from wheel_rail_contact.chart import front
+from wheel_rail_contact.chart import front, summary_picture
 from wheel_rail_contact.chart.command_line import main
 from wheel_rail_contact.chart.measuring import RUNNER, measure
-from wheel_rail_contact.chart.table import Row
+from wheel_rail_contact.chart.table import SOLVED, Row
 from wheel_rail_contact.command import Failure, finish, pyplot, runner
 from wheel_rail_contact.progress import Progress
 
-ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", "answered", "", 1e-3, 1e-3, 1e-3, 5, "hertz", 0.01,
+ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1e-3, 1e-3, 1e-3, 5, "hertz", 0.01,
           0.01, 0.0, 0.0, 0.02, 1e-4)
 
 
@@ -28,38 +28,38 @@ class Misuse(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn(complaint, err.getvalue())
         self.assertIn(str(out), err.getvalue())
-        self.assertEqual(err.getvalue().count("\n"), 1, "one sentence, at once")
+        self.assertEqual(err.getvalue().count("\n"), 1, "one line, before the measurement")
 
-    def test_a_place_that_cannot_be_written_to_is_named(self):
+    def test_unusable_folder_is_reported_by_name(self):
         with tempfile.TemporaryDirectory() as place:
             file = Path(place, "file")
             file.touch()
-            self.check("there is no such folder", Path(place, "absent"))
-            self.check("there is no such folder", file)
-        self.check("cannot be written to", "/proc")
+            self.check("does not exist", Path(place, "absent"))
+            self.check("does not exist", file)
+        self.check("is not writable", "/proc")
 
-    def test_a_missing_or_failing_runner_is_a_sentence(self):
+    def test_missing_or_failing_runner_is_reported(self):
         with mock.patch.dict(os.environ, {"CMAKE_PREFIX_PATH": ""}), mock.patch("sys.argv", ["nowhere/contact_chart"]):
-            with self.assertRaisesRegex(Failure, "was not found"):
+            with self.assertRaisesRegex(Failure, "not found"):
                 runner(RUNNER)
         with self.assertRaisesRegex(Failure, "failed"):
             measure("false", False, mock.Mock())
 
 
-class Ending(unittest.TestCase):
+class ExitStatus(unittest.TestCase):
     def end(self, work):
         err = io.StringIO()
         with contextlib.redirect_stderr(err):
             return finish("name", work), err.getvalue()
 
-    def test_a_failure_is_a_sentence_and_an_interruption_is_told(self):
+    def test_failure_and_interruption_are_reported_in_one_line(self):
         self.assertEqual(self.end(lambda: None), (0, ""))
         self.assertEqual(self.end(mock.Mock(side_effect=Failure("why"))), (1, "name: why\n"))
         status, err = self.end(lambda: open("/nowhere/absent", encoding="ascii"))
         self.assertEqual((status, err.count("\n")), (1, 1))
         self.assertEqual(self.end(mock.Mock(side_effect=KeyboardInterrupt)), (130, "\nname: interrupted\n"))
 
-    def test_missing_matplotlib_is_a_sentence(self):
+    def test_missing_matplotlib_is_reported_in_one_line(self):
         with mock.patch.dict("sys.modules", {"matplotlib": None}):
             status, err = self.end(pyplot)
         self.assertEqual((status, err), (1, "name: matplotlib is not installed; on Debian: "
@@ -81,29 +81,51 @@ class ProgressBar(unittest.TestCase):
 
 
 class Front(unittest.TestCase):
-    def test_pareto_front_keeps_what_nothing_beats(self):
+    def test_pareto_front_holds_the_unbeaten_points(self):
         self.assertEqual(front.pareto([(3, 1), (1, 5), (2, 6), (2, 3), (4, 1)]), [(1, 5), (2, 3), (3, 1)])
 
-    def test_median_counts_no_answer_as_the_largest_error(self):
-        answers = [replace(ROW, scene=str(k), error=error) for k, error in enumerate((1e-3, 1e-2, 1e-1))]
-        refusal = replace(ROW, scene="3", status="refused", reason="why", error=None)
-        time, error, answered, scenes = front.over_scenes([*answers, refusal])["hertz", (8, 16)]
+    def test_missing_result_counts_as_the_largest_error_in_the_median(self):
+        solved = [replace(ROW, scene=str(k), error=error) for k, error in enumerate((1e-3, 1e-2, 1e-1))]
+        refused = replace(ROW, scene="3", status="refused", reason="why", error=None)
+        time, error = front.over_scenes([*solved, refused])["hertz", (8, 16)]
         self.assertAlmostEqual(time, 1e-3)
         self.assertAlmostEqual(error, math.sqrt(1e-2 * 1e-1))
-        self.assertEqual((answered, scenes), (3, 4))
-        _, error, _, _ = front.over_scenes([answers[0], refusal, replace(refusal, scene="4")])["hertz", (8, 16)]
+        _, error = front.over_scenes([solved[0], refused, replace(refused, scene="4")])["hertz", (8, 16)]
         self.assertEqual(error, math.inf)
 
-    def test_standing_compares_with_the_cheapest_that_will_do(self):
+    def test_auto_is_compared_with_the_fastest_method_within_the_tolerance(self):
         fixed = [replace(ROW, time=time, error=error) for time, error in ((1.0, 0.02), (2.0, 0.008), (4.0, 0.001))]
         auto = replace(ROW, method="auto", tolerance=0.01, time=3.0, error=0.004)
-        [stand] = front.standing([*fixed, auto])
-        self.assertEqual((stand.scenes, stand.met, stand.ratio, stand.on_front), (1, 1, 1.5, 1))
-        [stand] = front.standing([*fixed, replace(auto, error=0.02)])
-        self.assertEqual((stand.met, stand.on_front), (0, 0))
-        beyond_all = replace(auto, scene="hard", error=0.02)
-        [stand] = front.standing([*fixed, auto, replace(fixed[0], scene="hard"), beyond_all])
-        self.assertEqual((stand.scenes, stand.met, stand.ratio, stand.largest_ratio), (2, 1, 1.5, 1.5))
+        [found] = front.compare_auto([*fixed, auto])
+        self.assertEqual((found.scenes, found.met, found.ratio, found.on_front), (1, 1, 1.5, 1))
+        [found] = front.compare_auto([*fixed, replace(auto, error=0.02)])
+        self.assertEqual((found.met, found.on_front), (0, 0))
+        missed = replace(auto, scene="hard", error=0.02)
+        [found] = front.compare_auto([*fixed, auto, replace(fixed[0], scene="hard"), missed])
+        self.assertEqual((found.scenes, found.met, found.ratio, found.largest_ratio), (2, 1, 1.5, 1.5))
+
+
+class Summary(unittest.TestCase):
+    def test_scenes_with_exact_hertz_formula_are_left_out_of_the_normal_problems(self):
+        def scene(name, kind, chosen):
+            return [replace(ROW, scene=name, kind=kind),
+                    replace(ROW, scene=name, kind=kind, method="auto", tolerance=0.01, solver=chosen)]
+        ellipse, lobes = scene("ellipse", "normal", "hertz"), scene("lobes", "normal", "conjugate_gradient")
+        wheelset = scene("wheelset", "wheelset", "conjugate_gradient")
+        rows = [*ellipse, *lobes, *wheelset]
+        self.assertEqual(summary_picture.general_gaps(rows), lobes)
+        self.assertEqual(summary_picture.wheelsets(rows), wheelset)
+
+    def test_points_are_medians_in_ms_and_percent_without_missing_results(self):
+        refused = replace(ROW, cells_along=16, status="refused", reason="why", error=None)
+        auto = replace(ROW, method="auto", tolerance=0.003, time=2e-3, error=0.002)
+        points = summary_picture.medians([ROW, refused, auto])
+        self.assertEqual(set(points), {"hertz", "auto"})
+        for method, expected, label in (("hertz", (1.0, 1.0), "8×16"), ("auto", (2.0, 0.2), "0.3 %")):
+            [(time, error, text)] = points[method]
+            self.assertAlmostEqual(time, expected[0])
+            self.assertAlmostEqual(error, expected[1])
+            self.assertEqual(text, label)
 
 
 if __name__ == "__main__":

@@ -2,8 +2,8 @@
 // Bags: every message that can be read, in the order of time, or a BagError.
 #include <cstdlib>
 
+#include "bag/bag_stream.h"
 #include "scratch_folder.h"
-#include "wheel_rail_contact/bag/bag_stream.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -2,9 +2,9 @@
 // Parameter files and compliance tables: read, or refused by std::invalid_argument.
 #include <stdexcept>
 
+#include "ros/parameters/compliance_table_file.h"
+#include "ros/parameters/parameters.h"
 #include "scratch_folder.h"
-#include "wheel_rail_contact/ros/compliance_table_file.h"
-#include "wheel_rail_contact/ros/parameters.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "scratch_folder.h"
-#include "wheel_rail_contact/geometry/profile_reader.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace
 {
@@ -14,23 +14,23 @@ using namespace wheel_rail_contact;
 struct Format
 {
   const char* file;
-  ProfileKind kind;
+  core::ProfileKind kind;
 };
 
-constexpr std::array<Format, 6> formats{{{"input.prw", ProfileKind::wheel},
-                                         {"input.prr", ProfileKind::rail},
-                                         {"input.whl", ProfileKind::wheel},
-                                         {"input.ban", ProfileKind::rail},
-                                         {"wheel.csv", ProfileKind::wheel},
-                                         {"rail.csv", ProfileKind::rail}}};
+constexpr std::array<Format, 6> formats{{{"input.prw", core::ProfileKind::wheel},
+                                         {"input.prr", core::ProfileKind::rail},
+                                         {"input.whl", core::ProfileKind::wheel},
+                                         {"input.ban", core::ProfileKind::rail},
+                                         {"wheel.csv", core::ProfileKind::wheel},
+                                         {"rail.csv", core::ProfileKind::rail}}};
 
-bool isSound(const Profile& profile)
+bool isSound(const core::Profile& profile)
 {
   constexpr int places = 1000;
   bool sound = std::isfinite(profile.length()) && profile.length() > 0;
   for (int i = 0; i <= places && sound; ++i)
   {
-    const CurvePoint point = profile.at(profile.length() * i / places);
+    const core::CurvePoint point = profile.at(profile.length() * i / places);
     sound = std::isfinite(point.y) && std::isfinite(point.z) && std::hypot(point.dy, point.dz) > 0;
   }
   return sound;
@@ -44,12 +44,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     try
     {
-      if (!isSound(readProfile(folder.write(format.file, data, size), format.kind)))
+      if (!isSound(core::readProfile(folder.write(format.file, data, size), format.kind)))
       {
         std::abort();
       }
     }
-    catch (const ProfileError&)  // refused with a reason
+    catch (const core::ProfileError&)  // refused with a reason
     {
     }
   }

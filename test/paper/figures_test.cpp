@@ -3,19 +3,19 @@
 
 #include <cmath>
 
+#include "core/normal/solvers/conjugate_gradients.h"
 #include "paper/methods.h"
 #include "paper/one_wheel.h"
 #include "paper/placement.h"
 #include "paper_scene.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
 using namespace wheel_rail_contact;
-using namespace wheel_rail_contact::paper;
+using namespace wheel_rail_contact::core::paper;
 
 namespace
 {
-constexpr GridSize grid{32, 64};
+constexpr core::GridSize grid{32, 64};
 
 double relative(double value, double wanted)
 {
@@ -23,9 +23,9 @@ double relative(double value, double wanted)
 }
 
 /// Figures of the wheel at the flange at roll 0, the rail's crown displaced.
-Figures levelFigures(const RailDeflection& crown, double y = case_position)
+Figures levelFigures(const core::RailDeflection& crown, double y = case_position)
 {
-  ConjugateGradients solver;
+  core::ConjugateGradients solver;
   OneWheel wheel(paperConfig().model, solver, grid);
   wheel.displaceCrown(crown);
   return wheel.solve(y, 0, printed_wheel_load) ? wheel.figures() : Figures{0, 0};
@@ -34,7 +34,7 @@ Figures levelFigures(const RailDeflection& crown, double y = case_position)
 
 TEST(PaperConfig, IsTheCaseOfThePaper)
 {
-  const ContactModelConfig model = paperConfig().model;
+  const core::ContactModelConfig model = paperConfig().model;
   EXPECT_EQ(model.rail_profile->name(), "UIC60_manchester");
   EXPECT_EQ(model.wheel_profile->name(), "S1002");
   EXPECT_EQ(model.wheelset.rolling_radius, 0.460);
@@ -42,7 +42,7 @@ TEST(PaperConfig, IsTheCaseOfThePaper)
   EXPECT_EQ(model.track.gauge, 1.435);
   EXPECT_EQ(model.wheel_material.young, 2.1e11);
   EXPECT_EQ(model.rail_material.poisson, 0.28);
-  EXPECT_EQ(model.rail_bending.model, RailBendingConfig::Model::compliance);
+  EXPECT_EQ(model.rail_bending.model, core::RailBendingConfig::Model::compliance);
   EXPECT_EQ(model.rail_bending.lateral_force_value, printed_lateral_force);
 }
 
@@ -50,10 +50,11 @@ TEST(PaperConfig, IsTheCaseOfThePaper)
 // above the reference point. 1 %: what the finite elements are held to; the head counts as rigid here.
 TEST(PaperConfig, RailGivesWayAsPrinted)
 {
-  const ComplianceTable table = paperConfig().model.rail_bending.table;
+  const core::ComplianceTable table = paperConfig().model.rail_bending.table;
   const double height = 0.1624 - 0.158;
-  const RailDeflection moved = deflection(table, {printed_lateral_force, 0, printed_lateral_force * height});
-  const double top = moved.lateral + moved.roll * ComplianceTable::reference_depth;
+  const core::RailDeflection moved =
+      deflection(table, {printed_lateral_force, 0, printed_lateral_force * height});
+  const double top = moved.lateral + moved.roll * core::ComplianceTable::reference_depth;
   EXPECT_LT(std::abs(relative(top, printed_displacement)), 0.01) << top;
 }
 
@@ -63,14 +64,15 @@ TEST(PaperFigures, AreThoseOfTheReferenceProgram)
 {
   struct Reference
   {
-    RailDeflection crown;
+    core::RailDeflection crown;
     double y, max_pressure, area;
   };
-  for (const Reference& wanted : {Reference{{}, case_position, 1175.0e6, 187.2e-6},
-                                  {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
-                                  {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
-                                  {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
-                                  {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
+  for (const Reference& wanted :
+       {Reference{{}, case_position, 1175.0e6, 187.2e-6},
+        {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
+        {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
+        {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
+        {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
   {
     const Figures found = levelFigures(wanted.crown, wanted.y);
     EXPECT_LT(std::abs(relative(found.max_pressure, wanted.max_pressure)), 0.01) << wanted.max_pressure;
@@ -85,11 +87,11 @@ TEST(PaperFigures, WithoutBendingAreThePrintedOnes)
 
 TEST(CrownDisplacement, MovesTheCrownAndTurnsTheRail)
 {
-  const ContactModelConfig model = paperConfig().model;
-  const PlacedRail rail(model.rail_profile, model.track);
-  const RailDeflection crown{0.3e-3, -0.1e-3, 9e-3};
-  const PlacedRail moved = rail.deflected(withCrownDisplaced(crown, model.track.cant));
-  const CurvePoint top{0, 0, 1, 0, 0, 0};
+  const core::ContactModelConfig model = paperConfig().model;
+  const core::PlacedRail rail(model.rail_profile, model.track);
+  const core::RailDeflection crown{0.3e-3, -0.1e-3, 9e-3};
+  const core::PlacedRail moved = rail.deflected(withCrownDisplaced(crown, model.track.rail_inclination));
+  const core::CurvePoint top{0, 0, 1, 0, 0, 0};
   EXPECT_NEAR(moved.place(top).y - rail.place(top).y, crown.lateral, 1e-12);
   EXPECT_NEAR(moved.place(top).z - rail.place(top).z, crown.vertical, 1e-12);
   EXPECT_NEAR(moved.angle(), rail.angle() - crown.roll, 1e-12);
@@ -98,19 +100,19 @@ TEST(CrownDisplacement, MovesTheCrownAndTurnsTheRail)
 // The study's own roll search and the wheelset's balance: left open is 3e-4 rad for each unit of the tolerance there.
 TEST(OneWheel, PairOfThemBalancesLikeTheWheelset)
 {
-  ContactModelConfig model = paperConfig().model;
-  model.rail_bending.model = RailBendingConfig::Model::none;
-  ConjugateGradients solver;
+  core::ContactModelConfig model = paperConfig().model;
+  model.rail_bending.model = core::RailBendingConfig::Model::none;
+  core::ConjugateGradients solver;
   OneWheel first(model, solver, grid);
   OneWheel second(model, solver, grid);
   double roll = 0;
   ASSERT_TRUE(rollToBalance(first, second, 2e-3, printed_wheel_load, roll));
-  WheelsetContact contact(model);
-  WheelsetState state;
+  core::WheelsetContact contact(model);
+  core::WheelsetState state;
   state.y = 2e-3;
   state.force_z = -2 * printed_wheel_load;
-  const WheelsetResult& result = contact.evaluate(state);
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const core::WheelsetResult& result = contact.evaluate(state);
+  ASSERT_EQ(result.status, core::ContactStatus::ok) << result.reason;
   EXPECT_NEAR(roll, result.roll, 3e-4 * model.contact.tolerance);
   EXPECT_NEAR(first.height(), result.z, 0.2e-6);
   EXPECT_LT(std::abs(relative(first.figures().max_pressure, result.patches.front().max_pressure)),
@@ -141,11 +143,11 @@ TEST(PaperMethods, PrintedIterationIsNearTheAccurateAnswer)
 TEST(Placement, InitialContactLiesOnBothOutlines)
 {
   const Placement placement = solveCase(paperConfig().model, paperCases().front());
-  const PlanePoint& contact = placement.initial_contact;
+  const core::PlanePoint& contact = placement.initial_contact;
   for (const auto* outline : {&placement.rail, &placement.wheel})
   {
     double nearest = 1;
-    for (const PlanePoint& point : *outline)
+    for (const core::PlanePoint& point : *outline)
     {
       nearest = std::min(nearest, std::hypot(point.y - contact.y, point.z - contact.z));
     }

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "wheel_rail_contact/ros/parameters.h"
+#include "ros/parameters/parameters.h"
 
-namespace wheel_rail_contact::paper
+namespace wheel_rail_contact::core::paper
 {
 inline std::string shipped(const std::string& name)
 {
@@ -20,4 +20,4 @@ inline NodeConfig paperConfig()
   return readNodeConfig(overlay(readParameterFile(shipped("default.yaml")), readParameterFile(shipped("paper.yaml"))),
                         "/contact_node/", "/");
 }
-}  // namespace wheel_rail_contact::paper
+}  // namespace wheel_rail_contact::core::paper

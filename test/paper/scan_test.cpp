@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "core/normal/solvers/conjugate_gradients.h"
 #include "paper/forces.h"
 #include "paper/scan.h"
 #include "paper_scene.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
-#include "wheel_rail_contact/ros/compliance_table_file.h"
+#include "ros/parameters/compliance_table_file.h"
 
 using namespace wheel_rail_contact;
-using namespace wheel_rail_contact::paper;
+using namespace wheel_rail_contact::core::paper;
 
 namespace
 {
@@ -47,7 +47,7 @@ class ScanTest : public testing::Test
     return deviation;
   }
 
-  ConjugateGradients solver_;
+  core::ConjugateGradients solver_;
   Scan scan_{paperConfig().model, solver_, coarse()};
 };
 }  // namespace
@@ -56,12 +56,13 @@ TEST_F(ScanTest, FiguresWithoutBendingNeedOneInFortyAndTheWholeLoad)
 {
   for (const ScanRow& row : scan_.start())
   {
-    if (row.cant != 1.0 / 40 || row.load != printed_wheel_load)
+    if (row.inclination != 1.0 / 40 || row.load != printed_wheel_load)
     {
-      EXPECT_GT(deviation(row.figures, printed_without_bending), 0.1) << row.cant << ' ' << row.load << ' ' << row.y;
+      EXPECT_GT(deviation(row.figures, printed_without_bending), 0.1)
+          << row.inclination << ' ' << row.load << ' ' << row.y;
     }
   }
-  EXPECT_EQ(start(scan_).cant, 1.0 / 40);
+  EXPECT_EQ(start(scan_).inclination, 1.0 / 40);
 }
 
 // From there: found are 43 % off within the printed displacement, 5.5 % at best (4 mm inward, 16 times as much).
@@ -98,7 +99,7 @@ TEST_F(ScanTest, RailTurnedInwardLeadsThereAndTurnedOutwardDoesNot)
 TEST_F(ScanTest, NearTheFlangeAtOneInTwentyOneAnOutwardTurnLeadsNear)
 {
   ScanRanges ranges = coarse();
-  ranges.free_cant = {46e-3, 49e-3, 3};
+  ranges.free_inclination = {46e-3, 49e-3, 3};
   ranges.position = {4.8e-3, 5.8e-3, 10};
   ranges.turn = {2e-3, 10e-3, 8};
   const Scan near_flange(paperConfig().model, solver_, ranges);
@@ -112,8 +113,9 @@ TEST(LateralForce, RaisesThePressureOnEveryShippedRail)
   for (const char* name : {"paper", "pads_100_500", "pads_40_100", "pads_20_60", "pads_10_25"})
   {
     const ComplianceTableFile file = readComplianceTable(shipped("rails/" + std::string(name) + ".yaml"));
-    const std::vector<ForceRow> rows = underForces(paperConfig().model, {name, file.table, file.linear_range},
-                                                   DeflectionShare::whole, {case_position}, {0, 20e3, 40e3, 60e3});
+    const std::vector<ForceRow> rows =
+        underForces(paperConfig().model, {name, file.table, file.linear_range}, DeflectionShare::whole,
+                    {case_position}, {0, 20e3, 40e3, 60e3});
     ASSERT_EQ(rows.size(), 4U);
     for (std::size_t i = 1; i < rows.size(); ++i)
     {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "../pairs_bag.h"
-#include "wheel_rail_contact/replay/replay.h"
+#include "replay/replay.h"
 
 using namespace wheel_rail_contact;
 

@@ -11,7 +11,7 @@ from wheel_rail_contact.msg import WheelsetContact
 from replay_case import ANSWERS, MISUSED, ReplayCase, write_pairs
 
 PAIRS = 30
-CANT = 0.025
+INCLINATION = 0.025
 TABLE = yaml.safe_load((pathlib.Path(__file__).parents[2] / "config" / "rails" / "pads_10_25.yaml").read_text())
 SOFT = "rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml}\n"
 BEHIND = ("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
@@ -20,7 +20,7 @@ BEHIND = ("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml
 
 def deflection(compliance, rail):
     """(lateral, vertical, roll) by the forces of a RailDeflection, track axes."""
-    c, s = math.cos(CANT), math.sin(CANT)
+    c, s = math.cos(INCLINATION), math.sin(INCLINATION)
     lateral_force = c * rail.lateral_force - s * rail.vertical_force
     axial_force = s * rail.lateral_force + c * rail.vertical_force
     lateral = compliance["lateral_lateral"] * lateral_force + compliance["lateral_roll"] * rail.moment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/compliance_table_file.h"
+#include "ros/parameters/compliance_table_file.h"
 
 #include <gtest/gtest.h>
 #include <ros/package.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/contact_input.h"
+#include "ros/node/contact_input.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "wheel_rail_contact/ros/messages.h"
+#include <wheel_rail_contact/WheelsetContact.h>
 
 using namespace wheel_rail_contact;
 
@@ -127,7 +127,7 @@ TEST(ContactInput, QuaternionOfNearlyUnitLengthIsNormalised)
   q.coeffs() *= 1.0009;
   EXPECT_NEAR(convert(input(pose(q))).state.yaw, 0.02, 1e-12);
   q.coeffs() *= 1.0002;
-  EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContactMsg::INVALID_INPUT);
+  EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContact::INVALID_INPUT);
 }
 
 TEST(ContactInput, NumbersThatAreNoneAreRefusedByName)
@@ -135,16 +135,16 @@ TEST(ContactInput, NumbersThatAreNoneAreRefusedByName)
   auto bad = pose();
   bad.pose.position.y = not_a_number;
   EXPECT_EQ(refusal(input(bad)),
-            (std::pair<int, std::string>(WheelsetContactMsg::INVALID_INPUT, "pose: position is not finite")));
+            (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "pose: position is not finite")));
   bad = pose();
   bad.pose.position.x = infinity;
-  EXPECT_EQ(refusal(input(bad)).first, WheelsetContactMsg::INVALID_INPUT);
+  EXPECT_EQ(refusal(input(bad)).first, WheelsetContact::INVALID_INPUT);
   for (const double w : {0.0, 5e-324, not_a_number, infinity, 1e308})
   {
     bad = pose();
     bad.pose.orientation.w = w;
     const auto refused = refusal(input(bad));
-    EXPECT_EQ(refused.first, WheelsetContactMsg::INVALID_INPUT) << w;
+    EXPECT_EQ(refused.first, WheelsetContact::INVALID_INPUT) << w;
     EXPECT_NE(refused.second.find("quaternion"), std::string::npos) << refused.second;
   }
   EXPECT_EQ(refusal(input(pose(), wrench(0, not_a_number, 0))).second, "load: force is not finite");
@@ -158,7 +158,7 @@ TEST(ContactInput, LoadInAnotherFrameIsRefused)
   EXPECT_EQ(convert(input(pose(), load)).state.force_z, -2e5);
   load.header.frame_id = "wheelset";
   const auto refused = refusal(input(pose(), load));
-  EXPECT_EQ(refused.first, WheelsetContactMsg::INVALID_INPUT);
+  EXPECT_EQ(refused.first, WheelsetContact::INVALID_INPUT);
   EXPECT_NE(refused.second.find("'wheelset'"), std::string::npos);
 }
 
@@ -181,7 +181,7 @@ TEST(ContactInput, TransformLeadsToTheTrackFrame)
 
   message.header.stamp = ros::Time(11);
   const auto late = refusal(input(message), transforms);
-  EXPECT_EQ(late.first, WheelsetContactMsg::NO_TRANSFORM);
+  EXPECT_EQ(late.first, WheelsetContact::NO_TRANSFORM);
   EXPECT_NE(late.second.find("'track'"), std::string::npos);
 }
 
@@ -192,7 +192,7 @@ TEST(ContactInput, UnknownAndOddFramesGiveNoTransform)
   {
     auto message = pose();
     message.header.frame_id = frame;
-    EXPECT_EQ(refusal(input(message)).first, WheelsetContactMsg::NO_TRANSFORM) << frame.substr(0, 20);
+    EXPECT_EQ(refusal(input(message)).first, WheelsetContact::NO_TRANSFORM) << frame.substr(0, 20);
   }
 }
 
@@ -224,13 +224,13 @@ TEST(InputPairing, TakesTheTopicsThatTheConfigurationNeeds)
   EXPECT_FALSE(alone.addLoad(shared(wrench(0, -1, 0))));
 
   config = NodeConfig();
-  config.model.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.model.rail_bending.lateral_force = RailBendingConfig::LateralForce::topic;
+  config.model.rail_bending.model = core::RailBendingConfig::Model::compliance;
+  config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::topic;
   InputPairing four(config);
   EXPECT_FALSE(four.addPose(shared(pose())));
-  EXPECT_FALSE(four.addRailForce(Side::right, shared(wrench(2, 0, 0))));
+  EXPECT_FALSE(four.addRailForce(core::Side::right, shared(wrench(2, 0, 0))));
   EXPECT_FALSE(four.addLoad(shared(wrench(0, -1, 0))));
-  const auto all = four.addRailForce(Side::left, shared(wrench(1, 0, 0)));
+  const auto all = four.addRailForce(core::Side::left, shared(wrench(1, 0, 0)));
   ASSERT_TRUE(all);
   EXPECT_EQ(all->rail_force[0]->wrench.force.y, 1);
   EXPECT_EQ(all->rail_force[1]->wrench.force.y, 2);

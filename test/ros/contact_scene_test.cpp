@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/contact_scene.h"
+#include "ros/markers/contact_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "answer_scene.h"
-#include "wheel_rail_contact/ros/answer_text.h"
-#include "wheel_rail_contact/ros/rail_motion.h"
+#include "result_scene.h"
+#include "ros/markers/rail_motion.h"
+#include "ros/node/result_text.h"
 
 using namespace wheel_rail_contact;
 using visualization_msgs::Marker;
@@ -37,7 +37,7 @@ TEST_F(Scene, PressureInTrueSizeStandsOnItsPatch)
   options.patch.zoom = 1;
   options.patch.lift = 0;
   options.patch.pressure_height = 0.02;
-  const PatchResult& patch = result.patches[1];
+  const core::PatchResult& patch = result.patches[1];
   const MarkerArray markers = draw();
   const Eigen::AngleAxisd turn(patch.pose.angle, Eigen::Vector3d::UnitX());
   Eigen::Vector3d largest = Eigen::Vector3d::Zero();
@@ -56,16 +56,16 @@ TEST_F(Scene, PressureInTrueSizeStandsOnItsPatch)
 
 TEST_F(Scene, RailCarriesPointsOfItsProfile)
 {
-  const PlacedRail at_rest(config.model.rail_profile, config.model.track);
-  const RailDeflection from{1e-3, -2e-4, 0.01}, to{8e-3, 3e-3, -0.05};
-  const PlacedRail before = at_rest.deflected(from), after = at_rest.deflected(to);
-  for (const Side side : {Side::left, Side::right})
+  const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
+  const core::RailDeflection from{1e-3, -2e-4, 0.01}, to{8e-3, 3e-3, -0.05};
+  const core::PlacedRail before = at_rest.deflected(from), after = at_rest.deflected(to);
+  for (const core::Side side : {core::Side::left, core::Side::right})
   {
-    const double sign = sideSign(side);
+    const double sign = core::sideSign(side);
     for (const double u : {0.02, 0.05, 0.07})
     {
-      const PlanePoint a = before.at(u), b = after.at(u);
-      const PatchPose moved =
+      const core::PlanePoint a = before.at(u), b = after.at(u);
+      const core::PatchPose moved =
           carriedByRail(at_rest, side, from, to, {0.3, sign * a.y, a.z, sign * std::atan2(a.dz, a.dy)});
       EXPECT_DOUBLE_EQ(moved.x, 0.3);
       EXPECT_NEAR(moved.y, sign * b.y, 1e-12);
@@ -87,7 +87,7 @@ TEST_F(Scene, ExaggeratedRailTakesItsPatchAlong)
 
 TEST_F(Scene, ShowsOneSide)
 {
-  options.track.sides = {Side::right};
+  options.track.sides = {core::Side::right};
   trail.add(answer, nullptr);
   const MarkerArray markers = draw();
   for (const char* ns : {"rail", "rail_at_rest", "wheel", "zoom", "outline", "force", "label"})
@@ -115,9 +115,9 @@ TEST_F(Scene, OutlineClosesRoundThePatch)
 
 TEST_F(Scene, WithoutModelOrGridsTheForcesRemain)
 {
-  for (PatchResult& patch : result.patches)
+  for (core::PatchResult& patch : result.patches)
   {
-    patch.grid = Grid();
+    patch.grid = core::PatchGrid();
     patch.grid.nx = patch.grid.ny = 0;
     patch.pressure.resize(0, 0);
   }
@@ -130,7 +130,7 @@ TEST_F(Scene, WithoutModelOrGridsTheForcesRemain)
 TEST_F(Scene, UnusableAnswerIsTextOnly)
 {
   answer.result = nullptr;
-  answer.status = WheelsetContactMsg::OFF_PROFILE;
+  answer.status = WheelsetContact::OFF_PROFILE;
   answer.reason = "beyond the profile";
   EXPECT_TRUE(draw().markers.empty());
   const std::vector<std::string> expected{"OFF_PROFILE", "beyond the profile"};
@@ -141,7 +141,7 @@ TEST_F(Scene, TextNamesPressureAreaMethodAndError)
 {
   result.patches[0].method = "hertz";
   result.patches[0].error_estimate = 0.012;
-  const std::vector<std::string> lines = answerLines(answer, {Side::left});
+  const std::vector<std::string> lines = answerLines(answer, {core::Side::left});
   ASSERT_EQ(lines.size(), 3U);
   for (const char* figure : {"982 MPa", "192 mm²", "100.0 kN", "±1.2 %", "hertz"})
   {
@@ -151,7 +151,7 @@ TEST_F(Scene, TextNamesPressureAreaMethodAndError)
 
 TEST_F(Scene, TrailRemembersThePointsOnTheRailAtRest)
 {
-  const PlacedRail at_rest(config.model.rail_profile, config.model.track);
+  const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
   trail.add(answer, &at_rest);
   result.rail[1].deflection.lateral = 2e-3;
   result.patches[1].pose.y -= 2e-3;  // the rail has moved outward, and the patch with it
@@ -180,13 +180,13 @@ TEST_F(Scene, StaysAtTheOriginIfAsked)
 
 TEST_F(Scene, AnswerSurvivesItsMessage)
 {
-  answer.status = WheelsetContactMsg::OK;
-  for (PatchResult& patch : result.patches)
+  answer.status = WheelsetContact::OK;
+  for (core::PatchResult& patch : result.patches)
   {
     patch.method = "hertz";
   }
   result.y = answer.pose.y = 2e-3;
-  WheelsetResult received;
+  core::WheelsetResult received;
   const ContactAnswer back = answerFromMessage(toMessage(answer, true, 0), received);
   EXPECT_EQ(back.header.stamp, answer.header.stamp);
   EXPECT_DOUBLE_EQ(back.x, answer.x);
@@ -195,6 +195,6 @@ TEST_F(Scene, AnswerSurvivesItsMessage)
   EXPECT_EQ(received.patches.size(), 2U);
 
   answer.result = nullptr;
-  answer.status = WheelsetContactMsg::NO_TRANSFORM;
+  answer.status = WheelsetContact::NO_TRANSFORM;
   EXPECT_EQ(answerFromMessage(toMessage(answer, true, 0), received).result, nullptr);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/contact_statistics.h"
+#include "ros/node/contact_statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ std::string valueOf(const diagnostic_updater::DiagnosticStatusWrapper& report, c
 TEST(ContactStatistics, GoodAnswersAreOk)
 {
   ContactStatistics now;
-  now.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
-  now.count(answerWith(WheelsetContactMsg::LIFT_OFF, "the left wheel carries nothing"), 0.003);
+  now.count(answerWith(WheelsetContact::OK, ""), 0.001);
+  now.count(answerWith(WheelsetContact::LIFT_OFF, "the left wheel carries nothing"), 0.003);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::OK);
   EXPECT_EQ(valueOf(report, "answers"), "2");
@@ -60,12 +60,12 @@ TEST(ContactStatistics, SilenceIsOk)
 TEST(ContactStatistics, SomeUnusableAnswersWarnAndOnlyUnusableOnesAreAnError)
 {
   ContactStatistics before, now;
-  before.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
+  before.count(answerWith(WheelsetContact::OK, ""), 0.001);
   now = before;
-  now.count(answerWith(WheelsetContactMsg::INVALID_INPUT, "load: force is not finite"), 0);
+  now.count(answerWith(WheelsetContact::INVALID_INPUT, "load: force is not finite"), 0);
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::ERROR);
   EXPECT_NE(reportOf(now, before).message.find("load: force is not finite"), std::string::npos);
-  now.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
+  now.count(answerWith(WheelsetContact::OK, ""), 0.001);
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::WARN);
   EXPECT_EQ(reportOf(now, now).level, DiagnosticStatus::OK) << "what was reported before is over";
 }
@@ -91,7 +91,7 @@ TEST(ContactStatistics, InputWithoutPartnerWarns)
 TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
 {
   ContactStatistics now;
-  ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "");
+  ContactAnswer answer = answerWith(WheelsetContact::OK, "");
   now.count(answer, 0.001);
   answer.lacks_neighbour = true;
   now.count(answer, 0.001);
@@ -104,7 +104,7 @@ TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
 TEST(ContactStatistics, RailBeyondItsTableWarns)
 {
   ContactStatistics now;
-  ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "");
+  ContactAnswer answer = answerWith(WheelsetContact::OK, "");
   answer.beyond_linear_range = "left rail: Y = 70.0 kN at Q = 100.0 kN";
   now.count(answer, 0.001);
   answer.beyond_linear_range.clear();
@@ -119,8 +119,8 @@ TEST(ContactStatistics, RailBeyondItsTableWarns)
 TEST(ContactStatistics, ErrorAboveTheToleranceWarns)
 {
   ContactStatistics now;
-  now.count(answerWith(WheelsetContactMsg::OK, ""), 0.001);
-  ContactAnswer answer = answerWith(WheelsetContactMsg::OK, "an error estimate is above contact/tolerance");
+  now.count(answerWith(WheelsetContact::OK, ""), 0.001);
+  ContactAnswer answer = answerWith(WheelsetContact::OK, "an error estimate is above contact/tolerance");
   answer.above_tolerance = true;
   now.count(answer, 0.001);
   const auto report = reportOf(now, {});

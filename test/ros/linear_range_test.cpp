@@ -3,15 +3,15 @@
 
 #include <limits>
 
-#include "wheel_rail_contact/ros/contact_evaluator.h"
+#include "ros/node/contact_evaluator.h"
 
 using namespace wheel_rail_contact;
 
 namespace
 {
-WheelsetResult withForces(double left_lateral, double left_vertical, double right_lateral, double right_vertical)
+core::WheelsetResult withForces(double left_lateral, double left_vertical, double right_lateral, double right_vertical)
 {
-  WheelsetResult result;
+  core::WheelsetResult result;
   result.rail[0].lateral_force = left_lateral;
   result.rail[0].vertical_force = left_vertical;
   result.rail[1].lateral_force = right_lateral;

@@ -6,11 +6,11 @@
 #include <limits>
 #include <string>
 
-#include "answer_scene.h"
-#include "wheel_rail_contact/ros/color_map.h"
-#include "wheel_rail_contact/ros/contact_markers.h"
-#include "wheel_rail_contact/ros/marker_tools.h"
-#include "wheel_rail_contact/ros/track_markers.h"
+#include "result_scene.h"
+#include "ros/markers/color_map.h"
+#include "ros/markers/contact_markers.h"
+#include "ros/markers/marker_tools.h"
+#include "ros/markers/track_markers.h"
 
 using namespace wheel_rail_contact;
 using visualization_msgs::Marker;
@@ -62,7 +62,7 @@ void expectDrawable(const MarkerArray& markers)
 
 TEST_F(Picture, BothWheelProfilesLieOnTheirWheels)
 {
-  const WheelsetConfig& wheelset = config.model.wheelset;
+  const core::WheelsetConfig& wheelset = config.model.wheelset;
   const MarkerArray markers = draw();
   for (const int side : {0, 1})
   {
@@ -115,7 +115,7 @@ TEST_F(Picture, MagnifiedPatchStandsAboveItsRail)
 
 TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)
 {
-  result.patches.push_back(makePatch(Side::right, 0.72));
+  result.patches.push_back(makePatch(core::Side::right, 0.72));
   const MarkerArray markers = draw();
   const auto right_end = [](const Marker& marker)
   {

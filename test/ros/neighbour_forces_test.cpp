@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/neighbour_forces.h"
+#include "ros/node/neighbour_forces.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ constexpr double compliance = 1e-8;  ///< lateral, of an upright rail [m/N]
 NodeConfig configWith(std::size_t neighbours)
 {
   NodeConfig config;
-  config.model.track.cant = 0;
-  ComplianceTable influence;
+  config.model.track.rail_inclination = 0;
+  core::ComplianceTable influence;
   influence.lateral_lateral = compliance;
   config.neighbours.assign(neighbours, {"topic", 2.5, influence});
   return config;
@@ -44,10 +44,10 @@ double countedAt(const NeighbourForces& forces, double time)
 // More patches are claimed than any memory holds.
 TEST(NeighbourForces, AnswerIsReadUpToItsPatches)
 {
-  WheelsetContactMsg message;
+  WheelsetContact message;
   message.header.stamp = ros::Time(10);
   message.header.frame_id = "track";
-  message.status = WheelsetContactMsg::LIFT_OFF;
+  message.status = WheelsetContact::LIFT_OFF;
   message.status_text = "the left wheel carries nothing";
   message.left_rail.lateral_force = 1e3;
   message.right_rail.moment = 2e3;
@@ -109,12 +109,12 @@ TEST(NeighbourForces, UnusableAnswerIsNoForce)
   NeighbourForces forces(configWith(1));
   forces.add(0, answerAt(10.0, 1e3));
   NeighbourAnswer unusable = answerAt(10.1, 2e3);
-  unusable.status = WheelsetContactMsg::NOT_CONVERGED;
+  unusable.status = WheelsetContact::NOT_CONVERGED;
   forces.add(0, unusable);
   EXPECT_EQ(countedAt(forces, 10.2), 0);
   EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete);
   NeighbourAnswer lifted = answerAt(10.2, 3e3);
-  lifted.status = WheelsetContactMsg::LIFT_OFF;
+  lifted.status = WheelsetContact::LIFT_OFF;
   forces.add(0, lifted);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);
   forces.add(0, answerAt(10.3, std::nan("")));

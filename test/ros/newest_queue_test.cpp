@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/newest_queue.h"
+#include "ros/node/newest_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/parameters.h"
+#include "ros/parameters/parameters.h"
 
 #include <gtest/gtest.h>
 #include <ros/package.h>
@@ -76,13 +76,13 @@ TEST(Parameters, DefaultFileHoldsTheDefaultsOfTheCode)
   const NodeConfig code;
   EXPECT_EQ(file.model.track.gauge, code.model.track.gauge);
   EXPECT_EQ(file.model.track.gauge_depth, code.model.track.gauge_depth);
-  EXPECT_EQ(file.model.track.cant, code.model.track.cant);
+  EXPECT_EQ(file.model.track.rail_inclination, code.model.track.rail_inclination);
   EXPECT_EQ(file.track_frame, code.track_frame);
   EXPECT_EQ(file.model.wheelset.rolling_radius, code.model.wheelset.rolling_radius);
   EXPECT_EQ(file.model.wheelset.flange_back_distance, code.model.wheelset.flange_back_distance);
   EXPECT_EQ(file.model.wheelset.tape_circle, code.model.wheelset.tape_circle);
   EXPECT_EQ(file.model.wheelset.solve_height_and_roll, code.model.wheelset.solve_height_and_roll);
-  for (const auto material : {&ContactModelConfig::wheel_material, &ContactModelConfig::rail_material})
+  for (const auto material : {&core::ContactModelConfig::wheel_material, &core::ContactModelConfig::rail_material})
   {
     EXPECT_EQ((file.model.*material).young, (code.model.*material).young);
     EXPECT_EQ((file.model.*material).poisson, (code.model.*material).poisson);
@@ -111,7 +111,7 @@ TEST(Parameters, DefaultFileHoldsTheDefaultsOfTheCode)
 TEST(Parameters, ProfilesAloneAreEnough)
 {
   const NodeConfig config = read(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: 60E1}}")));
-  EXPECT_EQ(config.model.track.gauge, TrackConfig().gauge);
+  EXPECT_EQ(config.model.track.gauge, core::TrackConfig().gauge);
 }
 
 TEST(Parameters, NumbersMayBeWrittenAsStrings)
@@ -148,7 +148,7 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
       {"track: {gauge: [1.435]}", "track/gauge", "[1.435]"},
       {"track: {gauge: }", "track/gauge", "no value"},
       {"track: {gauge_depth: -0.014}", "track/gauge_depth", "-0.014"},
-      {"track: {cant: 1.4}", "track/cant", "1.4"},
+      {"track: {rail_inclination: 1.4}", "track/rail_inclination", "1.4"},
       {"track: {frame: /track}", "track/frame", "/track"},
       {"track: {frame: ''}", "track/frame", "\"\""},
       {"track: {frame: [track]}", "track/frame", "[track]"},
@@ -281,18 +281,18 @@ TEST(Parameters, MissingRequiredValueIsRefused)
 
 TEST(Parameters, OverlayWinsAndKeepsTheRest)
 {
-  const NodeConfig config = read(with("{track: {cant: 0.05}, wheelset: {free: []}, sync: {slop: 0.004}}"));
-  EXPECT_EQ(config.model.track.cant, 0.05);
-  EXPECT_EQ(config.model.track.gauge, TrackConfig().gauge);
+  const NodeConfig config = read(with("{track: {rail_inclination: 0.05}, wheelset: {free: []}, sync: {slop: 0.004}}"));
+  EXPECT_EQ(config.model.track.rail_inclination, 0.05);
+  EXPECT_EQ(config.model.track.gauge, core::TrackConfig().gauge);
   EXPECT_FALSE(config.model.wheelset.solve_height_and_roll);
   EXPECT_EQ(config.slop, 0.004);
 }
 
 TEST(Parameters, LateralForceIsAWordOrANumber)
 {
-  using LateralForce = RailBendingConfig::LateralForce;
+  using LateralForce = core::RailBendingConfig::LateralForce;
   EXPECT_EQ(read(with("rail_bending: {lateral_force: topic}")).model.rail_bending.lateral_force, LateralForce::topic);
-  const RailBendingConfig bending = read(with("rail_bending: {lateral_force: 30e3}")).model.rail_bending;
+  const core::RailBendingConfig bending = read(with("rail_bending: {lateral_force: 30e3}")).model.rail_bending;
   EXPECT_EQ(bending.lateral_force, LateralForce::constant);
   EXPECT_EQ(bending.lateral_force_value, 30000);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/pressure_surface.h"
+#include "ros/markers/pressure_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ double hertz(double x, double y)
   return peak * std::sqrt(std::max(0.0, 1 - x * x / (a * a) - y * y / (b * b)));
 }
 
-Grid coarseGrid()
+core::PatchGrid coarseGrid()
 {
-  Grid grid;
+  core::PatchGrid grid;
   grid.nx = 10;
   grid.ny = 16;
   grid.dx = 2e-3;
@@ -28,7 +28,7 @@ Grid coarseGrid()
   return grid;
 }
 
-Eigen::ArrayXXd hertzOn(const Grid& grid)
+Eigen::ArrayXXd hertzOn(const core::PatchGrid& grid)
 {
   Eigen::ArrayXXd pressure(grid.nx, grid.ny);
   for (int i = 0; i < grid.nx; ++i)
@@ -44,7 +44,7 @@ Eigen::ArrayXXd hertzOn(const Grid& grid)
 
 TEST(PressureSurface, FollowsHertzAndItsEdgeBetweenCoarseCells)
 {
-  const Grid grid = coarseGrid();
+  const core::PatchGrid grid = coarseGrid();
   const PressureSurface surface(grid, hertzOn(grid), 40);
   double largest = 0;
   for (int i = 0; i < surface.rows(); ++i)
@@ -63,7 +63,7 @@ TEST(PressureSurface, FollowsHertzAndItsEdgeBetweenCoarseCells)
 
 TEST(PressureSurface, CellCentresKeepTheirPressure)
 {
-  const Grid grid = coarseGrid();
+  const core::PatchGrid grid = coarseGrid();
   const Eigen::ArrayXXd pressure = hertzOn(grid);
   const PressureSurface surface(grid, pressure, 40);
   int found = 0;
@@ -86,7 +86,7 @@ TEST(PressureSurface, CellCentresKeepTheirPressure)
 
 TEST(PressureSurface, IsClosedWherePressureReachesTheGridsBorder)
 {
-  const Grid grid = coarseGrid();
+  const core::PatchGrid grid = coarseGrid();
   const PressureSurface surface(grid, Eigen::ArrayXXd::Constant(grid.nx, grid.ny, peak), 1);
   for (int i = 0; i < surface.rows(); ++i)
   {
@@ -102,7 +102,7 @@ TEST(PressureSurface, IsClosedWherePressureReachesTheGridsBorder)
 
 TEST(PressureSurface, OneLoadedCellIsASmallHill)
 {
-  const Grid grid = coarseGrid();
+  const core::PatchGrid grid = coarseGrid();
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(grid.nx, grid.ny);
   pressure(4, 7) = peak;
   const PressureSurface surface(grid, pressure, 40);
@@ -121,7 +121,7 @@ TEST(PressureSurface, OneLoadedCellIsASmallHill)
 
 TEST(PressureSurface, TrianglesCoverTheEllipseAndEndOnIt)
 {
-  const Grid grid = coarseGrid();
+  const core::PatchGrid grid = coarseGrid();
   const auto points = PressureSurface(grid, hertzOn(grid), 40).triangles();
   ASSERT_EQ(points.size() % 3, 0U);
   double area = 0;
@@ -139,7 +139,7 @@ TEST(PressureSurface, TrianglesCoverTheEllipseAndEndOnIt)
 
 TEST(PressureSurface, OutlineLiesOnTheEllipse)
 {
-  const Grid grid = coarseGrid();
+  const core::PatchGrid grid = coarseGrid();
   const auto points = PressureSurface(grid, hertzOn(grid), 40).outline();
   ASSERT_GT(points.size(), 100U);
   EXPECT_EQ(points.size() % 2, 0U);

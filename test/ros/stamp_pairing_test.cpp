@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/ros/stamp_pairing.h"
+#include "ros/node/stamp_pairing.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 //   stability_campaign TABLES minutes M [seed, default 1]    as many as M minutes allow
 //   stability_campaign TABLES scene S                        one scene, each state printed
 //
-// TABLES is the folder of the rails' compliance tables (config/rails). A scene is drawn from profiles, cant, gauge,
-// method, tolerance, grid and rail, and walked through in 30 states (random_scene.h); each answer is checked from
-// outside (answer_check.h) and, where only 1 um of y lies between, against the one before (continuity.h). Prints
+// TABLES is the folder of the rails' compliance tables (config/rails). A scene is drawn from profiles, inclination,
+// gauge, method, tolerance, grid and rail, and walked through in 30 states (random_scene.h); each answer is checked
+// from outside (answer_check.h) and, where only 1 um of y lies between, against the one before (continuity.h). Prints
 // refusals by reason and region, the slowest state, and what was wrong, with the scene's seed. Ends with 1 if anything
 // was wrong or, over many scenes, if more answers than usual are rough (tally.cpp). The same seed gives the same
 // states.
@@ -25,16 +25,16 @@
 #include <exception>
 #include <filesystem>
 
-#include "answer_check.h"
 #include "continuity.h"
 #include "random_scene.h"
+#include "result_check.h"
+#include "ros/parameters/compliance_table_file.h"
 #include "tally.h"
-#include "wheel_rail_contact/ros/compliance_table_file.h"
 
 namespace
 {
-using namespace wheel_rail_contact;
-using namespace wheel_rail_contact::stability;
+using namespace wheel_rail_contact::core;
+using namespace wheel_rail_contact::core::stability;
 
 constexpr int states_of_a_scene = 30;
 
@@ -52,7 +52,7 @@ std::vector<NamedTable> readTables(const std::string& folder)
   {
     if (entry.path().extension() == ".yaml")
     {
-      const ComplianceTableFile file = readComplianceTable(entry.path());
+      const wheel_rail_contact::ComplianceTableFile file = wheel_rail_contact::readComplianceTable(entry.path());
       tables.push_back({file.name, file.table});
     }
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "../balance/wheelset_scene.h"
-#include "answer_check.h"
-#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "../core/balance/wheelset_scene.h"
+#include "result_check.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -14,7 +14,7 @@ ContactModelConfig flangeOnYieldingRail(double tolerance)
   ContactModelConfig config;
   config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
   config.rail_profile = std::make_shared<Profile>(rail60E1());
-  config.track.cant = 0.05;
+  config.track.rail_inclination = 0.05;
   config.contact.method = NormalMethod::automatic;
   config.contact.tolerance = tolerance;
   config.rail_bending.model = RailBendingConfig::Model::compliance;
@@ -42,4 +42,4 @@ TEST(ContactConditions, holdWhereAFlangePushesItsRailAway)
   }
 }
 }  // namespace
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

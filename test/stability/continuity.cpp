@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -65,4 +65,4 @@ Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, 
   }
   return change;
 }
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 /// How an answer differs from that of a close neighbour.
 struct Change
@@ -18,4 +18,4 @@ constexpr double far = 2.5e-4;
 
 /// `distance`: between the two answers, in y [m]
 Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, double distance);
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

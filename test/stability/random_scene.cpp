@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "wheel_rail_contact/geometry/smoothing_spline.h"
-#include "wheel_rail_contact/geometry/standard_profiles.h"
+#include "core/profile/smoothing_spline.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -75,8 +75,8 @@ double unworn(double /*y*/)
 
 void drawTrack(ContactModelConfig& config, Random& random)
 {
-  constexpr std::array<double, 3> cants{0, 0.025, 0.05};
-  config.track.cant = oneIn(random, 4) ? uniform(random, -0.02, 0.08) : cants[random() % cants.size()];
+  constexpr std::array<double, 3> inclinations{0, 0.025, 0.05};
+  config.track.rail_inclination = oneIn(random, 4) ? uniform(random, -0.02, 0.08) : inclinations[random() % inclinations.size()];
   config.track.gauge = oneIn(random, 2) ? 1.435 : uniform(random, 1.42, 1.47);
 }
 
@@ -253,8 +253,8 @@ std::string describe(const WheelsetState& state)
 std::string describe(const Scene& scene)
 {
   char text[120];
-  std::snprintf(text, sizeof text, "; cant %.4g rad, gauge %.4f m, height and roll %s", scene.config.track.cant,
+  std::snprintf(text, sizeof text, "; inclination %.4g rad, gauge %.4f m, height and roll %s", scene.config.track.rail_inclination,
                 scene.config.track.gauge, scene.config.wheelset.solve_height_and_roll ? "from the load" : "given");
   return scene.profiles + "; " + scene.method + "; rail " + scene.rail + text;
 }
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "wheel_rail_contact/wheelset_contact.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
 /// Random wheelsets on random tracks, and walks of states on them.
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 using Random = std::mt19937_64;
 
@@ -72,4 +72,4 @@ double beyondPlay(const ContactModelConfig& config, const WheelsetState& state);
 
 std::string describe(const WheelsetState& state);
 std::string describe(const Scene& scene);
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "../balance/wheelset_scene.h"
+#include "../core/balance/wheelset_scene.h"
 #include "random_scene.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -37,7 +37,7 @@ TEST(Roughness, EstimatesHoldOnProfilesThroughPoints)
     ContactModelConfig config;
     config.wheel_profile = pool.wheels[1].profile;
     config.rail_profile = rail.profile;
-    config.track.cant = 0.025;
+    config.track.rail_inclination = 0.025;
     config.contact.tolerance = 0.1;
     WheelsetContact contact(config);
     config.contact.method = NormalMethod::conjugate_gradient;
@@ -63,4 +63,4 @@ TEST(Roughness, EstimatesHoldOnProfilesThroughPoints)
   EXPECT_GE(held, 0.99 * count) << count;
 }
 }  // namespace
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -3,17 +3,17 @@
 #include <cmath>
 #include <functional>
 
-#include "../normal/errors_of.h"
-#include "../normal/problems.h"
+#include "../core/normal/errors_of.h"
+#include "../core/normal/problems.h"
+#include "core/balance/grid_levels.h"
+#include "core/normal/estimate/unseen_slope.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "core/normal/solvers/hertz_solver.h"
+#include "core/normal/solvers/kik_piotrowski.h"
+#include "core/normal/solvers/seidel.h"
 #include "stability_map.h"
-#include "wheel_rail_contact/balance/method_ladder.h"
-#include "wheel_rail_contact/normal/conjugate_gradients.h"
-#include "wheel_rail_contact/normal/hertz_solver.h"
-#include "wheel_rail_contact/normal/kik_piotrowski.h"
-#include "wheel_rail_contact/normal/seidel.h"
-#include "wheel_rail_contact/normal/unseen_slope.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -362,4 +362,4 @@ MapTable boxMap()
   }
   return table;
 }
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

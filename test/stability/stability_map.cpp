@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -62,4 +62,4 @@ std::string stabilityPage()
   }
   return out.str();
 }
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 /// What methods do in a situation; verdicts in the order of the table's columns.
 struct MapRow
@@ -41,4 +41,4 @@ MapTable boxMap();
 
 /// The page doc/stability.md.
 std::string stabilityPage();
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

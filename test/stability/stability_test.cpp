@@ -7,7 +7,7 @@
 
 #include "stability_map.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST(StabilityMap, autoIsRightRefusesOrSaysThatItCannotResolveNoise)
   }
 }
 }  // namespace
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -214,4 +214,4 @@ void Tally::print() const
     }
   }
 }
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

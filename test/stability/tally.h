@@ -7,7 +7,7 @@
 
 #include "random_scene.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 /// What a campaign has seen.
 class Tally
@@ -89,4 +89,4 @@ class Tally
 };
 /// An entry's scene and state in words.
 std::string where(const Tally::Entry& entry);
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "../balance/wheelset_scene.h"
+#include "../core/balance/wheelset_scene.h"
 #include "random_scene.h"
 #include "stability_map.h"
 
-namespace wheel_rail_contact::stability
+namespace wheel_rail_contact::core::stability
 {
 namespace
 {
@@ -171,7 +171,7 @@ MapTable solveAll()
                                                 NormalMethod::kik_piotrowski, NormalMethod::hertz};
   MapTable table{
       "Wheelsets",
-      "S1002 on 60E1, cant 1:40, gauge 1.435 m, tolerance 0.01, unless the row says otherwise; y is the way to "
+      "S1002 on 60E1, inclination 1:40, gauge 1.435 m, tolerance 0.01, unless the row says otherwise; y is the way to "
       "the left. The reference is `conjugate_gradient` on 128 × 256 cells, and none where it differs from 64 × 128 by "
       "more than \"right\". \"And says so\" means that the answer's error estimate is above the tolerance, which its "
       "status text tells. `auto` is right or refuses; on a wheel and a rail drawn through noisy points, with waves "
@@ -198,4 +198,4 @@ const MapTable& wheelsetMap()
   static const MapTable table = solveAll();
   return table;
 }
-}  // namespace wheel_rail_contact::stability
+}  // namespace wheel_rail_contact::core::stability

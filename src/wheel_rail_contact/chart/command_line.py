@@ -6,10 +6,9 @@ from pathlib import Path
 
 from ..command import Failure, finish, pyplot, runner
 from ..progress import Progress
-from . import table
-from .front import standing
+from . import scenes_picture, summary_picture, table
+from .front import compare_auto
 from .measuring import RUNNER, measure
-from .picture import draw
 
 
 def main(arguments=None):
@@ -29,38 +28,46 @@ def _run(options):
     facts = {"machine": table.machine(), **facts}
     rows = table.parse(lines)
     table.write(options.out / "chart.csv", facts, lines)
-    draw(plot, rows, facts, [options.out / "chart.png", options.out / "chart.svg"])
+    draw(plot, rows, facts, options.out)
     _report(rows)
-    print(f"wrote chart.csv, chart.png and chart.svg to {options.out}")
+    print(f"wrote chart.csv, chart.png and chart_scenes.png, and both pictures as .svg, to {options.out}")
+
+
+def draw(plot, rows, facts, folder):
+    """Writes both pictures, each as PNG and SVG."""
+    for picture, name in ((summary_picture, "chart"), (scenes_picture, "chart_scenes")):
+        picture.draw(plot, rows, facts, [folder / f"{name}.png", folder / f"{name}.svg"])
 
 
 def _check_folder(folder):
-    """Raises Failure, before any time is spent, for a place that cannot be written to."""
+    """Raises Failure before the measurement starts if the folder is not writable."""
     if not folder.is_dir():
-        raise Failure(f"--out {folder}: there is no such folder")
+        raise Failure(f"--out {folder}: this folder does not exist")
     try:
         with tempfile.TemporaryFile(dir=folder):
             pass
     except OSError as error:
-        raise Failure(f"--out {folder}: cannot be written to ({error.strerror})") from error
+        raise Failure(f"--out {folder}: this folder is not writable ({error.strerror})") from error
 
 
 def _report(rows):
-    print("auto against the fixed methods: its time over that of the cheapest one that meets the tolerance")
+    print("Time of auto divided by the time of the fastest fixed method that meets the tolerance")
     print(f"{'':17}{'tolerance':>10}{'met':>10}{'median':>10}{'largest':>10}  on or left of the front")
     for kind in ("wheelset", "normal"):
         for start in ("warm", "cold"):
             own = [row for row in rows if row.kind == kind and row.start == start]
-            for name, stand in zip((f"{kind}, {start}", "", "", ""), standing(own)):
-                print(f"{name:<17}{100 * stand.tolerance:>8g} %{f'{stand.met} of {stand.scenes}':>10}"
-                      f"{stand.ratio:>10.2f}{stand.largest_ratio:>10.2f}  {stand.on_front} of {stand.scenes}")
+            for name, found in zip((f"{kind}, {start}", "", "", ""), compare_auto(own)):
+                print(f"{name:<17}{100 * found.tolerance:>8g} %{f'{found.met} of {found.scenes}':>10}"
+                      f"{found.ratio:>10.2f}{found.largest_ratio:>10.2f}  {found.on_front} of {found.scenes}")
 
 
 def _parser():
     parser = argparse.ArgumentParser(
-        prog="contact_chart", description="Runs every method on every grid over a dozen scenes and draws error against "
-        "time. Writes chart.csv, chart.png and chart.svg. Takes two or three minutes.")
-    parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR", help="existing folder (default: here)")
+        prog="contact_chart", description="Runs every method on every grid over twelve scenes and draws error against "
+        "time: chart.png summarises the scenes, chart_scenes.png has a panel for each scene. Also writes both pictures as "
+        ".svg and all values to chart.csv. Takes two to three minutes.")
+    parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
+                        help="existing folder for the files (default: the current one)")
     parser.add_argument("--quick", action="store_true",
-                        help="fewer repetitions, no slow grids, a coarser truth: a look in a tenth of the time")
+                        help="fewer repetitions, no slow grids, a coarser reference solution; a tenth of the time")
     return parser

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the program that measures."""
+"""Runs contact_chart_runner, the program that measures times and errors."""
 import subprocess
 
 from ..command import Failure
@@ -8,9 +8,9 @@ RUNNER = "contact_chart_runner"
 
 
 def measure(program, quick, progress):
-    """What the program tells of itself, {name: text}, and the lines of its table.
+    """Properties of the program and its build as {name: text}, and the lines of its table.
 
-    Calls progress(done, total, title) as it goes.
+    Calls progress(done, total, title) after every step.
     """
     facts, lines = {}, []
     command = [str(program)] + (["--quick"] if quick else [])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rows of the chart. SI units; errors relative."""
+"""Table of the chart. SI units; relative errors."""
 import csv
 import platform
 from dataclasses import dataclass
@@ -7,42 +7,43 @@ from pathlib import Path
 
 INTEGERS = ("cells_along", "cells_across", "samples")
 TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason", "solver")
+SOLVED = "answered"  # status of a row with a result, as contact_chart_runner writes it
 
 
 @dataclass(frozen=True)
 class Row:
-    """One method on one grid (auto: at one tolerance) in one scene, from cold or warm; columns as in the file."""
+    """One method on one grid (auto: at one tolerance) in one scene, started cold or warm. Fields are the columns."""
 
     scene: str
     title: str
-    kind: str  # wheelset: the whole chain; normal: the normal problem alone
+    kind: str  # wheelset: whole calculation; normal: normal problem of one wheel alone
     method: str
     cells_along: int
     cells_across: int
     tolerance: float  # of auto, else 0
     start: str  # cold, warm
-    status: str  # answered, refused, other_patches, not_run
-    reason: str
-    time: float  # median [s]; of not_run: as expected
+    status: str  # SOLVED, refused, other_patches, not_run
+    reason: str  # of a missing result
+    time: float  # median [s]; expected time if not run
     time_quartile_1: float
     time_quartile_3: float
     samples: int
-    solver: str  # the method at work: of auto the one it chose; empty unless answered
-    error: float  # largest of the three; this and what follows is None unless answered
+    solver: str  # method used; for auto the chosen one; empty without a result
+    error: float  # largest of the next three; these and the estimate are None without a result
     error_max_pressure: float
     error_area: float
     error_approach: float
     error_estimate: float
-    truth_error: float  # of the scene
+    truth_error: float  # of the scene's reference solution
 
     @property
-    def rung(self):
-        """What tells the rows of one method and scene apart: the grid, of auto the tolerance."""
+    def setting(self):
+        """Grid (cells along, cells across); for auto the tolerance. Unique for each method, scene and start."""
         return self.tolerance if self.method == "auto" else (self.cells_along, self.cells_across)
 
     @property
-    def answered(self):
-        return self.status == "answered"
+    def has_result(self):
+        return self.status == SOLVED
 
 
 def parse(lines):
@@ -70,13 +71,13 @@ def machine():
 
 
 def write(path, facts, lines):
-    """The table with its origin in comment lines above it."""
+    """Writes the table, with the facts in comment lines above it."""
     comments = [f"# {name}: {text}\n" for name, text in facts.items()]
     path.write_text("".join(comments + lines), encoding="utf-8")
 
 
 def read(path):
-    """Facts and rows of a written table."""
+    """Facts and rows of a table written by write()."""
     lines = path.read_text(encoding="utf-8").splitlines()
     facts = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# "))
     return facts, parse(line for line in lines if not line.startswith("# "))

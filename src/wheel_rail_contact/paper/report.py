@@ -38,7 +38,7 @@ def _methods(folder):
 def _scan(folder):
     rows = read(folder / "scan.csv")
     yield f"Nearest of {len(rows)} settings; off: the larger deviation of pressure and area from the paper"
-    yield (f"{'scan':32}{'rail':17}{'cant':>8}{'y, mm':>8}{'shift, mm':>10}{'turn, mrad':>11}{'without':>15}"
+    yield (f"{'scan':32}{'rail':17}{'inclination':>8}{'y, mm':>8}{'shift, mm':>10}{'turn, mrad':>11}{'without':>15}"
            f"{'with':>15}{'off, %':>8}")
     for title, part, key, chosen in _SEARCHES:
         for rail in dict.fromkeys(row["rail"] for row in rows):
@@ -49,7 +49,7 @@ def _scan(folder):
 
 def _nearest(title, row, key):
     first, second = (_figures(row), "") if key == "deviation_without" else (_figures(row, "without_"), _figures(row))
-    return (f"{title:32}{row['rail']:17}{row['cant']:8.5f}{1e3 * row['y']:8.2f}{1e3 * row['crown_lateral']:10.4f}"
+    return (f"{title:32}{row['rail']:17}{row['inclination']:8.5f}{1e3 * row['y']:8.2f}{1e3 * row['crown_lateral']:10.4f}"
             f"{1e3 * row['rail_turn']:11.2f}{first:>15}{second:>15}{100 * row[key]:8.1f}")
 
 

@@ -62,5 +62,5 @@ def _other_inclination(axes, rows):
     areas = [1e6 * best["without_area"], 1e6 * best["area"]]
     pressures = [1e-6 * best["without_max_pressure"], 1e-6 * best["max_pressure"]]
     axes.plot(areas, pressures, ":", color=ORANGE, marker="D", linewidth=2,
-              label=f"inclination 1:{1 / best['cant']:.0f}, y = {1e3 * best['y']:.1f} mm: "
+              label=f"inclination 1:{1 / best['inclination']:.0f}, y = {1e3 * best['y']:.1f} mm: "
               f"turned {1e3 * best['rail_turn']:.1f} mrad outward")

@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Asks with a pair that was tampered with, then with a good one: the node must still be there.
 template <typename Tamper>
-WheelsetContactMsg askBadly(ContactClient& client, const Tamper& tamper)
+WheelsetContact askBadly(ContactClient& client, const Tamper& tamper)
 {
   const ros::Time stamp = ContactClient::nextStamp();
   auto pose = ContactClient::pose(0, stamp);
@@ -24,14 +24,14 @@ WheelsetContactMsg askBadly(ContactClient& client, const Tamper& tamper)
   tamper(pose, load);
   const auto answer = client.ask(pose, load);
   const auto good = client.ask(0.001);
-  EXPECT_TRUE(good && good->status == WheelsetContactMsg::OK) << "the node does not answer good input any more";
-  return answer.value_or(WheelsetContactMsg());
+  EXPECT_TRUE(good && good->status == WheelsetContact::OK) << "the node does not answer good input any more";
+  return answer.value_or(WheelsetContact());
 }
 
 using Pose = geometry_msgs::PoseStamped;
 using Load = geometry_msgs::WrenchStamped;
 
-void expectRefused(const WheelsetContactMsg& answer, int status, const std::string& reason)
+void expectRefused(const WheelsetContact& answer, int status, const std::string& reason)
 {
   EXPECT_EQ(answer.status, status);
   EXPECT_NE(answer.status_text.find(reason), std::string::npos) << answer.status_text;
@@ -39,7 +39,7 @@ void expectRefused(const WheelsetContactMsg& answer, int status, const std::stri
 }
 }  // namespace
 
-// Figures of the reference code CONTACT for the Manchester contact benchmark, 100 kN per wheel, y = 0, cant 1:40: 982.1
+// Figures of the reference code CONTACT for the Manchester contact benchmark, 100 kN per wheel, y = 0, inclination 1:40: 982.1
 // MPa, 192.0 mm², axle at 459.743 mm. Bounds: 1.5 % and 2 % are the agreement asked of the whole chain at tolerance
 // 0.003.
 TEST(LiveNode, AnswersTheManchesterStateWithItsStamp)
@@ -50,7 +50,7 @@ TEST(LiveNode, AnswersTheManchesterStateWithItsStamp)
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->header.stamp, stamp);
   EXPECT_EQ(answer->header.frame_id, "track");
-  EXPECT_EQ(answer->status, WheelsetContactMsg::OK);
+  EXPECT_EQ(answer->status, WheelsetContact::OK);
   EXPECT_EQ(answer->status_text, "");
   EXPECT_NEAR(answer->wheelset.position.z, 0.459743, 3e-6);
   EXPECT_NEAR(answer->left_rail.vertical_force, 100e3, 100);
@@ -88,7 +88,7 @@ TEST(LiveNode, AnswersEveryPairOfASweepInOrder)
   {
     const auto& answer = client.answers()[static_cast<std::size_t>(i)];
     EXPECT_EQ(answer.header.stamp, stamps[static_cast<std::size_t>(i)]);
-    EXPECT_EQ(answer.status, WheelsetContactMsg::OK) << answer.status_text;
+    EXPECT_EQ(answer.status, WheelsetContact::OK) << answer.status_text;
     EXPECT_DOUBLE_EQ(answer.wheelset.position.y, -5e-5 * i);
   }
 }
@@ -96,7 +96,7 @@ TEST(LiveNode, AnswersEveryPairOfASweepInOrder)
 TEST(LiveNode, RefusesNumbersThatAreNone)
 {
   ContactClient client;
-  const int invalid = WheelsetContactMsg::INVALID_INPUT;
+  const int invalid = WheelsetContact::INVALID_INPUT;
   expectRefused(askBadly(client, [](Pose& pose, Load&) { pose.pose.position.y = not_a_number; }), invalid, "position");
   expectRefused(askBadly(client, [](Pose& pose, Load&) { pose.pose.position.z = infinity; }), invalid, "position");
   expectRefused(askBadly(client, [](Pose& pose, Load&) { pose.pose.orientation.x = not_a_number; }), invalid,
@@ -114,14 +114,14 @@ TEST(LiveNode, AnswerToAnUnreadableInputHoldsNoPose)
   geometry_msgs::Pose nowhere;
   nowhere.orientation.w = 1;
   EXPECT_EQ(answer.wheelset, nowhere);
-  EXPECT_EQ(answer.left_rail, RailDeflectionMsg());
-  EXPECT_EQ(answer.right_rail, RailDeflectionMsg());
+  EXPECT_EQ(answer.left_rail, RailDeflection());
+  EXPECT_EQ(answer.right_rail, RailDeflection());
 }
 
 TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
 {
   ContactClient client;
-  const int invalid = WheelsetContactMsg::INVALID_INPUT;
+  const int invalid = WheelsetContact::INVALID_INPUT;
   expectRefused(askBadly(client, [](Pose& pose, Load&) { pose.pose.position.y = 1e300; }), invalid, "lateral");
   expectRefused(askBadly(client, [](Pose&, Load& load) { load.wrench.force.z = -1e300; }), invalid, "load");
   const auto turned_round = [](Pose& pose, Load&)
@@ -131,7 +131,7 @@ TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
   };
   expectRefused(askBadly(client, turned_round), invalid, "yaw");
   const auto beside = askBadly(client, [](Pose& pose, Load&) { pose.pose.position.y = 0.09; });
-  EXPECT_TRUE(beside.status != WheelsetContactMsg::OK && beside.patches.empty()) << "9 cm beside the track";
+  EXPECT_TRUE(beside.status != WheelsetContact::OK && beside.patches.empty()) << "9 cm beside the track";
   EXPECT_NE(beside.status_text, "");
   EXPECT_EQ(beside.wheelset.position.y, 0.09) << "the pose as it was given";
 }
@@ -139,18 +139,18 @@ TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
 TEST(LiveNode, RefusesFramesThatDoNotLeadToTheTrack)
 {
   ContactClient client;
-  const int no_transform = WheelsetContactMsg::NO_TRANSFORM;
+  const int no_transform = WheelsetContact::NO_TRANSFORM;
   expectRefused(askBadly(client, [](Pose& pose, Load&) { pose.header.frame_id = "nowhere"; }), no_transform, "nowhere");
   expectRefused(askBadly(client, [](Pose& pose, Load&) { pose.header.frame_id = ""; }), no_transform, "frame_id");
   expectRefused(askBadly(client, [](Pose&, Load& load) { load.header.frame_id = "wheelset"; }),
-                WheelsetContactMsg::INVALID_INPUT, "wheelset");
+                WheelsetContact::INVALID_INPUT, "wheelset");
 }
 
 TEST(LiveNode, WheelThatLiftsOffIsAnAnswer)
 {
   ContactClient client;
   const auto answer = askBadly(client, [](Pose&, Load& load) { load.wrench.torque.x = 160e3; });
-  EXPECT_EQ(answer.status, WheelsetContactMsg::LIFT_OFF);
+  EXPECT_EQ(answer.status, WheelsetContact::LIFT_OFF);
   EXPECT_NE(answer.status_text, "");
   for (const ContactPatch& patch : answer.patches)
   {

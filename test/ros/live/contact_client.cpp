@@ -22,8 +22,8 @@ ContactClient::ContactClient(const std::string& inputs, const std::string& node)
   bool ready = spinUntil(connected);
   if (!node.empty())
   {
-    subscriber_ = nh_.subscribe<WheelsetContactMsg>(
-        node + "/contact", queue_size, [this](const WheelsetContactMsg::ConstPtr& m) { answers_.push_back(*m); });
+    subscriber_ = nh_.subscribe<WheelsetContact>(
+        node + "/contact", queue_size, [this](const WheelsetContact::ConstPtr& m) { answers_.push_back(*m); });
     ready = ready && spinUntil([this] { return subscriber_.getNumPublishers() > 0; });
   }
   if (!ready)
@@ -60,8 +60,8 @@ geometry_msgs::WrenchStamped ContactClient::load(double fz, const ros::Time& sta
   return message;
 }
 
-std::optional<WheelsetContactMsg> ContactClient::ask(const geometry_msgs::PoseStamped& pose,
-                                                     const geometry_msgs::WrenchStamped& load)
+std::optional<WheelsetContact> ContactClient::ask(const geometry_msgs::PoseStamped& pose,
+                                                  const geometry_msgs::WrenchStamped& load)
 {
   const std::size_t before = answers_.size();
   send(pose);
@@ -73,7 +73,7 @@ std::optional<WheelsetContactMsg> ContactClient::ask(const geometry_msgs::PoseSt
   return answers_.back();
 }
 
-std::optional<WheelsetContactMsg> ContactClient::ask(double y)
+std::optional<WheelsetContact> ContactClient::ask(double y)
 {
   const ros::Time stamp = nextStamp();
   return ask(pose(y, stamp), load(-200e3, stamp));

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "wheel_rail_contact/ros/messages.h"
+#include <wheel_rail_contact/WheelsetContact.h>
 
 namespace wheel_rail_contact
 {
@@ -32,17 +32,16 @@ class ContactClient
   void send(const geometry_msgs::PoseStamped& pose) { pose_publisher_.publish(pose); }
   void send(const geometry_msgs::WrenchStamped& load) { load_publisher_.publish(load); }
   /// Sends a pair. @return its answer, or nothing if none came in time.
-  std::optional<WheelsetContactMsg> ask(const geometry_msgs::PoseStamped& pose,
-                                        const geometry_msgs::WrenchStamped& load);
+  std::optional<WheelsetContact> ask(const geometry_msgs::PoseStamped& pose, const geometry_msgs::WrenchStamped& load);
   /// Sends a good pair with the wheelset at y and 100 kN on each wheel.
-  std::optional<WheelsetContactMsg> ask(double y);
+  std::optional<WheelsetContact> ask(double y);
 
   /// Waits until there are at least `count` answers in all. @return false if they did not come in time.
   bool waitForAnswers(std::size_t count);
-  const std::vector<WheelsetContactMsg>& answers() const { return answers_; }
+  const std::vector<WheelsetContact>& answers() const { return answers_; }
 
  private:
-  std::vector<WheelsetContactMsg> answers_;
+  std::vector<WheelsetContact> answers_;
   ros::NodeHandle nh_;
   ros::Publisher pose_publisher_, load_publisher_;
   ros::Subscriber subscriber_;

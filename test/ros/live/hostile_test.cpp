@@ -121,10 +121,10 @@ bool isFinite(const geometry_msgs::Pose& pose)
 }
 
 /// True if no number of an answer is nonsense.
-bool isFinite(const WheelsetContactMsg& answer)
+bool isFinite(const WheelsetContact& answer)
 {
   bool finite = isFinite(answer.wheelset) && std::isfinite(answer.solve_time);
-  for (const RailDeflectionMsg& rail : {answer.left_rail, answer.right_rail})
+  for (const RailDeflection& rail : {answer.left_rail, answer.right_rail})
   {
     finite = finite && std::isfinite(rail.lateral + rail.vertical + rail.roll + rail.lateral_force +
                                      rail.vertical_force + rail.moment);
@@ -170,7 +170,7 @@ TEST_F(Hostile, EveryNumberOfAPairMayBeNonsense)
       sent_ += 2;
       ASSERT_TRUE(answer) << "field " << field << " = " << value;
       EXPECT_TRUE(isFinite(*answer)) << "field " << field << " = " << value << "\n" << answer->status_text;
-      EXPECT_TRUE(std::isfinite(value) || answer->status == WheelsetContactMsg::INVALID_INPUT)
+      EXPECT_TRUE(std::isfinite(value) || answer->status == WheelsetContact::INVALID_INPUT)
           << "field " << field << " = " << value;
     }
   }
@@ -193,7 +193,7 @@ TEST_F(Hostile, NamesOfFramesMayBeHugeEmptyOrBinary)
       sent_ += 2;
       ASSERT_TRUE(answer) << name.substr(0, 20);
       EXPECT_LT(answer->status_text.size(), 1000U);
-      EXPECT_EQ(answer->status == WheelsetContactMsg::OK, of_load && name.empty()) << name.substr(0, 20);
+      EXPECT_EQ(answer->status == WheelsetContact::OK, of_load && name.empty()) << name.substr(0, 20);
     }
   }
   expectAccount();
@@ -208,7 +208,7 @@ TEST_F(Hostile, StampsMayBeZeroAndGoBackwards)
     sent_ += 2;
     ASSERT_TRUE(answer) << stamp;
     EXPECT_EQ(answer->header.stamp, time);
-    EXPECT_EQ(answer->status, WheelsetContactMsg::OK) << answer->status_text;
+    EXPECT_EQ(answer->status, WheelsetContact::OK) << answer->status_text;
   }
   sendPair(0, ros::Time(4e9));  // again
   expectAccount();

@@ -3,16 +3,16 @@
 #include <ros/package.h>
 
 #include "contact_client.h"
-#include "wheel_rail_contact/ros/compliance_table_file.h"
-#include "wheel_rail_contact/ros/conversions.h"
+#include "ros/node/conversions.h"
+#include "ros/parameters/compliance_table_file.h"
 
 using namespace wheel_rail_contact;
 
 namespace
 {
-constexpr double cant = 0.025;
+constexpr double inclination = 0.025;
 
-RailForce forceOf(const RailResult& rail)
+core::RailForce forceOf(const core::RailResult& rail)
 {
   return {rail.lateral_force, rail.vertical_force, rail.moment};
 }
@@ -22,20 +22,20 @@ class LiveNeighbours : public testing::Test
 {
  protected:
   /// Wheelset behind and its double at the same place. @return the answer of the first
-  WheelsetResult askBehind(double y, const ros::Time& stamp)
+  core::WheelsetResult askBehind(double y, const ros::Time& stamp)
   {
     const auto pose = ContactClient::pose(y, stamp);
     const auto load = ContactClient::load(-200e3, stamp);
     const auto behind = behind_.ask(pose, load), alone = alone_.ask(pose, load);
     EXPECT_TRUE(behind && alone);
-    alone_answer_ = alone ? fromMessage(*alone) : WheelsetResult();
-    return behind ? fromMessage(*behind) : WheelsetResult();
+    alone_answer_ = alone ? fromMessage(*alone) : core::WheelsetResult();
+    return behind ? fromMessage(*behind) : core::WheelsetResult();
   }
 
   /// What bends a rail of an answer beside its own forces.
-  RailDeflection offsetOf(const RailResult& rail) const
+  core::RailDeflection offsetOf(const core::RailResult& rail) const
   {
-    const RailDeflection own = deflectionInTrack(file_.table, forceOf(rail), cant);
+    const core::RailDeflection own = deflectionInTrack(file_.table, forceOf(rail), inclination);
     return {rail.deflection.lateral - own.lateral, rail.deflection.vertical - own.vertical,
             rail.deflection.roll - own.roll};
   }
@@ -45,12 +45,12 @@ class LiveNeighbours : public testing::Test
   ContactClient front_{"/front", "/front/contact_node"};
   ContactClient behind_{"/behind", "/behind/contact_node"};
   ContactClient alone_{"/alone", "/alone/contact_node"};
-  WheelsetResult alone_answer_;
+  core::WheelsetResult alone_answer_;
 };
 
-void expectSameRails(const WheelsetResult& a, const WheelsetResult& b)
+void expectSameRails(const core::WheelsetResult& a, const core::WheelsetResult& b)
 {
-  ASSERT_EQ(a.status, ContactStatus::ok) << a.reason;
+  ASSERT_EQ(a.status, core::ContactStatus::ok) << a.reason;
   for (std::size_t side = 0; side < 2; ++side)
   {
     EXPECT_EQ(a.rail[side].deflection.lateral, b.rail[side].deflection.lateral);
@@ -68,13 +68,13 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
 
   const auto front = front_.ask(6.5e-3);
   ASSERT_TRUE(front);
-  ASSERT_EQ(front->status, WheelsetContactMsg::OK) << front->status_text;
-  const WheelsetResult forces = fromMessage(*front);
-  const ComplianceTable& influence = file_.neighbours.at(1).influence;
+  ASSERT_EQ(front->status, WheelsetContact::OK) << front->status_text;
+  const core::WheelsetResult forces = fromMessage(*front);
+  const core::ComplianceTable& influence = file_.neighbours.at(1).influence;
   ASSERT_EQ(file_.neighbours.at(1).distance, 2.5);
 
   // The answer reaches the wheelset behind a moment before or after it reaches this program.
-  WheelsetResult behind;
+  core::WheelsetResult behind;
   const auto is_told = [&] { return std::abs(offsetOf(behind.rail[0]).lateral) > 1e-5; };
   for (int i = 0; i < 20 && !is_told(); ++i)
   {
@@ -84,12 +84,12 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
   for (std::size_t side = 0; side < 2; ++side)
   {
     SCOPED_TRACE(side == 0 ? "left" : "right");
-    const RailDeflection found = offsetOf(behind.rail[side]);
-    const RailDeflection wanted = deflectionInTrack(influence, forceOf(forces.rail[side]), cant);
+    const core::RailDeflection found = offsetOf(behind.rail[side]);
+    const core::RailDeflection wanted = deflectionInTrack(influence, forceOf(forces.rail[side]), inclination);
     EXPECT_NEAR(found.lateral, wanted.lateral, 1e-9);
     EXPECT_NEAR(found.vertical, wanted.vertical, 1e-9);
     EXPECT_NEAR(found.roll, wanted.roll, 1e-8);
-    const RailDeflection nobody = offsetOf(alone_answer_.rail[side]);
+    const core::RailDeflection nobody = offsetOf(alone_answer_.rail[side]);
     EXPECT_NEAR(nobody.lateral, 0, 1e-9);
     EXPECT_NEAR(nobody.vertical, 0, 1e-9);
     EXPECT_NEAR(nobody.roll, 0, 1e-8);

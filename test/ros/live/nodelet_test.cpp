@@ -25,10 +25,10 @@ TEST(LiveNodelet, AnswersTheSameAsTheNodeToTheLastBit)
   ASSERT_TRUE(nodelet.waitForAnswers(count));
   for (std::size_t i = 0; i < count; ++i)
   {
-    WheelsetContactMsg a = node.answers()[i], b = nodelet.answers()[i];
+    WheelsetContact a = node.answers()[i], b = nodelet.answers()[i];
     a.solve_time = b.solve_time = 0;
     a.header.seq = b.header.seq = 0;
     EXPECT_EQ(a, b) << "answer " << i;
   }
-  EXPECT_EQ(node.answers()[20].status, WheelsetContactMsg::NO_TRANSFORM);
+  EXPECT_EQ(node.answers()[20].status, WheelsetContact::NO_TRANSFORM);
 }

@@ -22,7 +22,7 @@ class Simulation
   }
 
   /// Wheelset in the middle of the track, 100 kN on each wheel, a lateral force on either rail [N].
-  WheelsetContactMsg ask(double left, double right)
+  WheelsetContact ask(double left, double right)
   {
     const ros::Time stamp = ContactClient::nextStamp();
     const std::size_t before = client_.answers().size();
@@ -33,7 +33,7 @@ class Simulation
     EXPECT_EQ(client_.answers().size(), before) << "answered without the right rail's force";
     right_.publish(force(right, stamp));
     EXPECT_TRUE(client_.waitForAnswers(before + 1));
-    return client_.answers().size() > before ? client_.answers().back() : WheelsetContactMsg();
+    return client_.answers().size() > before ? client_.answers().back() : WheelsetContact();
   }
 
  private:
@@ -56,7 +56,7 @@ TEST(LiveNode, RailForcesPushBothRailsOutward)
   Simulation simulation;
   const auto rest = simulation.ask(0, 0);
   const auto both = simulation.ask(30e3, 30e3);
-  ASSERT_EQ(both.status, WheelsetContactMsg::OK) << both.status_text;
+  ASSERT_EQ(both.status, WheelsetContact::OK) << both.status_text;
   EXPECT_EQ(both.left_rail.lateral_force, 30e3);
   EXPECT_EQ(both.right_rail.lateral_force, 30e3);
   // The table's lateral compliance alone moves a rail 30 kN * 60.6 nm/N = 1.8 mm; both forces' moments add to it or
@@ -71,7 +71,7 @@ TEST(LiveNode, EachRailFollowsItsOwnForce)
   Simulation simulation;
   const auto rest = simulation.ask(0, 0);
   const auto bent = simulation.ask(-10e3, 20e3);
-  ASSERT_EQ(bent.status, WheelsetContactMsg::OK) << bent.status_text;
+  ASSERT_EQ(bent.status, WheelsetContact::OK) << bent.status_text;
   EXPECT_EQ(bent.left_rail.lateral_force, -10e3);
   EXPECT_EQ(bent.right_rail.lateral_force, 20e3);
   EXPECT_LT(bent.left_rail.lateral, rest.left_rail.lateral) << "pulled towards the track's centre";
@@ -84,7 +84,7 @@ TEST(LiveNode, RailForceBeyondTheTablesRangeIsToldWithFigures)
   Simulation simulation;
   EXPECT_EQ(simulation.ask(59e3, 0).status_text, "");
   const auto beyond = simulation.ask(0, -61e3);
-  ASSERT_EQ(beyond.status, WheelsetContactMsg::OK) << beyond.status_text;
+  ASSERT_EQ(beyond.status, WheelsetContact::OK) << beyond.status_text;
   const std::string figures =
       "right rail: Y = -61.0 kN at Q = 100.0 kN, |Y|/Q = 0.610; its compliance table holds up to 0.6";
   EXPECT_EQ(beyond.status_text, figures);
@@ -97,7 +97,7 @@ TEST(LiveNode, RailForceThatIsNoneIsRefused)
 {
   Simulation simulation;
   const auto answer = simulation.ask(0, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(answer.status, WheelsetContactMsg::INVALID_INPUT);
+  EXPECT_EQ(answer.status, WheelsetContact::INVALID_INPUT);
   EXPECT_NE(answer.status_text.find("right rail force"), std::string::npos) << answer.status_text;
-  EXPECT_EQ(simulation.ask(0, 0).status, WheelsetContactMsg::OK);
+  EXPECT_EQ(simulation.ask(0, 0).status, WheelsetContact::OK);
 }

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t pairs = 201;
 const ros::Time first(1, 0);
 
-double force(const WheelsetContactMsg& answer, std::uint8_t side)
+double force(const WheelsetContact& answer, std::uint8_t side)
 {
   double vertical = 0;
   for (const ContactPatch& patch : answer.patches)
@@ -30,16 +30,16 @@ double force(const WheelsetContactMsg& answer, std::uint8_t side)
 TEST(LiveSweep, EveryPairOfTheRecordingIsAnsweredAndBothWheelsCarryTheirLoad)
 {
   ros::NodeHandle nh;
-  std::vector<WheelsetContactMsg> answers;
-  const auto receive = [&](const WheelsetContactMsg::ConstPtr& answer) { answers.push_back(*answer); };
-  const auto subscriber = nh.subscribe<WheelsetContactMsg>("/contact_node/contact", 1000, receive);
+  std::vector<WheelsetContact> answers;
+  const auto receive = [&](const WheelsetContact::ConstPtr& answer) { answers.push_back(*answer); };
+  const auto subscriber = nh.subscribe<WheelsetContact>("/contact_node/contact", 1000, receive);
   ASSERT_TRUE(spinUntil([&] { return answers.size() >= pairs; }, 100)) << answers.size() << " answers";
   for (std::size_t i = 0; i < pairs; ++i)
   {
-    const WheelsetContactMsg& answer = answers[i];
+    const WheelsetContact& answer = answers[i];
     SCOPED_TRACE("y = " + std::to_string(answer.wheelset.position.y));
     EXPECT_EQ(answer.header.stamp, first + ros::Duration().fromNSec(20000000 * static_cast<std::int64_t>(i)));
-    EXPECT_EQ(answer.status, WheelsetContactMsg::OK) << answer.status_text;
+    EXPECT_EQ(answer.status, WheelsetContact::OK) << answer.status_text;
     // The normal's mean direction over a patch is that of its plane to within 1 % of the load.
     EXPECT_NEAR(force(answer, ContactPatch::LEFT), 100e3, 1e3);
     EXPECT_NEAR(force(answer, ContactPatch::RIGHT), 100e3, 1e3);
@@ -50,7 +50,7 @@ TEST(LiveSweep, EveryPairOfTheRecordingIsAnsweredAndBothWheelsCarryTheirLoad)
   std::size_t above_tolerance = 0;
   for (std::size_t i = 0; i < pairs / 2; ++i)
   {
-    const WheelsetContactMsg &there = answers[i], &back = answers[pairs - 1 - i];
+    const WheelsetContact &there = answers[i], &back = answers[pairs - 1 - i];
     const bool within = there.status_text.empty() && back.status_text.empty();
     EXPECT_NEAR(there.wheelset.position.z, back.wheelset.position.z, within ? 5e-6 : 20e-6)
         << "y = " << there.wheelset.position.y;

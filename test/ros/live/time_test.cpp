@@ -37,14 +37,14 @@ TEST(LiveNode, PoseInAnotherFrameIsBroughtToTheTrack)
   broadcaster.sendTransform(shifted("vehicle", 0.001, stamp));
   auto pose = ContactClient::pose(0.002, stamp);
   pose.header.frame_id = "vehicle";
-  std::optional<WheelsetContactMsg> answer;
-  for (int i = 0; i < 20 && !(answer && answer->status == WheelsetContactMsg::OK); ++i)
+  std::optional<WheelsetContact> answer;
+  for (int i = 0; i < 20 && !(answer && answer->status == WheelsetContact::OK); ++i)
   {
     pose.header.stamp = ContactClient::nextStamp();
     answer = client.ask(pose, ContactClient::load(-200e3, pose.header.stamp));
   }
   ASSERT_TRUE(answer);
-  EXPECT_EQ(answer->status, WheelsetContactMsg::OK) << answer->status_text;
+  EXPECT_EQ(answer->status, WheelsetContact::OK) << answer->status_text;
   EXPECT_NEAR(answer->wheelset.position.y, 0.003, 1e-12);
 }
 
@@ -65,7 +65,7 @@ TEST(LiveNode, LateTransformIsWaitedForAndAMissingOneHoldsUpNothing)
   spinUntil([] { return false; }, 0.02);
   broadcaster.sendTransform(shifted("bogie", 0.002, late));
   ASSERT_TRUE(client.waitForAnswers(before + 1));
-  EXPECT_EQ(client.answers().back().status, WheelsetContactMsg::OK) << client.answers().back().status_text;
+  EXPECT_EQ(client.answers().back().status, WheelsetContact::OK) << client.answers().back().status_text;
   EXPECT_NEAR(client.answers().back().wheelset.position.y, 0.002, 1e-12);
 
   // Fifty poses without their transform are refused together, not one patience after the other.
@@ -78,7 +78,7 @@ TEST(LiveNode, LateTransformIsWaitedForAndAMissingOneHoldsUpNothing)
   }
   ASSERT_TRUE(client.waitForAnswers(before + 51));
   EXPECT_LT((ros::WallTime::now() - start).toSec(), 3) << "50 times the patience of 0.1 s would be 5 s";
-  EXPECT_EQ(client.answers().back().status, WheelsetContactMsg::NO_TRANSFORM);
+  EXPECT_EQ(client.answers().back().status, WheelsetContact::NO_TRANSFORM);
 }
 
 TEST(LiveNode, BagLoopIsAnsweredAgain)
@@ -142,9 +142,9 @@ TEST(LiveNode, GivenHeightNeedsNoLoad)
 {
   ros::NodeHandle nh;
   const auto publisher = nh.advertise<geometry_msgs::PoseStamped>("/given/wheelset/pose", 10);
-  std::vector<WheelsetContactMsg> answers;
-  const auto subscriber = nh.subscribe<WheelsetContactMsg>(
-      "/given/contact_node/contact", 10, [&](const WheelsetContactMsg::ConstPtr& m) { answers.push_back(*m); });
+  std::vector<WheelsetContact> answers;
+  const auto subscriber = nh.subscribe<WheelsetContact>(
+      "/given/contact_node/contact", 10, [&](const WheelsetContact::ConstPtr& m) { answers.push_back(*m); });
   EXPECT_TRUE(spinUntil([&] { return subscriber.getNumPublishers() > 0; }));
   EXPECT_TRUE(spinUntil(
       [&]
@@ -155,7 +155,7 @@ TEST(LiveNode, GivenHeightNeedsNoLoad)
         spinUntil([&] { return !answers.empty(); }, 0.2);
         return !answers.empty();
       }));
-  EXPECT_EQ(answers[0].status, WheelsetContactMsg::OK) << answers[0].status_text;
+  EXPECT_EQ(answers[0].status, WheelsetContact::OK) << answers[0].status_text;
   // 1e-6 m of the approach of 75e-6 m changes the force by about 2 %; the height above is known to 1e-7 m.
   EXPECT_NEAR(answers[0].left_rail.vertical_force, 100e3, 3e3);
 }

@@ -41,8 +41,8 @@ TEST(LiveVehicle, EachOfFourWheelsetsGetsItsOwnAnswersInOrder)
     ASSERT_TRUE(clients[i].waitForAnswers(pairs)) << clients[i].answers().size() << " answers";
     for (std::size_t pair = 0; pair < pairs; ++pair)
     {
-      const WheelsetContactMsg& answer = clients[i].answers()[pair];
-      EXPECT_EQ(answer.status, WheelsetContactMsg::OK) << answer.status_text;
+      const WheelsetContact& answer = clients[i].answers()[pair];
+      EXPECT_EQ(answer.status, WheelsetContact::OK) << answer.status_text;
       EXPECT_EQ(answer.wheelset.position.y, lateral(i, pair));
       ASSERT_FALSE(answer.patches.empty());
       EXPECT_EQ(answer.patches[0].method == "hertz", wheelsets[i] == "/rear");

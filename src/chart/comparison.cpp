@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "chart/comparison.h"
+
+#include <algorithm>
+#include <ctime>
+#include <numeric>
+#include <stdexcept>
+
+namespace wheel_rail_contact::core::chart
+{
+namespace
+{
+constexpr int settling = 4 * longest_reach;       ///< messages before any is timed, if there is time
+constexpr int settling_automatic = 3 * settling;  ///< the same for auto, which tries coarser grids
+constexpr double settling_time = 0.1;             ///< at most [s]
+constexpr double fast = 5e-3;         ///< mean of an answer up to which groups are timed without a look at them [s]
+constexpr double visit_time = 1e-3;   ///< [s]
+constexpr double enough_time = 0.05;  ///< after so much, few answers will do [s]
+constexpr std::size_t few = 3;
+
+/// CPU time of this thread [s]: what else runs on the machine does not count.
+double now()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// True outcomes at all places of the way.
+class Truths
+{
+ public:
+  Truths(Scene& scene, const GridSize& grid, int reach)
+  {
+    for (int offset = -reach; offset <= reach; ++offset)
+    {
+      of_.push_back(scene.truth(grid, offset));
+    }
+  }
+
+  int reach() const { return static_cast<int>(of_.size() / 2); }
+  const Outcome& at(int offset) const { return of_[static_cast<std::size_t>(offset + reach())]; }
+
+ private:
+  std::vector<Outcome> of_;
+};
+
+class Runner
+{
+ public:
+  Runner(Entry& entry, std::unique_ptr<Contender> contender, const Truths& truths)
+      : entry_(entry), contender_(std::move(contender)), truths_(truths)
+  {
+  }
+
+  /// The first answer, cold, and some more. Returns the longest time of those: a method that refuses the scene at once
+  /// may labour on one beside it.
+  double settle()
+  {
+    const double start = now();
+    double longest = timeOf(1, [this](int) { contender_->answer(0); });
+    int answers = 1;
+    const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
+    for (int i = 0; i < messages && now() - start < settling_time; ++i)
+    {
+      longest = std::max(longest, timeOf(1, [this](int) { next(); }));
+      ++answers;
+    }
+    slow_ = now() - start > fast * answers;
+    return longest;
+  }
+
+  /// The whole way to and fro.
+  void visitWarm()
+  {
+    visit(entry_.warm, way(), [this](int) { return next(); });
+  }
+
+  void visitCold()
+  {
+    visit(entry_.cold, slow_ ? 1 : 4,
+          [this](int)
+          {
+            contender_->forget();
+            contender_->answer(0);
+            return 0;
+          });
+  }
+
+ private:
+  /// Messages to and fro.
+  int way() const { return 4 * truths_.reach(); }
+
+  /// Answers the next message of the way. Returns its offset: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
+  int next()
+  {
+    const int reach = truths_.reach();
+    const int along = (++messages_ + reach) % way();
+    const int offset = along <= 2 * reach ? along - reach : 3 * reach - along;
+    contender_->answer(offset);
+    return offset;
+  }
+
+  /// Times groups of messages (`message(i)` returns its offset). A group before them only fills the caches; the answers
+  /// of one after them are inspected, of slow contenders those that are timed, to which that is nothing.
+  template <typename Message>
+  void visit(Series& series, int group, Message message)
+  {
+    const double spent = group * std::accumulate(series.times.begin(), series.times.end(), 0.0);
+    if (spent > enough_time && static_cast<std::size_t>(group) * series.times.size() >= few)
+    {
+      return;
+    }
+    const auto inspected = [&](int i) { inspect(series, message(i)); };
+    if (slow_)
+    {
+      series.times.push_back(timeOf(group, inspected));
+      return;
+    }
+    timeOf(group, message);
+    const double begin = now();
+    do
+    {
+      series.times.push_back(timeOf(group, message));
+    } while (now() - begin < visit_time);
+    timeOf(group, inspected);
+  }
+
+  template <typename Message>
+  static double timeOf(int group, Message message)
+  {
+    const double start = now();
+    for (int i = 0; i < group; ++i)
+    {
+      message(i);
+    }
+    return (now() - start) / group;
+  }
+
+  /// Looks at the last answer. The first place without one that can be compared decides.
+  void inspect(Series& series, int offset)
+  {
+    if (series.status != Series::Status::answered)
+    {
+      return;
+    }
+    const Outcome& truth = truths_.at(offset);
+    series.outcome = contender_->outcome();
+    Errors errors;
+    if (!series.outcome.usable)
+    {
+      series.status = Series::Status::refused;
+      series.reason = series.outcome.reason;
+    }
+    else if (!compare(series.outcome, truth, errors))
+    {
+      series.status = Series::Status::other_patches;
+      series.reason = std::to_string(series.outcome.patches.size()) + " patches, the truth has " +
+                      std::to_string(truth.patches.size());
+    }
+    else
+    {
+      series.answers.push_back({errors.largest(), series.outcome.estimate});
+      series.errors = larger(series.errors, errors);
+    }
+  }
+
+  Entry& entry_;
+  std::unique_ptr<Contender> contender_;
+  const Truths& truths_;
+  int messages_ = 0;  ///< of the way so far
+  bool slow_ = false;
+};
+
+/// The truths' own error: their largest difference from those on a coarser grid [-].
+double errorOf(const Truths& truths, const Truths& coarser, const std::string& scene)
+{
+  Errors largest;
+  for (int offset = -truths.reach(); offset <= truths.reach(); ++offset)
+  {
+    const Outcome& truth = truths.at(offset);
+    Errors own;
+    if (!truth.usable || !compare(coarser.at(offset), truth, own))
+    {
+      throw std::runtime_error("no truth for " + scene + ", " + std::to_string(offset) +
+                               " steps beside it: " + truth.reason + " " + coarser.at(offset).reason);
+    }
+    largest = larger(largest, own);
+  }
+  return largest.largest();
+}
+
+/// Time that a sweep method will take on a grid, from what it took on the one before: every cell acts on every other.
+double expectedTime(const GridSize& before, double time, const GridSize& grid)
+{
+  const double ratio = static_cast<double>(grid.along * grid.across) / (before.along * before.across);
+  return time * ratio * ratio;
+}
+
+Entry notRun(const Choice& choice, double expected)
+{
+  Series series;
+  series.status = Series::Status::not_run;
+  series.reason = "expected to take too long";
+  series.times = {expected};
+  return {choice, series, series};
+}
+
+/// Sets up all contenders that will not take too long.
+std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, const Truths& truths, Result& result)
+{
+  std::vector<std::unique_ptr<Runner>> runners;
+  const Entry* before = nullptr;
+  double before_time = 0;
+  for (Entry& entry : result.entries)
+  {
+    const Choice& choice = entry.choice;
+    if (choice.isSeidel() && before != nullptr && before->choice.method == choice.method)
+    {
+      const double expected = expectedTime(before->choice.grid, before_time, choice.grid);
+      if (expected > plan.slowest)
+      {
+        entry = notRun(choice, expected);
+        continue;
+      }
+    }
+    runners.push_back(std::make_unique<Runner>(entry, scene.contender(choice), truths));
+    before_time = runners.back()->settle();
+    before = &entry;
+  }
+  return runners;
+}
+}  // namespace
+
+double Series::estimate() const
+{
+  const auto less = [](const Answer& one, const Answer& other) { return one.error < other.error; };
+  const auto worst = std::max_element(answers.rbegin(), answers.rend(), less);  // the last one of equals
+  return worst != answers.rend() ? worst->estimate : 0;
+}
+
+const char* toString(Series::Status status)
+{
+  switch (status)
+  {
+    case Series::Status::answered:
+      return "answered";
+    case Series::Status::refused:
+      return "refused";
+    case Series::Status::other_patches:
+      return "other_patches";
+    default:
+      return "not_run";
+  }
+}
+
+int stepsOf(const Plan& plan)
+{
+  return 2 + 2 * plan.rounds;
+}
+
+Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress)
+{
+  Result result;
+  const Truths truths(scene, plan.truth, plan.reach);
+  result.truth_error = errorOf(truths, Truths(scene, plan.coarser, plan.reach), scene.name());
+  progress();
+  for (const Choice& choice : choices)
+  {
+    result.entries.push_back({choice, {}, {}});
+  }
+  const auto runners = setOut(scene, plan, truths, result);
+  progress();
+  for (const auto visit : {&Runner::visitWarm, &Runner::visitCold})
+  {
+    for (int round = 0; round < plan.rounds; ++round)
+    {
+      for (const auto& runner : runners)
+      {
+        (*runner.*visit)();
+      }
+      progress();
+    }
+  }
+  return result;
+}
+}  // namespace wheel_rail_contact::core::chart

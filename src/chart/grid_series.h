@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <tuple>
+
+#include "chart/method_run.h"
+#include "core/balance/grid_levels.h"
+
+namespace wheel_rail_contact::core::chart
+{
+/// Solvers by choice, each made once: preparing one costs more than many solutions.
+class Ladders
+{
+ public:
+  const MethodLadder& find(const Choice& choice);
+
+ private:
+  std::map<std::tuple<NormalMethod, int, int, double>, std::unique_ptr<MethodLadder>> ladders_;
+};
+}  // namespace wheel_rail_contact::core::chart

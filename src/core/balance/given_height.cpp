@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Height and roll given on rails that bend by a table: the rest of WheelsetBalance stands in wheelset_balance.cpp.
+#include <cmath>
+
+#include "core/balance/both_sides.h"
+#include "core/balance/wheelset_balance.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double height_share = 0.1;  ///< of contact/tolerance, left open in a given height, of the approach [-]
+}
+
+/// Load under which a wheel is expected to lie at the given height: the last one's, or that which lets the rail down as
+/// far; none if it does not reach the rail at rest.
+double WheelsetBalance::expectedLoad(Side side)
+{
+  const auto k = index(side);
+  BendingRail& rail = rail_[k];
+  const RigidTouch touch =
+      rail.touchAtRest(poseOf(side, state_.roll), state_.rail_lateral_force[k], state_.rail_offset[k]);
+  const double down = touch.axle_height - state_.z;
+  if (!touch.found || !(down > 0))
+  {
+    return 0;
+  }
+  return warm_ && loaded_[k] ? rail.result().vertical_force : down / rail.yieldPerLoad(touch);
+}
+
+/// True if the wheels lie at the given height; otherwise sets other loads for the next pass.
+bool WheelsetBalance::heightsMeet()
+{
+  bool all = true;
+  for (std::size_t k = 0; k < wheel_.size(); ++k)
+  {
+    if (config_.wheelset.solve_height_and_roll || !loaded_[k])
+    {
+      continue;
+    }
+    const double elastic = wheel_[k].elasticDescent();
+    const double too_high = touch_[k].axle_height - descent_[k] - rail_[k].yieldLeft() - state_.z;
+    const bool meets = std::abs(too_high) < height_share * config_.contact.tolerance * elastic;
+    if (!meets && finds_loads_)
+    {
+      load_search_[k].record(too_high, rail_[k].yieldPerLoad() + 2 * elastic / (3 * load_[k]));
+      load_[k] = load_search_[k].load();
+    }
+    all = all && meets;
+  }
+  return all;
+}
+}  // namespace wheel_rail_contact::core

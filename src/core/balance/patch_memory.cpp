@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/balance/patch_memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/normal/operator/cell_aspect.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double box_margin = 1.1;    ///< grid over pressure, lengthwise and across [-]
+constexpr double box_growth = 0.3;    ///< by which a box grows at a side that the pressure touches, of its size [-]
+constexpr double first_reach = 0.85;  ///< expected pressure against overlap at the first call [-]
+
+constexpr double steepest_plane = 1.4;  ///< angle of a contact plane; flanks of flanges have 1.2 [rad]
+
+/// Grid on the ladder of cell aspects over `length` along and [begin, end] across, with a margin [m].
+Grid coveringGrid(double length, double begin, double end, const GridSize& size)
+{
+  const aspect_ladder::Cell cell =
+      aspect_ladder::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
+  return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
+}
+
+/// Turn that brings the plane square to the pressure-weighted normal, but where turns go back and forth (two lobes of
+/// one stretch that take the load from each other) half the last at most.
+double nextTurn(const WheelPatch& patch)
+{
+  const double turn = std::atan(patch.slope);
+  return turn * patch.turned < 0 ? std::copysign(std::min(std::abs(turn), 0.5 * std::abs(patch.turned)), turn) : turn;
+}
+
+/// Plane through the rail's point `rail_u`, along the chord of the stretch and over the wheel's contact locus: no
+/// matter where in the stretch the bodies touch first, it moves steadily with them.
+ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapZone& zone, double rail_u)
+{
+  InitialContact contact = zone.contact;
+  contact.wheel_u += rail_u - contact.rail_u;
+  contact.rail_u = rail_u;
+  const PlanePoint begin = rail.at(zone.u_begin);
+  const PlanePoint end = rail.at(zone.u_end);
+  contact.slope = (end.z - begin.z) / (end.y - begin.y);
+  return tangentPlane(wheel, rail, contact);
+}
+
+double middleOf(const OverlapZone& zone)
+{
+  return 0.5 * (zone.u_begin + zone.u_end);
+}
+
+double halfWidth(const OverlapZone& zone)
+{
+  return 0.5 * (zone.u_end - zone.u_begin);
+}
+
+/// The stretch made wider by a factor about its middle.
+OverlapZone widened(OverlapZone zone, double factor)
+{
+  const double middle = middleOf(zone);
+  const double half = factor * halfWidth(zone);
+  zone.u_begin = middle - half;
+  zone.u_end = middle + half;
+  return zone;
+}
+
+/// Widens the memory at sides where the grid cut the pressure off.
+void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory)
+{
+  const double width = memory.end - memory.begin;
+  memory.begin -= extent.cutBegin(grid) ? box_growth * width : 0;
+  memory.end += extent.cutEnd(grid) ? box_growth * width : 0;
+  memory.half_length *= extent.cutLength(grid) ? 1 + box_growth : 1;
+}
+}  // namespace
+
+PatchMemory firstGuess(const OverlapZone& zone)
+{
+  PatchMemory memory;
+  memory.rail_u = zone.contact.rail_u;
+  memory.begin = -first_reach;
+  memory.end = first_reach;
+  memory.half_length = first_reach;
+  return memory;
+}
+
+PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const WheelPatch& patch, const Grid& grid,
+                     double grown)
+{
+  const PressureExtent& extent = patch.extent;
+  const OverlapZone zone = widened(patch.zone, grown);
+  const double middle = middleOf(zone);
+  const double half = halfWidth(zone);
+  const auto fraction = [&](double t) { return (railParameter(grid, patch.columns, t) - middle) / half; };
+  PatchMemory memory;
+  memory.zone = zone;
+  memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
+  memory.center = (memory.rail_u - middle) / half;
+  memory.begin = fraction(extent.y_begin);
+  memory.end = fraction(extent.y_end);
+  memory.half_length = extent.half_length / (patch.half_overlap * grown);
+  const ContactPlane base = planeAt(wheel, rail, zone, memory.rail_u);
+  memory.turned = nextTurn(patch);
+  memory.turn = patch.plane.angle + memory.turned - base.angle;
+  memory.shift_x = patch.plane.x + patch.center_x - base.x;
+  growCut(extent, grid, memory);
+  return memory;
+}
+
+void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, bool held, PatchMemory& memory,
+              WheelPatch& patch, Grid& grid)
+{
+  const OverlapZone& zone = held && memory.zone ? *memory.zone : patch.zone;
+  const double middle = middleOf(zone);
+  const double half = halfWidth(zone);
+  ContactPlane& plane = patch.plane;
+  plane = planeAt(wheel, rail, zone, middle + memory.center * half);
+  const bool symmetric = wheel.pose().yaw == 0;  // the bodies then are, about x = 0
+  plane.x += symmetric ? 0 : memory.shift_x;     // it may come from a yawed state
+  plane.angle = std::clamp(plane.angle + memory.turn, -steepest_plane, steepest_plane);
+  patch.turned = memory.turned;
+
+  if (memory.grid.nx == size.along && memory.grid.ny == size.across && memory.grid.symmetric == symmetric)
+  {
+    grid = memory.grid;
+    patch.expected_width = memory.width;
+    patch.expected_length = memory.length;
+    return;
+  }
+  const PlaneAxes axes(plane);
+  const double begin = axes.t(rail.at(middle + memory.begin * half));
+  const double end = axes.t(rail.at(middle + memory.end * half));
+  patch.expected_width = memory.width = end - begin;
+  patch.expected_length = memory.length = 2 * memory.half_length * patch.half_overlap;
+  grid = coveringGrid(memory.length, begin, end, size);
+  grid.symmetric = symmetric;
+  memory.grid = grid;
+}
+}  // namespace wheel_rail_contact::core

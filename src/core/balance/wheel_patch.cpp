@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/balance/wheel_patch.h"
+
+#include <algorithm>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// How far the parabola through three gaps falls below the middle one, which is the least; zero beside no body, whose
+/// gap stands out whatever has been added to all of them.
+double fall(double before, double least, double after)
+{
+  const double bend = before - 2 * least + after;
+  const bool bodies = std::max(before, after) < 0.5 * no_body_gap;
+  return bodies && bend > 0 ? (after - before) * (after - before) / (8 * bend) : 0;
+}
+
+/// The same across, but where the gap bends less beside the least one, as beside a kink, at most twice as far as a
+/// parabola of that bend may fall.
+double fallAcross(const Eigen::ArrayXXd& gap, Eigen::Index i, Eigen::Index j)
+{
+  const auto inside = [&](Eigen::Index column) { return column > 0 && column + 1 < gap.cols(); };
+  if (!inside(j))
+  {
+    return 0;
+  }
+  double most = fall(gap(i, j - 1), gap(i, j), gap(i, j + 1));
+  for (const Eigen::Index beside : {j - 1, j + 1})
+  {
+    const double bend = inside(beside) ? gap(i, beside - 1) - 2 * gap(i, beside) + gap(i, beside + 1) : 4 * most;
+    most = std::min(most, std::max(bend, 0.0) / 4);
+  }
+  return most;
+}
+}  // namespace
+
+double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
+{
+  Eigen::Index i = 0, j = 0;
+  const double least = gap.minCoeff(&i, &j);
+  const bool crest = grid.symmetric && i == 0;  // its neighbour is its mirror image
+  const bool inside = (crest || i > 0) && i + 1 < gap.rows();
+  const double along = inside ? fall(crest ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0;
+  return least - along - fallAcross(gap, i, j);
+}
+
+double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
+{
+  const double place = (t - grid.y0) / grid.dy;
+  const auto low = static_cast<std::size_t>(std::clamp(place, 0.0, grid.ny - 2.0));
+  return columns[low].rail_u + (place - static_cast<double>(low)) * (columns[low + 1].rail_u - columns[low].rail_u);
+}
+
+void measurePatch(const Grid& grid, const Eigen::ArrayXXd& pressure, WheelPatch& patch)
+{
+  patch.extent = findExtent(grid, pressure);
+  patch.slope = patch.center_x = patch.center_y = 0;
+  const double sum = pressure.sum();
+  if (!(sum > 0))
+  {
+    return;
+  }
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    const double share = pressure.col(j).sum() / sum;
+    patch.center_y += share * grid.y(j);
+    patch.slope += share * patch.columns[static_cast<std::size_t>(j)].slope;
+  }
+  for (int i = 0; i < grid.rows() && !grid.symmetric; ++i)
+  {
+    patch.center_x += pressure.row(i).sum() / sum * grid.x(i);
+  }
+}
+
+bool onProfiles(const WheelPatch& patch, const Profile& wheel, const Profile& rail)
+{
+  const auto on = [](double u, const Profile& profile) { return u >= 0 && u <= profile.length(); };
+  for (int j = patch.extent.first_column; j <= patch.extent.last_column; ++j)
+  {
+    const GapColumn& column = patch.columns[static_cast<std::size_t>(j)];
+    if (!on(column.rail_u, rail) || !on(column.wheel_u, wheel))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}  // namespace wheel_rail_contact::core

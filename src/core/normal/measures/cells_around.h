@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "wheel_rail_contact/core/normal_problem.h"
+
+namespace wheel_rail_contact::core
+{
+/// The cells around a crest, a loaded one that no neighbour exceeds. Offsets are in cells from there; cells beyond the
+/// grid carry nothing, those beyond x = 0 of a symmetric grid are the mirror image. Keeps a reference to the pressure.
+class CellsAround
+{
+ public:
+  using Index = Eigen::Index;
+
+  CellsAround(const Grid& grid, const Eigen::ArrayXXd& pressure, Index row, Index column)
+      : pressure_(pressure), mirrored_(grid.symmetric), row_(row), column_(column), top_(pressure(row, column))
+  {
+  }
+  CellsAround(const Grid&, Eigen::ArrayXXd&&, Index, Index) = delete;
+
+  Index row() const { return row_; }
+  Index column() const { return column_; }
+  /// The crest's pressure [Pa].
+  double top() const { return top_; }
+  bool inGrid(Index along, Index across) const
+  {
+    const Index row = rowAt(along), column = column_ + across;
+    return row >= 0 && row < pressure_.rows() && column >= 0 && column < pressure_.cols();
+  }
+  /// Pressure over the crest's.
+  double p(Index along, Index across) const
+  {
+    return inGrid(along, across) ? pressure_(rowAt(along), column_ + across) / top_ : 0;
+  }
+
+  /// Both cells beside the crest across are loaded.
+  bool isInside() const { return p(0, -1) > 0 && p(0, 1) > 0; }
+  /// The outermost loaded cell from the crest on along, in the `outward` direction (+1 or -1).
+  Index tip(Index outward) const
+  {
+    Index last = 0;
+    while (p(last + outward, 0) > 0)
+    {
+      last += outward;
+    }
+    return last;
+  }
+  /// The grid's border cuts the pressure along.
+  bool isCutAlong() const { return isCutAt(-1) || isCutAt(1); }
+
+  /// How much the squared pressures bend down at the crest, along, and along plus across [-].
+  double bendAlong() const { return bendOf(p(-1, 0), p(1, 0)); }
+  double bend() const { return bendAlong() + bendOf(p(0, -1), p(0, 1)); }
+  /// Top of the parabolas through the squared pressures along and across [Pa].
+  double parabolas() const { return top_ * std::sqrt(1 + riseOf(p(-1, 0), p(1, 0)) + riseOf(p(0, -1), p(0, 1))); }
+
+ private:
+  /// The pressure reaches the border, and falls less steeply there than it does at its edge.
+  bool isCutAt(Index outward) const
+  {
+    constexpr double steepest = 0.75;  // with the edge beyond the next cell's centre
+    const Index last = tip(outward);
+    return !inGrid(last + outward, 0) && p(last, 0) > steepest * p(last - outward, 0);
+  }
+  static double bendOf(double before, double after) { return 2 - before * before - after * after; }
+  /// Rise of a parabola through three squared pressures above the middle one; zero at an edge.
+  static double riseOf(double before, double after)
+  {
+    const double slope = (after - before) * (after + before), bend = bendOf(before, after);
+    return bend > 0 && before > 0 && after > 0 ? slope * slope / (8 * bend) : 0;
+  }
+  Index rowAt(Index along) const
+  {
+    const Index row = row_ + along;
+    return mirrored_ && row < 0 ? -1 - row : row;
+  }
+
+  const Eigen::ArrayXXd& pressure_;
+  bool mirrored_;
+  Index row_, column_;
+  double top_;
+};
+
+/// Calls `visit(crest, rises)` for the highest cell of each loaded column that neither neighbouring column exceeds;
+/// `rises` if it exceeds the column before: of columns that are equally high only the first does.
+template <typename Visit>
+void visitCrests(const Grid& grid, const Eigen::ArrayXXd& pressure, Visit visit)
+{
+  double before = 0, here = pressure.col(0).maxCoeff();
+  for (Eigen::Index j = 0; j < pressure.cols(); ++j)
+  {
+    const double after = j + 1 < pressure.cols() ? pressure.col(j + 1).maxCoeff() : 0;
+    if (here > 0 && here >= before && here >= after)
+    {
+      Eigen::Index row = 0;
+      pressure.col(j).maxCoeff(&row);
+      visit(CellsAround(grid, pressure, row, j), here > before);
+    }
+    before = here;
+    here = after;
+  }
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/measures/peak_bias.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Eigen::Index;
+
+/// Where the pressure ends from the crest on in the `outward` direction (+1 or -1) along.
+EdgeInputs tipInputs(const CellsAround& crest, Index outward, double longer)
+{
+  const Index tip = crest.tip(outward);
+  // Three lines side by side, each from the empty cell inward.
+  constexpr int line = 4;
+  std::array<double, static_cast<std::size_t>(3 * line)> cells;
+  for (int k = 0; k < line; ++k)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      cells[static_cast<std::size_t>(side * line + k)] = crest.p(tip + (1 - k) * outward, side - 1);
+    }
+  }
+  return edgeInputs({cells.data() + line + 1, -1, line, true}, longer);
+}
+
+CrestInputs::Side sideInputs(const CellsAround& crest, const GapSteps& steps, int direction)
+{
+  CrestInputs::Side inputs;
+  Index k = 0;
+  for (int offset = -crest_reach; offset <= crest_reach; ++offset)
+  {
+    if (offset != 0)
+    {
+      inputs[k++] = static_cast<float>(1 - std::min(crest.p(0, direction * offset), 1.0));
+    }
+  }
+  double squares = 0;
+  for (int offset = -crest_reach; offset < crest_reach; ++offset)
+  {
+    const int from = direction > 0 ? offset : -1 - offset;
+    const double step = std::clamp(steps[static_cast<std::size_t>(from + steps_reach)], -largest_step, largest_step);
+    inputs[k++] = static_cast<float>(direction * step);
+    squares += step * step;
+  }
+  const double before = crest.p(-1, 0), after = crest.p(1, 0);
+  inputs[k++] = static_cast<float>(1 - 0.5 * (before + after));
+  inputs[k++] = static_cast<float>(0.5 * std::abs(before - after));
+  inputs[k++] = static_cast<float>(std::sqrt(squares));
+  return inputs;
+}
+}  // namespace
+
+CrestInputs::CrestInputs(const CellsAround& crest, const GapSteps& steps, double longer)
+    : tips{tipInputs(crest, -1, longer), tipInputs(crest, 1, longer)},
+      sides{sideInputs(crest, steps, 1), sideInputs(crest, steps, -1)},
+      along(crest.bendAlong())
+{
+}
+
+bool showsExcess(const CellsAround& crest, const GapSteps& steps)
+{
+  return crest.isInside() && !areWaves(steps) && !crest.isCutAlong();
+}
+
+double CrestExcess::of(const CrestInputs& inputs) const
+{
+  const float from_tips = tip(inputs.tips[0]) + tip(inputs.tips[1]);
+  return inputs.along * static_cast<double>(from_tips) +
+         static_cast<double>(side(inputs.sides[0]) + side(inputs.sides[1]));
+}
+}  // namespace wheel_rail_contact::core

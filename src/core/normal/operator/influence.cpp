@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/operator/influence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// Distance beyond which quadrature replaces the closed form, in lengths of the rectangle's longer side [-]. There the
+/// six-point rule's error is below 1e-14.
+constexpr double kFar = 8;
+
+/// Six-point Gauss–Legendre rule on [-1, 1]: the three positive nodes and their weights.
+constexpr std::array<double, 3> kNodes = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+constexpr std::array<double, 3> kWeights = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+
+/// Second antiderivative of 1/rho: d²F/dxdy = 1/sqrt(x² + y²).
+double corner(double x, double y)
+{
+  const double along = x == 0 ? 0 : x * std::asinh(y / std::abs(x));
+  const double across = y == 0 ? 0 : y * std::asinh(x / std::abs(y));
+  return along + across;
+}
+
+double closedForm(double x, double y, double dx, double dy)
+{
+  const double x1 = x - 0.5 * dx, x2 = x + 0.5 * dx;
+  const double y1 = y - 0.5 * dy, y2 = y + 0.5 * dy;
+  return (corner(x2, y2) - corner(x1, y2)) - (corner(x2, y1) - corner(x1, y1));
+}
+
+double inverseDistance(double x, double y)
+{
+  return 1 / std::sqrt(x * x + y * y);
+}
+
+double quadrature(double x, double y, double dx, double dy)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < kNodes.size(); ++i)
+  {
+    for (std::size_t j = 0; j < kNodes.size(); ++j)
+    {
+      const double a = 0.5 * dx * kNodes[i], b = 0.5 * dy * kNodes[j];
+      const double near = inverseDistance(x - a, y - b) + inverseDistance(x - a, y + b);
+      const double far = inverseDistance(x + a, y - b) + inverseDistance(x + a, y + b);
+      sum += kWeights[i] * kWeights[j] * (near + far);
+    }
+  }
+  return 0.25 * dx * dy * sum;
+}
+}  // namespace
+
+double rectangleInfluence(double x, double y, double dx, double dy)
+{
+  const bool far = std::hypot(x, y) > kFar * std::max(dx, dy);
+  return far ? quadrature(x, y, dx, dy) : closedForm(x, y, dx, dy);
+}
+
+double pointInfluence(double x, double y, double dx, double dy)
+{
+  const double distance = std::hypot(x, y);
+  return distance < 0.5 * std::min(dx, dy) ? closedForm(0, 0, dx, dy) : dx * dy / distance;
+}
+
+double influence(Kernel kernel, double x, double y, double dx, double dy)
+{
+  return kernel == Kernel::rectangle ? rectangleInfluence(x, y, dx, dy) : pointInfluence(x, y, dx, dy);
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth and kName. No include
+// guard.
+
+using Register = double __attribute__((vector_size(kWidth * sizeof(double))));
+using Memory = double __attribute__((vector_size(kWidth * sizeof(double)), aligned(sizeof(double))));
+
+inline Register load(const double* from)
+{
+  return *reinterpret_cast<const Memory*>(from);
+}
+
+inline void store(double* to, Register value)
+{
+  *reinterpret_cast<Memory*>(to) = value;
+}
+
+inline double sumOf(Register value)
+{
+  double sum = 0;
+  for (int l = 0; l < kWidth; ++l)
+  {
+    sum += value[l];
+  }
+  return sum;
+}
+
+inline double maxOf(Register value)
+{
+  double largest = value[0];
+  for (int l = 1; l < kWidth; ++l)
+  {
+    largest = value[l] > largest ? value[l] : largest;
+  }
+  return largest;
+}
+
+/// One tile of R registers × C columns, kept in registers over the whole sum.
+template <int R, int C>
+inline void tile(const LaneProduct& product, int lane, int column)
+{
+  Register sum[R][C] = {};
+  const double* a = product.a + lane;
+  const double* b = product.b + static_cast<std::ptrdiff_t>(column) * product.b_column;
+  for (int k = 0; k < product.inner; ++k)
+  {
+    Register left[R];
+    for (int r = 0; r < R; ++r)
+    {
+      left[r] = load(a + r * kWidth);
+    }
+    for (int c = 0; c < C; ++c)
+    {
+      const double right = b[c * product.b_column];
+      for (int r = 0; r < R; ++r)
+      {
+        sum[r][c] += left[r] * right;
+      }
+    }
+    a += product.a_stride;
+    b += product.b_inner;
+  }
+  for (int c = 0; c < C; ++c)
+  {
+    const std::ptrdiff_t at = lane + static_cast<std::ptrdiff_t>(column + c) * product.out_stride;
+    for (int r = 0; r < R; ++r)
+    {
+      const Register value = product.scale ? sum[r][c] * load(product.scale + at + r * kWidth) : sum[r][c];
+      store(product.out + at + r * kWidth, value);
+    }
+  }
+}
+
+/// Tiles of R registers from a lane on, as long as they fit; returns the lane after them.
+template <int R, int C>
+inline int tileLanes(const LaneProduct& product, int lane, int column)
+{
+  for (; lane + R * kWidth <= product.lanes; lane += R * kWidth)
+  {
+    tile<R, C>(product, lane, column);
+  }
+  return lane;
+}
+
+/// Tiles of C columns from a column on, as long as they fit; returns the column after them.
+template <int R, int C>
+inline int tileColumns(const LaneProduct& product, int column)
+{
+  for (; column + C <= product.columns; column += C)
+  {
+    tileLanes<1, C>(product, tileLanes<R, C>(product, 0, column), column);
+  }
+  return column;
+}
+
+void multiply(const LaneProduct& product)
+{
+  int column = 0;
+  if constexpr (kWidth == 8)  // 32 registers: 16 of them for the sums
+  {
+    column = product.lanes % (4 * kWidth) == 0 ? tileColumns<4, 4>(product, 0) : tileColumns<2, 8>(product, 0);
+  }
+  tileColumns<2, 1>(product, tileColumns<2, 4>(product, column));
+}
+
+void fold(int pairs, int block, const double* sign, const double* in, double* out)
+{
+  for (int pair = 0; pair < pairs; ++pair, in += 2 * block, out += 2 * block)
+  {
+    for (int k = 0; k < block; k += kWidth)
+    {
+      const Register a = load(in + k), b = load(in + block + k);
+      store(out + k, a + b);
+      store(out + block + k, load(sign + k) * (a - b));
+    }
+  }
+}
+
+void unfold(int pairs, int block, const double* sign, const double* in, double* out)
+{
+  for (int pair = 0; pair < pairs; ++pair, in += 2 * block, out += 2 * block)
+  {
+    for (int k = 0; k < block; k += kWidth)
+    {
+      const Register even = load(in + k), odd = load(sign + k) * load(in + block + k);
+      store(out + k, even + odd);
+      store(out + block + k, even - odd);
+    }
+  }
+}
+
+#include "core/normal/operator/solver_loops_body.h"
+#include "core/normal/operator/transform_loops_body.h"
+
+constexpr LaneKernels kKernels = {kName,     multiply, fold,       unfold,     butterfly, turn,  turnBack, split,
+                                  join,      combine,  multiplyBy, sum,        scale,     add,   dot,      countBelow,
+                                  rootDepth, advance,  residual,   maskedSums, trial,     chord, stepSums};

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/operator/operator_cache.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include "core/normal/operator/cell_aspect.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// Relative difference below which two aspects count as one; the coefficients differ by no more.
+constexpr double kSameAspect = 1e-9;
+
+/// Operators kept of a grid with aspects off the ladder.
+constexpr int kOthersKept = 8;
+
+using Shared = std::shared_ptr<const InfluenceOperator>;
+
+/// The operators that the whole process shares.
+class SharedOperators
+{
+ public:
+  Shared find(int nx, int ny, bool symmetric, int rung)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return at({nx, ny, symmetric, rung});
+  }
+
+ private:
+  using Key = std::tuple<int, int, bool, int>;
+
+  const Shared& at(const Key& key)
+  {
+    Shared& found = operators_[key];
+    if (!found)
+    {
+      const auto [nx, ny, symmetric, rung] = key;
+      const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, rung}) : anyOf(nx, ny);
+      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect_ladder::aspect(rung), symmetric},
+                                                  whole.get());
+    }
+    return found;
+  }
+
+  /// One of the same size, of which some tables are shared; null if there is none.
+  Shared anyOf(int nx, int ny) const
+  {
+    const auto first = operators_.lower_bound({nx, ny, false, aspect_ladder::kLowest});
+    const bool same_size =
+        first != operators_.end() && std::get<0>(first->first) == nx && std::get<1>(first->first) == ny;
+    return same_size ? first->second : nullptr;
+  }
+
+  std::mutex mutex_;
+  std::map<Key, Shared> operators_;
+};
+
+SharedOperators& sharedOperators()
+{
+  static SharedOperators shared;
+  return shared;
+}
+
+/// A number for the rung of an aspect; false if the aspect lies on none.
+bool onLadder(double aspect, int& rung)
+{
+  if (!(aspect > 0))
+  {
+    return false;
+  }
+  rung = aspect_ladder::nearestRung(aspect);
+  return std::abs(aspect_ladder::aspect(rung) - aspect) <= kSameAspect * aspect;
+}
+}  // namespace
+
+OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
+{
+  for (Family& known : families_)
+  {
+    if (known.nx == nx && known.ny == ny && known.symmetric == symmetric)
+    {
+      return known;
+    }
+  }
+  Family added;
+  added.nx = nx;
+  added.ny = ny;
+  added.symmetric = symmetric;
+  families_.push_back(std::move(added));
+  return families_.back();
+}
+
+void OperatorCache::prepare(int nx, int ny)
+{
+  const double square = static_cast<double>(ny) / nx;
+  const int last = aspect_ladder::nearestRung(longest * square);
+  for (int rung = aspect_ladder::nearestRung(square / widest); rung <= last; ++rung)
+  {
+    find(nx, ny, false, aspect_ladder::aspect(rung));
+    if (nx % 2 == 0)
+    {
+      find(nx, ny, true, aspect_ladder::aspect(rung));
+    }
+  }
+}
+
+std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, bool symmetric, double aspect)
+{
+  std::vector<Entry>& entries = family(nx, ny, symmetric).entries;
+  auto at =
+      std::lower_bound(entries.begin(), entries.end(), aspect * (1 - kSameAspect),
+                       [](const Entry& entry, double wanted) { return entry.influence->shape().aspect < wanted; });
+  if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + kSameAspect))
+  {
+    Entry added;
+    int rung = 0;
+    added.on_ladder = onLadder(aspect, rung);
+    if (added.on_ladder)
+    {
+      added.influence = sharedOperators().find(nx, ny, symmetric, rung);
+    }
+    else
+    {
+      const InfluenceOperator* sibling = entries.empty() ? nullptr : entries.front().influence.get();
+      added.influence = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect, symmetric}, sibling);
+    }
+    at = entries.insert(at, std::move(added));
+  }
+  at->last_use = ++uses_;
+  std::shared_ptr<const InfluenceOperator> found = at->influence;
+  forgetOldest(family(nx, ny, symmetric));
+  return found;
+}
+
+void OperatorCache::forgetOldest(Family& family)
+{
+  const auto others =
+      std::count_if(family.entries.begin(), family.entries.end(), [](const Entry& entry) { return !entry.on_ladder; });
+  if (others <= kOthersKept)
+  {
+    return;
+  }
+  const auto oldest = std::min_element(family.entries.begin(), family.entries.end(),
+                                       [](const Entry& a, const Entry& b)
+                                       { return a.on_ladder != b.on_ladder ? b.on_ladder : a.last_use < b.last_use; });
+  family.entries.erase(oldest);
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/solvers/conjugate_gradients.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "core/normal/measures/pressure_measures.h"
+#include "core/normal/solvers/contact_iteration.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+void check(const ConjugateGradientsOptions& options)
+{
+  if (!(options.residual > 0 && options.residual < 1))
+  {
+    throw std::invalid_argument("residual = " + std::to_string(options.residual) + ": must lie in (0, 1)");
+  }
+  if (options.max_products <= 0)
+  {
+    throw std::invalid_argument("max_products = " + std::to_string(options.max_products) + ": must be positive");
+  }
+}
+}  // namespace
+
+struct ConjugateGradients::Workshop
+{
+  explicit Workshop(const ConjugateGradientsOptions& options) : iteration(options) {}
+
+  void finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution);
+
+  OperatorCache cache;
+  ContactIteration iteration;
+  PressureMeasures measures;
+};
+
+void ConjugateGradients::Workshop::finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution)
+{
+  iteration.end();
+  solution.status = status;
+  solution.support = iteration.support();
+  solution.iterations = iteration.products();
+  solution.approach = iteration.approach();
+  bool touching = false;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  {
+    const PatchLayout& layout = iteration.patches()[k];
+    PatchPressure& patch = solution.patches[k];
+    patch.grid = layout.grid;
+    fromField(layout, layout.stiffness, iteration.pressure(), patch.pressure);
+    fromField(layout, 1, iteration.displacement(), patch.displacement);
+    measures.measure(problem.patches[k], problem.modulus, patch);
+    touching = touching || patch.force > 0;
+  }
+  if (status == SolveStatus::converged && !touching)  // a support has sprung back from where it was given
+  {
+    solution.status = SolveStatus::no_contact;
+  }
+  solution.residual = solution.status == SolveStatus::no_contact ? 0 : iteration.residual();
+}
+
+ConjugateGradients::ConjugateGradients(const ConjugateGradientsOptions& options)
+{
+  check(options);
+  workshop_ = std::make_unique<Workshop>(options);
+}
+ConjugateGradients::~ConjugateGradients() = default;
+ConjugateGradients::ConjugateGradients(ConjugateGradients&&) noexcept = default;
+ConjugateGradients& ConjugateGradients::operator=(ConjugateGradients&&) noexcept = default;
+
+void ConjugateGradients::prepare(int nx, int ny)
+{
+  workshop_->cache.prepare(nx, ny);
+}
+
+void ConjugateGradients::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)
+{
+  solution.patches.resize(problem.patches.size());
+  if (!isValid(problem))
+  {
+    solution.status = SolveStatus::invalid_problem;
+    solution.iterations = 0;
+    solution.residual = 1;
+    return;
+  }
+  ContactIteration& iteration = workshop_->iteration;
+  iteration.begin(problem, workshop_->cache);
+  const bool touching = iteration.start(warm ? &solution : nullptr);
+  workshop_->finish(problem, touching ? iteration.iterate() : SolveStatus::no_contact, solution);
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/solvers/contact_iteration.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// A step along the chord to a trial point that was cut is rounded up to the whole chord if the energy allows: then the
+/// cut cells leave the contact at once. Any value above 1/2 keeps the energy falling.
+constexpr double kWholeChord = 0.6;
+
+/// Bounds of the trial length's change in one step, and of the length itself (1: the preconditioner is the inverse).
+constexpr double kShorten = 0.25, kLengthen = 2, kShortest = 0.02, kLongest = 3;
+
+/// Relative fall of a pressure within this of 1 is a fall to zero.
+constexpr double kRounding = 1e-9;
+
+/// Products without a new lowest residual after which the iteration counts as stalled.
+constexpr int kPatience = 40;
+
+/// A trial point counts only if the energy falls along the chord to it by this share of the uncut direction's slope;
+/// otherwise others are tried, so many times.
+constexpr double kEnoughSlope = 0.2;
+constexpr int kAttempts = 2;
+
+}  // namespace
+
+void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
+{
+  problem_ = &problem;
+  load_controlled_ = problem.control == NormalProblem::Control::load;
+  approach_ = problem.value;
+  const int length = layOut(problem, &cache, patches_);
+  for (LaneBuffer* field : {&p_, &u_, &gap_, &r_, &z_, &s_, &last_, &q_})
+  {
+    field->resize(length);
+  }
+  for (LaneBuffer* field : {&p_, &u_, &s_, &q_})
+  {
+    std::fill_n(field->data(), length, 0.0);
+  }
+  std::fill_n(gap_.data(), length, kNoSurface);
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+  {
+    workspace_.reserve(*patches_[k].influence);
+    toField(patches_[k], 1, problem.patches[k].gap, gap_);
+  }
+  support_.begin(problem, patches_, length);
+  residual_ = 1;
+  s_q_ = 0;
+  trial_length_ = 1;
+  best_ = std::numeric_limits<double>::infinity();
+  best_at_ = 0;
+  products_ = 0;
+}
+
+bool ContactIteration::start(const NormalSolution* earlier)
+{
+  Start found = earlier ? warmStart(*problem_, patches_, *earlier, p_, u_) : Start::none;
+  if (found == Start::none)
+  {
+    found = coldStart(*problem_, patches_, gap_, p_);
+  }
+  if (found == Start::pressure)
+  {
+    multiply(p_, u_);
+  }
+  if (found == Start::none)
+  {
+    return false;
+  }
+  yieldTo(p_, u_);
+  if (!load_controlled_)
+  {
+    fitToApproach();
+  }
+  if (support_.yields())
+  {
+    support_.open(-support_.placed(), u_);
+  }
+  return true;
+}
+
+SolveStatus ContactIteration::iterate()
+{
+  advance(0);
+  updateResidual();
+  SolveStatus status = SolveStatus::converged;
+  while (goOn(status))
+  {
+    const double slope = aim();
+    if (!(slope > 0))
+    {
+      return SolveStatus::stalled;
+    }
+    multiply(s_, q_);
+    yieldTo(s_, q_);
+    double length = 0;
+    if (!stepLength(slope, length))
+    {
+      return SolveStatus::indefinite;
+    }
+    advance(length);
+    updateResidual();
+  }
+  return status;
+}
+
+/// Looks at the residual: false at the end, whose reason is then in `status`.
+bool ContactIteration::goOn(SolveStatus& status)
+{
+  if (residual_ <= options_.residual)
+  {
+    status = SolveStatus::converged;
+    return false;
+  }
+  if (residual_ < best_)
+  {
+    best_ = residual_;
+    best_at_ = products_;
+  }
+  status = products_ >= options_.max_products ? SolveStatus::iteration_limit : SolveStatus::stalled;
+  return products_ < options_.max_products && products_ - best_at_ <= kPatience;
+}
+
+void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
+{
+  for (const PatchLayout& patch : patches_)
+  {
+    patch.influence->multiply(in.data() + patch.begin, out.data() + patch.begin, workspace_);
+  }
+  ++products_;
+}
+
+/// Adds to a displacement what the support's way under the pressure opens.
+void ContactIteration::yieldTo(const LaneBuffer& pressure, LaneBuffer& displacement)
+{
+  if (support_.yields())
+  {
+    support_.open(support_.coordinates(patches_, pressure), displacement);
+  }
+}
+
+void ContactIteration::end()
+{
+  if (support_.yields())
+  {
+    support_coordinates_ = support_.coordinates(patches_, p_);
+    support_.open(support_.placed() - support_coordinates_, u_);
+  }
+}
+
+/// Scales the first pressure to the least energy at the given approach.
+void ContactIteration::fitToApproach()
+{
+  double work = support_.yields() ? support_.placed().dot(support_.force(patches_, p_)) : 0;
+  double stored = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const double* p = p_.data() + patch.begin;
+    const double sum = kernels_.sum(patch.size, p), closing = kernels_.dot(patch.size, p, gap_.data() + patch.begin);
+    work += patch.force * (patch.weight * approach_ * sum - closing);
+    stored += patch.force * kernels_.dot(patch.size, p, u_.data() + patch.begin);
+  }
+  if (work > 0 && stored > 0)
+  {
+    for (const PatchLayout& patch : patches_)
+    {
+      kernels_.scale(patch.size, work / stored, p_.data() + patch.begin);
+      kernels_.scale(patch.size, work / stored, u_.data() + patch.begin);
+    }
+  }
+}
+
+/// Moves along the direction and, in load control, finds the approach.
+void ContactIteration::advance(double length)
+{
+  double sum = 0, weights = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    const CellSum cells = kernels_.advance(patch.size, length, s_.data() + at, q_.data() + at, gap_.data() + at,
+                                           p_.data() + at, u_.data() + at);
+    sum += patch.force * patch.weight * cells.sum;
+    weights += patch.force * patch.weight * patch.weight * cells.count;
+  }
+  if (load_controlled_)
+  {
+    approach_ = sum / weights;
+  }
+}
+
+/// Share of the approach that the support's way from its place makes up, by the work of the load on both.
+double ContactIteration::yielded() const
+{
+  if (!support_.yields())
+  {
+    return 0;
+  }
+  const Eigen::Vector3d force = support_.force(patches_, p_);
+  const double load = loadOf(patches_, p_);
+  return load > 0 ? force.dot(support_.compliance() * force - support_.placed()) / load : 0;
+}
+
+void ContactIteration::updateResidual()
+{
+  const double elastic_approach = approach_ - yielded();
+  double worst = 0, depth = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    const double own_approach = patch.weight * approach_;
+    const Violation violation =
+        kernels_.residual(patch.size, own_approach, p_.data() + at, u_.data() + at, gap_.data() + at, r_.data() + at);
+    worst = std::max({worst, violation.inside, violation.outside});
+    depth = std::max(depth, patch.weight * elastic_approach - patch.least_gap);
+  }
+  residual_ = worst / depth;
+}
+
+/// Sets the step s_ to the chord to a trial point and returns the fall of energy per length along it (zero: none
+/// found).
+///
+/// The preconditioned direction, cut at the bounds, falls nearly always. If it does not, a trial nearer by falls in
+/// most cases, and the plain gradient in all.
+double ContactIteration::aim()
+{
+  std::swap(s_, last_);
+  TrialStep step = precondition();
+  double slope = chord(z_, step);
+  step.beta = 0;
+  step.shift = 0;
+  for (int attempt = 0; attempt < kAttempts && !(slope > kEnoughSlope * step.length * z_r_); ++attempt)
+  {
+    slope = chord(z_, step);
+    step.length *= kShorten;
+  }
+  return slope > kEnoughSlope * step.length * z_r_ ? slope : gradientChord();
+}
+
+/// Computes z, and how far the last step goes on in the next one: so that both are conjugate.
+TrialStep ContactIteration::precondition()
+{
+  double weights = 0, sum_z = 0, sum_q = 0, z_q = 0;
+  z_r_ = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    patch.influence->precondition(r_.data() + at, z_.data() + at, workspace_);
+    const MaskedSums sums = kernels_.masked_sums(patch.size, r_.data() + at, z_.data() + at, q_.data() + at);
+    weights += patch.force * patch.weight * patch.weight * sums.count;
+    sum_z += patch.force * patch.weight * sums.z;
+    sum_q += patch.force * patch.weight * sums.q;
+    z_q += patch.force * sums.z_q;
+    z_r_ += patch.force * sums.z_r;
+  }
+  TrialStep step;
+  step.length = trial_length_;
+  step.shift = load_controlled_ ? sum_z / weights : 0;
+  step.beta = s_q_ > 0 ? (step.shift * sum_q - z_q) / s_q_ : 0;
+  return step;
+}
+
+/// Sets s_ to the chord from p to the trial point along `direction`, pressures cut at zero and scaled to the load.
+double ContactIteration::chord(const LaneBuffer& direction, const TrialStep& step)
+{
+  double load = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    TrialStep own = step;
+    own.shift = patch.weight * step.shift;
+    load += patch.force * patch.weight *
+            kernels_.trial(patch.size, own, r_.data() + at, p_.data() + at, direction.data() + at, last_.data() + at,
+                           s_.data() + at);
+  }
+  const double scale = load_controlled_ ? problem_->value / load : 1;
+  double slope = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    slope += patch.force * kernels_.chord(patch.size, scale, r_.data() + at, p_.data() + at, s_.data() + at);
+  }
+  return slope;
+}
+
+/// As aim(), along the plain residual.
+///
+/// The residual is taken at the approach that makes it orthogonal to the pressure; then scaling the trial point to the
+/// load does no work, each cell's share of the slope is positive, and only a solution has none.
+double ContactIteration::gradientChord()
+{
+  double work = 0, load = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const double* p = p_.data() + patch.begin;
+    work += patch.force * (kernels_.dot(patch.size, p, u_.data() + patch.begin) +
+                           kernels_.dot(patch.size, p, gap_.data() + patch.begin));
+    load += patch.force * patch.weight * kernels_.sum(patch.size, p);
+  }
+  const double level = load_controlled_ ? work / load : approach_;
+  double r_z = 0, r_r = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    r_z += kernels_.dot(patch.size, r_.data() + at, z_.data() + at);
+    r_r += kernels_.dot(patch.size, r_.data() + at, r_.data() + at);
+    kernels_.residual(patch.size, patch.weight * level, p_.data() + at, u_.data() + at, gap_.data() + at,
+                      r_.data() + at);
+  }
+  TrialStep step;
+  step.length = trial_length_ * r_z / r_r;
+  return chord(r_, step);
+}
+
+/// Length of the step s_ to the least energy, within p >= 0; false if the energy has no minimum along it.
+bool ContactIteration::stepLength(double slope, double& length)
+{
+  double fall = 0;
+  s_q_ = 0;
+  for (const PatchLayout& patch : patches_)
+  {
+    const int at = patch.begin;
+    const StepSums sums = kernels_.step_sums(patch.size, p_.data() + at, s_.data() + at, q_.data() + at);
+    s_q_ += patch.force * sums.s_q;
+    fall = std::max(fall, sums.fall);
+  }
+  if (!(s_q_ > 0))
+  {
+    return false;
+  }
+  length = slope / s_q_;
+  trial_length_ = std::clamp(trial_length_ * std::clamp(length, kShorten, kLengthen), kShortest, kLongest);
+  if (fall > 1 - kRounding)  // the trial point was cut
+  {
+    length = length > kWholeChord ? 1 : length;
+    s_q_ = 0;
+  }
+  else if (fall * length > 1)
+  {
+    length = 1 / fall;
+  }
+  return true;
+}
+}  // namespace wheel_rail_contact::core

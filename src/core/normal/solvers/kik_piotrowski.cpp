@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/solvers/kik_piotrowski.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/normal/estimate/patch_errors.h"
+#include "core/normal/solvers/overlap_shape.h"
+#include "core/normal/solvers/patch_fields.h"
+#include "core/normal/solvers/strip_area.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double kLoadTolerance = 1e-10;  ///< of the load, relative
+constexpr int kMostEvaluations = 60;
+
+/// As printed by test/calibration/calibrate_error_estimate.cpp.
+constexpr ShapeWeights error_weights{
+    {0.113, 0, 0.847, 0.00813}, {0.100, 0.0661, 0.0013, 0.0112}, {0.0622, 0, 0.0560, 0.00569}};
+}  // namespace
+
+struct KikPiotrowski::Workshop
+{
+  std::vector<StripGap> gaps;
+  std::vector<StripArea> areas;
+
+  bool fit(const NormalProblem& problem);
+  SolveStatus solve(const NormalProblem& problem, NormalSolution& solution);
+  bool loadAt(const NormalProblem& problem, double approach, double& load);
+  SolveStatus findApproach(const NormalProblem& problem, NormalSolution& solution);
+  double firstTouch(const NormalProblem& problem) const;
+};
+
+bool KikPiotrowski::Workshop::fit(const NormalProblem& problem)
+{
+  gaps.resize(problem.patches.size());
+  areas.resize(problem.patches.size());
+  bool large_enough = true;
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+  {
+    large_enough = large_enough && fitStrips(problem.patches[k], gaps[k]);
+  }
+  return large_enough;
+}
+
+/// Load carried at a common approach; false if a loaded strip does not open along x.
+bool KikPiotrowski::Workshop::loadAt(const NormalProblem& problem, double approach, double& load)
+{
+  load = 0;
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+  {
+    const PatchGap& patch = problem.patches[k];
+    areas[k] = stripAreaAt(gaps[k], problem.modulus, patch.weight * approach - gaps[k].deepest.gap);
+    load += patch.weight * areas[k].force;
+    if (!areas[k].sound)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+double KikPiotrowski::Workshop::firstTouch(const NormalProblem& problem) const
+{
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+  {
+    first = std::min(first, gaps[k].deepest.gap / problem.patches[k].weight);
+  }
+  return first;
+}
+
+/// The common approach that carries the load, by a secant on the logarithms of approach (from the first touch on) and
+/// load: Hertz's load grows with its power 3/2.
+SolveStatus KikPiotrowski::Workshop::findApproach(const NormalProblem& problem, NormalSolution& solution)
+{
+  const double first = firstTouch(problem), bend = gaps[0].deepest.bend;
+  if (!(bend > 0))
+  {
+    return SolveStatus::no_positive_curvature;
+  }
+  // At first as on a sphere of the curvature along x (Johnson 1985, eq. 4.23).
+  const double pressed = problem.value / problem.modulus;
+  double log_approach = std::log(9.0 / 8.0 * pressed * pressed * bend) / 3;
+  double power = 1.5, last_approach = 0, last_error = 0;
+  for (solution.iterations = 1; solution.iterations <= kMostEvaluations; ++solution.iterations)
+  {
+    solution.approach = first + std::exp(log_approach);
+    double load = 0;
+    if (!loadAt(problem, solution.approach, load))
+    {
+      return SolveStatus::no_positive_curvature;
+    }
+    solution.residual = std::abs(load / problem.value - 1);
+    if (solution.residual < kLoadTolerance)
+    {
+      return SolveStatus::converged;
+    }
+    const double error = std::log(load / problem.value);
+    if (solution.iterations > 1 && log_approach != last_approach)
+    {
+      power = std::clamp((error - last_error) / (log_approach - last_approach), 0.8, 4.0);
+    }
+    last_approach = log_approach;
+    last_error = error;
+    log_approach -= error / power;
+  }
+  return SolveStatus::iteration_limit;
+}
+
+SolveStatus KikPiotrowski::Workshop::solve(const NormalProblem& problem, NormalSolution& solution)
+{
+  if (!isValid(problem) || !fit(problem))
+  {
+    return SolveStatus::invalid_problem;
+  }
+  if (problem.control == NormalProblem::Control::load)
+  {
+    return findApproach(problem, solution);
+  }
+  double load = 0;
+  solution.approach = problem.value;
+  solution.iterations = 1;
+  const bool sound = loadAt(problem, problem.value, load);
+  return !sound ? SolveStatus::no_positive_curvature : load > 0 ? SolveStatus::converged : SolveStatus::no_contact;
+}
+
+KikPiotrowski::KikPiotrowski() : workshop_(std::make_unique<Workshop>()) {}
+KikPiotrowski::~KikPiotrowski() = default;
+KikPiotrowski::KikPiotrowski(KikPiotrowski&&) noexcept = default;
+KikPiotrowski& KikPiotrowski::operator=(KikPiotrowski&&) noexcept = default;
+
+void KikPiotrowski::solve(const NormalProblem& problem, bool /*warm*/, NormalSolution& solution)
+{
+  solution.patches.resize(problem.patches.size());
+  solution.iterations = 0;
+  solution.residual = 0;
+  solution.status = workshop_->solve(problem, solution);
+  for (std::size_t k = 0; isUsable(solution.status) && k < problem.patches.size(); ++k)
+  {
+    const Grid& grid = problem.patches[k].grid;
+    const StripArea& area = workshop_->areas[k];
+    PatchPressure& patch = solution.patches[k];
+    patch.grid = grid;
+    fillPressure(grid, workshop_->gaps[k], area, patch.pressure);
+    patch.force = area.force;
+    patch.area = area.area;
+    patch.moved_at_joints = 0;
+    patch.max_pressure = std::max(area.pressure, patch.pressure.maxCoeff());
+    const Eigen::ArrayXXd& p = patch.pressure;
+    const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);
+    patch.touches_border = ends || p.col(0).maxCoeff() > 0 || p.col(p.cols() - 1).maxCoeff() > 0;
+  }
+}
+
+ShapeTerms KikPiotrowski::errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch)
+{
+  const double own = ownApproach(problem, solution, patch);
+  const PatchGap& gap = problem.patches[patch];
+  const double level = gap.weight * solution.approach - own + 0.5 * own;
+  const GapMinimum paraboloid = momentParaboloid(gap, level);
+  const OverlapMismatch mismatch = compareOverlap(gap, paraboloid, level);
+  const double aspect = std::log(paraboloid.curvature.a / paraboloid.curvature.b);
+  return {1, mismatch.volume, mismatch.shape, aspect * aspect};
+}
+
+void KikPiotrowski::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                                   std::vector<ErrorEstimate>& errors) const
+{
+  const auto alone = [&](std::size_t k)
+  {
+    if (!(solution.patches[k].force > 0))
+    {
+      return ErrorEstimate();
+    }
+    // The bodies may overlap between the cells alone, which then tell nothing.
+    const bool told = ownApproach(problem, solution, k) > 0;
+    return told ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate{1, 1, 1};
+  };
+  inCommon(problem, solution, alone, errors);
+}
+}  // namespace wheel_rail_contact::core

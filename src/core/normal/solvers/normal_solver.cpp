@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/normal_solver.h"
+
+#include <stdexcept>
+
+#include "core/normal/estimate/error_estimate.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "core/normal/solvers/hertz_solver.h"
+#include "core/normal/solvers/kik_piotrowski.h"
+#include "core/normal/solvers/seidel.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+std::unique_ptr<NormalSolver> makeSeidel(SeidelOptions::Form form)
+{
+  SeidelOptions options;
+  options.form = form;
+  return std::make_unique<Seidel>(options);
+}
+}  // namespace
+
+const char* toString(NormalMethod method)
+{
+  switch (method)
+  {
+    case NormalMethod::hertz:
+      return "hertz";
+    case NormalMethod::kik_piotrowski:
+      return "kik_piotrowski";
+    case NormalMethod::seidel:
+      return "seidel";
+    case NormalMethod::seidel_printed:
+      return "seidel_printed";
+    case NormalMethod::conjugate_gradient:
+      return "conjugate_gradient";
+    default:
+      return "auto";
+  }
+}
+
+void NormalSolver::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                                  std::vector<ErrorEstimate>& errors) const
+{
+  estimateGridErrors(problem, solution, errors);
+}
+
+std::unique_ptr<NormalSolver> makeNormalSolver(NormalMethod method)
+{
+  switch (method)
+  {
+    case NormalMethod::hertz:
+      return std::make_unique<HertzSolver>();
+    case NormalMethod::kik_piotrowski:
+      return std::make_unique<KikPiotrowski>();
+    case NormalMethod::seidel:
+      return makeSeidel(SeidelOptions::Form::repaired);
+    case NormalMethod::seidel_printed:
+      return makeSeidel(SeidelOptions::Form::printed);
+    case NormalMethod::conjugate_gradient:
+      return std::make_unique<ConjugateGradients>(ConjugateGradientsOptions());
+    default:
+      throw std::invalid_argument("method = auto: chooses a grid for each wheel and needs a WheelsetContact");
+  }
+}
+}  // namespace wheel_rail_contact::core

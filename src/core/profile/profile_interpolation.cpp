@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+
+#include "core/profile/profile_points.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Column = std::vector<double>;
+
+/// Second derivatives of the natural cubic spline with values f at knots u (Thomas algorithm).
+Column secondDerivatives(const Column& u, const Column& f)
+{
+  const std::size_t n = u.size();
+  Column second(n, 0.0);
+  Column upper(n, 0.0);
+  for (std::size_t i = 1; i + 1 < n; ++i)
+  {
+    const double left = u[i] - u[i - 1];
+    const double right = u[i + 1] - u[i];
+    const double pivot = 2.0 * (left + right) - left * upper[i - 1];
+    const double bend = 6.0 * ((f[i + 1] - f[i]) / right - (f[i] - f[i - 1]) / left);
+    upper[i] = right / pivot;
+    second[i] = (bend - left * second[i - 1]) / pivot;
+  }
+  for (std::size_t i = n - 1; i-- > 1;)
+  {
+    second[i] -= upper[i] * second[i + 1];
+  }
+  return second;
+}
+
+/// Coefficients of the cubic between knots i and i + 1.
+void fillCubic(const Column& u, const Column& f, const Column& second, std::size_t i, double* c)
+{
+  const double h = u[i + 1] - u[i];
+  c[0] = f[i];
+  c[1] = (f[i + 1] - f[i]) / h - h * (2.0 * second[i] + second[i + 1]) / 6.0;
+  c[2] = 0.5 * second[i];
+  c[3] = (second[i + 1] - second[i]) / (6.0 * h);
+}
+}  // namespace
+
+std::vector<ProfileSection> interpolatingSpline(const std::vector<SampledPoint>& points)
+{
+  const Column u = polygonLength(points);
+  Column y;
+  Column z;
+  for (const SampledPoint& point : points)
+  {
+    y.push_back(point.y);
+    z.push_back(point.z);
+  }
+  const Column bend_y = secondDerivatives(u, y);
+  const Column bend_z = secondDerivatives(u, z);
+  std::vector<ProfileSection> sections;
+  for (std::size_t i = 0; i + 1 < u.size(); ++i)
+  {
+    CubicSection cubic{};
+    fillCubic(u, y, bend_y, i, cubic.y);
+    fillCubic(u, z, bend_z, i, cubic.z);
+    sections.push_back({cubic, u[i + 1] - u[i]});
+  }
+  return sections;
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/profile_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "core/profile/profile_file.h"
+#include "core/profile/smoothing_spline.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+struct StandardProfile
+{
+  const char* name;
+  ProfileKind kind;
+  Profile (*make)();
+};
+
+constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s1002Wheel},
+                                                 {"60E1", ProfileKind::rail, rail60E1},
+                                                 {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
+
+const char* nameOf(ProfileKind kind)
+{
+  return kind == ProfileKind::wheel ? "wheel" : "rail";
+}
+
+/// @throw ProfileError if the extension is none that is read, or one of the other kind.
+std::string checkedExtension(const std::string& path, ProfileKind kind)
+{
+  std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+  const bool of_wheel = extension == ".prw" || extension == ".whl";
+  const bool of_rail = extension == ".prr" || extension == ".ban";
+  if (!of_wheel && !of_rail && extension != ".csv")
+  {
+    throw ProfileError(path, 0,
+                       "neither a standard profile (S1002, 60E1, UIC60_manchester) nor a file .prw, .prr, .whl, .ban "
+                       "or .csv");
+  }
+  if (kind == ProfileKind::wheel ? of_rail : of_wheel)
+  {
+    throw ProfileError(path, 0, "extension " + extension + " is not that of a " + nameOf(kind) + " profile");
+  }
+  return extension;
+}
+
+FileProfile readContent(ProfileFile& file, const std::string& extension, ProfileKind kind)
+{
+  if (extension == ".csv")
+  {
+    return readCsv(file);
+  }
+  return extension[1] == 'p' ? readSimpack(file, kind) : readMiniProf(file, kind);
+}
+
+/// Lowers the curve of cubics so that it passes through the origin; it crosses y = 0.
+void setHeightFromTape(std::vector<ProfileSection>& sections)
+{
+  const Profile curve("", sections);
+  double low = 0.0;
+  double high = curve.length();
+  for (int halving = 0; halving < 60; ++halving)
+  {
+    const double middle = 0.5 * (low + high);
+    (curve.at(middle).y < 0.0 ? low : high) = middle;
+  }
+  const double height = curve.at(low).z;
+  for (ProfileSection& section : sections)
+  {
+    std::get<CubicSection>(section.law).z[0] -= height;
+  }
+}
+}  // namespace
+
+Profile loadProfile(const std::string& name_or_path, ProfileKind kind)
+{
+  for (const StandardProfile& standard : standard_profiles)
+  {
+    if (name_or_path != standard.name)
+    {
+      continue;
+    }
+    if (standard.kind != kind)
+    {
+      throw std::invalid_argument("profile '" + name_or_path + "' is that of a " + nameOf(standard.kind) + ", a " +
+                                  nameOf(kind) + " is wanted");
+    }
+    return standard.make();
+  }
+  return readProfile(name_or_path, kind);
+}
+
+Profile readProfile(const std::string& path, ProfileKind kind, std::optional<double> noise)
+{
+  const std::string extension = checkedExtension(path, kind);
+  ProfileFile file(path);
+  const FileProfile content = readContent(file, extension, kind);
+  const std::vector<SampledPoint> points = orderedPoints(file, content, kind);
+  const double expected_noise = noise.value_or(content.noise);
+  std::vector<ProfileSection> sections =
+      expected_noise != 0.0 ? smoothingSpline(points, expected_noise) : interpolatingSpline(points);
+  if (content.height_from_tape)
+  {
+    setHeightFromTape(sections);
+  }
+  return {std::filesystem::path(path).filename().string(), sections};
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/profile/profile_simpack.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// The values used where a file does not state one.
+SimpackSettings defaultSettings()
+{
+  return {{"approx.smooth", 0.0}, {"point.dist.min", 0.0}, {"shift.y", 0.0},     {"shift.z", 0.0},
+          {"rotate", 0.0},        {"bound.y.min", 1.0},    {"bound.y.max", 0.0}, {"bound.z.min", 1.0},
+          {"bound.z.max", 0.0},   {"mirror.y", 0.0},       {"mirror.z", 0.0},    {"inversion", 0.0},
+          {"units.len.f", 1.0},   {"units.ang.f", 1.0}};
+}
+
+/// Keywords of the point data's origin, which have no influence.
+bool isRemark(const std::string& key)
+{
+  const std::vector<std::string> remarks = {"file", "file.mtime", "comment", "type", "units.len", "units.ang"};
+  return std::find(remarks.begin(), remarks.end(), key) != remarks.end();
+}
+
+/// The line up to a comment sign outside quotes.
+std::string withoutComment(const std::string& line)
+{
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    quoted = quoted != (line[i] == '\'');
+    if (line[i] == '!' && !quoted)
+    {
+      return trim(line.substr(0, i));
+    }
+  }
+  return line;
+}
+
+class SimpackReader
+{
+ public:
+  SimpackReader(ProfileFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
+
+  FileProfile read();
+
+ private:
+  enum class Block
+  {
+    outside,
+    header,
+    spline,
+    points
+  };
+
+  /// True if the line opens or closes a block.
+  bool changeBlock(const std::string& line);
+  void move(Block from, Block to);
+  void readSetting(const std::string& line);
+  void readHeader(const std::string& key, double value);
+  void readPoint(const std::string& line);
+  void checkComplete() const;
+  void checkSettings() const;
+  double setting(const std::string& key) const { return settings_.at(key); }
+
+  ProfileFile& file_;
+  ProfileKind kind_;
+  SimpackSettings settings_ = defaultSettings();
+  Block block_ = Block::outside;
+  bool type_known_ = false;
+  bool points_ended_ = false;
+  bool spline_ended_ = false;
+  FileProfile content_;
+};
+
+FileProfile SimpackReader::read()
+{
+  while (file_.next())
+  {
+    const std::string line = withoutComment(file_.line());
+    if (line.empty() || changeBlock(line))
+    {
+      continue;
+    }
+    if (block_ == Block::points)
+    {
+      readPoint(line);
+    }
+    else
+    {
+      readSetting(line);
+    }
+  }
+  checkComplete();
+  checkSettings();
+  content_.noise = setting("approx.smooth") / setting("units.len.f");
+  applySimpackEdits(settings_, content_.points);
+  return content_;
+}
+
+bool SimpackReader::changeBlock(const std::string& line)
+{
+  if (line == "header.begin")
+  {
+    move(Block::outside, Block::header);
+  }
+  else if (line == "header.end")
+  {
+    move(Block::header, Block::outside);
+  }
+  else if (line == "spline.begin")
+  {
+    move(Block::outside, Block::spline);
+  }
+  else if (line == "spline.end")
+  {
+    move(Block::spline, Block::outside);
+    spline_ended_ = true;
+  }
+  else if (line == "point.begin")
+  {
+    move(Block::spline, Block::points);
+  }
+  else if (line == "point.end")
+  {
+    move(Block::points, Block::spline);
+    points_ended_ = true;
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+void SimpackReader::move(Block from, Block to)
+{
+  if (block_ != from)
+  {
+    file_.refuse("'" + withoutComment(file_.line()) + "' is out of place: not a Simpack profile or a damaged one");
+  }
+  if (to == Block::points && points_ended_)
+  {
+    file_.refuse("second block of points");
+  }
+  block_ = to;
+}
+
+void SimpackReader::readSetting(const std::string& line)
+{
+  const std::size_t equals = line.find('=');
+  if (equals == std::string::npos || block_ == Block::outside)
+  {
+    file_.refuse("neither comment nor block nor keyword: not a Simpack profile");
+  }
+  const std::string key = trim(line.substr(0, equals));
+  if (block_ == Block::spline && isRemark(key))
+  {
+    return;
+  }
+  const std::optional<double> value = parseNumber(trim(line.substr(equals + 1)));
+  if (!value)
+  {
+    file_.refuse("value of '" + key + "' is not a number");
+  }
+  if (block_ == Block::header)
+  {
+    readHeader(key, *value);
+    return;
+  }
+  const auto known = settings_.find(key);
+  if (known == settings_.end())
+  {
+    file_.refuse("unknown keyword '" + key + "'");
+  }
+  known->second = *value;
+}
+
+void SimpackReader::readHeader(const std::string& key, double value)
+{
+  if (key == "version")
+  {
+    if (value != 1.0)
+    {
+      file_.refuse("format version is not 1");
+    }
+    return;
+  }
+  if (key != "type")
+  {
+    file_.refuse("unknown keyword '" + key + "'");
+  }
+  if (value != 0.0 && value != 1.0)
+  {
+    file_.refuse("type is neither 0 (rail) nor 1 (wheel)");
+  }
+  if ((value == 1.0) != (kind_ == ProfileKind::wheel))
+  {
+    file_.refuse(value == 1.0 ? "profile of a wheel where a rail is wanted"
+                              : "profile of a rail where a wheel is wanted");
+  }
+  type_known_ = true;
+}
+
+void SimpackReader::readPoint(const std::string& line)
+{
+  const std::vector<std::string> words = splitWords(line);
+  if (words.size() < 2 || words.size() > 3)
+  {
+    file_.refuse("not a point of two coordinates and perhaps a weight");
+  }
+  double values[3] = {0.0, 0.0, 1.0};
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::optional<double> value = parseNumber(words[i]);
+    if (!value)
+    {
+      file_.refuse("'" + words[i] + "' is not a number");
+    }
+    values[i] = *value;
+  }
+  if (values[2] < 0.0)
+  {
+    file_.refuse("weight is negative");
+  }
+  if (values[2] > 0.0)
+  {
+    addPoint(file_, content_, {values[0], values[1], values[2]});
+  }
+}
+
+void SimpackReader::checkComplete() const
+{
+  if (!type_known_)
+  {
+    file_.refuse(0, "no header with a type: not a Simpack profile");
+  }
+  if (!points_ended_)
+  {
+    file_.refuse("file ends before point.end: cut off");
+  }
+  if (!spline_ended_)
+  {
+    file_.refuse("file ends before spline.end: cut off");
+  }
+}
+
+void SimpackReader::checkSettings() const
+{
+  for (const char* key : {"mirror.y", "mirror.z", "inversion"})
+  {
+    if (setting(key) != 0.0 && setting(key) != 1.0)
+    {
+      file_.refuse(0, std::string(key) + " is neither 0 nor 1");
+    }
+  }
+  for (const char* key : {"approx.smooth", "point.dist.min"})
+  {
+    if (setting(key) < 0.0)
+    {
+      file_.refuse(0, std::string(key) + " is negative");
+    }
+  }
+  for (const char* key : {"units.len.f", "units.ang.f"})
+  {
+    if (!(setting(key) > 0.0))
+    {
+      file_.refuse(0, std::string(key) + " is not positive");
+    }
+  }
+  if (setting("approx.smooth") / setting("units.len.f") > max_spline_noise)
+  {
+    file_.refuse(0, "approx.smooth is above " + std::to_string(max_spline_noise * 1e3) + " mm");
+  }
+}
+
+}  // namespace
+
+FileProfile readSimpack(ProfileFile& file, ProfileKind kind)
+{
+  return SimpackReader(file, kind).read();
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/profile/smoothing_spline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "core/profile/profile_points.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Column = std::vector<double>;
+
+/// Uniform cubic B-splines: four of them cover every interval.
+constexpr std::size_t cover = 4;
+constexpr double knot_distance = 0.5e-3;  ///< [m]
+/// Third difference, the penalty's row.
+constexpr std::array<double, cover> third_difference = {-1.0, 3.0, -3.0, 1.0};
+/// Bounds of the curvature by which the penalty is relaxed [1/m]: below the crown's and above the corner's.
+constexpr double least_curvature = 3.0;
+constexpr double reference_curvature = 10.0;
+/// A corner relaxes the penalty this far beyond its ends [m].
+constexpr double corner_reach = 2e-3;
+
+std::array<double, cover> basis(double t)
+{
+  const double s = 1.0 - t;
+  return {s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0, (3.0 * s * s * s - 6.0 * s * s + 4.0) / 6.0,
+          t * t * t / 6.0};
+}
+
+/// Least-squares fit of both coordinates by penalised B-splines.
+class PenalisedFit
+{
+ public:
+  explicit PenalisedFit(const std::vector<SampledPoint>& points);
+
+  /// Strongest penalty whose weighted mean square deviation is at most `target` [m²].
+  void fitTo(double target);
+  /// Makes the penalty follow the curvature of the present fit.
+  void relaxAtCorners();
+  std::vector<ProfileSection> sections() const;
+
+ private:
+  /// Lower triangle of a symmetric matrix with three diagonals below the main one, by columns.
+  using Band = std::vector<std::array<double, cover>>;
+
+  struct Sample
+  {
+    std::size_t interval;
+    std::array<double, cover> basis;
+    SampledPoint point;  ///< weights have mean 1
+  };
+
+  void fit(double penalty);
+  double meanSquare() const;
+  double curvature(std::size_t i) const;
+  static void factorise(Band& band);
+  static Column solve(const Band& factors, Column x);
+
+  std::vector<Sample> samples_;
+  std::size_t intervals_ = 0;
+  double step_ = 0;  ///< between knots [m]
+  Band normal_;      ///< of the least squares without penalty
+  Column right_y_, right_z_;
+  Column relaxation_;  ///< factor of the penalty in each row [-]
+  Column y_, z_;       ///< coefficients [m]
+};
+
+PenalisedFit::PenalisedFit(const std::vector<SampledPoint>& points)
+{
+  const Column u = polygonLength(points);
+  intervals_ = static_cast<std::size_t>(std::ceil(u.back() / knot_distance)) + 1;
+  step_ = u.back() / static_cast<double>(intervals_);
+  const std::size_t size = intervals_ + cover - 1;
+  normal_.assign(size, {});
+  right_y_.assign(size, 0.0);
+  right_z_.assign(size, 0.0);
+  relaxation_.assign(intervals_ - 1, 1.0);
+  double weights = 0;
+  for (const SampledPoint& point : points)
+  {
+    weights += point.weight;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    Sample sample{std::min(static_cast<std::size_t>(u[i] / step_), intervals_ - 1), {}, points[i]};
+    sample.basis = basis(u[i] / step_ - static_cast<double>(sample.interval));
+    sample.point.weight *= static_cast<double>(points.size()) / weights;
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      const std::size_t row = sample.interval + a;
+      const double share = sample.point.weight * sample.basis[a];
+      right_y_[row] += share * sample.point.y;
+      right_z_[row] += share * sample.point.z;
+      for (std::size_t b = a; b < cover; ++b)
+      {
+        normal_[row][b - a] += share * sample.basis[b];
+      }
+    }
+    samples_.push_back(sample);
+  }
+}
+
+void PenalisedFit::factorise(Band& band)
+{
+  for (std::size_t i = 0; i < band.size(); ++i)
+  {
+    const std::size_t below = std::min(cover, band.size() - i);
+    std::array<double, cover> column = band[i];
+    for (std::size_t a = 1; a < below; ++a)
+    {
+      band[i][a] = column[a] / column[0];
+      for (std::size_t b = 1; b <= a; ++b)
+      {
+        band[i + b][a - b] -= band[i][a] * column[b];
+      }
+    }
+  }
+}
+
+Column PenalisedFit::solve(const Band& factors, Column x)
+{
+  const auto below = [&](std::size_t i) { return std::min(cover, x.size() - i); };
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    for (std::size_t a = 1; a < below(i); ++a)
+    {
+      x[i + a] -= factors[i][a] * x[i];
+    }
+  }
+  for (std::size_t i = x.size(); i-- > 0;)
+  {
+    x[i] /= factors[i][0];
+    for (std::size_t a = 1; a < below(i); ++a)
+    {
+      x[i] -= factors[i][a] * x[i + a];
+    }
+  }
+  return x;
+}
+
+void PenalisedFit::fit(double penalty)
+{
+  Band band = normal_;
+  for (std::size_t i = 0; i < relaxation_.size(); ++i)
+  {
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      for (std::size_t b = a; b < cover; ++b)
+      {
+        band[i + a][b - a] += penalty * relaxation_[i] * third_difference[a] * third_difference[b];
+      }
+    }
+  }
+  factorise(band);
+  y_ = solve(band, right_y_);
+  z_ = solve(band, right_z_);
+}
+
+double PenalisedFit::meanSquare() const
+{
+  double sum = 0;
+  for (const Sample& sample : samples_)
+  {
+    double dy = -sample.point.y;
+    double dz = -sample.point.z;
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      dy += sample.basis[a] * y_[sample.interval + a];
+      dz += sample.basis[a] * z_[sample.interval + a];
+    }
+    sum += sample.point.weight * (dy * dy + dz * dz);
+  }
+  return sum / static_cast<double>(samples_.size());
+}
+
+void PenalisedFit::fitTo(double target)
+{
+  // Logarithms of a hardly felt and of an overwhelming penalty; the deviation grows with the penalty.
+  double low = -15.0;
+  double high = 25.0;
+  for (int halving = 0; halving < 30; ++halving)
+  {
+    const double middle = 0.5 * (low + high);
+    fit(std::exp(middle));
+    (meanSquare() < target ? low : high) = middle;
+  }
+  fit(std::exp(low));
+}
+
+/// Curvature at the middle of coefficient i's B-spline [1/m], i from 1 to the last but one.
+double PenalisedFit::curvature(std::size_t i) const
+{
+  const double dy = 0.5 * (y_[i + 1] - y_[i - 1]);
+  const double dz = 0.5 * (z_[i + 1] - z_[i - 1]);
+  const double bend = dy * (z_[i + 1] - 2.0 * z_[i] + z_[i - 1]) - dz * (y_[i + 1] - 2.0 * y_[i] + y_[i - 1]);
+  return bend / std::pow(dy * dy + dz * dz, 1.5);
+}
+
+void PenalisedFit::relaxAtCorners()
+{
+  const std::size_t last = y_.size() - 2;
+  const auto reach = static_cast<std::size_t>(std::ceil(corner_reach / step_));
+  for (std::size_t row = 0; row < relaxation_.size(); ++row)
+  {
+    const std::size_t middle = row + 1;
+    double sharpest = least_curvature;
+    for (std::size_t i = middle > reach ? middle - reach : 1; i <= std::min(middle + 1 + reach, last); ++i)
+    {
+      sharpest = std::max(sharpest, std::abs(curvature(i)));
+    }
+    relaxation_[row] = (reference_curvature / sharpest) * (reference_curvature / sharpest);
+  }
+}
+
+std::vector<ProfileSection> PenalisedFit::sections() const
+{
+  std::vector<ProfileSection> sections;
+  for (std::size_t i = 0; i < intervals_; ++i)
+  {
+    CubicSection cubic{};
+    const auto fill = [this, i](const Column& q, double* c)
+    {
+      c[0] = (q[i] + 4.0 * q[i + 1] + q[i + 2]) / 6.0;
+      c[1] = (q[i + 2] - q[i]) / (2.0 * step_);
+      c[2] = (q[i] - 2.0 * q[i + 1] + q[i + 2]) / (2.0 * step_ * step_);
+      c[3] = (-q[i] + 3.0 * q[i + 1] - 3.0 * q[i + 2] + q[i + 3]) / (6.0 * step_ * step_ * step_);
+    };
+    fill(y_, cubic.y);
+    fill(z_, cubic.z);
+    sections.push_back({cubic, step_});
+  }
+  return sections;
+}
+}  // namespace
+
+std::vector<ProfileSection> smoothingSpline(const std::vector<SampledPoint>& points, double noise)
+{
+  if (!(noise > 0.0 && noise <= max_spline_noise))
+  {
+    throw std::invalid_argument("profile spline: noise is " + std::to_string(noise * 1e6) +
+                                " um, must be above 0 and at most " + std::to_string(max_spline_noise * 1e6) + " um");
+  }
+  PenalisedFit fit(points);
+  fit.fitTo(noise * noise);
+  fit.relaxAtCorners();
+  fit.fitTo(noise * noise);
+  return fit.sections();
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a contact is made exact on the profiles: the rest of ContactSearch stands in contact_search.cpp.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/track/bracketed_root.h"
+#include "core/track/contact_search.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int newton_iterations = 30;
+constexpr double newton_tolerance = 1e-11;  ///< [m]
+constexpr double root_tolerance = 1e-8;     ///< of a contact's place along the rail's profile [m]
+constexpr int most_place_steps = 5;         ///< of Newton's method for that place
+}  // namespace
+
+/// Finds the wheel's profile point whose locus lies at y, from a guess of its parameter.
+bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const
+{
+  double step = 0;
+  double miss_before = 0;
+  for (int i = 0; i < newton_iterations; ++i)
+  {
+    point = wheel_->profile().at(u);
+    if (!wheel_->locus(point, locus))
+    {
+      return false;
+    }
+    const double miss = y - locus.y;
+    if (std::abs(miss) < newton_tolerance)
+    {
+      return true;
+    }
+    // Secant on the locus; to start with, its derivative is close to that of the profile.
+    const double slope = i > 0 ? (miss_before - miss) / step : point.dy;
+    step = miss / slope;
+    miss_before = miss;
+    u += step;
+  }
+  return false;
+}
+
+/// Both bodies at a point of the rail, on the profiles themselves; `contact.wheel_u` is a guess of the wheel's point.
+bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_difference) const
+{
+  const CurvePoint rail_point = rail_->profile().at(rail_u);
+  const PlanePoint rail = rail_->place(rail_point);
+  CurvePoint wheel_point{};
+  SpacePoint locus{};
+  PlanePoint wheel{};
+  if (!(rail.dy > 0) || !wheelAt(rail.y, contact.wheel_u, wheel_point, locus) ||
+      !wheel_->section(wheel_point, locus.x, wheel))
+  {
+    return false;
+  }
+  contact.y = rail.y;
+  contact.rail_u = rail_u;
+  contact.separation = locus.z - rail.z;
+  contact.slope = rail.dz / rail.dy;
+  slope_difference = wheel.dz / wheel.dy - contact.slope;
+  const double stretch = 1 + contact.slope * contact.slope;
+  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * stretch * std::sqrt(stretch);
+  return std::isfinite(contact.separation) && std::isfinite(slope_difference);
+}
+
+/// True if a contact lies beside its station and no higher than there: where an outline hides a fold of its profile,
+/// the way from one station to the next along the profile may lead elsewhere.
+bool ContactSearch::isNear(const InitialContact& contact, std::size_t k) const
+{
+  return std::abs(contact.y - stations_.y(k)) < 1.5 * spacing &&
+         contact.separation < separation_[k] + 4 * station_error;
+}
+
+/// The contact near a station by Newton's method, from the lowest point of the parabola through the separations there.
+/// False unless it settles between the stations beside it, at a minimum.
+bool ContactSearch::settles(std::size_t k, InitialContact& contact) const
+{
+  if (k == 0 || k + 1 >= separation_.size())
+  {
+    return false;
+  }
+  const double aft = separation_[k - 1] - separation_[k];
+  const double fore = separation_[k + 1] - separation_[k];
+  if (!(aft + fore > 0 && aft + fore < infinity))
+  {
+    return false;
+  }
+  const double rail_per_y = (rail_outline_.u(k + 1) - rail_outline_.u(k - 1)) / (2 * spacing);
+  const double wheel_per_y = (wheel_outline_.u(k + 1) - wheel_outline_.u(k - 1)) / (2 * spacing);
+  double step = 0.5 * spacing * (aft - fore) / (aft + fore);
+  double rail_u = rail_outline_.u(k);
+  contact.wheel_u = wheel_outline_.u(k);
+  for (int i = 0; i < most_place_steps; ++i)
+  {
+    rail_u += step * rail_per_y;
+    contact.wheel_u += step * wheel_per_y;
+    double slope_difference = 0;
+    if (!exact(rail_u, contact, slope_difference))
+    {
+      return false;
+    }
+    step = -slope_difference / contact.curvature;
+    if (!(contact.curvature > 0) || !(std::abs(contact.y + step - stations_.y(k)) < spacing))
+    {
+      return false;
+    }
+    if (std::abs(step * rail_per_y) < root_tolerance)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The contact near a station: where the difference of slopes changes its sign between the stations beside it.
+InitialContact ContactSearch::refined(std::size_t k) const
+{
+  if (k == nearest_station_)
+  {
+    return nearest_;
+  }
+  InitialContact trial;
+  if (settles(k, trial) && isNear(trial, k))
+  {
+    return trial;
+  }
+  const std::size_t before = k > 0 ? k - 1 : k;
+  const std::size_t after = std::min(k + 1, separation_.size() - 1);
+  double difference = 0;
+  bool found = false;
+  const auto slope_difference_at = [&](double rail_u)
+  {
+    found = exact(rail_u, trial, difference);
+    return found ? difference : 0.0;
+  };
+  const auto slope_difference_over = [&](std::size_t station)
+  {
+    trial.wheel_u = wheel_outline_.u(station);
+    return separation_[station] < infinity ? slope_difference_at(rail_outline_.u(station)) : 0.0;
+  };
+  const double low = slope_difference_over(before);
+  const double high = slope_difference_over(after);
+  trial.wheel_u = wheel_outline_.u(k);
+  const bool bracketed = low < 0 && high > 0;
+  if (bracketed)
+  {
+    bracketedRoot(slope_difference_at, rail_outline_.u(before), low, rail_outline_.u(after), high, root_tolerance);
+  }
+  if (!bracketed || !found || !isNear(trial, k))
+  {
+    trial.wheel_u = wheel_outline_.u(k);
+    slope_difference_at(rail_outline_.u(k));
+  }
+  return found ? trial : InitialContact{stations_.y(k), separation_[k], 0, 0, wheel_outline_.u(k), rail_outline_.u(k)};
+}
+
+bool ContactSearch::nearest(InitialContact& contact)
+{
+  if (minima_.empty())
+  {
+    return false;
+  }
+  const std::size_t lowest =
+      *std::min_element(minima_.begin(), minima_.end(),
+                        [this](std::size_t one, std::size_t other) { return separation_[one] < separation_[other]; });
+  contact = refined(lowest);
+  std::size_t station = lowest;
+  for (const std::size_t k : minima_)
+  {
+    if (k != lowest && separation_[k] - depthBelowStation(k) < contact.separation)
+    {
+      const InitialContact other = refined(k);
+      if (other.separation < contact.separation)
+      {
+        contact = other;
+        station = k;
+      }
+    }
+  }
+  nearest_ = contact;
+  nearest_station_ = station;
+  return true;
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/track/placement.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "core/track/bracketed_root.h"
+
+namespace wheel_rail_contact::core
+{
+double sideSign(Side side)
+{
+  return side == Side::left ? 1.0 : -1.0;
+}
+
+WheelsetPose toSide(Side side, const WheelsetPose& pose)
+{
+  const double sign = sideSign(side);
+  return {sign * pose.y, pose.z, sign * pose.yaw, sign * pose.roll};
+}
+
+namespace
+{
+/// Spacing at which a rail's profile is looked over for its highest point and its gauge point [m].
+constexpr double scan_spacing = 1e-4;
+constexpr double root_tolerance = 1e-12;  ///< [m]
+}  // namespace
+
+PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track) : profile_(std::move(profile))
+{
+  turn(track.rail_inclination);
+  const int count = std::max(2, static_cast<int>(profile_->length() / scan_spacing));
+  const double step = profile_->length() / count;
+  const auto height = [this](double u) { return at(u).z; };
+  const auto rise = [this](double u) { return at(u).dz; };
+
+  int top = 0;
+  for (int i = 1; i <= count; ++i)
+  {
+    if (height(i * step) > height(top * step))
+    {
+      top = i;
+    }
+  }
+  double u_top = top * step;
+  if (top > 0 && top < count && rise(u_top - step) > 0 && rise(u_top + step) < 0)
+  {
+    u_top = bracketedRoot(rise, u_top - step, rise(u_top - step), u_top + step, rise(u_top + step), root_tolerance);
+  }
+  frame_.z = -height(u_top);
+
+  int below = top;
+  double y_gauge = std::numeric_limits<double>::infinity();
+  for (; below >= 0 && height(below * step) > -track.gauge_depth; --below)
+  {
+    y_gauge = std::min(y_gauge, at(below * step).y);
+  }
+  if (below < 0)
+  {
+    throw std::invalid_argument("track/gauge_depth = " + std::to_string(track.gauge_depth) + " m: the rail profile " +
+                                profile_->name() + " does not reach that far below its highest point");
+  }
+  const auto above = [&](double u) { return height(u) + track.gauge_depth; };
+  const double low = below * step;
+  const double u_gauge = bracketedRoot(above, low, above(low), low + step, above(low + step), root_tolerance);
+  y_gauge = std::min(y_gauge, at(u_gauge).y);
+  frame_.y = 0.5 * track.gauge - y_gauge;
+}
+
+PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
+{
+  PlacedRail moved(*this);
+  const PlanePoint before = referencePoint();
+  moved.turn(angle() - deflection.roll);
+  const PlanePoint turned = moved.referencePoint();
+  moved.frame_.y += before.y + deflection.lateral - turned.y;
+  moved.frame_.z += before.z + deflection.vertical - turned.z;
+  return moved;
+}
+
+PlanePoint PlacedRail::at(double u) const
+{
+  return place(profile_->at(u));
+}
+
+double PlacedRail::angle() const
+{
+  return std::atan2(frame_.sine, frame_.cosine);
+}
+
+PlanePoint PlacedRail::referencePoint() const
+{
+  return place({0, -ComplianceTable::reference_depth, 1, 0, 0, 0});
+}
+
+void PlacedRail::turn(double angle)
+{
+  frame_.cosine = std::cos(angle);
+  frame_.sine = std::sin(angle);
+}
+
+PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose)
+    : profile_(&profile), pose_(pose)
+{
+  // Fixed-axis roll, then yaw: axle = Rz(yaw) Rx(roll) (0, 1, 0).
+  const double ax = -std::sin(pose.yaw) * std::cos(pose.roll);
+  const double ay = std::cos(pose.yaw) * std::cos(pose.roll);
+  const double az = std::sin(pose.roll);
+  forward_x_ = std::hypot(ay, az);
+  const WheelCoordinate y{pose.y, ay, az / forward_x_, -ax * ay / forward_x_};
+  const WheelCoordinate z{pose.z, az, -ay / forward_x_, -ax * az / forward_x_};
+  sections_ = {wheelset.rolling_radius, wheelset.halfBase(), ax, 1 / forward_x_, y, z};
+}
+
+namespace
+{
+/// Where the normal of a wheel's surface has no x component on the circle through a profile point, or on several: at
+/// angle t from its lowest point. e = cos(t) down + sin(t) forward; normal = e - r' a; its x component
+/// sin(t) forward_x - r' ax vanishes. There is no such place unless the sine lies between -1 and 1.
+template <typename Number>
+struct LocusOnCircle
+{
+  LocusOnCircle(const WheelSections& s, const Number& y, const Number& z, const Number& slope)
+      : along(s.half_base + y), radius(s.radius - z), sine(slope * (-s.axle_x * s.per_forward_x))
+  {
+    using std::sqrt;
+    cosine = sqrt(1 - sine * sine);
+  }
+
+  /// Its y or z [m].
+  Number at(const WheelCoordinate& c) const
+  {
+    return c.origin + c.along * along + radius * (cosine * c.down + sine * c.forward);
+  }
+
+  Number along, radius;  ///< of the circle: place on the axle and size [m]
+  Number sine, cosine;   ///< of t
+};
+}  // namespace
+
+bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
+{
+  const LocusOnCircle<double> locus(sections_, p.y, p.z, p.slope());
+  out = {sections_.axle_x * locus.along + locus.radius * locus.sine * forward_x_, locus.at(sections_.y),
+         locus.at(sections_.z)};
+  return std::abs(locus.sine) < 1;
+}
+
+void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const
+{
+  constexpr std::size_t at_once = 4;  // with more, numbers would no longer all stay in registers
+  static_assert(WheelPoints::together % at_once == 0, "points come in groups");
+  using Group = Eigen::Array<double, at_once, 1>;
+  const WheelSections sections = sections_;  // to the compiler, what is written may change any number of this object
+  for (std::size_t i = first; i < behind; i += at_once)
+  {
+    const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
+    const LocusOnCircle<Group> locus(sections, group(points.y), group(points.z), group(points.slope));
+    Group::Map(y + i) = (locus.sine.abs() < 1).select(locus.at(sections.y), std::numeric_limits<double>::quiet_NaN());
+    Group::Map(z + i) = locus.at(sections.z);
+  }
+}
+
+double PlacedWheel::sway() const
+{
+  constexpr double highest_flange = 2;  // no circle of a wheel has more of its rolling radius
+  return highest_flange * sections_.radius * (std::abs(sections_.y.down) + std::abs(sections_.y.forward));
+}
+
+bool WheelSections::at(const CurvePoint& p, double x, PlanePoint& out) const
+{
+  const SectionPoint<double> point = at<double>(p, x);
+  out = {point.y, point.z, point.dy, point.dz};
+  return point.down > 0;
+}
+}  // namespace wheel_rail_contact::core

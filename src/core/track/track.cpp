@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/track.h"
+
+#include "core/option_check.h"
+
+namespace wheel_rail_contact::core
+{
+void validate(const TrackConfig& track)
+{
+  requirePositive("track/gauge", track.gauge);
+  requirePositive("track/gauge_depth", track.gauge_depth);
+  requireWithin("track/rail_inclination", track.rail_inclination, 0.2, "must lie within 0.2 rad");
+}
+
+void validate(const WheelsetConfig& wheelset)
+{
+  requirePositive("wheelset/rolling_radius", wheelset.rolling_radius);
+  requirePositive("wheelset/flange_back_distance", wheelset.flange_back_distance);
+  requirePositive("wheelset/tape_circle", wheelset.tape_circle);
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/markers/contact_scene.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "ros/markers/color_map.h"
+#include "ros/markers/marker_tools.h"
+#include "ros/markers/rail_motion.h"
+
+namespace wheel_rail_contact
+{
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+namespace
+{
+bool isShown(core::Side side, const SceneOptions& options)
+{
+  const auto& sides = options.track.sides;
+  return std::find(sides.begin(), sides.end(), side) != sides.end();
+}
+
+/// The result with its rails' deflections scaled, and the patches where they are on these rails.
+core::WheelsetResult exaggerated(const core::WheelsetResult& result, const core::PlacedRail& at_rest, double scale)
+{
+  core::WheelsetResult drawn = result;
+  for (core::RailResult& rail : drawn.rail)
+  {
+    rail.deflection = scaled(rail.deflection, scale);
+  }
+  for (core::PatchResult& patch : drawn.patches)
+  {
+    const auto side = static_cast<std::size_t>(patch.side);
+    patch.pose =
+        carriedByRail(at_rest, patch.side, result.rail.at(side).deflection, drawn.rail.at(side).deflection, patch.pose);
+  }
+  return drawn;
+}
+
+/// What shows a patch's pressure.
+void addPressure(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
+                 MarkerArray& markers)
+{
+  const PressureSurface fine = fineSurface(picture, options.patch);
+  if (options.patches)
+  {
+    markers.markers.push_back(zoomedPatch(picture, fine, options.patch, header));
+  }
+  if (options.outlines)
+  {
+    markers.markers.push_back(patchOutline(picture, fine, options.patch, header));
+  }
+  if (options.patches && options.patch.lift > 0)
+  {
+    markers.markers.push_back(truePatch(picture, options.patch, header));
+    markers.markers.push_back(zoomLine(picture, options.patch, header));
+  }
+}
+
+void addPatch(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
+              MarkerArray& markers)
+{
+  if (picture.patch->pressure.size() > 0 && (options.patches || options.outlines))
+  {
+    addPressure(picture, options, header, markers);
+  }
+  if (options.forces && options.patch.force_scale * picture.patch->normal_force > 0)
+  {
+    markers.markers.push_back(forceArrow(picture, options.patch, header));
+  }
+  if (options.labels)
+  {
+    markers.markers.push_back(patchLabel(picture, options.patch, header));
+  }
+}
+
+/// @param shift along the track from where the points were to where they are drawn [m]
+void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn, const core::PlacedRail* at_rest,
+              double shift, const SceneOptions& options, const std_msgs::Header& header, MarkerArray& markers)
+{
+  Marker marker = makeMarker(header, "trail", 0, Marker::SPHERE_LIST, makeColor(1, 1, 1));
+  marker.scale.x = marker.scale.y = marker.scale.z = options.trail_width;
+  for (const TrailPoint& point : trail.points())
+  {
+    if (isShown(point.side, options))
+    {
+      const core::RailDeflection& now = drawn.rail.at(static_cast<std::size_t>(point.side)).deflection;
+      const core::PatchPose pose = at_rest ? carriedByRail(*at_rest, point.side, {}, now, point.pose) : point.pose;
+      marker.points.push_back(toPoint({pose.x + shift, pose.y, pose.z}));
+      marker.colors.push_back(colorOf(point.max_pressure / options.patch.max_pressure));
+    }
+  }
+  if (!marker.points.empty())
+  {
+    markers.markers.push_back(marker);
+  }
+}
+
+void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult& drawn, const core::WheelsetPose& pose,
+              double x, const SceneOptions& options, const std_msgs::Header& header, MarkerArray& markers)
+{
+  if (options.rails)
+  {
+    addRails(model, options.track, header, x, {drawn.rail[0].deflection, drawn.rail[1].deflection}, markers);
+  }
+  if (options.ghost)
+  {
+    addRailsAtRest(model, options.track, header, x - 0.5 * options.track.rail_length, markers);
+  }
+  if (options.wheels)
+  {
+    addWheelset(model, options.track, header, x, pose, markers);
+  }
+}
+}  // namespace
+
+MarkerArray sceneMarkers(const ContactAnswer& answer, const core::ContactModelConfig* model, const ContactTrail& trail,
+                         const SceneOptions& options)
+{
+  MarkerArray markers;
+  if (!answer.result)
+  {
+    return markers;
+  }
+  const double x = options.at_origin ? 0 : answer.x;
+  const std::optional<core::PlacedRail> at_rest = restingRail(model);
+  std::optional<core::WheelsetResult> exaggeration;
+  if (at_rest && options.deflection_scale != 1)
+  {
+    exaggeration = exaggerated(*answer.result, *at_rest, options.deflection_scale);
+  }
+  const core::WheelsetResult& drawn = exaggeration ? *exaggeration : *answer.result;
+  if (model)
+  {
+    addTrack(*model, drawn, answer.pose, x, options, answer.header, markers);
+  }
+  for (const core::Side side : options.track.sides)
+  {
+    for (const PatchPicture& picture : arrangePatches(drawn, side, x, options.patch))
+    {
+      addPatch(picture, options, answer.header, markers);
+    }
+  }
+  addTrail(trail, drawn, at_rest ? &*at_rest : nullptr, x - answer.x, options, answer.header, markers);
+  return markers;
+}
+}  // namespace wheel_rail_contact

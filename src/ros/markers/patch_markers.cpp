@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/markers/patch_markers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ros/markers/color_map.h"
+#include "ros/markers/marker_tools.h"
+
+namespace wheel_rail_contact
+{
+using Eigen::Vector3d;
+using visualization_msgs::Marker;
+
+namespace
+{
+constexpr int ids_per_side = 16;
+constexpr double true_size_lift = 2e-4;  ///< of the patch over the rail, so that both can be seen [m]
+constexpr double zoom_spacing = 0.0017;  ///< between magnified patches, in lengths that are magnified [m]
+constexpr double head_ratio = 2.5;       ///< of an arrow's head, diameter and length, to its shaft's diameter [-]
+
+double zoomedWidth(const core::PatchResult& patch, double zoom)
+{
+  return zoom * patch.grid.ny * patch.grid.dy;
+}
+
+Vector3d gridMiddle(const core::PatchGrid& grid)
+{
+  return {0, grid.ny > 0 ? 0.5 * (grid.y(0) + grid.y(grid.ny - 1)) : 0.0, 0};
+}
+
+/// Patches of one side, ordered across the track, each at its own place.
+std::vector<PatchPicture> patchesOf(const core::WheelsetResult& result, core::Side side, double x)
+{
+  std::vector<PatchPicture> pictures;
+  for (const core::PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      const int id = static_cast<int>(side) * ids_per_side + static_cast<int>(pictures.size());
+      const Eigen::Isometry3d to_track(Eigen::Translation3d(x + patch.pose.x, patch.pose.y, patch.pose.z) *
+                                       Eigen::AngleAxisd(patch.pose.angle, Vector3d::UnitX()));
+      pictures.push_back({&patch, id, to_track, to_track * gridMiddle(patch.grid)});
+    }
+  }
+  std::sort(pictures.begin(), pictures.end(),
+            [](const PatchPicture& a, const PatchPicture& b)
+            { return a.to_track.translation().y() < b.to_track.translation().y(); });
+  return pictures;
+}
+
+/// Surface magnified about the patch frame's origin: height and colour by pressure.
+void addPressure(const PressureSurface& surface, double zoom, double height, double max_pressure,
+                 const Eigen::Isometry3d& to_track, Marker& marker)
+{
+  for (const PressureSurface::Point& p : surface.triangles())
+  {
+    const double share = std::min(p.pressure / max_pressure, 1.0);
+    marker.points.push_back(toPoint(to_track * Vector3d(zoom * p.x, zoom * p.y, height * share)));
+    marker.colors.push_back(colorOf(share));
+  }
+}
+
+/// Patch frame, its lengths magnified, to the track frame.
+Eigen::Isometry3d zoomedToTrack(const PatchPicture& picture, double zoom)
+{
+  const Vector3d middle = zoom * gridMiddle(picture.patch->grid);
+  Eigen::Isometry3d placed = picture.to_track * Eigen::Translation3d(-middle);
+  placed.translation() += picture.zoom_place - picture.to_track.translation();
+  return placed;
+}
+
+Eigen::Isometry3d liftedToTrack(const PatchPicture& picture)
+{
+  return picture.to_track * Eigen::Translation3d(0, 0, true_size_lift);
+}
+
+/// Places magnified pictures side by side about the mean of their true places.
+void spread(std::vector<PatchPicture>& pictures, double zoom)
+{
+  const double spacing = zoom_spacing * zoom;
+  double width = -spacing, middle = 0;
+  for (const PatchPicture& picture : pictures)
+  {
+    width += zoomedWidth(*picture.patch, zoom) + spacing;
+    middle += picture.zoom_place.y() / static_cast<double>(pictures.size());
+  }
+  double edge = middle - 0.5 * width;
+  for (PatchPicture& picture : pictures)
+  {
+    const double own = zoomedWidth(*picture.patch, zoom);
+    picture.zoom_place.y() = edge + 0.5 * own;
+    edge += own + spacing;
+  }
+}
+
+void addOutline(const PressureSurface& surface, double zoom, const Eigen::Isometry3d& to_track, Marker& marker)
+{
+  for (const PressureSurface::Point& p : surface.outline())
+  {
+    marker.points.push_back(toPoint(to_track * Vector3d(zoom * p.x, zoom * p.y, 0)));
+  }
+}
+}  // namespace
+
+std::vector<PatchPicture> arrangePatches(const core::WheelsetResult& result, core::Side side, double x,
+                                         const PatchStyle& style)
+{
+  std::vector<PatchPicture> pictures = patchesOf(result, side, x);
+  for (PatchPicture& picture : pictures)
+  {
+    picture.zoom_place.z() += style.lift;
+  }
+  if (pictures.size() > 1 && style.zoom > 1)
+  {
+    spread(pictures, style.zoom);
+  }
+  return pictures;
+}
+
+PressureSurface fineSurface(const PatchPicture& picture, const PatchStyle& style)
+{
+  return {picture.patch->grid, picture.patch->pressure, style.points};
+}
+
+Marker truePatch(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+{
+  Marker marker = makeMarker(header, "patch", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  const PressureSurface cells(picture.patch->grid, picture.patch->pressure, 1);
+  addPressure(cells, 1, 0, style.max_pressure, liftedToTrack(picture), marker);
+  return marker;
+}
+
+Marker zoomedPatch(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style,
+                   const std_msgs::Header& header)
+{
+  Marker marker = makeMarker(header, "zoom", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  addPressure(fine, style.zoom, style.pressure_height, style.max_pressure, zoomedToTrack(picture, style.zoom), marker);
+  return marker;
+}
+
+Marker patchOutline(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style,
+                    const std_msgs::Header& header)
+{
+  Marker marker = makeMarker(header, "outline", picture.id, Marker::LINE_LIST, makeColor(0.95, 0.95, 0.95));
+  marker.scale.x = style.line_width;
+  addOutline(fine, style.zoom, zoomedToTrack(picture, style.zoom), marker);
+  return marker;
+}
+
+Marker zoomLine(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+{
+  Marker marker = makeMarker(header, "zoom_line", picture.id, Marker::LINE_LIST, makeColor(0.8, 0.8, 0.8, 0.6));
+  marker.scale.x = style.line_width;
+  marker.points = {toPoint(picture.to_track.translation()), toPoint(picture.zoom_place)};
+  return marker;
+}
+
+Marker forceArrow(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+{
+  Marker marker = makeMarker(header, "force", picture.id, Marker::ARROW, makeColor(0.90, 0.30, 0.20));
+  const double length = style.force_scale * picture.patch->normal_force;
+  const double head = head_ratio * style.arrow_width;
+  marker.points = {toPoint(picture.to_track.translation()), toPoint(picture.to_track * Vector3d(0, 0, -length))};
+  marker.scale.x = style.arrow_width;
+  marker.scale.y = head;
+  marker.scale.z = std::min(head, 0.5 * length);
+  return marker;
+}
+
+Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+{
+  char words[64];
+  std::snprintf(words, sizeof words, "%.0f MPa\n%.0f mm²", picture.patch->max_pressure / 1e6,
+                picture.patch->area * 1e6);
+  const double half_width = 0.5 * zoomedWidth(*picture.patch, style.zoom);
+  const double rise = half_width * std::abs(std::sin(picture.patch->pose.angle));
+  const double share = std::min(picture.patch->max_pressure / style.max_pressure, 1.0);
+  const Vector3d above(0, 0, style.pressure_height * share + rise + 1.8 * style.letter_height);
+  return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, words);
+}
+}  // namespace wheel_rail_contact

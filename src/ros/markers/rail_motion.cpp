@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/markers/rail_motion.h"
+
+#include <Eigen/Geometry>
+
+namespace wheel_rail_contact
+{
+std::optional<core::PlacedRail> restingRail(const core::ContactModelConfig* model)
+{
+  return model ? std::make_optional<core::PlacedRail>(model->rail_profile, model->track) : std::nullopt;
+}
+
+core::RailDeflection scaled(const core::RailDeflection& deflection, double scale)
+{
+  return {scale * deflection.lateral, scale * deflection.vertical, scale * deflection.roll};
+}
+
+core::PatchPose carriedByRail(const core::PlacedRail& at_rest, core::Side side, const core::RailDeflection& from,
+                              const core::RailDeflection& to, const core::PatchPose& pose)
+{
+  const core::PlacedRail before = at_rest.deflected(from), after = at_rest.deflected(to);
+  const core::PlanePoint a = before.referencePoint(), b = after.referencePoint();
+  const double turn = after.angle() - before.angle(), sign = core::sideSign(side);
+  const Eigen::Vector2d moved =
+      Eigen::Vector2d(b.y, b.z) + Eigen::Rotation2Dd(turn) * Eigen::Vector2d(sign * pose.y - a.y, pose.z - a.z);
+  return {pose.x, sign * moved.x(), moved.y(), pose.angle + sign * turn};
+}
+}  // namespace wheel_rail_contact

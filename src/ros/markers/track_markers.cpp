@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/markers/track_markers.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/track/placement.h"
+#include "ros/markers/color_map.h"
+#include "ros/markers/marker_tools.h"
+
+namespace wheel_rail_contact
+{
+using Eigen::Vector3d;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+namespace
+{
+constexpr int profile_points = 60;     ///< drawn points of a profile
+constexpr double row_spacing = 0.075;  ///< of rows of points round a tread, about the axle [rad]
+constexpr int circle_points = 96;
+constexpr double axle_radius = 0.008;  ///< drawn much thinner than it is, so that it hides nothing [m]
+constexpr double pi = 3.14159265358979323846;
+
+std_msgs::ColorRGBA railColor(double alpha)
+{
+  return makeColor(0.62, 0.64, 0.67, alpha);
+}
+std_msgs::ColorRGBA wheelColor(double alpha)
+{
+  return makeColor(0.50, 0.65, 0.85, alpha);
+}
+std_msgs::ColorRGBA lineColor()
+{
+  return makeColor(0.62, 0.70, 0.80, 0.35);
+}
+std_msgs::ColorRGBA profileColor()
+{
+  return makeColor(0.45, 0.80, 1.0);
+}
+
+double parameterAt(const core::Profile& profile, int i)
+{
+  return profile.length() * i / (profile_points - 1);
+}
+
+/// A rail's outline at x, track frame [m].
+std::vector<Vector3d> railOutline(const core::PlacedRail& rail, core::Side side, double x)
+{
+  std::vector<Vector3d> points;
+  for (int i = 0; i < profile_points; ++i)
+  {
+    const core::PlanePoint p = rail.at(parameterAt(rail.profile(), i));
+    points.emplace_back(x, core::sideSign(side) * p.y, p.z);
+  }
+  return points;
+}
+
+Eigen::Isometry3d toTrack(const core::WheelsetPose& pose, double x)
+{
+  return Eigen::Translation3d(x, pose.y, pose.z) * Eigen::AngleAxisd(pose.yaw, Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(pose.roll, Vector3d::UnitX());
+}
+
+/// Point of a wheel in the wheelset's own frame; `turn` about the axle from the lowest point forward [rad].
+Vector3d wheelPoint(const core::WheelsetConfig& wheelset, core::Side side, const core::CurvePoint& p, double turn)
+{
+  const double radius = wheelset.rolling_radius - p.z;
+  return {radius * std::sin(turn), core::sideSign(side) * (wheelset.halfBase() + p.y), -radius * std::cos(turn)};
+}
+
+Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
+             core::Side side, const Eigen::Isometry3d& to_track)
+{
+  const int intervals = std::max(1, static_cast<int>(std::lround(2 * style.wheel_sweep / row_spacing)));
+  Marker marker =
+      makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor(style.wheel_alpha));
+  const core::Profile& profile = *model.wheel_profile;
+  SurfacePoints points;
+  for (int row = 0; row <= intervals; ++row)
+  {
+    const double turn = style.wheel_sweep * (2.0 * row / intervals - 1);
+    points.emplace_back();
+    for (int i = 0; i < profile_points; ++i)
+    {
+      const core::CurvePoint p = profile.at(parameterAt(profile, i));
+      points.back().push_back(to_track * wheelPoint(model.wheelset, side, p, turn));
+    }
+  }
+  addSurface(points, side == core::Side::left, marker);
+  return marker;
+}
+
+/// The wheel's profile where its drawn part begins, behind the contact.
+Marker wheelProfile(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
+                    core::Side side, const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, profileColor());
+  marker.scale.x = style.profile_line_width;
+  const core::Profile& profile = *model.wheel_profile;
+  for (int i = 0; i < profile_points; ++i)
+  {
+    const core::CurvePoint p = profile.at(parameterAt(profile, i));
+    marker.points.push_back(toPoint(to_track * wheelPoint(model.wheelset, side, p, -style.wheel_sweep)));
+  }
+  return marker;
+}
+
+void addSegment(const Vector3d& begin, const Vector3d& end, Marker& marker)
+{
+  marker.points.push_back(toPoint(begin));
+  marker.points.push_back(toPoint(end));
+}
+
+/// Circles through both ends of the profile and through the flange's tip, as a LINE_LIST.
+Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
+               core::Side side, const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel_lines", static_cast<int>(side), Marker::LINE_LIST, lineColor());
+  marker.scale.x = style.line_width;
+  const core::Profile& profile = *model.wheel_profile;
+  core::CurvePoint tip = profile.at(0);
+  for (int i = 0; i < profile_points; ++i)
+  {
+    const core::CurvePoint p = profile.at(parameterAt(profile, i));
+    tip = p.z < tip.z ? p : tip;
+  }
+  for (const core::CurvePoint& p : {tip, profile.at(profile.length())})
+  {
+    for (int i = 0; i < circle_points; ++i)
+    {
+      const double step = 2 * pi / circle_points;
+      addSegment(to_track * wheelPoint(model.wheelset, side, p, i * step),
+                 to_track * wheelPoint(model.wheelset, side, p, (i + 1) * step), marker);
+    }
+  }
+  return marker;
+}
+
+Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& header, const Eigen::Isometry3d& to_track)
+{
+  Marker marker = makeMarker(header, "wheel_lines", 2, Marker::CYLINDER, lineColor());
+  const Eigen::Quaterniond turned(to_track.linear() *
+                                  Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitX()).toRotationMatrix());
+  marker.pose.position = toPoint(to_track.translation());
+  marker.pose.orientation.w = turned.w();
+  marker.pose.orientation.x = turned.x();
+  marker.pose.orientation.y = turned.y();
+  marker.pose.orientation.z = turned.z();
+  marker.scale.x = marker.scale.y = 2 * axle_radius;
+  marker.scale.z = 2 * model.wheelset.halfBase();
+  return marker;
+}
+
+Marker railAtRest(const core::PlacedRail& rail, const TrackStyle& style, const std_msgs::Header& header,
+                  core::Side side, double x)
+{
+  Marker marker =
+      makeMarker(header, "rail_at_rest", static_cast<int>(side), Marker::LINE_STRIP, makeColor(0.95, 0.65, 0.2, 0.9));
+  marker.scale.x = style.line_width;
+  for (const Vector3d& p : railOutline(rail, side, x))
+  {
+    marker.points.push_back(toPoint(p));
+  }
+  return marker;
+}
+
+/// A bar of the pressure colours between the rails, with figures in MPa.
+void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& markers)
+{
+  constexpr int steps = 32, labels = 5;
+  constexpr double bottom = 0.06, height = 0.30, width = 0.03, text_height = 0.035;  // [m]
+  Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  for (int i = 0; i < steps; ++i)
+  {
+    const double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+    const double z_low = bottom + height * low, z_high = bottom + height * high;
+    addQuadrilateral({{0, 0, z_low}, {0, -width, z_low}, {0, -width, z_high}, {0, 0, z_high}},
+                     {colorOf(low), colorOf(low), colorOf(high), colorOf(high)}, bar);
+  }
+  markers.markers.push_back(bar);
+  for (int i = 0; i < labels; ++i)
+  {
+    const double share = static_cast<double>(i) / (labels - 1);
+    char words[32];
+    std::snprintf(words, sizeof words, i + 1 == labels ? "%.0f MPa" : "%.0f", share * max_pressure / 1e6);
+    markers.markers.push_back(
+        makeText(header, "scale", i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, words));
+  }
+}
+}  // namespace
+
+void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
+              const std::array<core::RailDeflection, 2>& deflection, MarkerArray& markers)
+{
+  const core::PlacedRail at_rest(model.rail_profile, model.track);
+  const double half_length = 0.5 * style.rail_length;
+  for (const core::Side side : style.sides)
+  {
+    const core::PlacedRail rail = at_rest.deflected(deflection.at(static_cast<std::size_t>(side)));
+    Marker marker =
+        makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor(style.rail_alpha));
+    addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)},
+               side == core::Side::right, marker);
+    markers.markers.push_back(marker);
+  }
+}
+
+void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
+                    double x, MarkerArray& markers)
+{
+  const core::PlacedRail at_rest(model.rail_profile, model.track);
+  for (const core::Side side : style.sides)
+  {
+    markers.markers.push_back(railAtRest(at_rest, style, header, side, x));
+  }
+}
+
+void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
+                 double x, const core::WheelsetPose& pose, MarkerArray& markers)
+{
+  const Eigen::Isometry3d to_track = toTrack(pose, x);
+  for (const core::Side side : style.sides)
+  {
+    markers.markers.push_back(tread(model, style, header, side, to_track));
+    markers.markers.push_back(wheelProfile(model, style, header, side, to_track));
+    markers.markers.push_back(circles(model, style, header, side, to_track));
+  }
+  markers.markers.push_back(axle(model, header, to_track));
+}
+
+MarkerArray profileMarkers(const NodeConfig& config)
+{
+  std_msgs::Header header;
+  header.frame_id = config.track_frame;
+  MarkerArray markers;
+  addRailsAtRest(config.model, TrackStyle(), header, -0.5 * config.markers.rail_length, markers);
+  addScale(config.markers.max_pressure, header, markers);
+  return markers;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/contact_input.h"
+
+#include <tf2/exceptions.h>
+
+#include <Eigen/Geometry>
+#include <boost/make_shared.hpp>
+#include <cmath>
+#include <utility>
+
+#include "ros/node/conversions.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::size_t pose_channel = 0;
+constexpr std::size_t load_channel = 1;
+constexpr double quaternion_tolerance = 1e-3;
+
+[[noreturn]] void refuse(const std::string& reason)
+{
+  throw UnusableInput(WheelsetContact::INVALID_INPUT, reason);
+}
+
+/// A message as it is kept. A frame_id longer than any name is cut, so that messages that wait take bounded memory.
+template <typename Message>
+boost::shared_ptr<const Message> kept(const boost::shared_ptr<const Message>& message)
+{
+  if (message->header.frame_id.size() <= InputPairing::longest_frame_name)
+  {
+    return message;
+  }
+  auto shortened = boost::make_shared<Message>(*message);
+  shortened->header.frame_id = message->header.frame_id.substr(0, InputPairing::longest_frame_name) + "...";
+  return shortened;
+}
+
+template <typename Vector>
+void requireFinite(const Vector& v, const std::string& name)
+{
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+  {
+    refuse(name + " is not finite");
+  }
+}
+
+void requireFinite(const geometry_msgs::Wrench& wrench, const std::string& name)
+{
+  requireFinite(wrench.force, name + ": force");
+  requireFinite(wrench.torque, name + ": torque");
+}
+
+Eigen::Isometry3d toIsometry(const geometry_msgs::Pose& pose)
+{
+  requireFinite(pose.position, "pose: position");
+  const auto& o = pose.orientation;
+  const Eigen::Quaterniond q(o.w, o.x, o.y, o.z);
+  const double norm = q.norm();
+  if (!(std::abs(norm - 1) <= quaternion_tolerance))
+  {
+    refuse("pose: the quaternion's length is " + std::to_string(norm) + ", it must be 1 within 0.001");
+  }
+  return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) * q.normalized();
+}
+
+Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform)
+{
+  const auto& t = transform.translation;
+  const auto& r = transform.rotation;
+  return Eigen::Translation3d(t.x, t.y, t.z) * Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized();
+}
+
+/// A text of unknown origin, cut to what a reason has room for.
+std::string shown(const std::string& text)
+{
+  constexpr std::size_t room = 200;
+  return text.size() <= room ? text : text.substr(0, room) + "...";
+}
+
+Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std::string& track_frame,
+                              const tf2::BufferCore& transforms)
+{
+  Eigen::Isometry3d own = toIsometry(pose.pose);
+  const std::string& frame = pose.header.frame_id;
+  if (frame == track_frame)
+  {
+    return own;
+  }
+  if (!isFrameName(frame))
+  {
+    throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: its frame_id '" + shown(frame) + "' names no tf frame");
+  }
+  try
+  {
+    return toIsometry(transforms.lookupTransform(track_frame, frame, pose.header.stamp).transform) * own;
+  }
+  catch (const tf2::TransformException& error)
+  {
+    throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: no transform from its frame '" + shown(frame) + "' to '" +
+                                                           track_frame + "' (track/frame): " + shown(error.what()));
+  }
+}
+
+void setLoad(const geometry_msgs::WrenchStamped& load, const std::string& track_frame, core::WheelsetState& state)
+{
+  const std::string& frame = load.header.frame_id;
+  if (!frame.empty() && frame != track_frame)
+  {
+    refuse("load: its frame_id is '" + shown(frame) + "', but it must be in track axes: '" + track_frame +
+           "' or empty");
+  }
+  requireFinite(load.wrench, "load");
+  state.force_z = load.wrench.force.z;
+  state.torque_x = load.wrench.torque.x;
+}
+}  // namespace
+
+InputPairing::InputPairing(const NodeConfig& config)
+    : uses_load_(config.model.wheelset.solve_height_and_roll),
+      uses_rail_forces_(config.model.rail_bending.model == core::RailBendingConfig::Model::compliance &&
+                        config.model.rail_bending.lateral_force == core::RailBendingConfig::LateralForce::topic),
+      pairing_(1 + (uses_load_ ? 1U : 0U) + (uses_rail_forces_ ? 2U : 0U), config.slop, capacity)
+{
+}
+
+std::optional<ContactInput> InputPairing::addPose(const geometry_msgs::PoseStampedConstPtr& pose)
+{
+  return add(pose_channel, pose->header.stamp, {kept(pose), nullptr});
+}
+
+std::optional<ContactInput> InputPairing::addLoad(const geometry_msgs::WrenchStampedConstPtr& load)
+{
+  if (!uses_load_)
+  {
+    return std::nullopt;
+  }
+  return add(load_channel, load->header.stamp, {nullptr, kept(load)});
+}
+
+std::optional<ContactInput> InputPairing::addRailForce(core::Side side,
+                                                       const geometry_msgs::WrenchStampedConstPtr& force)
+{
+  if (!uses_rail_forces_)
+  {
+    return std::nullopt;
+  }
+  return add(firstRailForceChannel() + static_cast<std::size_t>(side), force->header.stamp, {nullptr, kept(force)});
+}
+
+std::optional<ContactInput> InputPairing::add(std::size_t channel, const ros::Time& stamp, Sample sample)
+{
+  const auto set = pairing_.add(channel, stamp, std::move(sample));
+  if (!set)
+  {
+    return std::nullopt;
+  }
+  ContactInput input;
+  input.pose = (*set)[pose_channel].pose;
+  if (uses_load_)
+  {
+    input.load = (*set)[load_channel].wrench;
+  }
+  if (uses_rail_forces_)
+  {
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      input.rail_force[side] = (*set)[firstRailForceChannel() + side].wrench;
+    }
+  }
+  return input;
+}
+
+bool isFrameName(const std::string& name)
+{
+  return !name.empty() && name[0] != '/';
+}
+
+PlacedState toState(const ContactInput& input, const std::string& track_frame, const tf2::BufferCore& transforms)
+{
+  PlacedState placed;
+  const Eigen::Isometry3d pose = poseInTrack(*input.pose, track_frame, transforms);
+  const core::WheelsetPose wheelset = toWheelsetPose(pose);
+  placed.x = pose.translation().x();
+  placed.state.y = wheelset.y;
+  placed.state.z = wheelset.z;
+  placed.state.yaw = wheelset.yaw;
+  placed.state.roll = wheelset.roll;
+  if (input.load)
+  {
+    setLoad(*input.load, track_frame, placed.state);
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    if (input.rail_force[side])
+    {
+      requireFinite(input.rail_force[side]->wrench, side == 0 ? "left rail force" : "right rail force");
+      placed.state.rail_lateral_force[side] = input.rail_force[side]->wrench.force.y;
+    }
+  }
+  return placed;
+}
+
+bool InputPreparation::isReady(const ContactInput& input, const tf2::BufferCore& transforms) const
+{
+  const std_msgs::Header& header = input.pose->header;
+  return header.frame_id == track_frame_ || !isFrameName(header.frame_id) ||
+         transforms.canTransform(track_frame_, header.frame_id, header.stamp);
+}
+
+PreparedInput InputPreparation::prepare(const ContactInput& input, const tf2::BufferCore& transforms)
+{
+  PreparedInput prepared;
+  prepared.stamp = input.pose->header.stamp;
+  prepared.starts_anew = fresh_start_.startsAnew(prepared.stamp);
+  try
+  {
+    prepared.placed = toState(input, track_frame_, transforms);
+  }
+  catch (const UnusableInput& error)
+  {
+    prepared.status = error.status();
+    prepared.reason = error.what();
+  }
+  return prepared;
+}
+}  // namespace wheel_rail_contact

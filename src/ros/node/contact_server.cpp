@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/contact_server.h"
+
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "ros/markers/contact_markers.h"
+#include "ros/markers/track_markers.h"
+#include "ros/parameters/node_parameters.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr std::uint32_t queue_size = 1000;       ///< of roscpp's queues
+constexpr std::uint32_t marker_queue_size = 2;   ///< pictures are only worth seeing when new
+constexpr double diagnostics_period = 1.0;       ///< [s]
+constexpr double transform_poll_period = 0.002;  ///< [s]
+constexpr double warning_period = 10.0;          ///< between warnings of one node [s]
+}  // namespace
+
+ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : nh_(nh),
+      private_nh_(private_nh),
+      config_(readNodeParameters(private_nh_)),
+      pairing_(config_),
+      preparation_(config_),
+      evaluator_(config_),
+      listener_(transforms_, nh_),
+      jobs_(input_capacity),
+      neighbours_(config_),
+      diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
+{
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("wheel-rail contact", this, &ContactServer::report);
+  advertise();
+  subscribe();
+  diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(diagnostics_period),
+                                           [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
+  worker_ = std::thread(&ContactServer::work, this);
+}
+
+ContactServer::~ContactServer()
+{
+  diagnostics_timer_.stop();
+  for (ros::Subscriber& subscriber : subscribers_)
+  {
+    subscriber.shutdown();
+  }
+  jobs_.close();
+  if (!ros::isShuttingDown())
+  {
+    worker_.join();  // the answer in hand is still published
+  }
+  tellUnanswered();
+  if (worker_.joinable())
+  {
+    worker_.join();
+  }
+}
+
+void ContactServer::tellUnanswered()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::uint64_t unanswered = inputs_ - jobs_.dropped() - statistics_.answered();
+  if (unanswered == 0)
+  {
+    return;
+  }
+  const std::string text = private_nh_.getNamespace() + " ends, inputs unanswered: " + std::to_string(unanswered);
+  if (ros::isShuttingDown())
+  {
+    std::cerr << text << std::endl;  // the log is closed
+  }
+  else
+  {
+    ROS_WARN("%s", text.c_str());
+  }
+}
+
+void ContactServer::advertise()
+{
+  contact_publisher_ = private_nh_.advertise<WheelsetContact>("contact", queue_size);
+  marker_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", marker_queue_size);
+  profile_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("profiles", 1, true);
+  profile_publisher_.publish(profileMarkers(config_));
+}
+
+void ContactServer::subscribe()
+{
+  using geometry_msgs::PoseStamped;
+  using geometry_msgs::WrenchStamped;
+  subscribeToInput<PoseStamped>("wheelset/pose", [this](const auto& pose) { return pairing_.addPose(pose); });
+  if (pairing_.usesLoad())
+  {
+    subscribeToInput<WrenchStamped>("wheelset/load", [this](const auto& load) { return pairing_.addLoad(load); });
+  }
+  if (pairing_.usesRailForces())
+  {
+    for (const core::Side side : {core::Side::left, core::Side::right})
+    {
+      subscribeToInput<WrenchStamped>(
+          side == core::Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force",
+          [this, side](const auto& force) { return pairing_.addRailForce(side, force); });
+    }
+  }
+  subscribeToNeighbours();
+}
+
+template <typename Message, typename Take>
+void ContactServer::subscribeToInput(const std::string& topic, const Take& take)
+{
+  subscribeAtOnce<Message>(topic,
+                           [this, take](const boost::shared_ptr<const Message>& message)
+                           {
+                             const std::lock_guard<std::mutex> lock(mutex_);
+                             if (auto input = take(message))
+                             {
+                               jobs_.push({std::move(*input), ros::WallTime::now()});
+                               ++inputs_;
+                             }
+                           });
+}
+
+template <typename Message>
+void ContactServer::subscribeAtOnce(const std::string& topic,
+                                    const boost::function<void(const boost::shared_ptr<const Message>&)>& receive)
+{
+  auto options = ros::SubscribeOptions::create<Message>(topic, queue_size, receive, nullptr, &immediate_);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  subscribers_.push_back(nh_.subscribe(options));
+}
+
+void ContactServer::subscribeToNeighbours()
+{
+  for (std::size_t i = 0; i < config_.neighbours.size(); ++i)
+  {
+    const std::string& topic = config_.neighbours[i].topic;
+    if (nh_.resolveName(topic) == private_nh_.resolveName("contact"))
+    {
+      throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
+                                  topic + " is this node's own");
+    }
+    subscribeAtOnce<NeighbourAnswer>(topic,
+                                     [this, i](const boost::shared_ptr<const NeighbourAnswer>& answer)
+                                     {
+                                       const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+                                       neighbours_.add(i, *answer);
+                                     });
+  }
+}
+
+void ContactServer::work()
+{
+  while (const auto job = jobs_.pop())
+  {
+    try
+    {
+      waitForTransform(*job);
+      answer(job->input);
+    }
+    catch (const std::exception& error)
+    {
+      ROS_ERROR_THROTTLE(1.0, "internal error: %s", error.what());
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++statistics_.internal_errors;
+      statistics_.last_reason = error.what();
+    }
+  }
+}
+
+/// The deadline counts from the job's arrival, so a transform that never comes delays answers but does not slow them.
+void ContactServer::waitForTransform(const Job& job) const
+{
+  const ros::WallTime deadline = job.arrival + ros::WallDuration(InputPreparation::transform_patience);
+  while (!preparation_.isReady(job.input, transforms_) && ros::WallTime::now() < deadline && !jobs_.closed())
+  {
+    ros::WallDuration(transform_poll_period).sleep();
+  }
+}
+
+PreparedInput ContactServer::prepare(const ContactInput& input)
+{
+  PreparedInput prepared = preparation_.prepare(input, transforms_);
+  const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+  const NeighbourEffect effect = neighbours_.effectAt(prepared.stamp);
+  prepared.placed.state.rail_offset = effect.deflection;
+  prepared.lacks_neighbour = !effect.complete;
+  return prepared;
+}
+
+void ContactServer::answer(const ContactInput& input)
+{
+  const ros::WallTime start = ros::WallTime::now();
+  const ContactAnswer answer = evaluator_.answer(prepare(input));
+  const double solve_time = (ros::WallTime::now() - start).toSec();
+  const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
+  if (wants_message)
+  {
+    contact_publisher_.publish(toMessage(answer, true, solve_time));
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (ros::isShuttingDown())
+    {
+      return;  // nobody gets this answer
+    }
+    statistics_.count(answer, solve_time);
+    statistics_.messages_built += wants_message ? 1U : 0U;
+  }
+  warn(answer.beyond_linear_range);
+  if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
+  {
+    publishMarkers(answer);
+  }
+}
+
+void ContactServer::warn(const std::string& beyond_linear_range)
+{
+  if (!beyond_linear_range.empty() && ros::WallTime::now() >= next_warning_)
+  {
+    ROS_WARN("%s: %s", private_nh_.getNamespace().c_str(), beyond_linear_range.c_str());
+    next_warning_ = ros::WallTime::now() + ros::WallDuration(warning_period);
+  }
+}
+
+/// At the wanted rate, and for the last answer before a pause: it is drawn when its time comes, unless a newer input
+/// does.
+bool ContactServer::pictureIsDue()
+{
+  const double left = (next_picture_ - ros::WallTime::now()).toSec();
+  return left <= 0 || !jobs_.waitForEntry(left);
+}
+
+void ContactServer::publishMarkers(const ContactAnswer& answer)
+{
+  visualization_msgs::MarkerArray markers = contactMarkers(answer, config_);
+  shown_markers_ = appendDeletions(shown_markers_, answer.header, markers);
+  marker_publisher_.publish(markers);
+  next_picture_ = ros::WallTime::now() + ros::WallDuration(1 / config_.markers.rate);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++statistics_.marker_arrays_built;
+}
+
+void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  statistics_.pairing = pairing_.counts();
+  statistics_.overload = jobs_.dropped();
+  diagnose(statistics_, reported_, status);
+  reported_ = statistics_;
+  statistics_.solve_time_max = 0;
+}
+}  // namespace wheel_rail_contact

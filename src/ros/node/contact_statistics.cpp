@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/contact_statistics.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ros/node/conversions.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr std::array<const char*, ContactStatistics::statuses> status_names{
+    "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM"};
+constexpr std::array<const char*, PairingCounts::reasons> drop_names{
+    "no partner of near enough stamp", "stamp given twice", "time went back", "waited too long for a partner"};
+
+template <typename Counts>
+std::uint64_t total(const Counts& counts)
+{
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+void summarize(const ContactStatistics& now, const ContactStatistics& before,
+               diagnostic_updater::DiagnosticStatusWrapper& report)
+{
+  const std::uint64_t answered = now.answered() - before.answered();
+  const std::uint64_t unusable = answered - (now.usable() - before.usable());
+  const std::uint64_t errors = now.internal_errors - before.internal_errors;
+  const std::uint64_t dropped = now.dropped() - before.dropped();
+  if (errors > 0)
+  {
+    report.summaryf(DiagnosticStatus::ERROR, "internal error: %s", now.last_reason.c_str());
+  }
+  else if (answered > 0 && unusable == answered)
+  {
+    report.summaryf(DiagnosticStatus::ERROR, "no answer usable: %s", now.last_reason.c_str());
+  }
+  else if (unusable > 0)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers not usable: %s", unusable, answered,
+                    now.last_reason.c_str());
+  }
+  else if (dropped > 0)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu inputs dropped", dropped);
+  }
+  else if (answered == 0 && now.pairing.received > before.pairing.received)
+  {
+    report.summary(DiagnosticStatus::WARN, "what comes in finds no partner");
+  }
+  else if (now.lacking_neighbour > before.lacking_neighbour)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers lack a neighbour's forces",
+                    now.lacking_neighbour - before.lacking_neighbour, answered);
+  }
+  else if (now.beyond_linear_range > before.beyond_linear_range)
+  {
+    report.summary(DiagnosticStatus::WARN, now.last_beyond_linear_range);
+  }
+  else if (now.above_tolerance > before.above_tolerance)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers with an error estimate above contact/tolerance",
+                    now.above_tolerance - before.above_tolerance, answered);
+  }
+  else if (answered > 0)
+  {
+    report.summaryf(DiagnosticStatus::OK, "%lu answers", answered);
+  }
+  else
+  {
+    report.summary(DiagnosticStatus::OK, "no input");
+  }
+}
+
+void addTimes(const ContactStatistics& now, const ContactStatistics& before,
+              diagnostic_updater::DiagnosticStatusWrapper& report)
+{
+  const std::uint64_t answered = now.answered() - before.answered();
+  const double sum = now.solve_time_sum - before.solve_time_sum;
+  report.addf("solve time, mean [ms]", "%.3f", answered > 0 ? 1e3 * sum / static_cast<double>(answered) : 0.0);
+  report.addf("solve time, max [ms]", "%.3f", 1e3 * now.solve_time_max);
+}
+}  // namespace
+
+const char* statusName(std::uint8_t status)
+{
+  return status_names.at(status);
+}
+
+const char* dropName(DropReason reason)
+{
+  return drop_names.at(static_cast<std::size_t>(reason));
+}
+
+void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
+{
+  ++answers.at(answer.status);
+  if (!answer.beyond_linear_range.empty())
+  {
+    ++beyond_linear_range;
+    last_beyond_linear_range = answer.beyond_linear_range;
+  }
+  above_tolerance += answer.above_tolerance ? 1U : 0U;
+  lacking_neighbour += answer.lacks_neighbour ? 1U : 0U;
+  solve_time_sum += solve_time;
+  solve_time_max = std::max(solve_time_max, solve_time);
+  if (!answer.reason.empty())
+  {
+    last_reason = answer.reason;
+  }
+}
+
+std::uint64_t ContactStatistics::answered() const
+{
+  return total(answers);
+}
+
+std::uint64_t ContactStatistics::usable() const
+{
+  std::uint64_t sum = 0;
+  for (std::uint8_t status = 0; status < statuses; ++status)
+  {
+    sum += isUsable(status) ? answers[status] : 0;
+  }
+  return sum;
+}
+
+std::uint64_t ContactStatistics::dropped() const
+{
+  return total(pairing.dropped) + overload;
+}
+
+void diagnose(const ContactStatistics& now, const ContactStatistics& before,
+              diagnostic_updater::DiagnosticStatusWrapper& report)
+{
+  summarize(now, before, report);
+  report.add("messages received", now.pairing.received);
+  report.add("messages waiting for a partner", now.pairing.waiting);
+  for (std::size_t i = 0; i < drop_names.size(); ++i)
+  {
+    report.add(std::string("messages dropped: ") + drop_names[i], now.pairing.dropped[i]);
+  }
+  report.add("inputs dropped: overload", now.overload);
+  report.add("answers", now.answered());
+  for (std::size_t i = 0; i < status_names.size(); ++i)
+  {
+    report.add(std::string("answers ") + status_names[i], now.answers[i]);
+  }
+  report.add("internal errors", now.internal_errors);
+  report.add("answers beyond the table's linear range", now.beyond_linear_range);
+  report.add("last beyond the table's linear range", now.last_beyond_linear_range);
+  report.add("answers with an error estimate above contact/tolerance", now.above_tolerance);
+  report.add("answers that lack a neighbour's forces", now.lacking_neighbour);
+  report.add("contact messages built", now.messages_built);
+  report.add("marker arrays built", now.marker_arrays_built);
+  addTimes(now, before, report);
+  report.add("last reason", now.last_reason);
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/conversions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// Status constants of the message by ContactStatus.
+constexpr std::array<std::uint8_t, 5> status_constants{WheelsetContact::OK, WheelsetContact::LIFT_OFF,
+                                                       WheelsetContact::OFF_PROFILE, WheelsetContact::NOT_CONVERGED,
+                                                       WheelsetContact::INVALID_INPUT};
+
+/// Name of a normal method in a patch, alive as long as the program: never `auto`, but the one it chose.
+std::string_view methodNamed(const std::string& name)
+{
+  for (const core::NormalMethod method : core::all_normal_methods)
+  {
+    if (method != core::NormalMethod::automatic && name == toString(method))
+    {
+      return toString(method);
+    }
+  }
+  throw std::invalid_argument("contact patch: method '" + name + "' is unknown");
+}
+
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
+{
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
+}  // namespace
+
+std::uint8_t toMessage(core::ContactStatus status)
+{
+  return status_constants.at(static_cast<std::size_t>(status));
+}
+
+core::ContactStatus statusFromMessage(std::uint8_t status)
+{
+  if (status == WheelsetContact::NO_TRANSFORM)
+  {
+    return core::ContactStatus::invalid_input;
+  }
+  for (std::size_t i = 0; i < status_constants.size(); ++i)
+  {
+    if (status_constants[i] == status)
+    {
+      return static_cast<core::ContactStatus>(i);
+    }
+  }
+  throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
+}
+
+bool isUsable(std::uint8_t status)
+{
+  return status == WheelsetContact::OK || status == WheelsetContact::LIFT_OFF;
+}
+
+core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose)
+{
+  const Eigen::Vector3d axle = pose.linear().col(1);
+  return {pose.translation().y(), pose.translation().z(), std::atan2(-axle.x(), axle.y()),
+          std::asin(std::clamp(axle.z(), -1.0, 1.0))};
+}
+
+geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x)
+{
+  geometry_msgs::Pose message;
+  message.position.x = x;
+  message.position.y = pose.y;
+  message.position.z = pose.z;
+  message.orientation = toMessage(Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX()));
+  return message;
+}
+
+geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x)
+{
+  geometry_msgs::Pose message;
+  message.position.x = x + pose.x;
+  message.position.y = pose.y;
+  message.position.z = pose.z;
+  message.orientation = toMessage(Eigen::Quaterniond(Eigen::AngleAxisd(pose.angle, Eigen::Vector3d::UnitX())));
+  return message;
+}
+
+core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
+{
+  core::PatchPose result;
+  result.x = pose.position.x - x;
+  result.y = pose.position.y;
+  result.z = pose.position.z;
+  result.angle = 2 * std::atan2(pose.orientation.x, pose.orientation.w);
+  return result;
+}
+
+PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& pressure)
+{
+  if (grid.nx < 0 || grid.ny < 0 || pressure.rows() != grid.nx || pressure.cols() != grid.ny)
+  {
+    throw std::invalid_argument("pressure grid: " + std::to_string(pressure.rows()) + " x " +
+                                std::to_string(pressure.cols()) + " values for a grid of " + std::to_string(grid.nx) +
+                                " x " + std::to_string(grid.ny));
+  }
+  PressureGrid message;
+  message.nx = static_cast<std::uint32_t>(grid.nx);
+  message.ny = static_cast<std::uint32_t>(grid.ny);
+  message.dx = grid.dx;
+  message.dy = grid.dy;
+  message.x0 = grid.x(0);
+  message.y0 = grid.y0;
+  message.pressure.resize(static_cast<std::size_t>(pressure.size()));
+  Eigen::Map<Eigen::ArrayXXf>(message.pressure.data(), grid.nx, grid.ny) = pressure.cast<float>();
+  return message;
+}
+
+void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::ArrayXXd& pressure)
+{
+  constexpr std::uint32_t largest = 1U << 15U;  // of either count, so that their product is safe
+  if (message.nx > largest || message.ny > largest || message.pressure.size() != std::size_t{message.nx} * message.ny)
+  {
+    throw std::invalid_argument("pressure grid: " + std::to_string(message.pressure.size()) + " values for a grid of " +
+                                std::to_string(message.nx) + " x " + std::to_string(message.ny));
+  }
+  core::PatchGrid result;
+  result.nx = static_cast<int>(message.nx);
+  result.ny = static_cast<int>(message.ny);
+  result.dx = message.dx;
+  result.dy = message.dy;
+  result.y0 = message.y0;
+  if (result.nx > 0 && std::abs(result.x(0) - message.x0) > 1e-9 * std::abs(result.nx * message.dx))
+  {
+    throw std::invalid_argument("pressure grid: its middle is not at x = 0");
+  }
+  grid = result;
+  pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();
+}
+
+RailDeflection toMessage(const core::RailResult& rail)
+{
+  RailDeflection message;
+  message.lateral = rail.deflection.lateral;
+  message.vertical = rail.deflection.vertical;
+  message.roll = rail.deflection.roll;
+  message.lateral_force = rail.lateral_force;
+  message.vertical_force = rail.vertical_force;
+  message.moment = rail.moment;
+  message.coupled = rail.coupled;
+  return message;
+}
+
+core::RailResult fromMessage(const RailDeflection& message)
+{
+  core::RailResult rail;
+  rail.deflection.lateral = message.lateral;
+  rail.deflection.vertical = message.vertical;
+  rail.deflection.roll = message.roll;
+  rail.lateral_force = message.lateral_force;
+  rail.vertical_force = message.vertical_force;
+  rail.moment = message.moment;
+  rail.coupled = message.coupled != 0;
+  return rail;
+}
+
+ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
+{
+  ContactPatch message;
+  message.side = patch.side == core::Side::left ? ContactPatch::LEFT : ContactPatch::RIGHT;
+  message.method = std::string(patch.method);
+  message.pose = toMessage(patch.pose, x);
+  message.contact_angle = patch.contact_angle;
+  message.normal_force = patch.normal_force;
+  message.approach = patch.approach;
+  message.area = patch.area;
+  message.max_pressure = patch.max_pressure;
+  message.error_estimate = patch.error_estimate;
+  message.iterations = static_cast<std::uint32_t>(patch.iterations);
+  message.residual = patch.residual;
+  message.half_space_ratio = patch.half_space_ratio;
+  if (with_grid)
+  {
+    message.grid = toMessage(patch.grid, patch.pressure);
+  }
+  return message;
+}
+
+core::PatchResult fromMessage(const ContactPatch& message, double x)
+{
+  if (message.side != ContactPatch::LEFT && message.side != ContactPatch::RIGHT)
+  {
+    throw std::invalid_argument("contact patch: side " + std::to_string(message.side) + " is unknown");
+  }
+  core::PatchResult patch;
+  patch.side = message.side == ContactPatch::LEFT ? core::Side::left : core::Side::right;
+  patch.method = methodNamed(message.method);
+  patch.pose = patchPoseFromMessage(message.pose, x);
+  patch.contact_angle = message.contact_angle;
+  patch.normal_force = message.normal_force;
+  patch.approach = message.approach;
+  patch.area = message.area;
+  patch.max_pressure = message.max_pressure;
+  patch.error_estimate = message.error_estimate;
+  patch.iterations = static_cast<int>(message.iterations);
+  patch.residual = message.residual;
+  patch.half_space_ratio = message.half_space_ratio;
+  fromMessage(message.grid, patch.grid, patch.pressure);
+  return patch;
+}
+
+WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool with_grids)
+{
+  WheelsetContact message;
+  message.status = toMessage(result.status);
+  message.status_text = result.reason;
+  message.wheelset = toMessage(core::WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
+  message.left_rail = toMessage(result.rail[0]);
+  message.right_rail = toMessage(result.rail[1]);
+  message.patches.reserve(result.patches.size());
+  for (const core::PatchResult& patch : result.patches)
+  {
+    message.patches.push_back(toMessage(patch, x, with_grids));
+  }
+  return message;
+}
+
+core::WheelsetResult fromMessage(const WheelsetContact& message)
+{
+  core::WheelsetResult result;
+  result.status = statusFromMessage(message.status);
+  result.reason = message.status_text;
+  const auto& p = message.wheelset.position;
+  const auto& o = message.wheelset.orientation;
+  const core::WheelsetPose pose =
+      toWheelsetPose(Eigen::Translation3d(p.x, p.y, p.z) * Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized());
+  result.y = pose.y;
+  result.z = pose.z;
+  result.yaw = pose.yaw;
+  result.roll = pose.roll;
+  result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
+  for (const ContactPatch& patch : message.patches)
+  {
+    result.patches.push_back(fromMessage(patch, p.x));
+  }
+  return result;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/neighbour_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "ros/node/conversions.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr auto longest_age_ns = static_cast<std::int64_t>(1e9 * NeighbourForces::longest_age);
+
+/// From one stamp to another [ns]. (ros::Duration throws above 68 years, and stamps may be anything.)
+std::int64_t ageAt(const ros::Time& stamp, const ros::Time& earlier)
+{
+  return static_cast<std::int64_t>(stamp.toNSec()) - static_cast<std::int64_t>(earlier.toNSec());
+}
+
+core::RailForce forceOn(const RailDeflection& rail)
+{
+  return {rail.lateral_force, rail.vertical_force, rail.moment};
+}
+
+/// A foreign message may hold anything.
+bool isFinite(const core::RailForce& force)
+{
+  return std::isfinite(force.lateral) && std::isfinite(force.vertical) && std::isfinite(force.moment);
+}
+}  // namespace
+
+NeighbourForces::NeighbourForces(const NodeConfig& config) : inclination_(config.model.track.rail_inclination)
+{
+  for (const NeighbourConfig& neighbour : config.neighbours)
+  {
+    neighbours_.push_back({neighbour.influence, {}});
+  }
+}
+
+void NeighbourForces::add(std::size_t neighbour, const NeighbourAnswer& answer)
+{
+  std::deque<Answer>& answers = neighbours_.at(neighbour).answers;
+  while (!answers.empty() && answers.back().stamp >= answer.stamp)
+  {
+    answers.pop_back();
+  }
+  if (answers.size() == most_kept)
+  {
+    answers.pop_front();
+  }
+  answers.push_back({answer.stamp, forcesOf(answer)});
+}
+
+std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const NeighbourAnswer& answer)
+{
+  const Forces forces{forceOn(answer.left_rail), forceOn(answer.right_rail)};
+  return isUsable(answer.status) && isFinite(forces[0]) && isFinite(forces[1]) ? std::optional(forces) : std::nullopt;
+}
+
+bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
+{
+  return std::all_of(
+      neighbours_.begin(), neighbours_.end(),
+      [&stamp](const Neighbour& neighbour)
+      { return !neighbour.answers.empty() && ageAt(stamp, neighbour.answers.front().stamp) >= longest_age_ns; });
+}
+
+NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
+{
+  NeighbourEffect effect;
+  std::array<std::vector<core::NeighbourForce>, 2> forces;
+  for (const Neighbour& neighbour : neighbours_)
+  {
+    const Forces* known = forcesAt(neighbour, stamp);
+    effect.complete = effect.complete && known != nullptr;
+    if (known != nullptr)
+    {
+      forces[0].push_back({neighbour.influence, (*known)[0]});
+      forces[1].push_back({neighbour.influence, (*known)[1]});
+    }
+  }
+  effect.deflection = {neighbourDeflection(forces[0], inclination_), neighbourDeflection(forces[1], inclination_)};
+  return effect;
+}
+
+/// Of the newest answer before the stamp; null if there is none, or it is too old or not usable.
+const NeighbourForces::Forces* NeighbourForces::forcesAt(const Neighbour& neighbour, const ros::Time& stamp)
+{
+  const auto& answers = neighbour.answers;
+  const auto after = std::lower_bound(answers.begin(), answers.end(), stamp,
+                                      [](const Answer& answer, const ros::Time& t) { return answer.stamp < t; });
+  if (after == answers.begin())
+  {
+    return nullptr;
+  }
+  const Answer& newest = *(after - 1);
+  return newest.forces && ageAt(stamp, newest.stamp) <= longest_age_ns ? &*newest.forces : nullptr;
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/Pose.h>
+#include <ros/message_traits.h>
+#include <ros/serialization.h>
+#include <ros/time.h>
+#include <std_msgs/Header.h>
+
+#include <cstdint>
+#include <string>
+
+#include <wheel_rail_contact/WheelsetContact.h>
+
+namespace wheel_rail_contact
+{
+/// What a wheelset needs to know of a neighbour's answer. It is read from a message WheelsetContact up to the patches,
+/// which may be large, or damaged and claim to be.
+struct NeighbourAnswer
+{
+  ros::Time stamp;                            ///< of the neighbour's input
+  std::uint8_t status = WheelsetContact::OK;  ///< constant of the message WheelsetContact
+  RailDeflection left_rail;                   ///< as in the message
+  RailDeflection right_rail;                  ///< as in the message
+};
+}  // namespace wheel_rail_contact
+
+namespace ros
+{
+namespace message_traits
+{
+/// That of the whole message.
+template <>
+struct MD5Sum<wheel_rail_contact::NeighbourAnswer> : MD5Sum<wheel_rail_contact::WheelsetContact>
+{
+};
+/// That of the whole message.
+template <>
+struct DataType<wheel_rail_contact::NeighbourAnswer> : DataType<wheel_rail_contact::WheelsetContact>
+{
+};
+}  // namespace message_traits
+
+namespace serialization
+{
+/// Reads the fields in the order of WheelsetContact.msg.
+template <>
+struct Serializer<wheel_rail_contact::NeighbourAnswer>
+{
+  /// @throw StreamOverrunException if the message ends before its patches.
+  template <typename Stream>
+  static void read(Stream& stream, wheel_rail_contact::NeighbourAnswer& answer)
+  {
+    std_msgs::Header header;
+    std::string status_text;
+    geometry_msgs::Pose wheelset;
+    stream.next(header);
+    stream.next(answer.status);
+    stream.next(status_text);
+    stream.next(wheelset);
+    stream.next(answer.left_rail);
+    stream.next(answer.right_rail);
+    answer.stamp = header.stamp;
+  }
+};
+}  // namespace serialization
+}  // namespace ros

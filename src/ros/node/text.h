@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "core/track/placement.h"
+
+namespace wheel_rail_contact
+{
+/// As printf() prints it; of a longer text the first 255 bytes.
+template <typename... Values>
+std::string formatted(const char* format, Values... values)
+{
+  std::array<char, 256> text{};
+  const int length = std::snprintf(text.data(), text.size(), format, values...);
+  return {text.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), text.size() - 1)};
+}
+
+/// `left` or `right`.
+inline const char* sideName(core::Side side)
+{
+  return side == core::Side::left ? "left" : "right";
+}
+}  // namespace wheel_rail_contact

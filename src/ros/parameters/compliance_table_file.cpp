@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/compliance_table_file.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "ros/parameters/parameter_reader.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+const NumberRule positive_or_infinite{"a number > 0 or .inf", [](double v) { return v > 0; }};
+const NumberRule fixed_depth{"0.014 [m]", [](double v) { return v == core::ComplianceTable::reference_depth; }};
+
+void readRequired(ParameterReader& reader, const std::string& name, const NumberRule& rule, double& value)
+{
+  reader.require(name, "every key of the table is required");
+  reader.read(name, rule, value);
+}
+
+core::ComplianceTable readCompliances(ParameterReader& reader, const NumberRule& diagonal)
+{
+  core::ComplianceTable table;
+  readRequired(reader, "lateral_lateral", diagonal, table.lateral_lateral);
+  readRequired(reader, "lateral_roll", rules::finite, table.lateral_roll);
+  readRequired(reader, "roll_roll", diagonal, table.roll_roll);
+  readRequired(reader, "vertical_vertical", diagonal, table.vertical_vertical);
+  return table;
+}
+
+std::vector<core::RailInfluence> readNeighbours(ParameterReader& reader)
+{
+  reader.require("neighbours", "every key of the table is required; [] if there is none");
+  std::vector<core::RailInfluence> neighbours;
+  for (ParameterReader& neighbour : reader.readGroups("neighbours"))
+  {
+    double distance = 0;
+    readRequired(neighbour, "distance", rules::positive, distance);
+    if (!neighbours.empty() && distance <= neighbours.back().distance)
+    {
+      neighbour.refuse("distance", "greater than the one before it");
+    }
+    neighbours.push_back({distance, readCompliances(neighbour, rules::finite)});
+    neighbour.refuseUnknown();
+  }
+  return neighbours;
+}
+
+/// Takes the remarks for readers out of the tree.
+void takeProvenance(ParameterTree& tree, const std::string& file)
+{
+  const std::string group = "provenance/";
+  const auto first = tree.lower_bound(group);
+  auto last = first;
+  while (last != tree.end() && last->first.rfind(group, 0) == 0)
+  {
+    ++last;
+  }
+  if (first == last)
+  {
+    throw std::invalid_argument(file + ": provenance is missing: say where the numbers come from");
+  }
+  tree.erase(first, last);
+}
+}  // namespace
+
+ComplianceTableFile readComplianceTable(const std::string& file)
+{
+  ParameterTree tree = readParameterFile(file);
+  takeProvenance(tree, file);
+  ParameterReader reader(std::move(tree), file + ": ");
+  ComplianceTableFile result;
+  reader.require("name", "every key of the table is required");
+  reader.read("name", result.name);
+  double depth = 0;
+  readRequired(reader, "reference_depth", fixed_depth, depth);
+  result.table = readCompliances(reader, rules::positive);
+  const core::ComplianceTable& table = result.table;
+  if (!(table.lateral_lateral * table.roll_roll > table.lateral_roll * table.lateral_roll))
+  {
+    reader.refuse("lateral_roll",
+                  "smaller than the root of lateral_lateral times roll_roll (positive definite matrix)");
+  }
+  readRequired(reader, "linear_range_lateral_to_vertical", positive_or_infinite, result.linear_range);
+  result.neighbours = readNeighbours(reader);
+  reader.refuseUnknown();
+  return result;
+}
+}  // namespace wheel_rail_contact

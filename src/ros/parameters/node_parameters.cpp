@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/node_parameters.h"
+
+#include <ros/param.h>
+
+#include <filesystem>
+
+namespace wheel_rail_contact
+{
+NodeConfig readNodeParameters(const ros::NodeHandle& private_nh)
+{
+  const std::string& name = private_nh.getNamespace();
+  XmlRpc::XmlRpcValue value;
+  ros::param::get(name, value);  // false if the node has no parameter at all: the tree is empty then
+  return readNodeConfig(parameterTree(toYaml(value)), name + "/", std::filesystem::current_path().string());
+}
+}  // namespace wheel_rail_contact

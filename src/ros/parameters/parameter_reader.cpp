@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/parameter_reader.h"
+
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+namespace wheel_rail_contact
+{
+namespace rules
+{
+const NumberRule finite{"a finite number", [](double v) { return std::isfinite(v); }};
+const NumberRule positive{"a finite number > 0", [](double v) { return std::isfinite(v) && v > 0; }};
+const NumberRule not_negative{"a finite number >= 0", [](double v) { return std::isfinite(v) && v >= 0; }};
+const NumberRule whole{"a whole number within 1000000",
+                       [](double v) { return std::abs(v) <= 1e6 && std::floor(v) == v; }};
+}  // namespace rules
+
+namespace
+{
+/// The number that the whole text stands for, with YAML's words for infinity and not-a-number.
+std::optional<double> parseNumber(const std::string& text)
+{
+  const std::size_t sign = (text.rfind('-', 0) == 0 || text.rfind('+', 0) == 0) ? 1 : 0;
+  const std::string word = text.substr(sign);
+  if (word == ".inf" || word == "inf")
+  {
+    return (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
+  }
+  if (word == ".nan" || word == "nan")
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  stream >> std::noskipws >> value;
+  if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof())
+  {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const auto& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+}  // namespace
+
+ParameterReader::ParameterReader(ParameterTree tree, std::string prefix)
+    : tree_(std::move(tree)), prefix_(std::move(prefix))
+{
+}
+
+const YAML::Node* ParameterReader::find(const std::string& name)
+{
+  asked_.insert(name);
+  const auto entry = tree_.find(name);
+  if (entry == tree_.end())
+  {
+    return nullptr;
+  }
+  if (entry->second.IsNull())
+  {
+    throw std::invalid_argument("parameter " + prefix_ + name + " has no value");
+  }
+  return &entry->second;
+}
+
+const std::string& ParameterReader::scalar(const std::string& name, const YAML::Node& node,
+                                           const std::string& rule) const
+{
+  if (!node.IsScalar())
+  {
+    refuse(name, rule);
+  }
+  return node.Scalar();
+}
+
+void ParameterReader::read(const std::string& name, const NumberRule& rule, double& value)
+{
+  const YAML::Node* node = find(name);
+  if (!node)
+  {
+    return;
+  }
+  const auto number = parseNumber(scalar(name, *node, rule.text));
+  if (!number || !rule.holds(*number))
+  {
+    refuse(name, rule.text);
+  }
+  value = *number;
+}
+
+void ParameterReader::read(const std::string& name, const NumberRule& rule, int& value)
+{
+  double number = value;
+  read(name, rule, number);
+  value = static_cast<int>(number);
+}
+
+bool ParameterReader::readRatio(const std::string& name, const NumberRule& rule, double& value)
+{
+  const YAML::Node* node = find(name);
+  if (!node || !node->IsScalar() || node->Scalar().rfind("1:", 0) != 0)
+  {
+    return false;
+  }
+  const auto number = parseNumber(node->Scalar().substr(2));
+  if (!number || !rule.holds(*number))
+  {
+    refuse(name, rule.text);
+  }
+  value = *number;
+  return true;
+}
+
+void ParameterReader::read(const std::string& name, std::string& value)
+{
+  if (const YAML::Node* node = find(name))
+  {
+    value = scalar(name, *node, "a word");
+  }
+}
+
+void ParameterReader::read(const std::string& name, std::vector<std::string>& words)
+{
+  const YAML::Node* node = find(name);
+  if (!node)
+  {
+    return;
+  }
+  if (!node->IsSequence())
+  {
+    refuse(name, "a list of words");
+  }
+  words.clear();
+  for (const auto& entry : *node)
+  {
+    words.push_back(scalar(name, entry, "a list of words"));
+  }
+}
+
+std::vector<ParameterReader> ParameterReader::readGroups(const std::string& name)
+{
+  std::vector<ParameterReader> groups;
+  const YAML::Node* node = find(name);
+  if (!node)
+  {
+    return groups;
+  }
+  if (!node->IsSequence())
+  {
+    refuse(name, "a list of groups");
+  }
+  for (const auto& entry : *node)
+  {
+    if (!entry.IsMap())
+    {
+      refuse(name, "a list of groups");
+    }
+    groups.emplace_back(parameterTree(entry), prefix_ + name + "/");
+  }
+  return groups;
+}
+
+bool ParameterReader::isNumber(const std::string& name) const
+{
+  const auto entry = tree_.find(name);
+  return entry != tree_.end() && entry->second.IsScalar() && parseNumber(entry->second.Scalar()).has_value();
+}
+
+void ParameterReader::require(const std::string& name, const std::string& why) const
+{
+  if (!has(name))
+  {
+    throw std::invalid_argument("parameter " + prefix_ + name + " is missing: " + why);
+  }
+}
+
+void ParameterReader::refuseUnknown() const
+{
+  for (const auto& entry : tree_)
+  {
+    if (asked_.count(entry.first) == 0)
+    {
+      throw std::invalid_argument("parameter " + prefix_ + entry.first +
+                                  " is unknown; known names there: " + siblingsOf(entry.first));
+    }
+  }
+}
+
+void ParameterReader::refuse(const std::string& name, const std::string& rule) const
+{
+  const auto entry = tree_.find(name);
+  std::string value;
+  if (entry != tree_.end())
+  {
+    YAML::Emitter text;
+    text << YAML::Flow << entry->second;
+    value = std::string(" = ") + text.c_str();
+  }
+  throw std::invalid_argument("parameter " + prefix_ + name + value + " must be " + rule);
+}
+
+void ParameterReader::refuseChoice(const std::string& name, const std::vector<std::string>& words) const
+{
+  refuse(name, "one of " + joined(words));
+}
+
+/// The known names in the nearest known group around `name`.
+std::string ParameterReader::siblingsOf(const std::string& name) const
+{
+  std::string group = name;
+  std::vector<std::string> known;
+  while (known.empty())
+  {
+    const auto slash = group.rfind('/');
+    group = slash == std::string::npos ? "" : group.substr(0, slash);
+    for (const auto& candidate : asked_)
+    {
+      if (group.empty() || candidate.rfind(group + "/", 0) == 0)
+      {
+        known.push_back(candidate);
+      }
+    }
+    if (group.empty())
+    {
+      break;
+    }
+  }
+  return joined(known);
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/parameter_tree.h"
+
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr int deepest = 16;          ///< groups within one another
+constexpr int most_entries = 10000;  ///< by aliases a short file can hold any number, and itself
+
+/// Takes the parameters of a document out of its groups.
+class Collector
+{
+ public:
+  void collect(const YAML::Node& group, const std::string& prefix, int depth)
+  {
+    if (depth > deepest)
+    {
+      throw std::invalid_argument("parameters: more than " + std::to_string(deepest) + " groups within one another");
+    }
+    for (const auto& entry : group)
+    {
+      take(entry.first, entry.second, prefix, depth);
+    }
+  }
+
+  ParameterTree tree;
+
+ private:
+  void take(const YAML::Node& key, const YAML::Node& value, const std::string& prefix, int depth)
+  {
+    if (!key.IsScalar())
+    {
+      throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is no name");
+    }
+    if (++entries_ > most_entries)
+    {
+      throw std::invalid_argument("parameters: more than " + std::to_string(most_entries) + " names");
+    }
+    const std::string name = prefix + key.Scalar();
+    if (value.IsMap())
+    {
+      collect(value, name + "/", depth + 1);
+    }
+    else if (!tree.emplace(name, value).second)
+    {
+      throw std::invalid_argument("parameter " + name + " is given twice");
+    }
+  }
+
+  int entries_ = 0;
+};
+
+std::string digits(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << value;
+  return text.str();
+}
+
+YAML::Node listToYaml(const XmlRpc::XmlRpcValue& value)
+{
+  YAML::Node node(YAML::NodeType::Sequence);
+  int i = 0;  // the iterators of XmlRpcValue are for groups only
+  while (i < value.size())
+  {
+    node.push_back(toYaml(value[i++]));
+  }
+  return node;
+}
+
+YAML::Node groupToYaml(const XmlRpc::XmlRpcValue& value)
+{
+  YAML::Node node(YAML::NodeType::Map);
+  for (const auto& entry : value)
+  {
+    node[entry.first] = toYaml(entry.second);
+  }
+  return node;
+}
+}  // namespace
+
+ParameterTree parameterTree(const YAML::Node& document)
+{
+  if (!document.IsDefined() || document.IsNull())
+  {
+    return {};
+  }
+  if (!document.IsMap())
+  {
+    throw std::invalid_argument("parameters: a map of names and values is wanted");
+  }
+  Collector collector;
+  collector.collect(document, "", 1);
+  return collector.tree;
+}
+
+ParameterTree readParameterFile(const std::string& file)
+{
+  try
+  {
+    return parameterTree(YAML::LoadFile(file));
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw std::invalid_argument(file + ": " + error.what());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(file + ": " + error.what());
+  }
+}
+
+YAML::Node toYaml(const XmlRpc::XmlRpcValue& value)
+{
+  using XmlRpc::XmlRpcValue;
+  switch (value.getType())
+  {
+    case XmlRpcValue::TypeInvalid:
+      return YAML::Node(YAML::NodeType::Null);
+    case XmlRpcValue::TypeBoolean:
+      return YAML::Node(static_cast<const bool&>(value) ? "true" : "false");
+    case XmlRpcValue::TypeInt:
+      return YAML::Node(std::to_string(static_cast<const int&>(value)));
+    case XmlRpcValue::TypeDouble:
+      return YAML::Node(digits(static_cast<const double&>(value)));
+    case XmlRpcValue::TypeString:
+      return YAML::Node(static_cast<const std::string&>(value));
+    case XmlRpcValue::TypeArray:
+      return listToYaml(value);
+    case XmlRpcValue::TypeStruct:
+      return groupToYaml(value);
+    default:
+      throw std::invalid_argument("parameters: dates and binary data are no parameter values");
+  }
+}
+
+ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper)
+{
+  ParameterTree result = upper;
+  result.insert(base.begin(), base.end());
+  return result;
+}
+}  // namespace wheel_rail_contact

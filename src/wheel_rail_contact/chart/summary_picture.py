@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Summary for the README: median error against median time, of wheelsets and of the normal problem alone."""
+import math
+
+from .front import over_scenes
+from .picture import METHODS, STYLE, decades, grid_text, save, setting_label, share_labels
+
+SIZE = (8.3, 5.15)  # [in]; a browser that shows the picture 830 px wide shows 9 pt as 12.5 px
+# Grids of conjugate gradients with a label: its offset [pt] and alignment.
+LABELLED = {"8×16": ((-6, -7), "right"), "16×48": ((-6, -7), "right"), "64×128": ((7, -1), "left")}
+
+
+def draw(plot, rows, facts, paths):
+    """Writes the picture of the warm rows to each path."""
+    rows = [row for row in rows if row.start == "warm"]
+    panels = ((wheelsets(rows), "Complete wheelset", "time per wheelset [ms]"),
+              (general_gaps(rows), "Pressure of one wheel alone", "time per pressure calculation [ms]"))
+    with plot.rc_context(STYLE):
+        figure, places = plot.subplots(1, 2, sharex=True, sharey=True, figsize=SIZE)
+        figure.subplots_adjust(left=0.075, right=0.99, top=0.87, bottom=0.24, wspace=0.04)
+        points = []
+        for axes, (group, title, xlabel) in zip(places, panels):
+            axes.set_title(f"{title}: median of {len({row.scene for row in group})} scenes", fontsize=10)
+            axes.set_xlabel(xlabel)
+            points += _draw_panel(axes, medians(group))
+        places[0].set_ylabel("error [%]")
+        places[0].text(0.025, 0.03, "↙ faster and more accurate", transform=places[0].transAxes, color="0.35")
+        _scale(places[0], points)
+        figure.legend(*_legend(), loc="upper center", ncol=len(METHODS), frameon=False, borderaxespad=0.4,
+                      columnspacing=1.2, handlelength=1.5, handletextpad=0.4)
+        figure.text(0.012, 0.015, _note(facts), fontsize=8.5, color="0.25", va="bottom", linespacing=1.35)
+        save(plot, figure, paths, dpi=200)
+
+
+def wheelsets(rows):
+    return [row for row in rows if row.kind == "wheelset"]
+
+
+def general_gaps(rows):
+    """The normal problems without those for which auto chooses Hertz's closed form, which is exact there."""
+    exact = {row.scene for row in rows if row.method == "auto" and row.solver == "hertz"}
+    return [row for row in rows if row.kind == "normal" and row.scene not in exact]
+
+
+def medians(rows):
+    """{method: [(time [ms], error [%], label)]}, without the settings whose median error is infinite."""
+    points = {}
+    for (method, setting), (time, error) in over_scenes(rows).items():
+        if error < math.inf:
+            points.setdefault(method, []).append((1e3 * time, 100 * error, setting_label(method, setting)))
+    return points
+
+
+def _draw_panel(axes, points):
+    """Returns all points."""
+    for place, (method, (_, colour, marker)) in enumerate(METHODS.items()):
+        times, errors, _ = zip(*points[method]) if method in points else ((), (), ())
+        auto = method == "auto"
+        axes.plot(times, errors, color=colour, marker=marker, markersize=13 if auto else 6, linewidth=1.2,
+                  markeredgecolor="white", markeredgewidth=0.6, zorder=3 + place)
+    axes.set(xscale="log", yscale="log")
+    axes.grid(color="0.9")
+    axes.set_axisbelow(True)
+    for point in points.get("conjugate_gradient", []):
+        if point[2] in LABELLED:
+            _label(axes, "conjugate_gradient", point[2], point, *LABELLED[point[2]])
+    for place, group in enumerate(share_labels(points.get("auto", []))):
+        text = ", ".join(label for _, _, label in group)
+        _label(axes, "auto", text if place else f"auto {text}", group[0], (8, 5 - 2 * place), "left")
+    return [point for series in points.values() for point in series]
+
+
+def _label(axes, method, text, point, offset, alignment):
+    from matplotlib.patheffects import withStroke
+    axes.annotate(text, point[:2], offset, textcoords="offset points", ha=alignment, va="center",
+                  color=METHODS[method][1], zorder=20, path_effects=[withStroke(linewidth=2.5, foreground="white")])
+
+
+def _scale(axes, points):
+    times, errors, _ = zip(*points)
+    axes.set(xlim=(min(times) / 2, 2 * max(times)), ylim=(min(errors) / 2, 2 * max(errors)))
+    axes.set_xticks(*decades(*axes.get_xlim()))
+    axes.set_yticks(*decades(*axes.get_ylim()))
+    axes.minorticks_off()
+
+
+def _legend():
+    from matplotlib.lines import Line2D
+    handles = [Line2D([], [], color=colour, marker=marker, markersize=11 if method == "auto" else 6)
+               for method, (_, colour, marker) in reversed(METHODS.items())]
+    return handles, [name for name, _, _ in reversed(METHODS.values())]
+
+
+def _note(facts):
+    return ("Error: largest relative error of peak pressure, area and approach, against a reference on "
+            f"{grid_text(facts['truth'])} cells.\n"
+            f"Time: CPU time of one thread on {facts['machine']}, warm start.\n"
+            "Labels: tolerance of auto (black), cells of the grid (blue). Not drawn: grids without a result in half or "
+            "more of the scenes.\n"
+            "Right: only the scenes for which Hertz's formula is not exact.")

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact and bending rail solved together: against rails held where they went, and where the plain iteration between
+// the two fails.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "core/balance/wheelset_balance.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "wheelset_scene.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double wheel_load = 1e5;  ///< [N]
+
+ContactModelConfig onPads(const ComplianceTable& table)
+{
+  ContactModelConfig config = manchesterScene();
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = table;
+  return config;
+}
+
+/// Lateral deflections [m] of the plain iteration: contact on a rail held still, rail moved to where the forces put it,
+/// and again. One wheel on the side it is pushed to, `y` outward, no roll.
+std::vector<double> plainIteration(double y, int steps)
+{
+  const ContactModelConfig config = onPads(verySoftPads());
+  const PlacedRail straight(config.rail_profile, config.track);
+  ConjugateGradients solver;
+  WheelContact wheel(config, solver);
+  RailDeflection deflection;
+  std::vector<double> lateral;
+  for (int step = 0; step < steps; ++step)
+  {
+    wheel.reset();
+    wheel.setRail(straight.deflected(deflection));
+    for (int pass = 0; pass < 5; ++pass)  // plane and box settle
+    {
+      if (wheel.solveLoad(wheel.touch({y, 0, 0, 0}), wheel_load, {16, 64}) != WheelStatus::solved)
+      {
+        return {};
+      }
+      wheel.learn();
+    }
+    const WheelForces force = wheel.forces();
+    deflection =
+        deflectionInTrack(config.rail_bending.table, {force.outward, force.vertical, force.moment}, config.track.rail_inclination);
+    lateral.push_back(deflection.lateral);
+  }
+  return lateral;
+}
+}  // namespace
+
+// By symmetry both rails bend alike, and can be held there. On one grid both solutions differ by the residual they
+// leave, 2e-5, and by where their planes and boxes came to lie.
+TEST(Coupling, RailsHeldWhereTheyWentCarryTheSameForces)
+{
+  ContactModelConfig config = onPads(softPads());
+  config.contact.cells_along = 32;
+  config.contact.cells_across = 128;
+  config.contact.tolerance = 0.001;  // for planes and rails, the grid being given
+  WheelsetContact bending(config);
+  const WheelsetResult a = bending.evaluate(stateAt(0, wheel_load));
+  ASSERT_EQ(a.status, ContactStatus::ok) << a.reason;
+  config.rail_bending.model = RailBendingConfig::Model::prescribed;
+  config.rail_bending.prescribed = a.rail[0].deflection;
+  WheelsetContact held(config);
+  const WheelsetResult& b = held.evaluate(stateAt(0, wheel_load));
+  ASSERT_EQ(b.status, ContactStatus::ok) << b.reason;
+  EXPECT_NEAR(a.rail[0].lateral_force / b.rail[0].lateral_force, 1, 1e-3);
+  EXPECT_NEAR(wheelTotal(a, Side::left).max_pressure / wheelTotal(b, Side::left).max_pressure, 1, 5e-4);
+  EXPECT_NEAR(wheelTotal(a, Side::left).area / wheelTotal(b, Side::left).area, 1, 1e-3);
+  EXPECT_NEAR(a.z, b.z, 1e-3 * 1e-4);  // of an approach of 0.1 mm
+}
+
+TEST(Coupling, PlainIterationSettlesOnTheTread)
+{
+  const std::vector<double> lateral = plainIteration(0, 12);
+  ASSERT_FALSE(lateral.empty());
+  EXPECT_NEAR(lateral.back(), lateral[lateral.size() - 2], 1e-6);
+}
+
+// On the flange the rail's answer to a force takes the force away.
+TEST(Coupling, PlainIterationSwingsAtTheFlange)
+{
+  const std::vector<double> lateral = plainIteration(6.5e-3, 16);
+  ASSERT_FALSE(lateral.empty());
+  const auto [least, most] = std::minmax_element(lateral.end() - 6, lateral.end());
+  EXPECT_GT(*most - *least, 0.5e-3);
+}
+
+TEST(Coupling, SoftRailAtTheFlangeIsSolved)
+{
+  const ContactModelConfig config = onPads(verySoftPads());
+  for (const double y : {-6.0e-3, -6.5e-3, -7e-3})
+  {
+    WheelsetContact contact(config);
+    const WheelsetResult& result = contact.evaluate(stateAt(y, wheel_load));
+    EXPECT_EQ(result.status, ContactStatus::ok) << result.reason << " at y = " << y;
+    EXPECT_GT(result.rail[1].deflection.lateral, 1e-3) << "y " << y;
+  }
+}
+
+// The height fixes the sum of what rail and contact give way; the rail gives way fifty times as far. A load is found to
+// what a tenth of the tolerance of the approach is on the rail's compliance, and the height itself is known to the
+// tolerance of the approach.
+TEST(Coupling, SolvedHeightAndRollGivenBackCarryTheSameLoads)
+{
+  for (const ComplianceTable& table : {softPads(), verySoftPads()})
+  {
+    ContactModelConfig config = onPads(table);
+    WheelsetContact solved(config);
+    config.wheelset.solve_height_and_roll = false;
+    WheelsetContact given(config);
+    for (const double y : {0.0, 1e-3, -2.5e-3, 4e-3, 6.5e-3, -8e-3})
+    {
+      const WheelsetResult& found = solved.evaluate(stateAt(y, wheel_load));
+      ASSERT_EQ(found.status, ContactStatus::ok) << found.reason << " at y = " << y;
+      WheelsetState back = stateAt(y, 0);
+      back.z = found.z;
+      back.roll = found.roll;
+      const WheelsetResult& again = given.evaluate(back);
+      ASSERT_EQ(again.status, ContactStatus::ok) << again.reason << " at y = " << y;
+      for (const Side side : {Side::left, Side::right})
+      {
+        EXPECT_NEAR(wheelTotal(again, side).vertical / wheel_load, 1, config.contact.tolerance) << "y " << y;
+      }
+    }
+  }
+}
+
+// The same states on the same grid with the rails' bending left out where it is judged too small, and always in.
+TEST(Coupling, LeavingItOutNeverCostsMoreThanTheTolerance)
+{
+  constexpr int seed = 17;
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(random); };
+  int left_out = 0;
+  int states = 0;
+  for (const double tolerance : {0.003, 0.01, 0.03, 0.1})
+  {
+    for (const double stiffness : {0.5, 2.0, 8.0, 32.0})
+    {
+      const ComplianceTable soft = softPads();
+      ContactModelConfig config = onPads({soft.lateral_lateral / stiffness, soft.lateral_roll / stiffness,
+                                          soft.roll_roll / stiffness, soft.vertical_vertical / stiffness});
+      config.contact.cells_along = 16;
+      config.contact.cells_across = 64;
+      config.contact.tolerance = tolerance;
+      WheelsetContact as_needed(config);
+      config.contact.tolerance = 1e-4;
+      WheelsetContact always(config);
+      for (int k = 0; k < 70; ++k)
+      {
+        const WheelsetState state = stateAt(uniform(-7e-3, 7e-3), uniform(1e4, 1.5e5), k % 2 * uniform(-0.01, 0.01));
+        as_needed.reset();
+        always.reset();
+        const WheelsetResult& a = as_needed.evaluate(state);
+        const WheelsetResult& b = always.evaluate(state);
+        if (!isUsable(a.status) || !isUsable(b.status))
+        {
+          continue;
+        }
+        ++states;
+        for (const Side side : {Side::left, Side::right})
+        {
+          const WheelTotal mine = wheelTotal(a, side);
+          const WheelTotal full = wheelTotal(b, side);
+          if (!a.rail[static_cast<std::size_t>(side)].coupled)
+          {
+            ++left_out;
+            EXPECT_NEAR(mine.max_pressure / full.max_pressure, 1, tolerance) << "seed " << seed << ", y " << state.y;
+            EXPECT_NEAR(mine.area / full.area, 1, tolerance) << "seed " << seed << ", y " << state.y;
+          }
+        }
+        if (!a.rail[0].coupled && !a.rail[1].coupled)
+        {
+          EXPECT_NEAR(a.z, b.z, tolerance * 1e-4) << "seed " << seed << ", y " << state.y;
+        }
+      }
+    }
+  }
+  EXPECT_GT(states, 1000);
+  EXPECT_GT(left_out, 400);
+}
+
+// 0.05 mm a message, from the middle to the gauge corner.
+TEST(Coupling, WarmSweepTakesAHandfulOfSolutions)
+{
+  const ContactModelConfig config = onPads(softPads());
+  const MethodLadder ladder(config);
+  WheelsetBalance balance(config, ladder);
+  std::vector<int> solutions;
+  int before = 0;
+  for (int k = 0; k <= 120; ++k)
+  {
+    ASSERT_EQ(balance.solve(stateAt(-k * 0.05e-3, wheel_load)), ContactStatus::ok) << "k " << k;
+    solutions.push_back(balance.wheel(Side::right).solutions() - before);
+    before = balance.wheel(Side::right).solutions();
+  }
+  std::sort(solutions.begin(), solutions.end());
+  EXPECT_LE(solutions[solutions.size() / 2], 3);
+  EXPECT_LE(solutions[solutions.size() * 95 / 100], 6);
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a co-simulation at 1 kHz relies on: on one grid and with one patch a wheel, an evaluation allocates no memory.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "../../manchester_scene.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
+
+#ifdef __GLIBC__
+namespace
+{
+long allocations = 0;
+bool counting = false;
+}  // namespace
+
+extern "C" void* __libc_malloc(std::size_t size);
+
+// Counts every allocation of the program, those of Eigen and of operator new included.
+extern "C" void* malloc(std::size_t size)
+{
+  allocations += counting ? 1 : 0;
+  return __libc_malloc(size);
+}
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+void sweep(WheelsetContact& contact, double yaw)
+{
+  for (int k = -80; k <= 80; ++k)
+  {
+    WheelsetState state;
+    state.y = k * 0.05e-3;
+    state.force_z = -200e3;
+    state.yaw = yaw;
+    ASSERT_TRUE(isUsable(contact.evaluate(state).status)) << "y = " << state.y;
+  }
+}
+
+long allocationsOnThirdSweep(const ContactModelConfig& config, double yaw = 0)
+{
+  WheelsetContact contact(config);
+  sweep(contact, yaw);
+  sweep(contact, yaw);  // has met the jump back from one end to the other, too
+  allocations = 0;
+  counting = true;
+  sweep(contact, yaw);
+  counting = false;
+  return allocations;
+}
+
+ContactModelConfig onOneGrid()
+{
+  ContactModelConfig config = manchesterScene();
+  config.contact.method = NormalMethod::conjugate_gradient;
+  return config;
+}
+
+TEST(HotPath, counterSeesAnAllocation)
+{
+  allocations = 0;
+  counting = true;
+  std::free(std::malloc(16));
+  counting = false;
+  EXPECT_EQ(allocations, 1);
+}
+
+TEST(HotPath, stiffRailsAllocateNothing)
+{
+  EXPECT_EQ(allocationsOnThirdSweep(onOneGrid()), 0);
+}
+
+TEST(HotPath, aYawedWheelsetAllocatesNothing)
+{
+  EXPECT_EQ(allocationsOnThirdSweep(onOneGrid(), 0.005), 0);
+}
+
+// Grids without symmetry are prepared ahead, too: what is left at their first message is room for twice the cells.
+TEST(HotPath, firstYawedMessagesComputeNoCoefficients)
+{
+  WheelsetContact contact(onOneGrid());
+  sweep(contact, 0);
+  allocations = 0;
+  counting = true;
+  sweep(contact, 0.005);
+  counting = false;
+  // A set of coefficients alone takes more than this: tables of the grid's rows and columns, spectrum, factors.
+  EXPECT_LE(allocations, 40);
+}
+
+TEST(HotPath, bendingRailsAllocateNothing)
+{
+  ContactModelConfig config = onOneGrid();
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = softPads();
+  EXPECT_EQ(allocationsOnThirdSweep(config), 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core
+#endif

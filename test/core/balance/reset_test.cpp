@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "wheelset_scene.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+void expectSameBits(const PatchResult& a, const PatchResult& b)
+{
+  EXPECT_EQ(a.side, b.side);
+  EXPECT_EQ(a.pose.y, b.pose.y);
+  EXPECT_EQ(a.pose.z, b.pose.z);
+  EXPECT_EQ(a.pose.angle, b.pose.angle);
+  EXPECT_EQ(a.normal_force, b.normal_force);
+  EXPECT_EQ(a.max_pressure, b.max_pressure);
+  EXPECT_EQ(a.area, b.area);
+  EXPECT_EQ(a.approach, b.approach);
+  EXPECT_EQ(a.error_estimate, b.error_estimate);
+  ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
+  ASSERT_EQ(a.pressure.cols(), b.pressure.cols());
+  EXPECT_TRUE((a.pressure == b.pressure).all());
+}
+
+void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
+{
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.z, b.z);
+  EXPECT_EQ(a.roll, b.roll);
+  ASSERT_EQ(a.patches.size(), b.patches.size());
+  for (std::size_t k = 0; k < a.patches.size(); ++k)
+  {
+    expectSameBits(a.patches[k], b.patches[k]);
+  }
+}
+
+/// States as different as a run can meet.
+const WheelsetState varied_states[] = {stateAt(0, 1e5), stateAt(3e-3, 2e4), stateAt(-5.2e-3, 1e5, 0.005),
+                                       stateAt(7e-3, 8e4), stateAt(-1e-3, 1e3)};
+
+}  // namespace
+
+TEST(ResetTest, ResetMakesAnObjectAsNew)
+{
+  const ContactModelConfig scene = manchesterScene();
+  WheelsetContact used(scene);
+  for (const WheelsetState& state : varied_states)
+  {
+    for (const WheelsetState& before : varied_states)
+    {
+      used.evaluate(before);
+    }
+    used.reset();
+    WheelsetContact fresh(scene);
+    expectSameBits(used.evaluate(state), fresh.evaluate(state));
+  }
+}
+
+// Three centimetres off the track no search finds an answer, with loads found or with the height given to the normal
+// solution.
+TEST(ResetTest, AFailureWithHeightGivenOnBendingRailsLeavesNothing)
+{
+  ContactModelConfig scene = manchesterScene();
+  scene.rail_bending.model = RailBendingConfig::Model::compliance;
+  scene.rail_bending.table = softPads();
+  WheelsetContact by_load(scene);
+  WheelsetState given = stateAt(2e-3, 1e5);
+  const WheelsetResult& found = by_load.evaluate(given);
+  given.z = found.z;
+  given.roll = found.roll;
+  scene.wheelset.solve_height_and_roll = false;
+  WheelsetState lost = given;
+  lost.y = 0.03;
+
+  WheelsetContact used(scene);
+  EXPECT_FALSE(isUsable(used.evaluate(lost).status));
+  used.reset();
+  WheelsetContact fresh(scene);
+  const WheelsetResult& answer = used.evaluate(given);
+  ASSERT_TRUE(isUsable(answer.status)) << answer.reason;
+  expectSameBits(answer, fresh.evaluate(given));
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "core/normal/solvers/hertz.h"
+#include "wheelset_scene.h"
+
+/// A cone on a rail head of one arc: Hertz's case.
+namespace wheel_rail_contact::core::round_bodies
+{
+constexpr double crown_radius = 0.3;
+constexpr double half_head = 0.036;
+
+/// Rail head of one arc, wide enough for the wheel, with upright sides for the gauge.
+inline Profile arcRail()
+{
+  const double half_angle = std::asin(half_head / crown_radius);
+  const double edge = -crown_radius * (1 - std::cos(half_angle));
+  const double depth = 0.03;
+  return {"arc",
+          {{LineSection{-half_head, edge - depth, 0, 1}, depth},
+           {ArcSection{0, -crown_radius, crown_radius, 0.5 * M_PI + half_angle, -1}, 2 * half_angle * crown_radius},
+           {LineSection{half_head, edge, 0, -1}, depth}}};
+}
+
+/// Wheel of one straight line, rising to the field side by `slope`.
+inline Profile coneWheel(double slope)
+{
+  const double length = std::hypot(1, slope);
+  return {"cone", {{LineSection{-0.06, -0.06 * slope, 1 / length, slope / length}, 0.12 * length}}};
+}
+
+inline ContactModelConfig scene(double slope)
+{
+  ContactModelConfig scene;
+  scene.wheel_profile = std::make_shared<Profile>(coneWheel(slope));
+  scene.rail_profile = std::make_shared<Profile>(arcRail());
+  scene.track.rail_inclination = 0;
+  return scene;
+}
+
+/// The left wheel's contact under a load of each wheel [N], the wheelset at `y`: gap A x² + B y² with
+/// A = cos(a) / (2 R) at the touch (radius of the cone's normal section, R / cos(a)) and B = 1 / (2 * 300 mm).
+inline HertzContact exactContact(const ContactModelConfig& scene, double slope, double y, double load)
+{
+  const double cosine = 1 / std::hypot(1, slope);
+  const double place = 0.5 * scene.track.gauge + half_head - crown_radius * std::sin(std::atan(slope));
+  const double radius = scene.wheelset.rolling_radius - slope * (place - y - scene.wheelset.halfBase());
+  return hertzForForce({0.5 * cosine / radius, 0.5 / crown_radius},
+                       contactModulus(scene.wheel_material, scene.rail_material), load / cosine);
+}
+}  // namespace wheel_rail_contact::core::round_bodies

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "wheelset_scene.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+/// Loads of the wheels: force and moment about the axle's centre, carried at the running circles.
+double wheelLoad(const ContactModelConfig& config, const WheelsetState& state, Side side)
+{
+  const double transfer = state.torque_x / (2 * config.wheelset.halfBase());
+  return -0.5 * state.force_z + (side == Side::left ? -transfer : transfer);
+}
+
+class WheelsetBalanceTest : public testing::Test
+{
+ protected:
+  double within(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  WheelsetState randomState()
+  {
+    WheelsetState state = stateAt(within(-6e-3, 6e-3), std::exp(within(std::log(2e3), std::log(2e5))));
+    state.yaw = within(-1, 1) > 0 ? 0 : within(-0.02, 0.02);
+    state.torque_x = within(-0.5, 0.5) * state.force_z * scene_.wheelset.halfBase();
+    return state;
+  }
+  void expectLoads(const WheelsetState& state, const WheelsetResult& result, double tolerance)
+  {
+    for (const Side side : {Side::left, Side::right})
+    {
+      const double load = wheelLoad(scene_, state, side);
+      EXPECT_NEAR(wheelTotal(result, side).vertical, load, tolerance * load);
+      EXPECT_NEAR(result.rail[static_cast<std::size_t>(side)].vertical_force, load, tolerance * load);
+    }
+  }
+
+  const unsigned seed_ = 20111U;
+  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
+  std::mt19937 random_{seed_};
+  ContactModelConfig scene_ = manchesterScene();
+};
+}  // namespace
+
+TEST_F(WheelsetBalanceTest, CentredWheelsetStandsUprightAndLoadsBothWheelsAlike)
+{
+  WheelsetContact contact(scene_);
+  const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
+  ASSERT_EQ(result.status, ContactStatus::ok);
+  EXPECT_NEAR(result.roll, 0, 1e-15);  // rounding of the axle's height over its length
+  EXPECT_EQ(result.rail[0].lateral_force, result.rail[1].lateral_force);
+}
+
+// The normal solution holds the load by construction; 1e-6 leaves room for the sums over cells alone.
+TEST_F(WheelsetBalanceTest, EachWheelCarriesItsShareOfForceAndMoment)
+{
+  WheelsetContact contact(scene_);
+  for (int i = 0; i < 100; ++i)
+  {
+    const WheelsetState state = randomState();
+    const WheelsetResult& result = contact.evaluate(state);
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason << " at y " << state.y << " yaw " << state.yaw;
+    expectLoads(state, result, 1e-6);
+  }
+}
+
+TEST_F(WheelsetBalanceTest, LoadsStayTrueAfterManyWarmMessages)
+{
+  WheelsetContact contact(scene_);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const WheelsetState state = stateAt(4e-3 * std::sin(0.0125 * i), 1e5 * (1 + 0.3 * std::sin(0.07 * i)));
+    const WheelsetResult& result = contact.evaluate(state);
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason << " at y " << state.y;
+    expectLoads(state, result, 1e-6);
+  }
+}
+
+// Height and roll given back as they were found must carry the loads again, within half the tolerance of 1 %: the
+// balance leaves open a roll that changes a wheel's height by 2 um of a descent of 100 um, made up for to first order,
+// and a descent within 1 % of that for which the gap was built. Measured: 0.09 %.
+TEST_F(WheelsetBalanceTest, SolvedHeightAndRollGivenBackCarryTheSameLoads)
+{
+  ContactModelConfig given_scene = scene_;
+  given_scene.wheelset.solve_height_and_roll = false;
+  for (ContactModelConfig* scene : {&scene_, &given_scene})
+  {
+    scene->contact.method = NormalMethod::conjugate_gradient;
+    scene->contact.cells_along = 16;
+    scene->contact.cells_across = 64;
+  }
+  WheelsetContact solved(scene_);
+  WheelsetContact given(given_scene);
+  for (const double y : {0.0, 1e-3, -2.5e-3, 4e-3, -6e-3, 8e-3})
+  {
+    WheelsetState state = stateAt(y, 8e4);
+    state.torque_x = 2e4;
+    const WheelsetResult& found = solved.evaluate(state);
+    ASSERT_EQ(found.status, ContactStatus::ok) << found.reason;
+    WheelsetState back = state;
+    back.z = found.z;
+    back.roll = found.roll;
+    back.force_z = back.torque_x = 0;
+    const WheelsetResult& again = given.evaluate(back);
+    ASSERT_EQ(again.status, ContactStatus::ok) << again.reason;
+    EXPECT_EQ(again.z, found.z);
+    EXPECT_EQ(again.roll, found.roll);
+    expectLoads(state, again, 0.005);
+  }
+}
+
+TEST_F(WheelsetBalanceTest, UnloadedWheelLiftsOffAndTheOtherCarriesAll)
+{
+  WheelsetContact contact(scene_);
+  for (const double sign : {1.0, -1.0})
+  {
+    for (const double excess : {1.0, 1.5})
+    {
+      WheelsetState state = stateAt(1e-3, 5e4);
+      state.torque_x = sign * excess * 1e5 * scene_.wheelset.halfBase();
+      const Side carrying = sign > 0 ? Side::right : Side::left;
+      const Side lifted = sign > 0 ? Side::left : Side::right;
+      const WheelsetResult& result = contact.evaluate(state);
+      ASSERT_EQ(result.status, ContactStatus::lift_off) << result.reason;
+      EXPECT_FALSE(result.reason.empty());
+      const double load = wheelLoad(scene_, state, carrying);
+      EXPECT_NEAR(wheelTotal(result, carrying).vertical, load, 1e-6 * load);
+      EXPECT_EQ(wheelTotal(result, lifted).patches, 0);
+      EXPECT_EQ(result.rail[static_cast<std::size_t>(lifted)].vertical_force, 0);
+      EXPECT_EQ(result.rail[static_cast<std::size_t>(lifted)].lateral_force, 0);
+    }
+  }
+}
+
+// What rounding leaves of two forces that should cancel is no load.
+TEST_F(WheelsetBalanceTest, LoadOfRoundingIsNone)
+{
+  for (const double left : {1e-11, 1e-15, 1e-300})
+  {
+    WheelsetContact contact(scene_);
+    WheelsetState state = stateAt(6e-3, left);
+    EXPECT_EQ(contact.evaluate(state).status, ContactStatus::lift_off) << left;
+    state = stateAt(6e-3, 5e4);
+    state.torque_x = (1 - left / 5e4) * 1e5 * scene_.wheelset.halfBase();
+    const WheelsetResult& result = contact.evaluate(state);
+    EXPECT_EQ(result.status, ContactStatus::lift_off) << left << " N of 5e4 N: " << result.reason;
+    EXPECT_EQ(result.rail[0].vertical_force, 0);
+  }
+}
+
+TEST_F(WheelsetBalanceTest, WheelsetWithoutLoadTouchesAndCarriesNothing)
+{
+  WheelsetContact contact(scene_);
+  for (const double force : {0.0, 1e4})
+  {
+    WheelsetState state;
+    state.force_z = force;
+    const WheelsetResult& result = contact.evaluate(state);
+    EXPECT_EQ(result.status, ContactStatus::lift_off) << result.reason;
+    EXPECT_TRUE(result.patches.empty());
+    EXPECT_TRUE(std::isfinite(result.z));
+    EXPECT_TRUE(std::isfinite(result.roll));
+  }
+}
+
+// Lift-off is no lasting damage: the next loaded state is answered as before.
+TEST_F(WheelsetBalanceTest, WheelsetComesDownAgainAfterLiftOff)
+{
+  WheelsetContact contact(scene_);
+  const WheelsetResult before = contact.evaluate(stateAt(1e-3, 1e5));
+  contact.evaluate(stateAt(1e-3, 0));
+  const WheelsetResult after = contact.evaluate(stateAt(1e-3, 1e5));
+  ASSERT_EQ(after.status, ContactStatus::ok);
+  EXPECT_NEAR(after.z, before.z, 1e-7);  // 0.1 % of a descent of 80 um
+  EXPECT_NEAR(wheelTotal(after, Side::left).max_pressure, wheelTotal(before, Side::left).max_pressure,
+              0.02 * wheelTotal(before, Side::left).max_pressure);  // twice the tolerance
+}
+
+// A body of linear material: between 10 N and 1 MN the pressure grows without a break.
+TEST_F(WheelsetBalanceTest, LightAndHeavyLoadsAreAnswered)
+{
+  WheelsetContact contact(scene_);
+  for (const double y : {0.0, 3e-3})
+  {
+    double pressure_before = 0;
+    double height_before = 1;
+    for (double load = 10; load < 1.1e6; load *= std::pow(10, 0.25))
+    {
+      contact.reset();
+      const WheelsetState state = stateAt(y, load);
+      const WheelsetResult& result = contact.evaluate(state);
+      ASSERT_EQ(result.status, ContactStatus::ok) << result.reason << " at " << load << " N";
+      expectLoads(state, result, 1e-6);
+      const double pressure = wheelTotal(result, Side::right).max_pressure;
+      EXPECT_GT(pressure, pressure_before);
+      EXPECT_LT(result.z, height_before);
+      pressure_before = pressure;
+      height_before = result.z;
+    }
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "../../manchester_scene.h"
+
+namespace wheel_rail_contact::core
+{
+/// A state under a load of each wheel [N].
+inline WheelsetState stateAt(double y, double wheel_load, double yaw = 0)
+{
+  WheelsetState state;
+  state.y = y;
+  state.yaw = yaw;
+  state.force_z = -2 * wheel_load;
+  return state;
+}
+
+/// What a wheel's patches sum up to.
+struct WheelTotal
+{
+  int patches = 0;
+  double vertical = 0;      ///< [N]
+  double max_pressure = 0;  ///< [Pa]
+  double area = 0;          ///< [m²]
+};
+
+inline WheelTotal wheelTotal(const WheelsetResult& result, Side side)
+{
+  WheelTotal total;
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      ++total.patches;
+      total.vertical += patch.normal_force * std::cos(patch.contact_angle);
+      total.max_pressure = std::max(total.max_pressure, patch.max_pressure);
+      total.area += patch.area;
+    }
+  }
+  return total;
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <stdexcept>
+#include <vector>
+
+#include "problems.h"
+
+/// Exact solution of small normal contact problems, as an oracle for tests.
+namespace wheel_rail_contact::core::problems
+{
+/// Active-set method with a Cholesky factorisation of the loaded cells' matrix in each step: cells with negative
+/// pressure leave, then cells with negative distance enter, until neither is left. All of them at once as long as their
+/// number falls, the worst alone otherwise (Júdice and Pires 1994). Patches are coupled by load and approach only.
+class DenseActiveSet
+{
+ public:
+  /// Pressures by patch [Pa] and the common approach [m].
+  struct Result
+  {
+    std::vector<Eigen::ArrayXXd> pressure;
+    double approach = 0;
+    int factorisations = 0;
+  };
+
+  explicit DenseActiveSet(const NormalProblem& problem) : problem_(problem)
+  {
+    for (const PatchGap& patch : problem.patches)
+    {
+      State state;
+      state.matrix = influenceMatrix(patch.grid, problem.modulus);
+      state.gap = Eigen::Map<const Eigen::VectorXd>(patch.gap.data(), patch.gap.size());
+      state.loaded.assign(static_cast<std::size_t>(patch.gap.size()), true);
+      states_.push_back(std::move(state));
+    }
+  }
+
+  Result solve()
+  {
+    Result result;
+    int least = -1, patience = 10;
+    while (true)
+    {
+      solveLoaded(result.approach);
+      ++result.factorisations;
+      const int wrong = countWrong();
+      if (wrong == 0)
+      {
+        break;
+      }
+      patience = least < 0 || wrong < least ? 10 : patience - 1;
+      least = least < 0 ? wrong : std::min(least, wrong);
+      change(patience > 0);
+      if (result.factorisations > 2000)
+      {
+        throw std::runtime_error("the active set does not settle");
+      }
+    }
+    for (std::size_t k = 0; k < states_.size(); ++k)
+    {
+      const Grid& grid = problem_.patches[k].grid;
+      result.pressure.emplace_back(Eigen::Map<Eigen::ArrayXXd>(states_[k].pressure.data(), grid.rows(), grid.ny));
+    }
+    return result;
+  }
+
+ private:
+  struct State
+  {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd gap, pressure, distance, response, closing;
+    std::vector<bool> loaded;
+  };
+
+  /// Pressure on the loaded cells for zero distance there, and the approach.
+  void solveLoaded(double& approach)
+  {
+    double by_approach = 0, by_gap = 0;  // load = by_approach * approach - by_gap
+    for (std::size_t k = 0; k < states_.size(); ++k)
+    {
+      State& s = states_[k];
+      const PatchGap& patch = problem_.patches[k];
+      s.response = solveOn(s, Eigen::VectorXd::Constant(s.gap.size(), patch.weight));
+      s.closing = solveOn(s, s.gap);
+      by_approach += patch.weight * patch.grid.cellArea() * s.response.sum();
+      by_gap += patch.weight * patch.grid.cellArea() * s.closing.sum();
+    }
+    approach =
+        problem_.control == NormalProblem::Control::load ? (problem_.value + by_gap) / by_approach : problem_.value;
+    for (std::size_t k = 0; k < states_.size(); ++k)
+    {
+      State& s = states_[k];
+      s.pressure = approach * s.response - s.closing;
+      s.distance = s.matrix * s.pressure + s.gap;
+      s.distance.array() -= problem_.patches[k].weight * approach;
+    }
+  }
+
+  static Eigen::VectorXd solveOn(const State& s, const Eigen::VectorXd& right)
+  {
+    std::vector<Eigen::Index> cells;
+    for (std::size_t i = 0; i < s.loaded.size(); ++i)
+    {
+      if (s.loaded[i])
+      {
+        cells.push_back(static_cast<Eigen::Index>(i));
+      }
+    }
+    const auto n = static_cast<Eigen::Index>(cells.size());
+    Eigen::MatrixXd matrix(n, n);
+    Eigen::VectorXd part(n);
+    for (Eigen::Index a = 0; a < n; ++a)
+    {
+      part(a) = right(cells[static_cast<std::size_t>(a)]);
+      for (Eigen::Index b = 0; b < n; ++b)
+      {
+        matrix(a, b) = s.matrix(cells[static_cast<std::size_t>(a)], cells[static_cast<std::size_t>(b)]);
+      }
+    }
+    const Eigen::VectorXd solved = matrix.llt().solve(part);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(right.size());
+    for (Eigen::Index a = 0; a < n; ++a)
+    {
+      all(cells[static_cast<std::size_t>(a)]) = solved(a);
+    }
+    return all;
+  }
+
+  /// Violation of a cell in metres, counting a pressure by the displacement of its own cell; zero if the cell is right.
+  static double violation(const State& s, std::size_t i)
+  {
+    constexpr double rounding = 1e-15;  // [m]
+    const auto at = static_cast<Eigen::Index>(i);
+    const double wrong = s.loaded[i] ? -s.pressure(at) * s.matrix(at, at) : -s.distance(at);
+    return wrong > rounding ? wrong : 0;
+  }
+
+  int countWrong() const
+  {
+    int wrong = 0;
+    for (const State& s : states_)
+    {
+      for (std::size_t i = 0; i < s.loaded.size(); ++i)
+      {
+        wrong += violation(s, i) > 0 ? 1 : 0;
+      }
+    }
+    return wrong;
+  }
+
+  void change(bool all)
+  {
+    double worst = 0;
+    for (const State& s : states_)
+    {
+      for (std::size_t i = 0; i < s.loaded.size(); ++i)
+      {
+        worst = std::max(worst, violation(s, i));
+      }
+    }
+    for (State& s : states_)
+    {
+      for (std::size_t i = 0; i < s.loaded.size(); ++i)
+      {
+        const double wrong = violation(s, i);
+        if (wrong > 0 && (all || wrong == worst))
+        {
+          s.loaded[i] = !s.loaded[i];
+        }
+      }
+    }
+  }
+
+  const NormalProblem& problem_;
+  std::vector<State> states_;
+};
+}  // namespace wheel_rail_contact::core::problems

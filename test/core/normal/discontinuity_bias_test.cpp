@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/measures/discontinuity_bias.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "error_samples.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double modulus = 1.14e11;  // steel on steel [Pa]
+
+/// A bowl along and across, whose curvature across jumps by `jump` times itself at y = `joint`.
+scenes::Gap jointed(double joint, double jump)
+{
+  return [=](double x, double y)
+  {
+    const double beyond = std::max(y - joint, 0.0);
+    return x * x + 4 * (y * y + jump * beyond * beyond);
+  };
+}
+
+/// A patch on cells that hold the pressure of 20 kN on every gap of these tests.
+NormalProblem problemOf(const scenes::Gap& gap, const GridSize& size, bool symmetric = false)
+{
+  NormalProblem problem;
+  problem.modulus = modulus;
+  problem.value = 2e4;
+  problem.patches.resize(1);
+  const double length = 13e-3, width = 7e-3, dx = length / size.along, dy = width / size.across;
+  problem.patches[0].grid = {size.along, size.across, dx, dy, -0.5 * (size.across - 1) * dy, symmetric};
+  scenes::sample(gap, problem.patches[0]);
+  return problem;
+}
+
+PatchPressure solve(const NormalProblem& problem)
+{
+  ConjugateGradients solver(scenes::strictOptions());
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::converged);
+  EXPECT_FALSE(solution.patches[0].touches_border);
+  return solution.patches[0];
+}
+
+JointSums sumsOf(const NormalProblem& problem, const PatchPressure& patch)
+{
+  EdgePolygon polygon;
+  polygon.frame(patch.pressure, patch.grid.symmetric);
+  EXPECT_GT(polygon.cells(patch.grid.dx / patch.grid.dy), 0);
+  return sumAtJoints({polygon, problem.patches[0], problem.modulus, patch.max_pressure});
+}
+
+TEST(JointExcess, smoothGapsHaveNone)
+{
+  const NormalProblem problem = problemOf(jointed(0, 0), {16, 32});
+  const PatchPressure patch = solve(problem);
+  EXPECT_EQ(sumsOf(problem, patch).sizes, 0);
+  EXPECT_EQ(patch.moved_at_joints, 0);
+}
+
+// No side of it is outward to its ends along, which lie on a line beside which nothing is loaded.
+TEST(JointExcess, aSingleColumnIsTheSameFromEitherSide)
+{
+  NormalProblem problem = problemOf(jointed(0.05e-3, 3), {16, 32});
+  PatchGap& gap = problem.patches[0];
+  PatchPressure patch;
+  patch.grid = gap.grid;
+  patch.pressure.setZero(gap.gap.rows(), gap.gap.cols());
+  patch.pressure.block(4, 15, 8, 1) = 1e9;
+  patch.max_pressure = 1e9;
+  const JointSums sums = sumsOf(problem, patch);
+  EXPECT_GT(sums.sizes, 0.01);
+  gap.gap = gap.gap.rowwise().reverse().eval();
+  patch.pressure = patch.pressure.rowwise().reverse().eval();
+  EXPECT_NEAR(sumsOf(problem, patch).excess, sums.excess, 1e-5);
+}
+
+TEST(JointExcess, isTheSameFromWhereverOneLooks)
+{
+  const NormalProblem problem = problemOf(jointed(1.6e-3, -1.1), {16, 32});
+  const PatchPressure patch = solve(problem);
+  const JointSums sums = sumsOf(problem, patch);
+  EXPECT_GT(sums.sizes, 0.1);
+  constexpr double tolerance = 1e-4;  // sums of single precision, in cells
+  const auto look = [&](auto turn)
+  {
+    NormalProblem turned = problem;
+    PatchPressure seen = patch;
+    turned.patches[0].gap = turn(problem.patches[0].gap);
+    seen.pressure = turn(patch.pressure);
+    const JointSums there = sumsOf(turned, seen);
+    EXPECT_NEAR(there.excess, sums.excess, tolerance);
+    EXPECT_NEAR(there.sizes, sums.sizes, tolerance);
+  };
+  look([](const Eigen::ArrayXXd& a) -> Eigen::ArrayXXd { return a.colwise().reverse(); });
+  look([](const Eigen::ArrayXXd& a) -> Eigen::ArrayXXd { return a.rowwise().reverse(); });
+
+  const NormalProblem half = problemOf(jointed(1.6e-3, -1.1), {16, 32}, true);
+  const PatchPressure stored = solve(half);
+  EXPECT_NEAR(2 * sumsOf(half, stored).excess, sums.excess, 1e-3);
+  EXPECT_NEAR(stored.moved_at_joints / patch.moved_at_joints, 1, 1e-3);
+}
+
+/// Errors of areas with what is known of joints and without it, sizes in the mean [cells].
+class AreaErrors
+{
+ public:
+  void add(const scenes::Gap& gap, const GridSize& size)
+  {
+    const NormalProblem problem = problemOf(gap, size);
+    const PatchPressure coarse = solve(problem), fine = solve(problemOf(gap, {96, 192}));
+    const double error = (coarse.area - fine.area) / coarse.grid.cellArea();
+    with_ += std::abs(error);
+    without_ += std::abs(error + sumsOf(problem, coarse).excess);
+    ++count_;
+  }
+  double with() const { return with_ / count_; }
+  double without() const { return without_ / count_; }
+  void print(const char* gaps) const
+  {
+    std::cout << count_ << ' ' << gaps << ": areas " << with() << " cells off in the mean, " << without()
+              << " without what is known of joints\n";
+  }
+
+ private:
+  double with_ = 0, without_ = 0;
+  int count_ = 0;
+};
+
+// Joints from well inside to beyond the edge, jumps to more curvature and to less.
+TEST(JointExcess, areaIsNearerToThatOnFineCells)
+{
+  AreaErrors errors;
+  for (const double jump : {-0.9, -0.5, 1.0, 3.0})
+  {
+    for (double joint = 0.8e-3; joint < 2.5e-3; joint += 0.15e-3)
+    {
+      errors.add(jointed(joint, jump), {12, 24});
+    }
+  }
+  errors.print("joints");
+  EXPECT_LT(errors.with(), 0.6 * errors.without());
+}
+
+// A curvature that grows shows steps as well.
+TEST(JointExcess, areaIsNearerWhereCurvatureGrowsSmoothly)
+{
+  AreaErrors errors;
+  for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 24}})
+  {
+    for (double fourth = 1e5; fourth < 1.5e6; fourth *= 1.3)
+    {
+      errors.add([=](double x, double y) { return x * x + (1 + fourth * y * y) * y * y; }, size);
+    }
+  }
+  errors.print("smooth gaps");
+  EXPECT_LT(errors.with(), 0.6 * errors.without());
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

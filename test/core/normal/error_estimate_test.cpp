@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/estimate/error_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "error_samples.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using scenes::ErrorSample;
+using scenes::Method;
+
+constexpr std::size_t used_grids = 10;  ///< of scenes::grids, the coarsest: up to 16 × 64 cells
+
+/// Fresh random scenes, half wheelsets (whole chain), half gaps; calibration has used seeds 1, 2 and 11.
+std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long seed)
+{
+  std::cout << "seed " << seed << ", " << count << " scenes\n";
+  scenes::Random seeds(seed);
+  scenes::GapSampler gaps;
+  scenes::WheelsetSampler wheelsets(method);
+  std::vector<ErrorSample> samples;
+  for (int i = 0; i < count; ++i)
+  {
+    scenes::Random random(seeds());
+    const GridSize& size = scenes::grids[random() % used_grids];
+    i % 2 == 0 ? wheelsets.sample(scenes::randomWheelsetScene(random), size, samples)
+               : gaps.sample(method, scenes::randomGapScene(method, random), size, random, samples);
+  }
+  return samples;
+}
+
+/// The same by an iteration that is slow: gaps only.
+std::vector<ErrorSample> freshGapSamples(Method method, int count, unsigned long seed)
+{
+  std::cout << "seed " << seed << ", " << count << " scenes\n";
+  scenes::Random seeds(seed);
+  scenes::GapSampler gaps;
+  std::vector<ErrorSample> samples;
+  for (int i = 0; i < count; ++i)
+  {
+    scenes::Random random(seeds());
+    const GridSize& size = scenes::grids[random() % used_grids];
+    gaps.sample(method, scenes::randomGapScene(random), size, random, samples);
+  }
+  return samples;
+}
+
+/// The two demands on an estimate: it holds in 95 of 100 cases, and it is no more than four times the truth in the
+/// median. Truth: the same scene on a grid four times finer each way.
+void expectCalibrated(const std::vector<ErrorSample>& samples)
+{
+  ASSERT_GT(samples.size(), 100U);
+  int held = 0;
+  std::vector<double> ratios;
+  for (const ErrorSample& sample : samples)
+  {
+    held += sample.error.largest() <= sample.estimate.largest() ? 1 : 0;
+    ratios.push_back(sample.estimate.largest() / sample.error.largest());
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+  const double share = static_cast<double>(held) / static_cast<double>(samples.size());
+  const double median = ratios[ratios.size() / 2];
+  std::cout << samples.size() << " patches: true error within the estimate in " << 100 * share
+            << " %, estimate over true error " << median << " in the median\n";
+  EXPECT_GE(share, 0.95);
+  EXPECT_LE(median, 4);
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedOnGrids)
+{
+  expectCalibrated(freshSamples(Method::grid, 260, 211));
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedByHertz)
+{
+  expectCalibrated(freshSamples(Method::hertz, 180, 12));
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedByKikPiotrowski)
+{
+  expectCalibrated(freshSamples(Method::kik_piotrowski, 180, 13));
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedBySeidelAsRepaired)
+{
+  expectCalibrated(freshGapSamples(Method::seidel, 480, 14));
+}
+
+TEST(ErrorEstimate, holdsOnFreshScenesSolvedBySeidelAsPrinted)
+{
+  // Its point forces leave more than the mesh does; about a third of the scenes is refused for cells too long.
+  expectCalibrated(freshGapSamples(Method::seidel_printed, 240, 16));
+}
+
+NormalProblem paraboloid(const GridSize& size, double along, double across)
+{
+  NormalProblem problem;
+  problem.modulus = 1.14e11;
+  problem.value = 5e4;
+  const HertzContact contact = hertzForForce({along, across}, problem.modulus, problem.value);
+  const aspect_ladder::Cell cell =
+      aspect_ladder::coveringCell(2.2 * contact.semi_axis_x, 2.2 * contact.semi_axis_y, size.along, size.across);
+  PatchGap patch;
+  patch.grid = {size.along, size.across, cell.dx, cell.dy, -0.5 * (size.across - 1) * cell.dy, true};
+  scenes::sample([=](double x, double y) { return along * x * x + across * y * y; }, patch);
+  problem.patches.push_back(patch);
+  return problem;
+}
+
+TEST(ErrorEstimate, fallsWithTheCells)
+{
+  ConjugateGradients solver;
+  NormalSolution solution;
+  double before = 1;
+  for (const GridSize& size : {GridSize{4, 16}, GridSize{8, 24}, GridSize{16, 48}, GridSize{32, 96}})
+  {
+    const NormalProblem problem = paraboloid(size, 1.1, 2.0);
+    solver.solve(problem, false, solution);
+    ASSERT_EQ(solution.status, SolveStatus::converged);
+    const double estimate = errorsOf(solver, problem, solution)[0].largest();
+    EXPECT_GT(estimate, 0);
+    EXPECT_LT(estimate, 0.6 * before);
+    before = estimate;
+  }
+}
+
+TEST(ErrorEstimate, isTheSameWithAndWithoutSymmetry)
+{
+  NormalProblem half = paraboloid({16, 32}, 1.1, 2.0), whole = half;
+  PatchGap& patch = whole.patches[0];
+  patch.grid.symmetric = false;
+  scenes::sample([](double x, double y) { return 1.1 * x * x + 2.0 * y * y; }, patch);
+  ConjugateGradientsOptions strict;
+  strict.residual = 1e-9;
+  ConjugateGradients solver(strict);
+  NormalSolution from_half, from_whole;
+  solver.solve(half, false, from_half);
+  solver.solve(whole, false, from_whole);
+  const ErrorEstimate a = errorsOf(solver, half, from_half)[0], b = errorsOf(solver, whole, from_whole)[0];
+  EXPECT_NEAR(a.max_pressure, b.max_pressure, 1e-4 * a.max_pressure);
+  EXPECT_NEAR(a.area, b.area, 1e-4 * a.area);
+  EXPECT_NEAR(a.approach, b.approach, 1e-4 * a.approach);
+}
+
+/// True relative error of the highest pressure on a grid, against cells four times finer each way, and its estimate.
+struct PeakError
+{
+  double truth = 0, estimate = 0;
+};
+
+PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
+{
+  ConjugateGradients solver;
+  NormalSolution coarse, fine;
+  scenes::sample(gap, problem.patches[0]);
+  solver.solve(problem, false, coarse);
+  const double estimate = errorsOf(solver, problem, coarse)[0].max_pressure;
+  problem.patches[0].grid = scenes::refined(problem.patches[0].grid, scenes::finer);
+  scenes::sample(gap, problem.patches[0]);
+  solver.solve(problem, false, fine);
+  EXPECT_EQ(coarse.status, SolveStatus::converged);
+  EXPECT_EQ(fine.status, SolveStatus::converged);
+  return {std::abs(coarse.patches[0].max_pressure / fine.patches[0].max_pressure - 1), estimate};
+}
+
+// A wheel of 0.46 m on a crown that a shoulder joins, wherever that is among the cells; of five places one may be off
+// by a quarter more than estimated.
+TEST(ErrorEstimate, holdsAtACurvatureJumpUnderTheCrest)
+{
+  for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 56}})
+  {
+    NormalProblem problem;
+    problem.modulus = 1.14e11;
+    problem.value = 1e5;
+    problem.patches.resize(1);
+    Grid& grid = problem.patches[0].grid;
+    grid = {size.along, size.across, 0.018 / size.along, 0.026 / size.across, 0, true};
+    grid.y0 = -0.5 * (size.across - 1) * grid.dy;
+    int held = 0;
+    for (const double shift : {0.0, 0.2, 0.4, 0.6, 0.8})
+    {
+      const double joint = shift * grid.dy;
+      const PeakError error = peakError(problem, [joint](double x, double y)
+                                        { return x * x / 0.92 + (y - joint) * (y - joint) / (y > joint ? 0.1 : 0.8); });
+      std::cout << size.along << " x " << size.across << ": true " << error.truth << ", estimated " << error.estimate
+                << "\n";
+      held += error.truth <= error.estimate ? 1 : 0;
+      EXPECT_LE(error.truth, 1.25 * error.estimate);
+      EXPECT_LT(error.estimate, 0.3);
+    }
+    EXPECT_GE(held, 4);
+  }
+}
+
+/// Patches of S1002 on a rail [m, N], with their true errors of the highest pressure.
+std::vector<ErrorSample> patchesOf(Profile (*rail)(), double y, double wheel_load, const GridSize& size)
+{
+  scenes::WheelsetScene scene;
+  scene.config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
+  scene.config.rail_profile = std::make_shared<Profile>(rail());
+  scene.state.y = y;
+  scene.state.force_z = -2 * wheel_load;
+  std::vector<ErrorSample> samples;
+  EXPECT_TRUE(scenes::WheelsetSampler(Method::grid).sample(scene, size, samples));
+  return samples;
+}
+
+// In the first, the highest cell lies on the wide one of two lobes and the true maximum on the narrow one, where the
+// rail's 300 mm meet its 80 mm. In the second, a patch of 0.5 mm lies over a step of 43 nm in the benchmark's rail.
+TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
+{
+  const std::vector<ErrorSample> lobes = patchesOf(rail60E1, 0.000035, 40000, {8, 16});
+  const std::vector<ErrorSample> step = patchesOf(railUic60Manchester, 0.004237, 1e5, {24, 56});
+  for (const std::vector<ErrorSample>& samples : {lobes, step})
+  {
+    double largest = 0;
+    for (const ErrorSample& sample : samples)
+    {
+      std::cout << "true " << sample.error.max_pressure << ", estimated " << sample.estimate.max_pressure << "\n";
+      EXPECT_LE(sample.error.max_pressure, sample.estimate.max_pressure);
+      largest = std::max(largest, sample.error.max_pressure);
+    }
+    EXPECT_GT(largest, 0.1);
+  }
+}
+
+// Pressure at a step of the gap has no highest value; on cells it grows as they shrink.
+TEST(ErrorEstimate, countsTheSpikeAtAStep)
+{
+  for (const double place : {0.45, 0.55, 0.65, 0.75})
+  {
+    const NormalProblem smooth = paraboloid({24, 56}, 1.1, 60);
+    const Grid& grid = smooth.patches[0].grid;
+    const double step = 6e-7, at = (place / 1.1 * 0.5) * grid.ny * grid.dy;
+    const auto gap = [=](double x, double y) { return 1.1 * x * x + 60 * y * y - (y > at ? step : 0); };
+    const PeakError error = peakError(smooth, gap);
+    std::cout << "place " << place << ", true " << error.truth << ", estimated " << error.estimate << "\n";
+    EXPECT_GE(error.estimate, error.truth);
+    EXPECT_GT(error.truth, 0.3);
+  }
+}
+
+// Under a light load at y = 0.6 mm, where the rail's curvature jumps, a tail hangs on the pressure: 3 mm across the
+// track, and down to a tenth of a millimetre along. On cells it is two cells long everywhere.
+TEST(ErrorEstimate, countsATailNarrowerThanTheCells)
+{
+  for (const GridSize& size : {GridSize{10, 24}, GridSize{16, 48}, GridSize{24, 96}})
+  {
+    double largest = 0, of_tails = 0;
+    for (const ErrorSample& sample : patchesOf(railUic60Manchester, 0.000634, 6100, size))
+    {
+      std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << ", of tails "
+                << sample.estimate.tails << "\n";
+      EXPECT_LE(sample.error.area, sample.estimate.area);
+      EXPECT_LE(sample.estimate.tails, sample.estimate.area);
+      largest = std::max(largest, sample.error.area);
+      of_tails = std::max(of_tails, sample.estimate.tails / sample.estimate.area);
+    }
+    EXPECT_GT(largest, 0.004);
+    EXPECT_GT(of_tails, 0.5);
+  }
+}
+
+TEST(ErrorEstimate, isZeroForAPatchWithoutPressure)
+{
+  NormalProblem problem = paraboloid({16, 32}, 1.1, 2.0);
+  problem.patches.push_back(problem.patches[0]);
+  problem.patches[1].gap += 1e-3;
+  ConjugateGradients solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  ASSERT_EQ(solution.status, SolveStatus::converged);
+  EXPECT_EQ(errorsOf(solver, problem, solution)[1].largest(), 0);
+  EXPECT_GT(errorsOf(solver, problem, solution)[0].largest(), 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/balance/wheelset_balance.h"
+#include "core/normal/estimate/error_estimate.h"
+#include "core/normal/solvers/hertz_solver.h"
+#include "core/normal/solvers/kik_piotrowski.h"
+#include "core/normal/solvers/seidel.h"
+#include "errors_of.h"
+#include "gap_scenes.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+/// Solutions of random scenes with their true errors: the same scene on a grid four times finer each way.
+namespace wheel_rail_contact::core::scenes
+{
+enum class Method
+{
+  grid,  ///< conjugate gradients
+  hertz,
+  kik_piotrowski,
+  seidel,         ///< repaired; gap scenes only
+  seidel_printed  ///< gap scenes only
+};
+
+/// For Hertz half of the gaps are nearly round: there `auto` relies on its estimate.
+inline GapScene randomGapScene(Method method, Random& random)
+{
+  return method == Method::hertz && oneIn(random, 2) ? randomBowlScene(random) : randomGapScene(random);
+}
+
+/// One patch.
+struct ErrorSample
+{
+  const char* kind = "";
+  GridSize size;
+  bool alone = false;  ///< the only patch of its problem
+  ErrorTerms terms;    ///< of Method::grid
+  ShapeTerms shape{};  ///< of the others
+  ErrorEstimate estimate;
+  ErrorEstimate error;  ///< true
+};
+
+constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each way
+/// Cells of the truth of gaps solved in closed form, whose errors do not fall with the sample's cells.
+constexpr GridSize closed_form_truth{96, 256};
+
+/// Grids of many shapes, coarse to fine; not only those of `auto`.
+constexpr std::array<GridSize, 15> grids{{{4, 16},
+                                          {8, 16},
+                                          {8, 24},
+                                          {10, 24},
+                                          {12, 24},
+                                          {12, 32},
+                                          {16, 32},
+                                          {16, 48},
+                                          {12, 64},
+                                          {16, 64},
+                                          {24, 48},
+                                          {16, 96},
+                                          {32, 64},
+                                          {32, 96},
+                                          {48, 96}}};
+
+inline ConjugateGradientsOptions strictOptions()
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-6;
+  options.max_products = 1000;
+  return options;
+}
+
+inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
+{
+  if (method == Method::grid)
+  {
+    ConjugateGradientsOptions options;
+    options.residual = residual;
+    return std::make_unique<ConjugateGradients>(options);
+  }
+  if (method == Method::hertz)
+  {
+    return std::make_unique<HertzSolver>();
+  }
+  if (method == Method::kik_piotrowski)
+  {
+    return std::make_unique<KikPiotrowski>();
+  }
+  SeidelOptions options;
+  options.form = method == Method::seidel ? SeidelOptions::Form::repaired : SeidelOptions::Form::printed;
+  options.residual = residual;
+  return std::make_unique<Seidel>(options);
+}
+
+/// Fills terms and estimate. `own_approach` is the patch's own [m].
+inline ErrorSample describe(const char* kind, Method method, const NormalSolver& solver, const NormalProblem& problem,
+                            const NormalSolution& solution, std::size_t patch, double own_approach)
+{
+  ErrorSample sample;
+  sample.kind = kind;
+  sample.size = {problem.patches[patch].grid.nx, problem.patches[patch].grid.ny};
+  sample.alone = problem.patches.size() == 1;
+  const double residual = solution.residual * (sample.alone ? 1 : solution.approach / own_approach);
+  switch (method)
+  {
+    case Method::grid:
+    case Method::seidel:
+    case Method::seidel_printed:
+      sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
+      break;
+    case Method::hertz:
+      sample.shape = HertzSolver::errorTerms(problem, solution, patch);
+      break;
+    case Method::kik_piotrowski:
+      sample.shape = KikPiotrowski::errorTerms(problem, solution, patch);
+      break;
+  }
+  sample.estimate = errorsOf(solver, problem, solution)[patch];
+  return sample;
+}
+
+inline ErrorEstimate relativeErrors(const PatchPressure& found, double found_approach, const PatchPressure& truth,
+                                    double true_approach)
+{
+  return {std::abs(found.max_pressure / truth.max_pressure - 1), std::abs(found.area / truth.area - 1),
+          std::abs(found_approach / true_approach - 1)};
+}
+
+/// Solves gap scenes.
+class GapSampler
+{
+ public:
+  /// Solves a scene by the method's solver on a random box of a size, and for truth() on one finer; false if there is
+  /// no usable truth (a patch without pressure, or no box found), or the method has no answer.
+  bool solve(Method method, NormalSolver& solver, const GapScene& scene, const GridSize& size, Random& random)
+  {
+    problem_.modulus = modulus;
+    problem_.value = scene.load;
+    problem_.patches.resize(scene.patches.size());
+    for (PatchGap& patch : problem_.patches)
+    {
+      patch.grid = {16, 48, 1e-3, 4e-4, -0.5 * 47 * 4e-4, scene.even};
+    }
+    if (!findBoxes(scene))
+    {
+      return false;
+    }
+    for (PatchGap& patch : problem_.patches)
+    {
+      patch.grid = looser(random, patch.grid, size);
+    }
+    fill(scene);
+    solver.solve(problem_, false, found_);
+    coarse_ = problem_;
+    for (PatchGap& patch : problem_.patches)
+    {
+      patch.grid = method == Method::hertz ? relaid(patch.grid, closed_form_truth) : refined(patch.grid, finer);
+    }
+    fill(scene);
+    ConjugateGradients strict(strictOptions());
+    strict.solve(problem_, false, true_);
+    return found_.status == SolveStatus::converged && true_.status == SolveStatus::converged &&
+           std::all_of(true_.patches.begin(), true_.patches.end(),
+                       [](const PatchPressure& patch) { return patch.force > 0 && !patch.touches_border; });
+  }
+  /// Of the last solve().
+  const NormalProblem& problem() const { return coarse_; }
+  const NormalSolution& found() const { return found_; }
+  const NormalSolution& truth() const { return true_; }
+
+  /// Adds a sample for every patch; false as of solve(), or if a patch has no pressure on the sample's cells.
+  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
+              std::vector<ErrorSample>& samples)
+  {
+    const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
+    return solve(method, *solver, scene, size, random) && add(scene.kind, method, *solver, samples);
+  }
+
+ private:
+  static constexpr double modulus = 1.14e11;  ///< steel on steel [Pa]
+  static constexpr int most_boxes = 12;
+  static constexpr double margin = 1.1;  ///< of boxes in use [-]
+
+  void fill(const GapScene& scene)
+  {
+    for (std::size_t k = 0; k < scene.patches.size(); ++k)
+    {
+      scenes::sample(scene.patches[k], problem_.patches[k]);
+    }
+  }
+
+  /// Lays grids around the pressure until they hold all of it closely.
+  bool findBoxes(const GapScene& scene)
+  {
+    for (int attempt = 0; attempt < most_boxes; ++attempt)
+    {
+      fill(scene);
+      boxer_.solve(problem_, false, found_);
+      bool hold = found_.status == SolveStatus::converged;
+      for (std::size_t k = 0; hold && k < problem_.patches.size(); ++k)
+      {
+        if (!(found_.patches[k].force > 0))
+        {
+          return false;
+        }
+        hold = layBox(found_.patches[k], problem_.patches[k].grid) && hold;
+      }
+      if (hold)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Lays a grid over the pressure found on it; true if it fitted already.
+  static bool layBox(const PatchPressure& patch, Grid& grid)
+  {
+    const PressureExtent extent = findExtent(grid, patch.pressure);
+    const double width = extent.y_end - extent.y_begin;
+    const double begin = extent.y_begin - (extent.cutBegin(grid) ? 0.4 * width : 0);
+    const double end = extent.y_end + (extent.cutEnd(grid) ? 0.4 * width : 0);
+    const double length = 2 * extent.half_length * (extent.cutLength(grid) ? 1.4 : 1);
+    const bool fits = !extent.cut(grid) && width > 0.6 * grid.ny * grid.dy && length > 0.6 * grid.nx * grid.dx;
+    grid = covering(grid, length, 0.5 * (begin + end), end - begin, {grid.nx, grid.ny});
+    return fits;
+  }
+
+  static Grid covering(const Grid& like, double length, double middle, double width, const GridSize& size)
+  {
+    const aspect_ladder::Cell cell =
+        aspect_ladder::coveringCell(margin * length, margin * width, size.along, size.across);
+    return {size.along, size.across, cell.dx, cell.dy, middle - 0.5 * (size.across - 1) * cell.dy, like.symmetric};
+  }
+
+  /// The same box in other cells.
+  static Grid relaid(const Grid& grid, const GridSize& size)
+  {
+    return covering(grid, grid.nx * grid.dx / margin, middleOf(grid), grid.ny * grid.dy / margin, size);
+  }
+
+  static double middleOf(const Grid& grid) { return grid.y0 + 0.5 * (grid.ny - 1) * grid.dy; }
+
+  /// As tight or as loose as boxes are in use, and moved by parts of a cell.
+  static Grid looser(Random& random, const Grid& tight, const GridSize& size)
+  {
+    const bool close = oneIn(random, 2);
+    const double looseness = close ? 1 : uniform(random, 1, 1.25);
+    const double length = tight.nx * tight.dx / margin * looseness, width = tight.ny * tight.dy / margin * looseness;
+    const double shift = (close ? 0.005 : 0.04) * uniform(random, -1, 1) * width;
+    return covering(tight, length, middleOf(tight) + shift, width, size);
+  }
+
+  bool add(const char* kind, Method method, const NormalSolver& solver, std::vector<ErrorSample>& samples) const
+  {
+    for (std::size_t k = 0; k < coarse_.patches.size(); ++k)
+    {
+      const double touch = problem_.patches[k].gap.minCoeff();
+      const double found_approach = found_.approach - touch, true_approach = true_.approach - touch;
+      if (!(found_.patches[k].force > 0))
+      {
+        return false;
+      }
+      ErrorSample sample = describe(kind, method, solver, coarse_, found_, k, found_approach);
+      sample.error = relativeErrors(found_.patches[k], found_approach, true_.patches[k], true_approach);
+      samples.push_back(sample);
+    }
+    return true;
+  }
+
+  ConjugateGradients boxer_;
+  NormalProblem problem_, coarse_;
+  NormalSolution found_, true_;
+};
+
+/// A wheelset S1002 on the benchmark's UIC60 or on 60E1.
+struct WheelsetScene
+{
+  ContactModelConfig config;
+  WheelsetState state;
+};
+
+inline WheelsetScene randomWheelsetScene(Random& random)
+{
+  static const auto wheel = std::make_shared<const Profile>(s1002Wheel());
+  static const auto rail_60e1 = std::make_shared<const Profile>(rail60E1());
+  static const auto rail_uic60 = std::make_shared<const Profile>(railUic60Manchester());
+  WheelsetScene scene;
+  scene.config.wheel_profile = wheel;
+  scene.config.rail_profile = oneIn(random, 2) ? rail_60e1 : rail_uic60;
+  scene.config.track.rail_inclination = oneIn(random, 2) ? 1.0 / 40 : 1.0 / 20;
+  scene.config.track.gauge = uniform(random, 1.43, 1.44);
+  scene.state.y = uniform(random, -7e-3, 7e-3);
+  scene.state.yaw = oneIn(random, 2) ? 0 : uniform(random, -0.02, 0.02);
+  scene.state.force_z = -2e3 * spread(random, 5, 150);
+  return scene;
+}
+
+/// Solves wheelset scenes by the whole chain; on grids settled so far that what is left is their cells' error. Keeps
+/// the solvers, whose preparation costs more than a solution.
+class WheelsetSampler
+{
+ public:
+  explicit WheelsetSampler(Method method) : method_(method) {}
+
+  /// Adds a sample for every patch of the wheels that have the same patches in their truth; false if not both have, or
+  /// the scene has no solution.
+  bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
+  {
+    return sample(scene, size, {finer * size.along, finer * size.across}, samples);
+  }
+
+  /// The same against a truth on `true_size` cells.
+  bool sample(const WheelsetScene& scene, const GridSize& size, const GridSize& true_size,
+              std::vector<ErrorSample>& samples)
+  {
+    ContactModelConfig strict = scene.config;
+    strict.contact.tolerance = 1e-4;
+    ContactModelConfig settled = scene.config;
+    if (method_ == Method::grid)
+    {
+      settled.contact.tolerance = settledTolerance(size);
+    }
+    const MethodLadder& ladder = ladderFor(method_, size);
+    WheelsetBalance balance(settled, ladder);
+    WheelsetBalance truth(strict, ladderFor(Method::grid, true_size));
+    if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
+    {
+      return false;
+    }
+    const std::size_t before = samples.size();
+    bool alike = true;
+    for (const Side side : {Side::left, Side::right})
+    {
+      strict_.solve(truth.wheel(side).problem(), false, true_);
+      alike = add(ladder.solver(), balance.wheel(side), truth.wheel(side), samples) && alike;
+    }
+    return alike && samples.size() > before;
+  }
+
+  /// A method's solver on a grid, kept.
+  const MethodLadder& ladderFor(Method method, const GridSize& size)
+  {
+    std::unique_ptr<MethodLadder>& ladder = ladders_[{static_cast<int>(method), size.along, size.across}];
+    if (!ladder)
+    {
+      ContactModelConfig config;
+      config.contact.method = method == Method::grid    ? NormalMethod::conjugate_gradient
+                              : method == Method::hertz ? NormalMethod::hertz
+                                                        : NormalMethod::kik_piotrowski;
+      config.contact.cells_along = size.along;
+      config.contact.cells_across = size.across;
+      config.contact.tolerance = settledTolerance(size);
+      ladder = std::make_unique<MethodLadder>(config);
+    }
+    return *ladder;
+  }
+
+ private:
+  /// Leaves less open than the cells make wrong [-].
+  static double settledTolerance(const GridSize& size) { return std::min(2e-3, 1.0 / (size.along * size.across)); }
+
+  /// @return false if the wheel has other patches in its truth
+  bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
+           std::vector<ErrorSample>& samples) const
+  {
+    const bool alike = found.patches().size() == truth.patches().size() && true_.status == SolveStatus::converged;
+    for (std::size_t k = 0; alike && k < found.patches().size(); ++k)
+    {
+      const PatchPressure &pressure = found.solution().patches[k], &fine = true_.patches[k];
+      const double weight = found.problem().patches[k].weight;
+      const double approach = weight * (found.descent() - found.patches()[k].touch_gap);
+      const double fine_approach = weight * (truth.descent() - truth.patches()[k].touch_gap);
+      if (pressure.force > 0 && fine.force > 0)
+      {
+        ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
+        sample.error = relativeErrors(pressure, approach, fine, fine_approach);
+        samples.push_back(sample);
+      }
+    }
+    return alike;
+  }
+
+  Method method_;
+  std::map<std::array<int, 3>, std::unique_ptr<MethodLadder>> ladders_;
+  ConjugateGradients strict_{strictOptions()};
+  NormalSolution true_;
+};
+}  // namespace wheel_rail_contact::core::scenes

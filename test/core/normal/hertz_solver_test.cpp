@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/solvers/hertz_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "errors_of.h"
+#include "problems.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using problems::centredGrid;
+using problems::hertzCase;
+using problems::sampled;
+using problems::steel;
+using problems::underLoad;
+
+/// Bowl turned by `angle` about z, lowest at (x0, y0).
+auto turnedBowl(const GapCurvature& curvature, double angle, double x0, double y0)
+{
+  return [=](double x, double y)
+  {
+    const double first = std::cos(angle) * (x - x0) + std::sin(angle) * (y - y0);
+    const double second = std::cos(angle) * (y - y0) - std::sin(angle) * (x - x0);
+    return curvature.a * first * first + curvature.b * second * second;
+  };
+}
+
+TEST(HertzSolver, isExactOnBowls)
+{
+  for (const double ratio : {0.05, 1.0, 3.0, 40.0})
+  {
+    for (const bool symmetric : {true, false})
+    {
+      const auto hertz = hertzCase(ratio, 8, 24, symmetric, 1.2, 0.37);
+      HertzSolver solver;
+      NormalSolution solution;
+      solver.solve(hertz.problem, false, solution);
+      ASSERT_EQ(solution.status, SolveStatus::converged);
+      const PatchPressure& patch = solution.patches[0];
+      EXPECT_NEAR(patch.max_pressure / hertz.exact.max_pressure, 1, 1e-9) << ratio;
+      EXPECT_NEAR(patch.area / hertz.exact.area, 1, 1e-9) << ratio;
+      EXPECT_NEAR(solution.approach / hertz.exact.approach, 1, 1e-9) << ratio;
+      EXPECT_NEAR(patch.force / hertz.exact.force, 1, 1e-9) << ratio;
+      EXPECT_FALSE(patch.touches_border);
+      // The estimate has no reason to doubt: what it leaves is the truth's own error in calibration.
+      EXPECT_LT(errorsOf(solver, hertz.problem, solution)[0].largest(), 0.01);
+    }
+  }
+}
+
+TEST(HertzSolver, fillsTheGridWithTheEllipsoidsMeans)
+{
+  const auto hertz = hertzCase(3, 16, 32, true, 1.1, 0.5);
+  HertzSolver solver;
+  NormalSolution solution;
+  solver.solve(hertz.problem, false, solution);
+  const PatchPressure& patch = solution.patches[0];
+  const Grid& grid = patch.grid;
+  constexpr int parts = 50;
+  Eigen::ArrayXXd means = Eigen::ArrayXXd::Zero(grid.rows(), grid.ny);
+  for (int j = 0; j < grid.ny * parts; ++j)
+  {
+    const double y = (grid.y(0) + ((j + 0.5) / parts - 0.5) * grid.dy) / hertz.exact.semi_axis_y;
+    for (int i = 0; i < grid.rows() * parts; ++i)
+    {
+      const double x = (i + 0.5) / parts * grid.dx / hertz.exact.semi_axis_x;
+      means(i / parts, j / parts) += std::sqrt(std::max(1 - x * x - y * y, 0.0)) / (parts * parts);
+    }
+  }
+  // Two Gauss points across a column miss the root at the edge by 0.6 % of the highest pressure.
+  EXPECT_LT((patch.pressure / hertz.exact.max_pressure - means).abs().maxCoeff(), 8e-3);
+  EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure);
+}
+
+TEST(HertzSolver, pressuresOnAnyGridCarryTheForce)
+{
+  // Ellipses of 11 mm by 1.7 mm: on some thousand cells, cut off by the border, and hidden between the centres of four.
+  struct Cells
+  {
+    double size;  // [mm]
+    int along, across;
+    bool cut;
+  };
+  HertzSolver solver;
+  NormalSolution solution;
+  for (const Cells& cells : {Cells{0.15, 100, 90, false}, {1, 12, 12, false}, {1, 9, 6, true}, {20, 4, 4, false}})
+  {
+    for (const double angle : {0.0, 0.7})
+    {
+      for (const double shift : {-0.4, 0.1, 0.5})
+      {
+        const double size = 1e-3 * cells.size;
+        const Grid grid{cells.along, cells.across, size, size, (shift - 0.5 * cells.across) * size, false};
+        const GapCurvature curvature{2, 90};
+        const NormalProblem problem = underLoad(sampled(grid, turnedBowl(curvature, angle, 0, 0)), 2e4);
+        solver.solve(problem, false, solution);
+        const PatchPressure& patch = solution.patches[0];
+        const std::string what = std::to_string(cells.size) + " mm, turned " + std::to_string(angle);
+        ASSERT_EQ(solution.status, SolveStatus::converged) << what;
+        EXPECT_EQ(patch.touches_border, cells.cut) << what;
+        EXPECT_NEAR(patch.pressure.sum() * grid.cellArea() / problem.value, 1, 1e-9) << what;
+        EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure) << what;
+        EXPECT_GE(patch.pressure.minCoeff(), 0) << what;
+      }
+    }
+  }
+}
+
+TEST(HertzSolver, findsPrincipalDirectionsAndThePlaceBetweenCells)
+{
+  for (const double angle : {-1.2, -0.4, 0.0, 0.3, 0.7, 1.5})
+  {
+    const GapCurvature curvature = {0.8, 5.0};
+    const Grid grid = centredGrid(24, 40, 0.024, 0.016, false);
+    const double x0 = 0.37e-3, y0 = -0.83e-3;
+    const PatchGap patch = sampled(grid, turnedBowl(curvature, angle, x0, y0));
+    const GapMinimum minimum = fitMinimum(patch);
+    EXPECT_NEAR(minimum.x, x0, 1e-9) << angle;
+    EXPECT_NEAR(minimum.y, y0, 1e-9) << angle;
+    EXPECT_NEAR(minimum.gap, 0, 1e-12) << angle;
+    // The first direction is the one nearer to x.
+    const bool swapped = std::abs(angle) > std::acos(-1.0) / 4;
+    EXPECT_NEAR(minimum.curvature.a, swapped ? curvature.b : curvature.a, 1e-6) << angle;
+    EXPECT_NEAR(minimum.curvature.b, swapped ? curvature.a : curvature.b, 1e-6) << angle;
+    const double turn = swapped ? angle - std::copysign(std::acos(0.0), angle) : angle;
+    EXPECT_NEAR(minimum.angle, turn, 1e-6) << angle;
+    // Turning the bowl changes the ellipse's place only.
+    HertzSolver solver;
+    NormalSolution solution;
+    solver.solve(underLoad(patch, 2e4), false, solution);
+    const HertzContact exact = hertzForForce(curvature, steel(), 2e4);
+    EXPECT_NEAR(solution.patches[0].max_pressure / exact.max_pressure, 1, 1e-6) << angle;
+    Eigen::Index row = 0, column = 0;
+    solution.patches[0].pressure.maxCoeff(&row, &column);
+    EXPECT_LT(std::abs(grid.x(static_cast<int>(row)) - x0), grid.dx);
+    EXPECT_LT(std::abs(grid.y(static_cast<int>(column)) - y0), grid.dy);
+  }
+}
+
+TEST(HertzSolver, patchesShareTheLoadAtOneApproach)
+{
+  NormalProblem problem = hertzCase(1, 16, 16, true).problem;
+  problem.patches.push_back(hertzCase(6, 16, 32, true).problem.patches[0]);
+  problem.patches.push_back(problem.patches[0]);
+  problem.patches[1].gap += 2e-5;
+  problem.patches[1].weight = 0.7;
+  problem.patches[2].gap += 1;  // out of reach
+  HertzSolver solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  ASSERT_EQ(solution.status, SolveStatus::converged);
+  EXPECT_NEAR((solution.patches[0].force + 0.7 * solution.patches[1].force) / problem.value, 1, 1e-10);
+  const GapCurvature second = hertzCase(6, 16, 32, true).gap;
+  const HertzContact exact = hertzForApproach(second, steel(), 0.7 * solution.approach - 2e-5);
+  EXPECT_NEAR(solution.patches[1].force / exact.force, 1, 1e-8);
+  EXPECT_NEAR(solution.patches[1].max_pressure / exact.max_pressure, 1, 1e-8);
+  EXPECT_EQ(solution.patches[2].force, 0);
+  EXPECT_EQ(solution.patches[2].pressure.maxCoeff(), 0);
+
+  NormalProblem given = problem;
+  given.control = NormalProblem::Control::approach;
+  given.value = solution.approach;
+  NormalSolution same;
+  solver.solve(given, false, same);
+  EXPECT_NEAR(same.patches[1].force / solution.patches[1].force, 1, 1e-12);
+}
+
+TEST(HertzSolver, refusesAGapThatIsNoBowl)
+{
+  const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
+  HertzSolver solver;
+  NormalSolution solution;
+  // A valley, and a saddle.
+  solver.solve(underLoad(sampled(grid, [](double, double y) { return y * y; }), 1e4), false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
+  EXPECT_FALSE(isUsable(solution.status));
+  solver.solve(underLoad(sampled(grid, [](double x, double y) { return y * y - 0.1 * x * x; }), 1e4), false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
+}
+
+TEST(HertzSolver, tellsWhatItWouldLeaveInAContactSolvedOnAGrid)
+{
+  // Arcs that meet under the crest, 10 % apart in curvature: the estimate needs no more of a solution than its
+  // approach, which differs by less than a tenth.
+  const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
+  const auto joint = [](double x, double y) { return x * x + (y < 0 ? 1 : 1.1) * y * y; };
+  const NormalProblem problem = underLoad(sampled(grid, joint), 5e4);
+  HertzSolver hertz;
+  ConjugateGradients conjugate_gradients;
+  NormalSolution own, on_grid;
+  hertz.solve(problem, false, own);
+  conjugate_gradients.solve(problem, false, on_grid);
+  ASSERT_TRUE(isUsable(own.status) && isUsable(on_grid.status));
+  const ErrorEstimate left = errorsOf(hertz, problem, own)[0];
+  const ErrorEstimate foreseen = errorsOf(hertz, problem, on_grid)[0];
+  EXPECT_GT(left.largest(), 0.01);
+  EXPECT_NEAR(foreseen.max_pressure, left.max_pressure, 0.1 * left.max_pressure);
+  EXPECT_NEAR(foreseen.area, left.area, 0.1 * left.area);
+  EXPECT_NEAR(foreseen.approach, left.approach, 0.1 * left.approach);
+
+  NormalProblem saddle = problem;
+  saddle.patches[0] = sampled(grid, [](double x, double y) { return y * y - 1e-3 * x * x; });
+  EXPECT_TRUE(std::isinf(errorsOf(hertz, saddle, on_grid)[0].largest()));
+}
+
+TEST(HertzSolver, tellsAProblemThatItRefuses)
+{
+  const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
+  const PatchGap bowl = sampled(grid, [](double x, double y) { return x * x + y * y; });
+  const PatchGap apart = sampled(grid, [](double x, double y) { return 1e-3 + y * y - 1e-3 * x * x; });
+  NormalProblem problem = underLoad(bowl, 1e4);
+  EXPECT_TRUE(HertzSolver::canSolve(problem));
+  problem.patches.push_back(apart);  // too far off to carry any load
+  EXPECT_FALSE(HertzSolver::canSolve(problem));
+  HertzSolver solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
+}
+
+TEST(HertzSolver, tellsWhereTheGridCutsTheEllipse)
+{
+  HertzSolver solver;
+  NormalSolution solution;
+  for (const double margin : {0.9, 1.1})
+  {
+    for (const bool symmetric : {true, false})
+    {
+      solver.solve(hertzCase(2, 16, 32, symmetric, margin).problem, false, solution);
+      EXPECT_EQ(solution.patches[0].touches_border, margin < 1) << margin;
+    }
+  }
+  solver.solve(hertzCase(2, 16, 32, true, 1.1, 4).problem, false, solution);
+  EXPECT_TRUE(solution.patches[0].touches_border);
+}
+
+TEST(HertzSolver, hasNoContactAboveTheFirstTouch)
+{
+  NormalProblem problem = hertzCase(2, 16, 32, true).problem;
+  problem.control = NormalProblem::Control::approach;
+  problem.value = -1e-6;
+  HertzSolver solver;
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::no_contact);
+  EXPECT_EQ(solution.patches[0].force, 0);
+  EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
+  EXPECT_FALSE(solution.patches[0].touches_border);
+}
+
+TEST(HertzSolver, refusesInvalidProblems)
+{
+  HertzSolver solver;
+  NormalSolution solution;
+  NormalProblem problem = hertzCase(2, 16, 32, true).problem;
+  problem.patches[0].gap(3, 4) = std::nan("");
+  solver.solve(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::invalid_problem);
+  solver.solve(hertzCase(2, 16, 2, true).problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::invalid_problem);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

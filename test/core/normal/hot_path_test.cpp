@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+#include "core/normal/operator/cell_aspect.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "core/normal/solvers/hertz_solver.h"
+#include "core/normal/solvers/kik_piotrowski.h"
+#include "core/normal/solvers/seidel.h"
+#include "problems.h"
+
+// Every allocation of this program, operator new and Eigen's included, passes these.
+namespace
+{
+std::atomic<long> allocations{0};
+}
+
+extern "C"
+{
+  void* __libc_malloc(std::size_t size);
+  void* __libc_calloc(std::size_t count, std::size_t size);
+  void* __libc_realloc(void* memory, std::size_t size);
+  void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+  void* malloc(std::size_t size)
+  {
+    ++allocations;
+    return __libc_malloc(size);
+  }
+  void* calloc(std::size_t count, std::size_t size)
+  {
+    ++allocations;
+    return __libc_calloc(count, size);
+  }
+  void* realloc(void* memory, std::size_t size)
+  {
+    ++allocations;
+    return __libc_realloc(memory, size);
+  }
+  void* aligned_alloc(std::size_t alignment, std::size_t size)
+  {
+    ++allocations;
+    return __libc_memalign(alignment, size);
+  }
+  int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
+  {
+    ++allocations;
+    *memory = __libc_memalign(alignment, size);
+    return *memory ? 0 : ENOMEM;
+  }
+}
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using problems::hertzCase;
+
+/// Problems of one scene that change in load, place and cell size.
+std::vector<NormalProblem> messages()
+{
+  std::vector<NormalProblem> all;
+  for (int k = 0; k < 6; ++k)
+  {
+    NormalProblem problem = hertzCase(2, 16, 32, true, 1.1, 0.2 * k).problem;
+    problem.patches[0].grid.dx = 2 * problem.patches[0].grid.dy;
+    problem.patches.push_back(hertzCase(4, 12, 20, false, 1.2).problem.patches[0]);
+    problem.patches[1].grid.dx = 4 * problem.patches[1].grid.dy;
+    problem.patches[1].weight = 0.5;
+    problem.control = k < 4 ? NormalProblem::Control::load : NormalProblem::Control::approach;
+    problem.value = k < 4 ? 1e4 + 1e4 * k : 5e-5;
+    all.push_back(std::move(problem));
+  }
+  return all;
+}
+
+template <typename Solver>
+long allocationsAfterTheFirst(Solver& solver, const std::vector<NormalProblem>& problems)
+{
+  NormalSolution solution;
+  solver.solve(problems[0], false, solution);
+  const long before = allocations;
+  for (const NormalProblem& problem : problems)
+  {
+    for (const bool warm : {false, true})
+    {
+      solver.solve(problem, warm, solution);
+      EXPECT_TRUE(isUsable(solution.status));
+    }
+  }
+  return allocations - before;
+}
+
+TEST(HotPath, theCounterCounts)
+{
+  const long before = allocations;
+  const Eigen::ArrayXXd array = Eigen::ArrayXXd::Zero(8, 8);
+  const auto number = std::make_unique<int>(1);
+  EXPECT_GE(allocations - before, 2) << array.sum() + *number;
+}
+
+TEST(HotPath, conjugateGradientsAllocateNothingAfterTheFirstSolve)
+{
+  ConjugateGradients solver;
+  solver.prepare(16, 32);
+  solver.prepare(12, 20);
+  EXPECT_EQ(allocationsAfterTheFirst(solver, messages()), 0);
+}
+
+TEST(HotPath, conjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
+{
+  // Curvatures across from a third to eight times those along; whole grids, as with yaw.
+  std::vector<NormalProblem> problems;
+  for (int k = -12; k <= 24; k += 4)
+  {
+    NormalProblem problem = hertzCase(std::exp2(k / 8.0), 12, 20, false, 1.2).problem;
+    Grid& grid = problem.patches[0].grid;
+    grid.dx = aspect_ladder::aspect(aspect_ladder::nearestRung(grid.dx / grid.dy)) * grid.dy;
+    problems.push_back(std::move(problem));
+  }
+  ConjugateGradients solver;
+  solver.prepare(12, 20);
+  EXPECT_EQ(allocationsAfterTheFirst(solver, problems), 0);
+}
+
+TEST(HotPath, seidelAllocatesNothingAfterTheFirstSolve)
+{
+  Seidel repaired;
+  EXPECT_EQ(allocationsAfterTheFirst(repaired, messages()), 0);
+}
+
+TEST(HotPath, closedFormsAllocateNothingAfterTheFirstSolve)
+{
+  HertzSolver hertz;
+  EXPECT_EQ(allocationsAfterTheFirst(hertz, messages()), 0);
+  KikPiotrowski kik_piotrowski;
+  EXPECT_EQ(allocationsAfterTheFirst(kik_piotrowski, messages()), 0);
+}
+
+TEST(HotPath, errorEstimatesAllocateNothing)
+{
+  ConjugateGradients grid;
+  HertzSolver hertz;
+  KikPiotrowski kik_piotrowski;
+  const NormalProblem problem = messages()[0];
+  for (NormalSolver* solver : {static_cast<NormalSolver*>(&grid), static_cast<NormalSolver*>(&hertz),
+                               static_cast<NormalSolver*>(&kik_piotrowski)})
+  {
+    NormalSolution solution;
+    solver->solve(problem, false, solution);
+    std::vector<ErrorEstimate> errors(2);
+    const long before = allocations;
+    solver->estimateErrors(problem, solution, errors);
+    EXPECT_GT(errors[0].largest(), 0);
+    EXPECT_GT(errors[1].largest(), 0);
+    EXPECT_EQ(allocations - before, 0) << solver->name();
+  }
+  const long before = allocations;
+  EXPECT_TRUE(HertzSolver::canSolve(problem));
+  EXPECT_EQ(allocations - before, 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

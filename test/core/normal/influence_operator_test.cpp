@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/operator/influence_operator.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "core/normal/operator/cell_aspect.h"
+#include "core/normal/operator/operator_cache.h"
+#include "problems.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using problems::uniform;
+
+/// Applies an operator to a column of cell values in the order of a gap array.
+class Applied
+{
+ public:
+  explicit Applied(const OperatorShape& shape) : influence_(shape), in_(size()), out_(size())
+  {
+    workspace_.reserve(influence_);
+  }
+
+  int rows() const { return influence_.shape().symmetric ? influence_.shape().nx / 2 : influence_.shape().nx; }
+  int cells() const { return rows() * influence_.shape().ny; }
+
+  Eigen::VectorXd product(const Eigen::VectorXd& values)
+  {
+    put(values);
+    influence_.multiply(in_.data(), out_.data(), workspace_);
+    return get();
+  }
+
+  Eigen::VectorXd preconditioned(const Eigen::VectorXd& values)
+  {
+    put(values);
+    influence_.precondition(in_.data(), out_.data(), workspace_);
+    return get();
+  }
+
+  bool lastIsProduct() const { return influence_.isProduct(in_.data(), out_.data()); }
+  void spoilLast(int cell, double factor) { out_[at(cell)] *= factor; }
+
+ private:
+  std::size_t size() const { return static_cast<std::size_t>(influence_.fieldSize()); }
+  std::size_t at(int cell) const
+  {
+    return static_cast<std::size_t>(influence_.rowOffset(cell % rows()) + influence_.columnOffset(cell / rows()));
+  }
+  void put(const Eigen::VectorXd& values)
+  {
+    for (int cell = 0; cell < cells(); ++cell)
+    {
+      in_[at(cell)] = values(cell);
+    }
+  }
+  Eigen::VectorXd get() const
+  {
+    Eigen::VectorXd values(cells());
+    for (int cell = 0; cell < cells(); ++cell)
+    {
+      values(cell) = out_[at(cell)];
+    }
+    return values;
+  }
+
+  InfluenceOperator influence_;
+  InfluenceOperator::Workspace workspace_;
+  std::vector<double> in_, out_;
+};
+
+Eigen::VectorXd randomColumn(int size, std::mt19937_64& random)
+{
+  return Eigen::VectorXd::NullaryExpr(size, [&random] { return uniform(random, 0, 1); });
+}
+
+class InfluenceOperatorProduct : public testing::TestWithParam<std::tuple<std::pair<int, int>, double, bool>>
+{
+};
+
+TEST_P(InfluenceOperatorProduct, equalsTheSumOverAllCells)
+{
+  const auto& [size, aspect, symmetric] = GetParam();
+  OperatorShape shape;
+  shape.nx = size.first;
+  shape.ny = size.second;
+  shape.aspect = aspect;
+  shape.symmetric = symmetric;
+  constexpr unsigned seed = 7;
+  std::mt19937_64 random(seed);
+  Applied applied(shape);
+  const Eigen::VectorXd pressure = randomColumn(applied.cells(), random);
+  const Grid grid = problems::centredGrid(shape.nx, shape.ny, shape.nx * aspect, shape.ny, symmetric);
+  const Eigen::VectorXd expected = problems::influenceMatrix(grid, 1 / std::acos(-1.0)) * pressure;
+  EXPECT_LT((applied.product(pressure) - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.maxCoeff())
+      << "seed " << seed;
+  EXPECT_TRUE(applied.lastIsProduct());
+  applied.spoilLast(applied.cells() / 3, 1.0001);
+  EXPECT_FALSE(applied.lastIsProduct());
+}
+
+INSTANTIATE_TEST_SUITE_P(Even, InfluenceOperatorProduct,
+                         testing::Combine(testing::Values(std::pair{4, 16}, std::pair{2, 2}, std::pair{6, 10},
+                                                          std::pair{12, 20}, std::pair{16, 32}, std::pair{2, 128}),
+                                          testing::Values(0.3, 1.0, 5.0), testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(Odd, InfluenceOperatorProduct,
+                         testing::Combine(testing::Values(std::pair{5, 7}, std::pair{7, 65}, std::pair{16, 3}),
+                                          testing::Values(0.3, 1.0, 5.0), testing::Values(false)));
+
+TEST(InfluenceOperator, largeProductEqualsTheSumAtSomeCells)
+{
+  OperatorShape shape;
+  shape.nx = 256;
+  shape.ny = 256;
+  shape.symmetric = true;
+  shape.aspect = 2;
+  Applied applied(shape);
+  constexpr unsigned seed = 8;
+  std::mt19937_64 random(seed);
+  const Eigen::VectorXd pressure = randomColumn(applied.cells(), random);
+  const Eigen::VectorXd found = applied.product(pressure);
+  for (const int cell : {0, 127, 5000, 128 * 255, 128 * 256 - 1})
+  {
+    const int i = cell % 128, j = cell / 128;
+    double expected = 0;
+    for (int other = 0; other < applied.cells(); ++other)
+    {
+      const double x = other % 128, y = other / 128;
+      expected += pressure(other) *
+                  (rectangleInfluence(2 * (i - x), j - y, 2, 1) + rectangleInfluence(2 * (i + x + 1), j - y, 2, 1));
+    }
+    EXPECT_NEAR(found(cell) / expected, 1, 1e-12) << "seed " << seed << ", cell " << cell;
+  }
+}
+
+TEST(InfluenceOperator, repeatsItselfToTheLastBit)
+{
+  OperatorShape shape;
+  shape.nx = 16;
+  shape.ny = 32;
+  Applied first(shape), second(shape);
+  std::mt19937_64 random(1);
+  const Eigen::VectorXd pressure = randomColumn(first.cells(), random);
+  const Eigen::VectorXd once = first.product(pressure);
+  EXPECT_EQ(once, first.product(pressure));
+  EXPECT_EQ(once, second.product(pressure));
+}
+
+TEST(InfluenceOperator, preconditionerIsSymmetricAndNearTheInverse)
+{
+  OperatorShape shape;
+  shape.nx = 8;
+  shape.ny = 16;
+  shape.aspect = 3;
+  Applied applied(shape);
+  std::mt19937_64 random(2);
+  const Eigen::VectorXd a = randomColumn(applied.cells(), random), b = randomColumn(applied.cells(), random);
+  EXPECT_NEAR(a.dot(applied.preconditioned(b)), b.dot(applied.preconditioned(a)), 1e-12 * a.dot(b));
+  const Eigen::VectorXd shaped = (a.array() - 0.5).matrix();
+  const double near_one = shaped.dot(applied.preconditioned(applied.product(shaped))) / shaped.squaredNorm();
+  EXPECT_NEAR(near_one, 1, 0.3);
+}
+
+TEST(InfluenceOperator, refusesShapesWithTheOptionInTheMessage)
+{
+  const auto message = [](int nx, int ny, double aspect, bool symmetric) -> std::string
+  {
+    try
+    {
+      OperatorShape shape;
+      shape.nx = nx;
+      shape.ny = ny;
+      shape.aspect = aspect;
+      shape.symmetric = symmetric;
+      InfluenceOperator influence(shape);
+      return "accepted";
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(message(1, 8, 1, false), "grid = 1 x 8: must have at least 2 cells each way");
+  EXPECT_EQ(message(5, 8, 1, true), "nx = 5: must be even on a symmetric grid");
+  EXPECT_EQ(message(4, 8, -1, false), "aspect = -1.000000: must be positive and finite");
+}
+
+TEST(AspectLadder, cellsCoverTheBoxWithLittleWaste)
+{
+  constexpr unsigned seed = 3;
+  std::mt19937_64 random(seed);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const double width = uniform(random, 1e-3, 2e-2), length = width * std::exp(uniform(random, -1.5, 2.5));
+    const auto cell = aspect_ladder::coveringCell(length, width, 16, 32);
+    EXPECT_GE(16 * cell.dx, length * (1 - 1e-12)) << "seed " << seed;
+    EXPECT_GE(32 * cell.dy, width * (1 - 1e-12)) << "seed " << seed;
+    // Half a step of the ladder, 2^(1/16).
+    EXPECT_LE(16 * cell.dx * 32 * cell.dy, 1.0443 * length * width) << "seed " << seed;
+    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, aspect_ladder::aspect(aspect_ladder::nearestRung(cell.dx / cell.dy)));
+  }
+}
+
+TEST(OperatorCache, keepsTheLadderAndAFewOthers)
+{
+  OperatorCache cache;
+  const auto rung = cache.find(4, 8, true, 2);
+  EXPECT_EQ(cache.find(4, 8, true, 2 * (1 + 1e-12)), rung) << "rounding of dx/dy";
+  EXPECT_NE(cache.find(4, 8, false, 2), rung);
+  const auto other = cache.find(4, 8, true, 1.9);
+  EXPECT_EQ(cache.find(4, 8, true, 1.9), other);
+  for (int k = 0; k < 20; ++k)
+  {
+    cache.find(4, 8, true, 1.5 + 0.001 * k);
+  }
+  EXPECT_NE(cache.find(4, 8, true, 1.9), other) << "forgotten after 20 others";
+  EXPECT_EQ(cache.find(4, 8, true, 2), rung);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

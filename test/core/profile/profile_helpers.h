@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "wheel_rail_contact/core/profile.h"
+
+namespace wheel_rail_contact::core
+{
+namespace test
+{
+constexpr double mm = 1e-3;
+
+/// A folder of its own for the files of a test, removed with it.
+class Folder
+{
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / ("wheel_rail_contact_profiles_" + std::to_string(getpid())))
+  {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  /// Writes a file and returns its path.
+  std::string write(const std::string& name, const std::string& content) const
+  {
+    std::ofstream stream(path_ / name, std::ios::binary);
+    stream << content;
+    return (path_ / name).string();
+  }
+  std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Parameter at which a curve of growing y reaches y [m].
+inline double parameterAt(const Profile& profile, double y)
+{
+  double low = 0.0;
+  double high = profile.length();
+  for (int halving = 0; halving < 100; ++halving)
+  {
+    const double middle = 0.5 * (low + high);
+    (profile.at(middle).y < y ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Two coordinates in a file's unit and axes.
+struct Point
+{
+  double y, z;
+};
+
+/// Points of a profile about 0.25 mm apart, in the profile frame [m].
+inline std::vector<Point> pointsOf(const Profile& profile)
+{
+  const int count = static_cast<int>(profile.length() / (0.25 * mm));
+  std::vector<Point> points;
+  for (int i = 0; i <= count; ++i)
+  {
+    const CurvePoint p = profile.at(profile.length() * i / count);
+    points.push_back({p.y, p.z});
+  }
+  return points;
+}
+
+/// The points after a change of axes or units.
+inline std::vector<Point> changed(const std::vector<Point>& points, const std::function<Point(const Point&)>& change)
+{
+  std::vector<Point> result;
+  std::transform(points.begin(), points.end(), std::back_inserter(result), change);
+  return result;
+}
+
+/// One line per point, the coordinates separated by `separator`.
+inline std::string lines(const std::vector<Point>& points, const std::string& separator)
+{
+  std::ostringstream text;
+  text << std::setprecision(12);
+  for (const Point& p : points)
+  {
+    text << p.y << separator << p.z << "\n";
+  }
+  return text.str();
+}
+
+/// Largest distance, across the curve, of points [m] from a profile close to them.
+inline double deviation(const Profile& profile, const std::vector<Point>& points)
+{
+  double largest = 0.0;
+  double u = 0.0;
+  for (const Point& point : points)
+  {
+    for (double candidate = u; candidate < std::min(u + 5 * mm, profile.length()); candidate += 0.1 * mm)
+    {
+      const CurvePoint p = profile.at(candidate);
+      const CurvePoint q = profile.at(u);
+      u = std::hypot(p.y - point.y, p.z - point.z) < std::hypot(q.y - point.y, q.z - point.z) ? candidate : u;
+    }
+    for (int step = 0; step < 20; ++step)
+    {
+      const CurvePoint p = profile.at(u);
+      u -= ((p.y - point.y) * p.dy + (p.z - point.z) * p.dz) / (p.dy * p.dy + p.dz * p.dz);
+      u = std::clamp(u, 0.0, profile.length());
+    }
+    const CurvePoint p = profile.at(u);
+    largest = std::max(largest, std::hypot(p.y - point.y, p.z - point.z));
+  }
+  return largest;
+}
+}  // namespace test
+}  // namespace wheel_rail_contact::core

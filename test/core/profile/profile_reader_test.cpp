@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/profile_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "core/profile/smoothing_spline.h"
+#include "profile_helpers.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using test::changed;
+using test::deviation;
+using test::Folder;
+using test::lines;
+using test::mm;
+using test::parameterAt;
+using test::Point;
+using test::pointsOf;
+
+/// Expects that a file is refused, with line and reason.
+void expectRefused(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
+{
+  SCOPED_TRACE(path + ", expecting: " + reason);
+  try
+  {
+    readProfile(path, kind);
+    ADD_FAILURE() << "was read";
+  }
+  catch (const ProfileError& error)
+  {
+    EXPECT_EQ(error.file(), path);
+    EXPECT_EQ(error.line(), line) << error.what();
+    EXPECT_NE(error.reason().find(reason), std::string::npos) << error.what();
+    EXPECT_EQ(error.what(), path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + error.reason());
+  }
+}
+
+std::string csv(const std::vector<Point>& points)
+{
+  return "y_m,z_m\n" + lines(points, ",");
+}
+
+TEST(LoadProfile, knowsTheStandardProfilesAndTheirKind)
+{
+  EXPECT_EQ(loadProfile("S1002", ProfileKind::wheel).name(), "S1002");
+  EXPECT_EQ(loadProfile("60E1", ProfileKind::rail).name(), "60E1");
+  EXPECT_EQ(loadProfile("UIC60_manchester", ProfileKind::rail).name(), "UIC60_manchester");
+  EXPECT_THROW(loadProfile("S1002", ProfileKind::rail), std::invalid_argument);
+  EXPECT_THROW(loadProfile("60E1", ProfileKind::wheel), std::invalid_argument);
+  EXPECT_THROW(loadProfile("UIC60_manchester", ProfileKind::wheel), std::invalid_argument);
+}
+
+TEST(LoadProfile, readsFilesByTheirExtension)
+{
+  const Folder folder;
+  const std::string path = folder.write("head.CSV", csv(pointsOf(rail60E1())));
+  EXPECT_EQ(loadProfile(path, ProfileKind::rail).name(), "head.CSV");
+  expectRefused("S1003", ProfileKind::wheel, 0, "neither a standard profile");
+  expectRefused(folder.path("missing.csv"), ProfileKind::rail, 0, "no such file");
+  expectRefused(folder.path("missing.prw"), ProfileKind::rail, 0, "not that of a rail");
+  expectRefused(folder.path("missing.ban"), ProfileKind::wheel, 0, "not that of a wheel");
+}
+
+TEST(CsvProfile, hasTheUnitItStates)
+{
+  const Folder folder;
+  const std::vector<Point> points = pointsOf(s1002Wheel());
+  const std::vector<Point> millimetres = changed(points, [](const Point& p) { return Point{p.y * 1e3, p.z * 1e3}; });
+  const std::vector<Point> reversed(points.rbegin(), points.rend());
+  const std::string files[] = {
+      folder.write("metres.csv", "y_m,z_m\n" + lines(points, ",")),
+      folder.write("spaces.csv", "\xEF\xBB\xBF y_m , z_m \r\n\r\n# remark\r\n" + lines(points, " , ")),
+      folder.write("millimetres.csv", "# y_mm,z_mm (worn wheel)\n" + lines(millimetres, ",")),
+      folder.write("reversed.csv", "y_m,z_m\n" + lines(reversed, ","))};
+  for (const std::string& file : files)
+  {
+    const Profile wheel = readProfile(file, ProfileKind::wheel);
+    EXPECT_LT(wheel.at(0.0).y, wheel.at(wheel.length()).y) << file;
+    EXPECT_LT(deviation(wheel, points), 1e-12) << file;
+  }
+}
+
+TEST(CsvProfile, needsAUnitAndTwoNumbersALine)
+{
+  const Folder folder;
+  const std::string points = lines(pointsOf(rail60E1()), ",");
+  const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
+  { expectRefused(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
+  refused(points, 1, "no unit stated");
+  refused("y,z\n" + points, 1, "no unit stated");
+  refused("y_mm,z_m\n" + points, 1, "no unit stated");
+  refused("y_in,z_in\n" + points, 1, "no unit stated");
+  refused("y_m,z_m\n" + points + "0.1\n", 2 + static_cast<std::size_t>(std::count(points.begin(), points.end(), '\n')),
+          "number of columns is 1");
+  refused("y_m,z_m\n0,0,0\n", 2, "number of columns is 3");
+  refused("y_m,z_m\n0,nan\n", 2, "'nan' is not a number");
+  refused("y_m,z_m\n0,inf\n", 2, "'inf' is not a number");
+  refused("y_m,z_m\n0,1e999\n", 2, "'1e999' is not a number");
+  refused("y_m,z_m\n0,0x10\n", 2, "'0x10' is not a number");
+  refused("y_m,z_m\n0,\n", 2, "'' is not a number");
+  refused("y_m,z_m\n0;0\n", 2, "number of columns is 1");
+}
+
+TEST(ProfileFiles, mustBeTextOfAProfilesSize)
+{
+  const Folder folder;
+  const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
+  { expectRefused(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
+  refused("", 0, "is empty");
+  refused(" \r\n\t\n", 0, "is empty");
+  refused(std::string("y_m,z_m\n0,0\0", 12), 0, "binary");
+  refused(
+      "\x7F"
+      "ELF",
+      0, "binary");
+  refused(std::string((4U << 20U) + 1U, '#'), 0, "larger than 4 MiB");
+  refused("y_m,z_m\n" + std::string(2000, '1'), 2, "line of more than");
+  std::string many = "y_m,z_m\n";
+  for (int i = 0; i < 20001; ++i)
+  {
+    many += "0,0\n";
+  }
+  refused(many, 20002, "more than 20000 points");
+  expectRefused(folder.path("."), ProfileKind::rail, 0, "neither a standard profile");
+  std::filesystem::create_directories(folder.path("folder.csv"));
+  expectRefused(folder.path("folder.csv"), ProfileKind::rail, 0, "no such file");
+}
+
+TEST(ProfileFiles, mustHoldAPlausibleProfile)
+{
+  const Folder folder;
+  const auto refused = [&](const std::vector<Point>& points, std::size_t line, const std::string& reason,
+                           ProfileKind kind = ProfileKind::rail)
+  { expectRefused(folder.write("bad.csv", csv(points)), kind, line, reason); };
+  const std::vector<Point> rail = pointsOf(rail60E1());
+  const std::vector<Point> wheel = pointsOf(s1002Wheel());
+  const auto scaled = [](double factor) {
+    return [factor](const Point& p) { return Point{factor * p.y, factor * p.z}; };
+  };
+
+  refused({rail.begin(), rail.begin() + 9}, 0, "number of points is 9");
+  refused(changed(rail, scaled(1e3)), 0, "wrong unit");
+  refused(changed(rail, scaled(1e-3)), 0, "wrong unit");
+  refused(changed(rail, [](const Point& p) { return Point{p.y, 5.0 * p.z}; }), 0, "high");
+  refused(std::vector<Point>(50, Point{0.0, 0.0}), 0, "wide");
+
+  // Wrong kind, wrong axes, wrong origin.
+  refused(wheel, 0, "highest point is at an end");
+  refused(rail, 0, "not a wheel", ProfileKind::wheel);
+  refused(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "z does not point up");
+  refused(changed(wheel,
+                  [](const Point& p) {
+                    return Point{-p.y, p.z};
+                  }),
+          0, "an axis is reversed", ProfileKind::wheel);
+  refused(changed(wheel, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "not a wheel", ProfileKind::wheel);
+  const auto turned = changed(wheel, [](const Point& p) { return Point{-p.y, -p.z}; });
+  refused(turned, 0, "both axes are reversed", ProfileKind::wheel);
+  refused(changed(wheel, [](const Point& p) { return Point{p.y + 0.07, p.z}; }), 0, "origin", ProfileKind::wheel);
+  refused(changed(rail, [](const Point& p) { return Point{p.y, p.z + 0.172}; }), 0, "origin");
+
+  // Order along the curve.
+  std::vector<Point> points = rail;
+  std::swap(points[100], points[110]);
+  refused(points, 103, "run back");
+  points = rail;
+  const unsigned seed = 3;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::shuffle(points.begin(), points.end(), std::mt19937(seed));
+  refused(points, 4, "run back");
+  points = rail;
+  points.insert(points.end(), rail.rbegin(), rail.rend());
+  refused(points, rail.size() + 3, "run back");
+  points = rail;
+  points.erase(points.begin() + 100, points.begin() + 250);
+  refused(points, 102, "gap of");
+  std::vector<Point> circle;
+  for (int i = 0; i < 200; ++i)
+  {
+    circle.push_back({0.05 * std::sin(0.0314 * i), 0.05 * std::cos(0.0314 * i) - 0.05});
+  }
+  refused(circle, 0, "closed outline");
+}
+
+TEST(ProfileFiles, coincidingPointsAreOneAndTheEndsStay)
+{
+  const Folder folder;
+  const std::vector<Point> rail = pointsOf(rail60E1());
+  std::vector<Point> points;
+  for (const Point& p : rail)
+  {
+    points.insert(points.end(), {p, p, {p.y + 1e-9, p.z}});
+  }
+  const Profile read = readProfile(folder.write("double.csv", csv(points)), ProfileKind::rail);
+  EXPECT_EQ(read.joints().size(), rail.size());
+  EXPECT_LT(deviation(read, rail), 2e-9);
+  EXPECT_NEAR(read.at(0.0).y, points.front().y, 1e-12);
+  EXPECT_NEAR(read.at(read.length()).y, points.back().y, 1e-12);
+}
+
+TEST(ProfileFiles, areSmoothedForAGivenNoise)
+{
+  const Folder folder;
+  const std::string path = folder.write("head.csv", csv(pointsOf(rail60E1())));
+  const Profile through = readProfile(path, ProfileKind::rail);
+  const Profile near = readProfile(path, ProfileKind::rail, 5e-6);
+  EXPECT_LT(deviation(through, pointsOf(rail60E1())), 1e-12);
+  EXPECT_GT(deviation(near, pointsOf(rail60E1())), 5e-6);
+  EXPECT_LT(deviation(near, pointsOf(rail60E1())), 50e-6);
+  EXPECT_THROW(readProfile(path, ProfileKind::rail, -1e-6), std::invalid_argument);
+  EXPECT_THROW(readProfile(path, ProfileKind::rail, 2.0 * max_spline_noise), std::invalid_argument);
+}
+
+/// A MiniProf wheel in mm: X from the flange back, Y towards the flange tip.
+Point miniProfWheel(const Point& p)
+{
+  return {p.y * 1e3 + 70.0, -p.z * 1e3};
+}
+
+/// A MiniProf rail in mm: X to the gauge side, Y up.
+Point miniProfRail(const Point& p)
+{
+  return {-p.y * 1e3, p.z * 1e3};
+}
+
+TEST(MiniProfProfile, wheelHasItsOriginOnTheRunningCircle)
+{
+  const Folder folder;
+  const std::vector<Point> points = pointsOf(s1002Wheel());
+  const std::string header =
+      "ProgramName=MiniProf for Windows\nSide=L\nTilt=\nColumnDef=X,Y\nXYPoints=" + std::to_string(points.size()) +
+      "\nXoffset=0.0000\nYoffset=0.0000\n";
+  const Profile wheel = readProfile(folder.write("a.whl", header + "\n" + lines(changed(points, miniProfWheel), "  ")),
+                                    ProfileKind::wheel, 0.0);
+  EXPECT_LT(deviation(wheel, points), 1e-12);
+
+  // A running circle 73.5 mm from the flange back, and heights from another reference.
+  const CurvePoint origin = s1002Wheel().at(parameterAt(s1002Wheel(), 3.5 * mm));
+  const std::vector<Point> raised = changed(points,
+                                            [](const Point& p) {
+                                              return Point{miniProfWheel(p).y, miniProfWheel(p).z + 2.0};
+                                            });
+  const Profile other = readProfile(
+      folder.write("b.whl", header + "WheelDiameterTaperline=73.5\n" + lines(raised, "\t")), ProfileKind::wheel, 0.0);
+  EXPECT_LT(deviation(other, changed(points,
+                                     [&](const Point& p) {
+                                       return Point{p.y - origin.y, p.z - origin.z};
+                                     })),
+            1e-11);
+}
+
+TEST(MiniProfProfile, wheelMustReachAcrossItsRunningCircle)
+{
+  const Folder folder;
+  const std::string points = lines(changed(pointsOf(s1002Wheel()), miniProfWheel), " ");
+  const auto refused = [&](const std::string& text, const std::string& reason)
+  { expectRefused(folder.write("bad.whl", text), ProfileKind::wheel, 0, reason); };
+  refused("WheelDiameterTaperline=920\n" + points, "X = 920 mm");
+  // Counted from the running circle, with the tread's end short of X = 70 mm.
+  refused("Xoffset=-70\n" + points, "X = 70 mm");
+}
+
+TEST(MiniProfProfile, railHasItsGaugeSideAtPositiveX)
+{
+  const Folder folder;
+  std::vector<Point> points = pointsOf(rail60E1());
+  points.resize(points.size() - 100);  // the field side is not measured all the way down
+  std::string text = "\"RefPoint1=\"\nColumnDef=N,Y,X,A\nXoffset=1.5\nYoffset=-0.25\n";
+  std::ostringstream rows;
+  rows << std::setprecision(12);
+  for (const Point& p : changed(points, miniProfRail))
+  {
+    rows << "7 " << p.z + 0.25 << " " << p.y - 1.5 << " 0.1\n";
+  }
+  const Profile rail = readProfile(folder.write("head.BAN", text + rows.str()), ProfileKind::rail, 0.0);
+  EXPECT_LT(deviation(rail, points), 1e-12);
+  EXPECT_NEAR(rail.at(0.0).z, points.front().z, 1e-12);
+}
+
+TEST(MiniProfProfile, isSmoothedUnlessItsNoiseIsStated)
+{
+  const Folder folder;
+  const std::vector<Point> points = pointsOf(rail60E1());
+  const std::string path = folder.write("head.ban", lines(changed(points, miniProfRail), " "));
+  EXPECT_GT(deviation(readProfile(path, ProfileKind::rail), points), miniprof_noise);
+  EXPECT_LT(deviation(readProfile(path, ProfileKind::rail), points), 10.0 * miniprof_noise);
+  EXPECT_LT(deviation(readProfile(path, ProfileKind::rail, 0.0), points), 1e-12);
+}
+
+TEST(MiniProfProfile, oldFilesWithFreeTextAreRead)
+{
+  const Folder folder;
+  const std::vector<Point> points = pointsOf(s1002Wheel());
+  const std::string header = "#MINIWHEELPROF\nwheel 12\nCar Number..:\n\" 32.58 37.11 14.71\n(Sd/Sh/qR)\n\n";
+  const std::string path = folder.write("old.whl", header + lines(changed(points, miniProfWheel), "    "));
+  EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, 0.0), points), 1e-12);
+}
+
+TEST(MiniProfProfile, leavesOutWhereTwoStrokesOverlap)
+{
+  const Folder folder;
+  const std::vector<Point> rail = pointsOf(rail60E1());
+  std::vector<Point> points(rail.begin(), rail.begin() + 250);
+  points.insert(points.end(), rail.begin() + 247, rail.end());
+  const Profile read =
+      readProfile(folder.write("head.ban", lines(changed(points, miniProfRail), " ")), ProfileKind::rail, 0.0);
+  EXPECT_LT(deviation(read, rail), 1e-12);
+}
+
+TEST(MiniProfProfile, refusesWhatIsDamaged)
+{
+  const Folder folder;
+  const std::vector<Point> rail = changed(pointsOf(rail60E1()), miniProfRail);
+  const std::string points = lines(rail, " ");
+  const std::size_t count = rail.size();
+  const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
+  { expectRefused(folder.write("bad.ban", text), ProfileKind::rail, line, reason); };
+  refused("XYPoints=" + std::to_string(count + 1) + "\n" + points, count + 1, "cut off");
+  refused("ColumnDef=X,Y,A\n" + points, 2, "ColumnDef states 3");
+  refused("ColumnDef=X,A\n" + points, 1, "ColumnDef has no Y");
+  refused("Tilt=0.5\n" + points, 1, "Tilt");
+  refused("Xoffset=one\n" + points, 1, "not a plausible number");
+  refused("Dear reader,\n" + points, 1, "not a MiniProf profile");
+  refused(points + "12.5\n", count + 1, "number of columns is 1");
+  refused(points + "12.5 gauge\n", count + 1, "'gauge' is not a number");
+  refused("Comment=none\n", 0, "number of points is 0");
+  refused(lines(pointsOf(rail60E1()), " "), 0, "wrong unit");
+  refused(lines(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), " "), 0, "z does not point up");
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "wheel_rail_contact/core/profile.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+Profile single(const SectionLaw& law, double length)
+{
+  return {"single", {{law, length}}};
+}
+
+/// Derivatives against central differences of second order.
+void expectDerivatives(const Profile& profile, double u)
+{
+  const double step = 1e-5;
+  const CurvePoint before = profile.at(u - step);
+  const CurvePoint here = profile.at(u);
+  const CurvePoint after = profile.at(u + step);
+  EXPECT_NEAR(here.dy, (after.y - before.y) / (2 * step), 1e-6);
+  EXPECT_NEAR(here.dz, (after.z - before.z) / (2 * step), 1e-6);
+  EXPECT_NEAR(here.ddy, (after.dy - before.dy) / (2 * step), 1e-3);
+  EXPECT_NEAR(here.ddz, (after.dz - before.dz) / (2 * step), 1e-3);
+}
+
+TEST(ProfileSection, lineIsStraight)
+{
+  const Profile line = single(LineSection{0.01, -0.02, 0.6, 0.8}, 0.05);
+  const CurvePoint end = line.at(0.05);
+  EXPECT_DOUBLE_EQ(end.y, 0.04);
+  EXPECT_DOUBLE_EQ(end.z, 0.02);
+  EXPECT_DOUBLE_EQ(end.slope(), 0.8 / 0.6);
+  EXPECT_EQ(end.curvature(), 0.0);
+  expectDerivatives(line, 0.02);
+}
+
+TEST(ProfileSection, arcKeepsRadiusAndUnitSpeed)
+{
+  for (const double turn : {1.0, -1.0})
+  {
+    const Profile arc = single(ArcSection{0.003, -0.004, 0.013, 0.7, turn}, 0.02);
+    for (const double u : {0.0, 0.004, 0.0123, 0.02})
+    {
+      const CurvePoint p = arc.at(u);
+      EXPECT_NEAR(std::hypot(p.y - 0.003, p.z + 0.004), 0.013, 1e-16);
+      EXPECT_NEAR(std::hypot(p.dy, p.dz), 1.0, 1e-15);
+      EXPECT_NEAR(p.curvature(), turn / 0.013, 1e-12);
+    }
+    expectDerivatives(arc, 0.01);
+  }
+}
+
+TEST(ProfileSection, arcHasInfiniteSlopeWhereItIsVertical)
+{
+  const Profile arc = single(ArcSection{0.0, 0.0, 0.02, pi, 1.0}, 0.01);
+  EXPECT_GT(std::abs(arc.at(0.0).slope()), 1e15);
+  EXPECT_NEAR(arc.at(0.0).curvature(), 50.0, 1e-12);
+}
+
+TEST(ProfileSection, polynomialMatchesItsDerivativesInClosedForm)
+{
+  // z = 2 - 3 y + 50 y^2 + 4000 y^3, from y = -0.01
+  const Profile curve = single(PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03);
+  for (const double y : {-0.01, 0.0, 0.007, 0.02})
+  {
+    const CurvePoint p = curve.at(y + 0.01);
+    EXPECT_NEAR(p.y, y, 1e-17);
+    EXPECT_NEAR(p.z, 2.0 - 3.0 * y + 50.0 * y * y + 4000.0 * y * y * y, 1e-14);
+    EXPECT_NEAR(p.slope(), -3.0 + 100.0 * y + 12000.0 * y * y, 1e-13);
+    const double bend = 100.0 + 24000.0 * y;
+    EXPECT_NEAR(p.curvature(), bend / std::pow(1.0 + p.slope() * p.slope(), 1.5), 1e-11);
+    expectDerivatives(curve, y + 0.01);
+  }
+}
+
+TEST(ProfileSection, cubicMatchesItsDerivativesInClosedForm)
+{
+  const Profile curve = single(CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.01);
+  const double t = 0.004;
+  const CurvePoint p = curve.at(t);
+  EXPECT_NEAR(p.y, 0.01 + 0.9 * t - 5.0 * t * t + 300.0 * t * t * t, 1e-16);
+  EXPECT_NEAR(p.dz, -0.4 + 40.0 * t - 2100.0 * t * t, 1e-15);
+  EXPECT_NEAR(p.ddy, -10.0 + 1800.0 * t, 1e-13);
+  EXPECT_NEAR(p.ddz, 40.0 - 4200.0 * t, 1e-13);
+  expectDerivatives(curve, t);
+}
+
+TEST(Profile, endSectionsContinueByTheirOwnLaw)
+{
+  const Profile profile("two",
+                        {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {ArcSection{0.01, 0.02, 0.02, -pi / 2, 1.0}, 0.01}});
+  EXPECT_DOUBLE_EQ(profile.at(-0.005).y, -0.005);
+  EXPECT_DOUBLE_EQ(profile.at(-0.005).z, 0.0);
+  EXPECT_NEAR(profile.at(0.01 + pi * 0.02).z, 0.04, 1e-16);
+}
+
+TEST(Profile, sectionAfterAJointIsTakenAtTheJoint)
+{
+  const Profile profile("step", {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {LineSection{0.01, 0.5, 1.0, 0.0}, 0.01}});
+  EXPECT_EQ(profile.at(std::nextafter(0.01, 0.0)).z, 0.0);
+  EXPECT_EQ(profile.at(0.01).z, 0.5);
+  EXPECT_EQ(profile.at(profile.length()).z, 0.5);
+  ASSERT_EQ(profile.joints().size(), 3U);
+  EXPECT_DOUBLE_EQ(profile.joints()[1], 0.01);
+}
+
+TEST(Profile, findsTheSectionWhateverTheLengths)
+{
+  // Every section is a line at the height of its number, so that the height tells which one was taken. Lengths over
+  // eight orders of magnitude put many sections into one bucket.
+  const unsigned seed = 20240611;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> exponent(-10.0, -2.0);
+  std::vector<ProfileSection> sections;
+  for (int i = 0; i < 300; ++i)
+  {
+    sections.push_back({LineSection{0.0, static_cast<double>(i), 1.0, 0.0}, std::pow(10.0, exponent(generator))});
+  }
+  const Profile profile("lines", sections);
+  const std::vector<double>& joints = profile.joints();
+  std::uniform_real_distribution<double> anywhere(0.0, profile.length());
+  for (std::size_t i = 0; i + 1 < joints.size(); ++i)
+  {
+    EXPECT_EQ(profile.at(joints[i]).z, static_cast<double>(i));
+    EXPECT_EQ(profile.at(std::nextafter(joints[i + 1], 0.0)).z, static_cast<double>(i));
+    const double u = anywhere(generator);
+    const auto section = std::upper_bound(joints.begin(), joints.end(), u) - joints.begin() - 1;
+    EXPECT_EQ(profile.at(u).z, static_cast<double>(section));
+  }
+}
+
+// The sections are of every law, and the places go to and fro over joints and beyond both ends.
+TEST(ProfileCursor, readsWhatTheProfileTells)
+{
+  const Profile profile("all", {{LineSection{0.0, 0.0, 0.6, 0.8}, 0.01},
+                                {ArcSection{0.003, -0.004, 0.013, 0.7, -1.0}, 0.02},
+                                {PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03},
+                                {CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.005}});
+  const std::vector<double>& joints = profile.joints();
+  const unsigned seed = 20261125;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> anywhere(-0.01, profile.length() + 0.01);
+  std::vector<double> places(joints);
+  for (int i = 0; i < 200; ++i)
+  {
+    places.push_back(anywhere(generator));
+    places.push_back(places.back() + 1e-4);  // mostly on the same section
+  }
+  ProfileCursor cursor(profile);
+  for (const double u : places)
+  {
+    const CurvePoint told = profile.at(u);
+    const CurvePoint read = cursor.at(u);
+    for (const auto& value :
+         {&CurvePoint::y, &CurvePoint::z, &CurvePoint::dy, &CurvePoint::dz, &CurvePoint::ddy, &CurvePoint::ddz})
+    {
+      EXPECT_EQ(read.*value, told.*value) << "at " << u;
+      EXPECT_EQ(cursor.expansionAt(u).point.*value, told.*value) << "at " << u;
+    }
+    double reach = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k + 1 < joints.size(); ++k)
+    {
+      reach = std::min(reach, std::abs(u - joints[k]));
+    }
+    EXPECT_EQ(cursor.reach(), reach) << "at " << u;
+  }
+}
+
+TEST(ProfileCursor, thirdDerivativesAreThoseOfTheSecond)
+{
+  const double step = 1e-5;
+  for (const SectionLaw& law :
+       {SectionLaw(LineSection{0.0, 0.0, 0.6, 0.8}), SectionLaw(ArcSection{0.003, -0.004, 0.013, 0.7, 1.0}),
+        SectionLaw(ArcSection{0.003, -0.004, 0.013, 0.7, -1.0}),
+        SectionLaw(PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0, -1e5}, 5}),
+        SectionLaw(CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}})})
+  {
+    const Profile profile = single(law, 0.02);
+    const CurveExpansion here = ProfileCursor(profile).expansionAt(0.01);
+    const CurvePoint before = profile.at(0.01 - step);
+    const CurvePoint after = profile.at(0.01 + step);
+    // The difference is off by the fifth derivative times step²/6: on the arc of 13 mm 6e-4.
+    EXPECT_NEAR(here.dddy, (after.ddy - before.ddy) / (2 * step), 1e-3);
+    EXPECT_NEAR(here.dddz, (after.ddz - before.ddz) / (2 * step), 1e-3);
+  }
+}
+
+TEST(Profile, refusesSectionsThatAreNone)
+{
+  const LineSection line{0.0, 0.0, 1.0, 0.0};
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(Profile("empty", {}), std::invalid_argument);
+  EXPECT_THROW(single(line, 0.0), std::invalid_argument);
+  EXPECT_THROW(single(line, -1.0), std::invalid_argument);
+  EXPECT_THROW(single(line, infinity), std::invalid_argument);
+  EXPECT_THROW(single(line, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(single(ArcSection{0.0, 0.0, 0.0, 0.0, 1.0}, 0.01), std::invalid_argument);
+  EXPECT_THROW(single(PolynomialSection{0.0, {}, PolynomialSection::max_coefficients + 1}, 0.01),
+               std::invalid_argument);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core

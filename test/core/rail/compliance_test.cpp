@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/rail_compliance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "../../manchester_scene.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+/// Force of a wheel on an upright rail at the height of the reference point, `y` outward of the rail's axis.
+RailForce wheelForce(double lateral, double vertical, double y)
+{
+  return {lateral, vertical, vertical * y};
+}
+
+void expectRefused(const ComplianceTable& table, const std::string& entry)
+{
+  try
+  {
+    table.validate();
+    ADD_FAILURE() << "accepted a bad " << entry;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(entry), std::string::npos) << error.what();
+  }
+}
+}  // namespace
+
+// Finite elements of 60E1 on pads of 40/100 kN/mm (quadratic solids, converged to 0.5 %): 30 kN outward alone move the
+// head by 1.82 mm and turn it by 9.0 mrad; with 75 kN down at 20 mm towards the track's centre, by 1.36 mm and 5.1
+// mrad. Tolerance: the table's entries have three digits (0.1 % to 0.2 %), it is within 1.5 % of the elements' results,
+// and those are printed with two or three digits.
+TEST(ComplianceTest, SoftPadsGiveTheFiniteElementsDeflection)
+{
+  const RailDeflection alone = deflection(softPads(), wheelForce(30e3, 0, 0));
+  EXPECT_NEAR(alone.lateral, 1.82e-3, 0.015 * 1.82e-3);
+  EXPECT_NEAR(alone.roll, 9.0e-3, 0.015 * 9.0e-3);
+  EXPECT_EQ(alone.vertical, 0);
+
+  const RailDeflection with_load = deflection(softPads(), wheelForce(30e3, 75e3, -0.020));
+  EXPECT_NEAR(with_load.lateral, 1.36e-3, 0.015 * 1.36e-3);
+  EXPECT_NEAR(with_load.roll, 5.1e-3, 0.015 * 5.1e-3);
+  EXPECT_NEAR(with_load.vertical, -5.6e-9 * 75e3, 1e-18);  // rounding
+}
+
+// By hand: 60.5 um/kN and 303 urad/kN times 30 kN; M = -75 kN * 20 mm takes 303 urad/kN and 2.63 urad/(kN mm) of it
+// off.
+TEST(ComplianceTest, DeflectionIsTheTableTimesTheForces)
+{
+  const RailDeflection moved = deflection(softPads(), wheelForce(30e3, 75e3, -0.020));
+  EXPECT_NEAR(moved.lateral, 1.815e-3 - 0.4545e-3, 1e-15);
+  EXPECT_NEAR(moved.roll, 9.09e-3 - 3.945e-3, 1e-15);
+}
+
+TEST(ComplianceTest, OutwardForceMovesAndTurnsTheHeadOutwardAndLoadPressesItDown)
+{
+  const RailDeflection moved = deflection(softPads(), {1e4, 1e5, 0});
+  EXPECT_GT(moved.lateral, 0);
+  EXPECT_GT(moved.roll, 0);
+  EXPECT_LT(moved.vertical, 0);
+}
+
+// Maxwell-Betti: the work of one force on the other's deflection is the same both ways, also in the inclined rail's
+// track axes.
+TEST(ComplianceTest, WorkIsReciprocal)
+{
+  const unsigned seed = 20111U;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto work = [](const RailForce& force, const RailDeflection& moved)
+  { return force.lateral * moved.lateral - force.vertical * moved.vertical + force.moment * moved.roll; };
+  for (int i = 0; i < 100; ++i)
+  {
+    const double inclination = 0.1 * unit(random);
+    const RailForce first{3e4 * unit(random), 1e5 * unit(random), 2e3 * unit(random)};
+    const RailForce second{3e4 * unit(random), 1e5 * unit(random), 2e3 * unit(random)};
+    const double there = work(first, deflectionInTrack(softPads(), second, inclination));
+    const double back = work(second, deflectionInTrack(softPads(), first, inclination));
+    EXPECT_NEAR(there, back, 1e-11);  // works up to 100 N m, rounding
+    EXPECT_GE(work(first, deflectionInTrack(softPads(), first, inclination)), 0);
+  }
+}
+
+TEST(ComplianceTest, UprightRailNeedsNoTurningOfAxes)
+{
+  const RailForce force{2e4, 8e4, -500};
+  const RailDeflection own = deflection(softPads(), force);
+  const RailDeflection track = deflectionInTrack(softPads(), force, 0);
+  EXPECT_EQ(own.lateral, track.lateral);
+  EXPECT_EQ(own.vertical, track.vertical);
+  EXPECT_EQ(own.roll, track.roll);
+}
+
+// A force along the axis of an inclined rail (towards the field side as it goes down) presses it along its axis only.
+TEST(ComplianceTest, ForceAlongTheInclinedRailsAxisOnlyCompressesIt)
+{
+  const double inclination = 0.025;
+  const double load = 1e5;
+  const RailForce along_axis{load * std::sin(inclination), load * std::cos(inclination), 0};
+  const RailDeflection moved = deflectionInTrack(softPads(), along_axis, inclination);
+  const double compression = softPads().vertical_vertical * load;
+  EXPECT_NEAR(moved.lateral, compression * std::sin(inclination), 1e-17);  // rounding of 0.5 mm
+  EXPECT_NEAR(moved.vertical, -compression * std::cos(inclination), 1e-17);
+  EXPECT_NEAR(moved.roll, 0, 1e-17);
+}
+
+// Square to its axis the inclined rail answers as the upright one, turned by the inclination.
+TEST(ComplianceTest, ForceSquareToTheInclinedRailsAxisMovesItSquareToTheAxis)
+{
+  const double inclination = 0.025;
+  const RailForce square{1e4 * std::cos(inclination), -1e4 * std::sin(inclination), 0};
+  const RailDeflection moved = deflectionInTrack(softPads(), square, inclination);
+  const double shift = softPads().lateral_lateral * 1e4;
+  EXPECT_NEAR(moved.lateral, shift * std::cos(inclination), 1e-17);
+  EXPECT_NEAR(moved.vertical, shift * std::sin(inclination), 1e-17);
+  EXPECT_NEAR(moved.roll, softPads().lateral_roll * 1e4, 1e-17);
+}
+
+TEST(ComplianceTest, RigidRailIsATable)
+{
+  const ComplianceTable rigid;
+  EXPECT_NO_THROW(rigid.validate());
+  const RailDeflection moved = deflectionInTrack(rigid, {1e5, 1e5, 1e3}, 0.025);
+  EXPECT_EQ(moved.lateral, 0);
+  EXPECT_EQ(moved.vertical, 0);
+  EXPECT_EQ(moved.roll, 0);
+}
+
+TEST(ComplianceTest, ImpossibleTablesAreRefusedByTheirEntrysName)
+{
+  EXPECT_NO_THROW(softPads().validate());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, -1e-9})
+  {
+    ComplianceTable table = softPads();
+    table.lateral_lateral = bad;
+    expectRefused(table, "lateral_lateral");
+    table = softPads();
+    table.roll_roll = bad;
+    expectRefused(table, "roll_roll");
+    table = softPads();
+    table.vertical_vertical = bad;
+    expectRefused(table, "vertical_vertical");
+  }
+  ComplianceTable table = softPads();
+  table.lateral_roll = nan;
+  expectRefused(table, "lateral_roll");
+  table.lateral_roll = 1.001 * std::sqrt(table.lateral_lateral * table.roll_roll);
+  expectRefused(table, "lateral_roll");
+}

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/track/contact_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../../manchester_scene.h"
+#include "dense_separation.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+/// Largest curvature of the separation, on the flank at a joint of S1002 [1/m].
+constexpr double sharpest = 3200;
+
+/// Stations of the brute force lie up to 5 um beside the minimum: 3200 1/m / 2 * (5 um)² = 0.04 um too high; chords add
+/// 0.002 um times the flank's 1 / cos(70 degrees) [m].
+constexpr double dense_error = 0.05e-6;
+
+/// A wheelset and its bent track, seen from one side.
+struct Scene
+{
+  Scene(const ContactModelConfig& config, Side side, const WheelsetPose& pose, const RailDeflection& bent)
+      : rail(PlacedRail(config.rail_profile, config.track).deflected(bent)),
+        wheel(*config.wheel_profile, config.wheelset, toSide(side, pose))
+  {
+    const WheelsetPose& seen = wheel.pose();
+    std::ostringstream out;
+    out.precision(9);
+    out << "pose in side axes: y " << seen.y << " yaw " << seen.yaw << " roll " << seen.roll << "; rail bent by "
+        << bent.lateral << " outward, " << bent.vertical << " up, roll " << bent.roll;
+    description = out.str();
+  }
+  std::string description;
+  PlacedRail rail;
+  PlacedWheel wheel;
+};
+
+/// A stretch of the brute force below a level.
+struct DenseStretch
+{
+  double begin, end;    ///< [m]
+  std::size_t station;  ///< of the lowest separation
+  double lowest;        ///< [m]
+};
+
+/// By how much a minimum may stand lower than the search's stations 0.25 mm apart tell: curvature / 2 * (0.125 mm)²
+/// with 2^1.5 / 13 mm where the rail is less steep than 45 degrees, and `sharpest` on the flank [m].
+double stationError(const DenseSeparation& dense, std::size_t station)
+{
+  const bool flank = dense.railHeight(station + 1) - dense.railHeight(station) > DenseSeparation::spacing;
+  return 0.5 * (flank ? sharpest : std::pow(2, 1.5) / 0.013) * 0.125e-3 * 0.125e-3;
+}
+
+std::vector<DenseStretch> stretchesBelow(const DenseSeparation& dense, double level)
+{
+  std::vector<DenseStretch> found;
+  for (std::size_t k = 0; k < dense.size(); ++k)
+  {
+    if (dense.at(k) < level)
+    {
+      DenseStretch stretch{dense.y(k), 0, k, dense.at(k)};
+      for (; k < dense.size() && dense.at(k) < level; ++k)
+      {
+        stretch.end = dense.y(k);
+        if (dense.at(k) < stretch.lowest)
+        {
+          stretch.lowest = dense.at(k);
+          stretch.station = k;
+        }
+      }
+      found.push_back(stretch);
+    }
+  }
+  return found;
+}
+
+class ContactSearchTest : public testing::Test
+{
+ protected:
+  double unit() { return unit_(random_); }
+  Scene randomScene(Side side, double yaw)
+  {
+    const WheelsetPose pose{0.012 * unit(), 0.46, yaw * unit(), 0.01 * unit()};
+    return {config_, side, pose, {3e-3 * unit(), 1e-3 * unit(), 0.01 * unit()}};
+  }
+  void look(const Scene& scene)
+  {
+    search_.setRail(scene.rail);
+    search_.setWheel(scene.wheel);
+  }
+  std::vector<OverlapZone> zones(double separation)
+  {
+    std::vector<OverlapZone> found;
+    search_.overlapZones(separation, found);
+    return found;
+  }
+
+  const unsigned seed_ = 20111U;
+  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
+  std::mt19937 random_{seed_};
+  std::uniform_real_distribution<double> unit_{-1, 1};
+  ContactModelConfig config_ = manchesterScene();
+  ContactSearch search_{*config_.wheel_profile, *config_.rail_profile};
+};
+}  // namespace
+
+// The place found must be a true point of both bodies and the lowest. Of places that compete within the stations' error
+// the search takes the one with the lowest station, and it stays at a station if the minimum is not next to it: rare.
+TEST_F(ContactSearchTest, NearestPlaceIsThatOfBruteForce)
+{
+  int exact = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, i % 3 == 0 ? 0.06 : 0.02);
+    look(scene);
+    InitialContact contact;
+    ASSERT_TRUE(search_.nearest(contact));
+    SCOPED_TRACE(scene.description);
+    const DenseSeparation dense(scene.wheel, scene.rail);
+    const std::size_t lowest = dense.lowest();
+    exact += contact.separation < dense.at(lowest) + dense_error ? 1 : 0;
+    EXPECT_GT(contact.separation, dense.at(lowest) - dense_error);
+    EXPECT_LT(contact.separation, dense.at(lowest) + stationError(dense, lowest))
+        << contact.y << " not " << dense.y(lowest);
+
+    const PlanePoint rail = scene.rail.at(contact.rail_u);
+    SpacePoint wheel{};
+    ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile->at(contact.wheel_u), wheel));
+    EXPECT_NEAR(rail.y, contact.y, 1e-10);  // the search stops at 1e-11 m
+    EXPECT_NEAR(wheel.y, contact.y, 1e-10);
+    EXPECT_NEAR(wheel.z - rail.z, contact.separation, 3e-10);
+    EXPECT_NEAR(rail.dz / rail.dy, contact.slope, 1e-9);
+  }
+  EXPECT_GE(exact, 194);  // of 200; 1.2 are expected not to be (15 of 2500)
+}
+
+// Wheel and rail are parallel at a minimum; the place is exact to 10 nm and the relative curvature below
+// 3200 1/m. Places where the search kept to a station are no minima of smooth bodies.
+TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPlace)
+{
+  int smooth = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.03);
+    look(scene);
+    InitialContact contact;
+    ASSERT_TRUE(search_.nearest(contact));
+    SpacePoint locus{};
+    PlanePoint wheel{};
+    const CurvePoint point = config_.wheel_profile->at(contact.wheel_u);
+    ASSERT_TRUE(scene.wheel.locus(point, locus));
+    ASSERT_TRUE(scene.wheel.section(point, locus.x, wheel));
+    if (contact.curvature > 0 && std::abs(wheel.dz / wheel.dy - contact.slope) < 4e-5)
+    {
+      ++smooth;
+    }
+  }
+  EXPECT_GE(smooth, 190);  // some minima are corners: a joint of S1002 with a step, or an end of the rail
+}
+
+// Every stretch of the brute force lies in a stretch found, if it is deeper than the stations' error, and every stretch
+// found (off the flank) holds one. Edges only place the first grid, which grows until it holds the pressure: they are
+// interpolated between stations or taken from the curvature at the minimum, and the separation there may be off the
+// level by the depth (a grid is then too wide or narrow by sqrt(2)); not on the flank, where the curvature jumps at a
+// joint.
+TEST_F(ContactSearchTest, OverlappingStretchesAreThoseOfBruteForce)
+{
+  for (int i = 0; i < 200; ++i)
+  {
+    const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, i % 3 == 0 ? 0.06 : 0.02);
+    look(scene);
+    SCOPED_TRACE(scene.description);
+    const DenseSeparation dense(scene.wheel, scene.rail);
+    const double lowest = dense.at(dense.lowest());
+    for (const double depth : {1e-5, 5e-5, 2e-4, 1e-3})
+    {
+      const double level = lowest + depth;
+      const std::vector<DenseStretch> expected = stretchesBelow(dense, level);
+      const std::vector<OverlapZone> found = zones(level);
+      for (const DenseStretch& stretch : expected)
+      {
+        const double place = dense.y(stretch.station);
+        const bool held = std::any_of(
+            found.begin(), found.end(),
+            [&](const OverlapZone& zone)
+            { return place > scene.rail.at(zone.u_begin).y - 2e-5 && place < scene.rail.at(zone.u_end).y + 2e-5; });
+        EXPECT_TRUE(held || level - stretch.lowest < stationError(dense, stretch.station))
+            << "missed " << stretch.begin << " to " << stretch.end << " of depth " << level - stretch.lowest;
+      }
+      for (const OverlapZone& zone : found)
+      {
+        if (zone.contact.slope < 1)
+        {
+          EXPECT_LT(dense.near(zone.contact.y), level + dense_error) << "nothing there";
+          EXPECT_NEAR(dense.near(scene.rail.at(zone.u_begin).y), level, depth);
+          EXPECT_NEAR(dense.near(scene.rail.at(zone.u_end).y), level, depth);
+        }
+      }
+    }
+  }
+}
+
+// Deep in one another, wheel and rail share long stretches; but for little, several short ones. Each leaves to its
+// neighbours what lies beyond the place between them, which is that of division where they are halves of one, whatever
+// else they are joined with.
+TEST_F(ContactSearchTest, EachStretchEndsWhereItsNeighbourBegins)
+{
+  int divided = 0;
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.06);
+    look(scene);
+    InitialContact contact;
+    ASSERT_TRUE(search_.nearest(contact));
+    SCOPED_TRACE(scene.description);
+    const std::vector<OverlapZone> found = zones(contact.separation + (i < 1000 ? 6e-3 : 2e-4) * std::abs(unit()));
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      EXPECT_LE(found[k].u_begin, found[k].u_end);
+      EXPECT_GE(found[k].u_begin, found[k].u_least);
+      EXPECT_LE(found[k].u_end, found[k].u_most);
+      if (k + 1 < found.size())
+      {
+        EXPECT_LE(found[k].u_end, found[k + 1].u_begin);
+        EXPECT_EQ(found[k].u_most, found[k + 1].u_least);
+        divided += found[k].u_end == found[k + 1].u_begin ? 1 : 0;
+        apart += found[k].u_end < found[k + 1].u_begin ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GE(divided, 10);
+  EXPECT_GE(apart, 5);
+}
+
+// Where the wheel goes over from the tread to the flange's root (about 5 mm of lateral shift) both touch: two stretches
+// with planes far apart, each about its own minimum.
+TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoStretches)
+{
+  int with_two = 0;
+  for (double y = 4.8e-3; y < 5.4e-3; y += 2e-5)
+  {
+    const Scene scene(config_, Side::left, {y, 0.46, 0, 0}, {});
+    look(scene);
+    SCOPED_TRACE(scene.description);
+    const DenseSeparation dense(scene.wheel, scene.rail);
+    const double level = dense.at(dense.lowest()) + 4e-5;
+    const std::vector<DenseStretch> expected = stretchesBelow(dense, level);
+    if (expected.size() != 2 || level - std::max(expected[0].lowest, expected[1].lowest) < 1e-6)
+    {
+      continue;
+    }
+    ++with_two;
+    const std::vector<OverlapZone> found = zones(level);
+    ASSERT_EQ(found.size(), 2U) << "y " << y;
+    EXPECT_LT(found[0].u_end, found[1].u_begin);
+    EXPECT_GT(std::atan(found[0].contact.slope) - std::atan(found[1].contact.slope), ContactSearch::merge_angle);
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      EXPECT_NEAR(found[k].contact.separation, expected[k].lowest, dense_error);
+      EXPECT_GT(found[k].contact.rail_u, found[k].u_begin);
+      EXPECT_LT(found[k].contact.rail_u, found[k].u_end);
+    }
+  }
+  EXPECT_GE(with_two, 10);
+}
+
+// Edges are known to one station (0.25 mm); by so much a stretch may seem to shrink where its measure changes from the
+// curvature at the minimum to the stations.
+TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
+{
+  for (int i = 0; i < 50; ++i)
+  {
+    const Scene scene = randomScene(Side::left, 0.02);
+    look(scene);
+    InitialContact contact;
+    ASSERT_TRUE(search_.nearest(contact));
+    OverlapZone before;
+    double first_width = 0;
+    for (double depth = 2e-4; depth < 4e-3; depth *= 1.3)
+    {
+      const OverlapZone zone = search_.zoneAround(contact, contact.separation + depth);
+      EXPECT_LT(zone.u_begin, contact.rail_u);
+      EXPECT_GT(zone.u_end, contact.rail_u);
+      if (before.u_end > 0)
+      {
+        EXPECT_LE(zone.u_begin, before.u_begin + 2.5e-4);
+        EXPECT_GE(zone.u_end, before.u_end - 2.5e-4);
+      }
+      first_width = first_width > 0 ? first_width : zone.u_end - zone.u_begin;
+      before = zone;
+    }
+    EXPECT_GT(before.u_end - before.u_begin, 1.5 * first_width);
+  }
+}
+
+TEST_F(ContactSearchTest, NothingOverlapsAboveTheFirstTouch)
+{
+  look({config_, Side::left, {0, 0.46, 0, 0}, {}});
+  InitialContact contact;
+  ASSERT_TRUE(search_.nearest(contact));
+  EXPECT_TRUE(zones(contact.separation - 1e-9).empty());
+  EXPECT_FALSE(zones(contact.separation + 2e-4).empty());
+}
+
+TEST_F(ContactSearchTest, WheelBesideTheRailHasNoContact)
+{
+  for (const double y : {-0.3, 0.3})
+  {
+    look({config_, Side::left, {y, 0.46, 0, 0}, {}});
+    InitialContact contact;
+    EXPECT_FALSE(search_.nearest(contact));
+    EXPECT_TRUE(zones(1.0).empty());
+  }
+}
+
+// A rail that shares only the wheel's field end: the stretch is cut off there and says so.
+TEST_F(ContactSearchTest, StretchCutOffByAProfilesEndIsMarked)
+{
+  look({config_, Side::left, {-0.05, 0.46, 0, 0}, {}});
+  InitialContact contact;
+  ASSERT_TRUE(search_.nearest(contact));
+  const std::vector<OverlapZone> found = zones(contact.separation + 5e-3);
+  ASSERT_FALSE(found.empty());
+  EXPECT_TRUE(found.front().at_profile_end || found.back().at_profile_end);
+}
+
+// At 60 mrad of yaw the outline of the flange's root runs back on itself. The search must see the lower branch.
+TEST_F(ContactSearchTest, FoldsOfTheOutlineAtLargeYawAreSeenThrough)
+{
+  int folded = 0;
+  for (int i = 0; i < 40; ++i)
+  {
+    const double yaw = i % 2 == 0 ? 0.06 : -0.06;
+    const Scene scene(config_, Side::left, {0.004 + 0.006 * std::abs(unit()), 0.46, yaw, 0}, {});
+    look(scene);
+    double y_before = -1;
+    bool turns_back = false;
+    for (double u = 0.012; u < config_.wheel_profile->length(); u += 1e-4)
+    {
+      SpacePoint locus{};
+      ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile->at(u), locus));
+      turns_back = turns_back || locus.y < y_before;
+      y_before = locus.y;
+    }
+    folded += turns_back ? 1 : 0;
+    InitialContact contact;
+    ASSERT_TRUE(search_.nearest(contact));
+    SCOPED_TRACE(scene.description);
+    const DenseSeparation dense(scene.wheel, scene.rail);
+    EXPECT_GT(contact.separation, dense.at(dense.lowest()) - dense_error);
+    EXPECT_LT(contact.separation, dense.at(dense.lowest()) + stationError(dense, dense.lowest()));
+  }
+  EXPECT_GT(folded, 0);
+}

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/track/placement.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "../../manchester_scene.h"
+#include "core/track/contact_search.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+constexpr double rounding = 1e-14;  ///< of sums of lengths below 1 m
+
+/// Heights of a placed rail and their distance from the track's centre, densely sampled.
+struct RailSamples
+{
+  explicit RailSamples(const PlacedRail& rail, double gauge_depth = 0.014)
+  {
+    const int count = 400000;
+    for (int i = 0; i <= count; ++i)
+    {
+      const PlanePoint point = rail.at(rail.profile().length() * i / count);
+      top = std::max(top, point.z);
+      gauge_side = point.z >= -gauge_depth ? std::min(gauge_side, point.y) : gauge_side;
+    }
+  }
+  double top = -std::numeric_limits<double>::infinity();  ///< [m]
+  double gauge_side =
+      std::numeric_limits<double>::infinity();  ///< nearest to the track's centre, above gauge depth [m]
+};
+
+/// Random small wheelset poses, height included; flange angles of S1002 stay below the yaw's limit.
+class RandomPose
+{
+ public:
+  explicit RandomPose(unsigned seed) : random_(seed) {}
+  WheelsetPose operator()()
+  {
+    return {0.02 * unit_(random_), 0.46 + 0.01 * unit_(random_), 0.06 * unit_(random_), 0.05 * unit_(random_)};
+  }
+  double within(double low, double high) { return low + 0.5 * (1 + unit_(random_)) * (high - low); }
+
+ private:
+  std::mt19937 random_;
+  std::uniform_real_distribution<double> unit_{-1, 1};
+};
+
+Eigen::Vector3d axleDirection(const WheelsetPose& pose)
+{
+  return Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) *
+         (Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
+}
+
+class PlacementTest : public testing::Test
+{
+ protected:
+  const unsigned seed_ = 20111U;
+  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
+  RandomPose random_{seed_};
+  ContactModelConfig scene_ = manchesterScene();
+};
+}  // namespace
+
+// Figures of the benchmark's placement: rail file's origin 760.53145 mm from the track's centre, crown axis of the file
+// at -7.4917 mm; first touch 0.18213 mm above the height at which the running circle meets the rails' plane (the
+// reference code CONTACT prints 0.1821), at rail -7.28 mm and wheel +3.25 mm. Its rails are inclined by exactly 1:40.
+TEST_F(PlacementTest, ManchesterBenchmarkTouchesWhereTheReferenceTouches)
+{
+  scene_.track.rail_inclination = std::atan(1.0 / 40);
+  const PlacedRail rail(scene_.rail_profile, scene_.track);
+  const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
+  // 2 um: the reference measures the gauge on the file's samples, joined by chords up to 1 um inside the R13 arc.
+  EXPECT_NEAR(crown.y, (760.53145 - 7.4917) * 1e-3, 2e-6);
+  EXPECT_NEAR(crown.z, -0.0937e-3, 0.00005e-3);  // all printed digits
+
+  ContactSearch search(*scene_.wheel_profile, *scene_.rail_profile);
+  search.setRail(rail);
+  search.setWheel({*scene_.wheel_profile, scene_.wheelset, {0, scene_.wheelset.rolling_radius, 0, 0}});
+  InitialContact touch;
+  ASSERT_TRUE(search.nearest(touch));
+  EXPECT_NEAR(touch.separation, 0.18213e-3, 0.00001e-3);  // all printed digits
+  // 5 um and 2 um more: the printed place has two decimals of a mm, and the two above.
+  EXPECT_NEAR(touch.y, (760.53145 - 7.28) * 1e-3, 7e-6);
+  EXPECT_NEAR(scene_.wheel_profile->at(touch.wheel_u).y, 3.25e-3, 7e-6);
+}
+
+TEST_F(PlacementTest, RailsTouchTheTrackPlaneAndStandAtGauge)
+{
+  for (const double gauge : {1.42, 1.435, 1.47})
+  {
+    for (const double inclination : {0.0, 0.025, 0.05})
+    {
+      const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {gauge, 0.014, inclination});
+      const RailSamples samples(rail);
+      // Samples 0.5 um apart miss the top of R300 by 1e-16 m and a gauge point on the 1:20 side by 0.5 um / 20.
+      EXPECT_NEAR(samples.top, 0, 1e-12);
+      EXPECT_NEAR(samples.gauge_side, 0.5 * gauge, 3e-8);
+      EXPECT_NEAR(rail.angle(), inclination, rounding);
+    }
+  }
+}
+
+// By hand: the side of 60E1 is 35.9998 mm from the axis at 14.3 mm below the crown, and an upright rail's head is there
+// nearly vertical (1:20).
+TEST_F(PlacementTest, Upright60E1StandsHalfAHeadOutsideTheGauge)
+{
+  const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {1.435, 0.0143, 0});
+  const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
+  EXPECT_NEAR(crown.y, 0.7175 + 0.0359998, 1e-7);  // half of the last digit of 35.9998 mm
+  EXPECT_NEAR(crown.z, 0, rounding);
+}
+
+TEST_F(PlacementTest, InclinationTurnsTheHeadTowardsTheTrackCentre)
+{
+  const PlacedRail upright(scene_.rail_profile, {1.435, 0.014, 0});
+  const PlacedRail inclined(scene_.rail_profile, {1.435, 0.014, 0.025});
+  const double middle = 0.5 * scene_.rail_profile->length();
+  EXPECT_NEAR(upright.at(middle).dz / upright.at(middle).dy, 0, 1e-12);
+  EXPECT_NEAR(inclined.at(middle).dz / inclined.at(middle).dy, std::tan(0.025), 1e-12);
+}
+
+TEST_F(PlacementTest, RailThatEndsAboveTheGaugeDepthIsRefused)
+{
+  try
+  {
+    const PlacedRail rail(scene_.rail_profile, {1.435, 0.2, 0.025});
+    FAIL() << "a gauge depth of 0.2 m was accepted";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("track/gauge_depth"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(PlacementTest, DeflectionMovesTheReferencePointAndTurnsTheHeadAboutIt)
+{
+  const PlacedRail rest(scene_.rail_profile, scene_.track);
+  for (int i = 0; i < 100; ++i)
+  {
+    const RailDeflection given{random_.within(-5e-3, 5e-3), random_.within(-2e-3, 2e-3), random_.within(-0.03, 0.03)};
+    const PlacedRail bent = rest.deflected(given);
+    const PlanePoint before = rest.referencePoint();
+    const PlanePoint after = bent.referencePoint();
+    EXPECT_NEAR(after.y - before.y, given.lateral, rounding);
+    EXPECT_NEAR(after.z - before.z, given.vertical, rounding);
+    // The crown stands 14 mm above the reference point on the rail's axis; outward roll carries it outward.
+    const PlanePoint crown = bent.place({0, 0, 1, 0, 0, 0});
+    EXPECT_NEAR(crown.y - after.y, 0.014 * std::sin(given.roll - scene_.track.rail_inclination), rounding);
+    EXPECT_NEAR(crown.z - after.z, 0.014 * std::cos(given.roll - scene_.track.rail_inclination), rounding);
+    const double u = random_.within(0, scene_.rail_profile->length());
+    EXPECT_NEAR(std::hypot(bent.at(u).y - after.y, bent.at(u).z - after.z),
+                std::hypot(rest.at(u).y - before.y, rest.at(u).z - before.z), rounding);
+  }
+}
+
+// The wheel as a body of revolution, said once more by its definition: a point lies on it if its distance from the axle
+// is the profile's radius at its place along the axle.
+TEST_F(PlacementTest, SectionAndLocusLieAtTheProfilesRadiusFromTheAxle)
+{
+  for (int i = 0; i < 2000; ++i)
+  {
+    const WheelsetPose pose = random_();
+    const PlacedWheel wheel(*scene_.wheel_profile, scene_.wheelset, pose);
+    const CurvePoint point = scene_.wheel_profile->at(random_.within(0, scene_.wheel_profile->length()));
+    const double x = random_.within(-0.05, 0.05);
+    PlanePoint section;
+    SpacePoint locus{};
+    ASSERT_TRUE(wheel.section(point, x, section));
+    const Eigen::Vector3d axle = axleDirection(pose);
+    const Eigen::Vector3d centre(0, pose.y, pose.z);
+    const auto expectOnWheel = [&](const Eigen::Vector3d& surface)
+    {
+      const double along = (surface - centre).dot(axle);
+      EXPECT_NEAR(along, scene_.wheelset.halfBase() + point.y, 1e-13);  // rounding of a few products below 1 m
+      EXPECT_NEAR((surface - centre - along * axle).norm(), scene_.wheelset.rolling_radius - point.z, 1e-13);
+    };
+    expectOnWheel({x, section.y, section.z});
+    const double steepest = std::hypot(axle.y(), axle.z()) / std::abs(axle.x());
+    ASSERT_EQ(wheel.locus(point, locus), std::abs(point.slope()) < steepest);
+    if (std::abs(point.slope()) < steepest)
+    {
+      expectOnWheel({locus.x, locus.y, locus.z});
+    }
+  }
+}
+
+TEST_F(PlacementTest, SectionsDerivativeIsThatOfNeighbouringSections)
+{
+  const Profile& profile = *scene_.wheel_profile;
+  const double step = 1e-6;  // central difference: curvature's change times step² ~ 1e-9; rounding 1e-16 / step = 1e-10
+  for (int i = 0; i < 1000; ++i)
+  {
+    const PlacedWheel wheel(profile, scene_.wheelset, random_());
+    const double u = random_.within(0.001, profile.length() - 0.001);
+    const double x = random_.within(-0.05, 0.05);
+    const bool near_joint = std::any_of(profile.joints().begin(), profile.joints().end(),
+                                        [&](double joint) { return std::abs(u - joint) < 2 * step; });
+    PlanePoint here, before, after;
+    ASSERT_TRUE(wheel.section(profile.at(u), x, here));
+    ASSERT_TRUE(wheel.section(profile.at(u - step), x, before));
+    ASSERT_TRUE(wheel.section(profile.at(u + step), x, after));
+    if (!near_joint)
+    {
+      EXPECT_NEAR(here.dy, (after.y - before.y) / (2 * step), 1e-7);
+      EXPECT_NEAR(here.dz, (after.z - before.z) / (2 * step), 1e-7);
+    }
+  }
+}
+
+TEST_F(PlacementTest, RightWheelIsTheMirrorImageOfTheLeftOne)
+{
+  for (int i = 0; i < 200; ++i)
+  {
+    const WheelsetPose pose = random_();
+    const WheelsetPose seen = toSide(Side::right, pose);
+    const WheelsetPose back = toSide(Side::right, seen);
+    EXPECT_EQ(back.y, pose.y);
+    EXPECT_EQ(back.yaw, pose.yaw);
+    EXPECT_EQ(back.roll, pose.roll);
+    EXPECT_EQ(toSide(Side::left, pose).y, pose.y);
+
+    const PlacedWheel wheel(*scene_.wheel_profile, scene_.wheelset, seen);
+    const CurvePoint point = scene_.wheel_profile->at(random_.within(0, scene_.wheel_profile->length()));
+    PlanePoint section;
+    ASSERT_TRUE(wheel.section(point, 0.01, section));
+    // In the track frame the right wheel sits at the axle's negative end.
+    const Eigen::Vector3d surface(0.01, -section.y, section.z);
+    const Eigen::Vector3d axle = axleDirection(pose);
+    const Eigen::Vector3d centre(0, pose.y, pose.z);
+    const double along = (surface - centre).dot(axle);
+    EXPECT_NEAR(along, -(scene_.wheelset.halfBase() + point.y), 1e-13);
+    EXPECT_NEAR((surface - centre - along * axle).norm(), scene_.wheelset.rolling_radius - point.z, 1e-13);
+  }
+}

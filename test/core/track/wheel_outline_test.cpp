@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/track/placement.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+/// Lowest height over given places across the track of chords between neighbouring points.
+class LowestOutline
+{
+ public:
+  explicit LowestOutline(const Eigen::ArrayXd& places)
+      : places_(places), z_(Eigen::ArrayXd::Constant(places.size(), std::numeric_limits<double>::infinity()))
+  {
+  }
+  void startCurve() { has_before_ = false; }
+  void add(bool exists, double y, double z)
+  {
+    for (Eigen::Index k = 0; exists && has_before_ && k < places_.size(); ++k)
+    {
+      const double share = (places_[k] - y_before_) / (y - y_before_);
+      if (share >= 0 && share <= 1)
+      {
+        z_[k] = std::min(z_[k], z_before_ + share * (z - z_before_));
+      }
+    }
+    has_before_ = exists;
+    y_before_ = y;
+    z_before_ = z;
+  }
+  const Eigen::ArrayXd& z() const { return z_; }
+
+ private:
+  Eigen::ArrayXd places_, z_;
+  bool has_before_ = false;
+  double y_before_ = 0, z_before_ = 0;
+};
+}  // namespace
+
+// The wheel seen along the track, by brute force: sections at constant x, 0.4 mm apart, over the whole wheel, against
+// the outline of the locus. Places lie 5 mm inside the profile's ends (the roll moves the lowest points by the radius
+// times the roll), because the end's edges have an outline of their own. Tolerance: chords of 0.1 mm on arcs of 13 mm
+// are off by 0.1 um, sections half a step beside the lowest one by (0.2 mm)² / (2 * 460 mm) = 0.04 um, both along the
+// normal; the flank (70 degrees) makes it three times as much in z.
+TEST(WheelOutlineTest, LocusIsTheLowestOutlineSeenAlongTheTrack)
+{
+  const unsigned seed = 20111U;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Profile profile = s1002Wheel();
+  const WheelsetConfig wheelset;
+  std::vector<CurvePoint> points;
+  for (double u = 0; u < profile.length(); u += 1e-4)
+  {
+    points.push_back(profile.at(u));
+  }
+  for (const double yaw : {0.0, 0.01, -0.03, 0.06, -0.06})
+  {
+    const WheelsetPose pose{0.01 * unit(random), 0.46, yaw, 0.02 * unit(random)};
+    const PlacedWheel wheel(profile, wheelset, pose);
+    const Eigen::ArrayXd places = Eigen::ArrayXd::LinSpaced(40, 0.685, 0.803) + (pose.y + 0.46 * pose.roll);
+    LowestOutline locus_outline(places);
+    for (const CurvePoint& point : points)
+    {
+      SpacePoint locus{};
+      const bool exists = wheel.locus(point, locus);
+      locus_outline.add(exists, locus.y, locus.z);
+    }
+    LowestOutline section_outline(places);
+    for (double x = -0.2; x <= 0.2; x += 4e-4)
+    {
+      section_outline.startCurve();
+      for (const CurvePoint& point : points)
+      {
+        PlanePoint section{};
+        const bool exists = wheel.section(point, x, section);
+        section_outline.add(exists, section.y, section.z);
+      }
+    }
+    EXPECT_LT((locus_outline.z() - section_outline.z()).abs().maxCoeff(), 5e-7) << "yaw " << yaw;
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/reset_rule.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+/// Places in the sequence of stamps [ms] at which an evaluator starts anew.
+std::vector<std::size_t> starts(const std::vector<int>& stamps)
+{
+  FreshStartRule rule;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < stamps.size(); ++i)
+  {
+    if (rule.startsAnew(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
+    {
+      result.push_back(i);
+    }
+  }
+  return result;
+}
+}  // namespace
+
+TEST(FreshStart, ComesAtTheFirstInputAndAtEveryWholeSecond)
+{
+  EXPECT_EQ(starts({500, 700, 999, 1000, 1999, 2000, 5000}), (std::vector<std::size_t>{0, 3, 5, 6}));
+}
+
+TEST(FreshStart, ComesWhenTimeDoesNotRise)
+{
+  EXPECT_EQ(starts({500, 700, 600, 610, 610}), (std::vector<std::size_t>{0, 2, 4}));
+}
+
+TEST(FreshStart, ComesAfterTwoHundredInputsOfOneSecond)
+{
+  std::vector<int> stamps;
+  for (int i = 0; i < 450; ++i)
+  {
+    stamps.push_back(2000 + 2 * i);
+  }
+  EXPECT_EQ(starts(stamps), (std::vector<std::size_t>{0, 200, 400}));
+}
+
+// Whoever begins in the middle agrees from the next whole second on.
+TEST(FreshStart, DoesNotDependOnWhatWasMissed)
+{
+  const std::vector<int> all{100, 300, 900, 1100, 1200, 2100};
+  const std::vector<int> late{900, 1100, 1200, 2100};
+  EXPECT_EQ(starts(all), (std::vector<std::size_t>{0, 3, 5}));
+  EXPECT_EQ(starts(late), (std::vector<std::size_t>{0, 1, 3}));
+}

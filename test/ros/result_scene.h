@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "ros/markers/marker_tools.h"
+#include "ros/node/contact_evaluator.h"
+#include "ros/parameters/parameters.h"
+
+namespace wheel_rail_contact
+{
+inline NodeConfig exampleConfig()
+{
+  return readNodeConfig(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: UIC60_manchester}}")), "",
+                        "");
+}
+
+/// An answer with one Hertz-like patch on either side, drawn without solving anything.
+class AnswerScene : public testing::Test
+{
+ protected:
+  AnswerScene()
+  {
+    result.status = core::ContactStatus::ok;
+    answer.pose.z = 0.46;
+    for (const core::Side side : {core::Side::left, core::Side::right})
+    {
+      result.patches.push_back(makePatch(side, 0.75));
+    }
+    answer.header.frame_id = "track";
+    answer.header.stamp = ros::Time(10);
+    answer.x = 3;
+    answer.result = &result;
+  }
+
+  static core::PatchResult makePatch(core::Side side, double distance)
+  {
+    const double sign = side == core::Side::left ? 1 : -1;
+    core::PatchResult patch;
+    patch.side = side;
+    patch.pose = {0, sign * distance, -1e-4, sign * 0.03};
+    patch.normal_force = 1e5;
+    patch.area = 192e-6;
+    patch.max_pressure = 982e6;
+    patch.grid.nx = 20;
+    patch.grid.ny = 10;
+    patch.grid.dx = patch.grid.dy = 1e-3;
+    patch.grid.y0 = -4.5e-3;
+    patch.pressure.resize(20, 10);
+    for (int i = 0; i < 20; ++i)
+    {
+      for (int j = 0; j < 10; ++j)
+      {
+        const double r = std::pow(patch.grid.x(i) / 8e-3, 2) + std::pow(patch.grid.y(j) / 4e-3, 2);
+        patch.pressure(i, j) = patch.max_pressure * std::sqrt(std::max(0.0, 1 - r));
+      }
+    }
+    return patch;
+  }
+
+  const NodeConfig config = exampleConfig();
+  core::WheelsetResult result;
+  ContactAnswer answer;
+};
+
+inline const visualization_msgs::Marker& findMarker(const visualization_msgs::MarkerArray& markers,
+                                                    const std::string& ns, int id)
+{
+  const auto found =
+      std::find_if(markers.markers.begin(), markers.markers.end(),
+                   [&](const visualization_msgs::Marker& marker) { return marker.ns == ns && marker.id == id; });
+  if (found == markers.markers.end())
+  {
+    throw std::out_of_range("no marker " + ns + " " + std::to_string(id));
+  }
+  return *found;
+}
+}  // namespace wheel_rail_contact
