@@ -1,30 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by setup, test, demo and pictures: the same surroundings however and wherever they are called.
+# Sourced by setup, test, demo and pictures. The environment of these scripts then does not depend on the calling shell.
 
 exec < /dev/null
 umask 022
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." > /dev/null && pwd)
 build=$root/build
 
-# ROS belongs to the system's python3: one of pyenv, conda or a virtual environment lacks its modules.
+# ROS requires the python3 of the system. A python3 from pyenv, conda or a virtual environment lacks the ROS modules.
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 unset PYTHONHOME CDPATH GREP_OPTIONS MAKEFLAGS DESTDIR
 export LC_ALL=C.UTF-8
 
-# A shell that has sourced this build's own setup file gets the same build as one that has not.
+# Removes the devel space of this build from CMAKE_PREFIX_PATH: the calling shell may have sourced its setup file.
 if [[ -n ${CMAKE_PREFIX_PATH:-} ]]; then
   CMAKE_PREFIX_PATH=$(tr ':' '\n' <<< "$CMAKE_PREFIX_PATH" | grep --invert-match --line-regexp --fixed-strings \
     "$build/devel" | paste --serial --delimiters=: || true)
   export CMAKE_PREFIX_PATH
 fi
 
-# Everything runs on this machine, whatever its name resolves to, and leaves its logs in the build folder.
+# All nodes use localhost, because the host name may not resolve. ROS writes its logs to the build folder.
 unset ROS_IP
 export ROS_HOSTNAME=localhost
 export ROS_HOME=$build/ros_home
 
-say()
+# Prints a progress message to standard error.
+log()
 {
   printf '\n== %s\n' "$*" >&2
 }
@@ -35,7 +36,7 @@ die()
   exit 1
 }
 
-# Sources a ROS or catkin setup file, which are not written for `set -u`.
+# Sources a setup file of ROS or catkin. These files do not support `set -u`.
 source_setup()
 {
   set +u
@@ -44,8 +45,8 @@ source_setup()
   set -u
 }
 
-# As many compilers as there are cores, but not more than memory has room for (1.5 GB each).
-jobs_that_fit()
+# Prints the number of parallel compilers: one per core, limited by the available memory (1.5 GB each).
+parallel_jobs()
 {
   local cores memory
   cores=$(nproc)

@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by demo and pictures after environment.bash: programs in the background, with their output in files of the
-# folder $out; a virtual screen; node and rviz with a master of their own.
+# Sourced by demo and pictures, after environment.bash. Runs programs in the background and writes their output to files in
+# the folder $out. Provides a virtual screen, and a node and rviz with their own ROS master.
 
 : "${root:?}" "${build:?}" "${out:?}"
-started=()  # leaders of the process groups to end
+started=()  # leaders of the process groups that end_all ends
 
-# set_up [TARGET]: builds the target (default: all programs) and empties the output folder.
+# set_up TARGET: builds the target and empties the output folder.
 set_up()
 {
-  say "setting up"
-  "$root/scripts/setup" "$@"
+  log "setting up"
+  "$root/scripts/setup" "$1"
   source_setup "$build/devel/setup.bash"
   rm -rf "$out"
   mkdir -p "$out"
 }
 
-# Starts a command in a process group of its own, with its output in a file.
+# start NAME COMMAND...: starts a command in a new process group, with its output in $out/NAME.log.
 start()
 {
-  local log=$out/$1.log
+  local file=$out/$1.log
   shift
-  setsid "$@" > "$log" 2>&1 &
+  setsid "$@" > "$file" 2>&1 &
   started+=($!)
 }
 
@@ -30,6 +30,7 @@ group_runs()
   kill -0 -- "-$1" 2> /dev/null
 }
 
+# Ends all process groups, if necessary with SIGKILL.
 end_all()
 {
   local signal leader
@@ -49,7 +50,7 @@ none_runs()
   done
 }
 
-# Repeats a command until it succeeds, for at most so many seconds.
+# wait_for SECONDS COMMAND...: repeats the command until it succeeds; fails after SECONDS.
 wait_for()
 {
   local end=$((SECONDS + $1))
@@ -60,6 +61,7 @@ wait_for()
   done
 }
 
+# Prints the ends of all logs and an error message, then exits.
 fail()
 {
   printf '\n' >&2
@@ -75,26 +77,27 @@ start_virtual_screen()
   export DISPLAY
 }
 
-# A master of its own on a free port: one that runs already is not disturbed.
+# Sets ROS_MASTER_URI to a free port, so a ROS master that is already running is not disturbed.
 choose_master()
 {
   port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("localhost", 0)); print(s.getsockname()[1])')
   export ROS_MASTER_URI=http://localhost:$port
 }
 
+# subscribed TOPIC NODE: succeeds if a node whose name starts with NODE has subscribed to the topic.
 subscribed()
 {
   rostopic info "$1" | sed '1,/^Subscribers/d' | grep --quiet " /$2"
 }
 
-# start_node CONFIG: the node with a file of config/, ready for pairs, and the master.
+# start_node CONFIG: starts the ROS master and the node with a parameter file of config/, and waits for its subscriptions.
 start_node()
 {
   start node roslaunch --port="$port" wheel_rail_contact contact.launch config:="$root/config/$1"
   wait_for 60 subscribed /wheelset/load contact_node || fail "the node did not start"
 }
 
-# start_view TOPIC ARGUMENT...: rviz, ready for the node's answers or markers.
+# start_view TOPIC ARGUMENT...: starts rviz and waits until it has subscribed to this topic of the node.
 start_view()
 {
   local topic=$1

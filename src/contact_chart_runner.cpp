@@ -37,12 +37,12 @@ void run(const Plan& plan)
   int done = 0;
   for (const std::unique_ptr<Scene>& scene : scenes)
   {
-    const Result result = race(*scene, choices, plan,
-                               [&]
-                               {
-                                 std::printf("# progress: %d %d %s\n", ++done, total, scene->title().c_str());
-                                 std::fflush(stdout);
-                               });
+    const Result result = compare(*scene, choices, plan,
+                                  [&]
+                                  {
+                                    std::printf("# progress: %d %d %s\n", ++done, total, scene->title().c_str());
+                                    std::fflush(stdout);
+                                  });
     writeRows(stdout, *scene, result);
   }
 }

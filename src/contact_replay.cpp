@@ -43,7 +43,7 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   {
     std::cerr << "contact_replay: " << options.input << ": " << fault << '\n';
   }
-  if (replay.answers() == 0 && options.span.isWhole())
+  if (replay.results() == 0 && options.span.isWhole())
   {
     std::cerr << "contact_replay: " << options.input << ": there was no pair to answer\n";
     return failed;

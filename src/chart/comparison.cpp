@@ -48,8 +48,8 @@ class Truths
 class Runner
 {
  public:
-  Runner(Entry& entry, std::unique_ptr<Contender> contender, const Truths& truths)
-      : entry_(entry), contender_(std::move(contender)), truths_(truths)
+  Runner(Entry& entry, std::unique_ptr<MethodRun> contender, const Truths& truths)
+      : entry_(entry), run_(std::move(contender)), truths_(truths)
   {
   }
 
@@ -58,15 +58,15 @@ class Runner
   double settle()
   {
     const double start = now();
-    double longest = timeOf(1, [this](int) { contender_->answer(0); });
-    int answers = 1;
+    double longest = timeOf(1, [this](int) { run_->result(0); });
+    int results = 1;
     const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
     for (int i = 0; i < messages && now() - start < settling_time; ++i)
     {
       longest = std::max(longest, timeOf(1, [this](int) { next(); }));
-      ++answers;
+      ++results;
     }
-    slow_ = now() - start > fast * answers;
+    slow_ = now() - start > fast * results;
     return longest;
   }
 
@@ -81,8 +81,8 @@ class Runner
     visit(entry_.cold, slow_ ? 1 : 4,
           [this](int)
           {
-            contender_->forget();
-            contender_->answer(0);
+            run_->forget();
+            run_->result(0);
             return 0;
           });
   }
@@ -97,7 +97,7 @@ class Runner
     const int reach = truths_.reach();
     const int along = (++messages_ + reach) % way();
     const int offset = along <= 2 * reach ? along - reach : 3 * reach - along;
-    contender_->answer(offset);
+    run_->result(offset);
     return offset;
   }
 
@@ -140,12 +140,12 @@ class Runner
   /// Looks at the last answer. The first place without one that can be compared decides.
   void inspect(Series& series, int offset)
   {
-    if (series.status != Series::Status::answered)
+    if (series.status != Series::Status::evaluated)
     {
       return;
     }
     const Outcome& truth = truths_.at(offset);
-    series.outcome = contender_->outcome();
+    series.outcome = run_->outcome();
     Errors errors;
     if (!series.outcome.usable)
     {
@@ -160,13 +160,13 @@ class Runner
     }
     else
     {
-      series.answers.push_back({errors.largest(), series.outcome.estimate});
+      series.results.push_back({errors.largest(), series.outcome.estimate});
       series.errors = larger(series.errors, errors);
     }
   }
 
   Entry& entry_;
-  std::unique_ptr<Contender> contender_;
+  std::unique_ptr<MethodRun> run_;
   const Truths& truths_;
   int messages_ = 0;  ///< of the way so far
   bool slow_ = false;
@@ -234,16 +234,16 @@ std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, cons
 
 double Series::estimate() const
 {
-  const auto less = [](const Answer& one, const Answer& other) { return one.error < other.error; };
-  const auto worst = std::max_element(answers.rbegin(), answers.rend(), less);  // the last one of equals
-  return worst != answers.rend() ? worst->estimate : 0;
+  const auto less = [](const Result& one, const Result& other) { return one.error < other.error; };
+  const auto worst = std::max_element(results.rbegin(), results.rend(), less);  // the last one of equals
+  return worst != results.rend() ? worst->estimate : 0;
 }
 
 const char* toString(Series::Status status)
 {
   switch (status)
   {
-    case Series::Status::answered:
+    case Series::Status::evaluated:
       return "answered";
     case Series::Status::refused:
       return "refused";
@@ -259,7 +259,8 @@ int stepsOf(const Plan& plan)
   return 2 + 2 * plan.rounds;
 }
 
-Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress)
+Result compare(Scene& scene, const std::vector<Choice>& choices, const Plan& plan,
+               const std::function<void()>& progress)
 {
   Result result;
   const Truths truths(scene, plan.truth, plan.reach);

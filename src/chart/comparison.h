@@ -25,22 +25,22 @@ struct Series
 {
   enum class Status
   {
-    answered,
+    evaluated,
     refused,        ///< the method or the chain gave a reason instead of an answer, at one of the places at least
     other_patches,  ///< an answer has not the patches of the truth: no error can be given
     not_run         ///< expected to take too long
   };
   /// What is off of one answer that was looked at.
-  struct Answer
+  struct Result
   {
     double error;     ///< largest of its Errors [-]
     double estimate;  ///< its own [-]
   };
 
-  Status status = Status::answered;
+  Status status = Status::evaluated;
   std::string reason;           ///< empty if answered
   std::vector<double> times;    ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
-  std::vector<Answer> answers;  ///< at all of the places that were timed
+  std::vector<Result> results;  ///< at all of the places that were timed
   Errors errors;                ///< largest seen of them
   Outcome outcome;              ///< last seen
 
@@ -68,7 +68,8 @@ struct Result
 /// cells lie on a narrow lobe of the pressure decides.
 /// @param progress  called `stepsOf(plan)` times
 /// @throw std::runtime_error if the scene has no truth
-Result race(Scene& scene, const std::vector<Choice>& choices, const Plan& plan, const std::function<void()>& progress);
+Result compare(Scene& scene, const std::vector<Choice>& choices, const Plan& plan,
+               const std::function<void()>& progress);
 
 int stepsOf(const Plan& plan);
 }  // namespace wheel_rail_contact::core::chart

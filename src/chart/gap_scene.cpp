@@ -57,43 +57,43 @@ Outcome gapOutcome(const GapScene& scene, const NormalProblem& problem, const No
 
 /// Answers like one wheel of the whole chain: from cold a rough solution chooses method and grid, each answer carries
 /// its error estimate, and the grid is kept, refined or coarsened by it.
-class GapContender : public Contender
+class GapRun : public MethodRun
 {
  public:
-  GapContender(const GapScene& scene, const MethodLadder& ladder, double tolerance)
-      : scene_(scene), ladder_(ladder), tolerance_(tolerance), choice_(ladder, tolerance)
+  GapRun(const GapScene& scene, const GridLevels& levels, double tolerance)
+      : scene_(scene), levels_(levels), tolerance_(tolerance), choice_(levels, tolerance)
   {
-    for (std::size_t rung = 0; rung < ladder.count(); ++rung)
+    for (std::size_t level = 0; level < levels.count(); ++level)
     {
-      prepare(scene, ladder.at(rung).size);
+      prepare(scene, levels.at(level).size);
     }
-    if (ladder.closedForm() != nullptr)
+    if (levels.closedForm() != nullptr)
     {
-      prepare(scene, ladder.closedForm()->size);
+      prepare(scene, levels.closedForm()->size);
     }
   }
 
-  void answer(int offset) override
+  void result(int offset) override
   {
     choice_.arrive(offset * step);
-    if (!warm_ && ladder_.count() > 1)
+    if (!warm_ && levels_.count() > 1)
     {
-      solveOn(ladder_.rough(), offset);
+      solveOn(levels_.rough(), offset);
       choice_.start(estimate_);
       choice_.tryClosedForm(*problem_, solution_);
     }
     do
     {
-      solveOn(choice_.rung(), offset);
-    } while (warm_ ? choice_.climb(estimate_) : choice_.leaveClosedForm());
-    choice_.descend(estimate_);
+      solveOn(choice_.level(), offset);
+    } while (warm_ ? choice_.refine(estimate_) : choice_.leaveClosedForm());
+    choice_.coarsen(estimate_);
     choice_.tryClosedForm(*problem_, solution_);
   }
 
   void forget() override
   {
     warm_ = false;
-    choice_ = RungChoice(ladder_, tolerance_);
+    choice_ = GridLevelChoice(levels_, tolerance_);
   }
 
   Outcome outcome() const override
@@ -120,13 +120,13 @@ class GapContender : public Contender
     }
   }
 
-  void solveOn(const Rung& rung, int offset)
+  void solveOn(const GridLevel& level, int offset)
   {
-    const GridSize& size = rung.size;
+    const GridSize& size = level.size;
     problem_ = &std::find_if(prepared_.begin(), prepared_.end(),
                              [&](const Prepared& p) { return p.size == size && p.offset == offset; })
                     ->problem;
-    solver_ = rung.solver;
+    solver_ = level.solver;
     solver_->solve(*problem_, warm_, solution_);
     if (warm_ && !isUsable(solution_.status))
     {
@@ -142,9 +142,9 @@ class GapContender : public Contender
   }
 
   const GapScene& scene_;
-  const MethodLadder& ladder_;
+  const GridLevels& levels_;
   double tolerance_;
-  RungChoice choice_;
+  GridLevelChoice choice_;
   std::vector<Prepared> prepared_;
   NormalSolver* solver_ = nullptr;  ///< of the last solution
   const NormalProblem* problem_ = nullptr;
@@ -155,9 +155,12 @@ class GapContender : public Contender
 };
 }  // namespace
 
-GapScene::GapScene(std::string name, std::string title, std::shared_ptr<Ladders> ladders, std::vector<GapPatch> patches,
-                   double load)
-    : Scene(std::move(name), std::move(title)), ladders_(std::move(ladders)), patches_(std::move(patches)), load_(load)
+GapScene::GapScene(std::string name, std::string title, std::shared_ptr<SolverCache> solver_cache,
+                   std::vector<GapPatch> patches, double load)
+    : Scene(std::move(name), std::move(title)),
+      solvers_(std::move(solver_cache)),
+      patches_(std::move(patches)),
+      load_(load)
 {
   for (int i = 0; i < boxings; ++i)
   {
@@ -206,8 +209,8 @@ Outcome GapScene::truth(const GridSize& grid, int offset)
   return gapOutcome(*this, fine, solveStrictly(fine));
 }
 
-std::unique_ptr<Contender> GapScene::contender(const Choice& choice)
+std::unique_ptr<MethodRun> GapScene::contender(const Choice& choice)
 {
-  return std::make_unique<GapContender>(*this, ladders_->find(choice), contactConfig(choice).tolerance);
+  return std::make_unique<GapRun>(*this, solvers_->find(choice), contactConfig(choice).tolerance);
 }
 }  // namespace wheel_rail_contact::core::chart

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "chart/grid_series.h"
 #include "chart/method_run.h"
+#include "chart/solver_cache.h"
 
 namespace wheel_rail_contact::core::chart
 {
@@ -34,12 +34,12 @@ class GapScene : public Scene
 {
  public:
   /// @param load  [N]
-  GapScene(std::string name, std::string title, std::shared_ptr<Ladders> ladders, std::vector<GapPatch> patches,
-           double load);
+  GapScene(std::string name, std::string title, std::shared_ptr<SolverCache> solver_cache,
+           std::vector<GapPatch> patches, double load);
 
   const char* kind() const override { return "normal"; }
   Outcome truth(const GridSize& grid, int offset) override;
-  std::unique_ptr<Contender> contender(const Choice& choice) override;
+  std::unique_ptr<MethodRun> contender(const Choice& choice) override;
 
   const std::vector<GapPatch>& patches() const { return patches_; }
   /// The problem on a grid, the bodies moved by `offset` steps across the grid.
@@ -48,7 +48,7 @@ class GapScene : public Scene
  private:
   void tighten();
 
-  std::shared_ptr<Ladders> ladders_;
+  std::shared_ptr<SolverCache> solvers_;
   std::vector<GapPatch> patches_;
   double load_;
 };

@@ -37,7 +37,7 @@ double acrossForRatio(double ratio)
 }
 
 /// The joint of two arcs of the rail's head (300 mm on the crown, 80 mm beside it) under a conical tread.
-double joint(double x, double y)
+double discontinuity(double x, double y)
 {
   return along * x * x + arc(y < 0 ? 0.300 : 0.080) * y * y;
 }
@@ -62,15 +62,15 @@ double conformal(double x, double y)
 
 std::vector<std::unique_ptr<Scene>> gapScenes()
 {
-  const auto ladders = std::make_shared<Ladders>();
+  const auto solver_cache = std::make_shared<SolverCache>();
   const Box wide{0.050, -0.016, 0.016};
   std::vector<std::unique_ptr<Scene>> scenes;
   const auto add = [&](const char* name, const char* title, std::vector<GapPatch> patches)
-  { scenes.push_back(std::make_unique<GapScene>(name, title, ladders, std::move(patches), load)); };
+  { scenes.push_back(std::make_unique<GapScene>(name, title, solver_cache, std::move(patches), load)); };
 
   add("hertz_1_1", "Hertz, ellipse 1:1", {{paraboloid(along, along), wide, 0, 1}});
   add("hertz_1_5", "Hertz, ellipse 1:5", {{paraboloid(along, acrossForRatio(5)), wide, 0, 1}});
-  add("joint", "Curvature joint 300/80 mm", {{joint, wide, 0, 1}});
+  add("joint", "Curvature joint 300/80 mm", {{discontinuity, wide, 0, 1}});
   // On the tread, and on a flange inclined by 35 degrees whose first touch comes 20 µm later.
   const Gap tread = paraboloid(along, arc(0.200)), flange = paraboloid(along, arc(0.020));
   const double later = 20e-6;

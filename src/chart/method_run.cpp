@@ -6,14 +6,14 @@ namespace wheel_rail_contact::core::chart
 std::vector<Choice> allChoices()
 {
   const ContactModelConfig automatic;
-  const MethodLadder ladder(automatic);
+  const GridLevels levels(automatic);
   std::vector<Choice> choices;
   for (const NormalMethod method : {NormalMethod::hertz, NormalMethod::kik_piotrowski, NormalMethod::seidel_printed,
                                     NormalMethod::seidel, NormalMethod::conjugate_gradient})
   {
-    for (std::size_t rung = 0; rung < ladder.count(); ++rung)
+    for (std::size_t level = 0; level < levels.count(); ++level)
     {
-      choices.push_back({method, ladder.at(rung).size, 0});
+      choices.push_back({method, levels.at(level).size, 0});
     }
   }
   for (const double tolerance : tolerances)

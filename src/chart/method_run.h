@@ -38,13 +38,13 @@ std::vector<Choice> allChoices();
 ContactConfig contactConfig(const Choice& choice);
 
 /// A method at work on a scene.
-class Contender
+class MethodRun
 {
  public:
-  virtual ~Contender() = default;
+  virtual ~MethodRun() = default;
 
   /// Answers the scene at the place `offset` steps across; starts from the last answer, if there is one.
-  virtual void answer(int offset) = 0;
+  virtual void result(int offset) = 0;
   /// The next answer starts cold.
   virtual void forget() = 0;
   /// Of the last answer.
@@ -66,7 +66,7 @@ class Scene
   /// The answer at the place `offset` steps across, by conjugate gradients on a fine grid.
   virtual Outcome truth(const GridSize& grid, int offset) = 0;
   /// The contender starts cold. Of equal choices only the last one may be used.
-  virtual std::unique_ptr<Contender> contender(const Choice& choice) = 0;
+  virtual std::unique_ptr<MethodRun> contender(const Choice& choice) = 0;
 
  private:
   std::string name_, title_;

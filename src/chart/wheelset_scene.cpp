@@ -18,15 +18,15 @@ WheelsetState beside(WheelsetState state, int offset)
   return state;
 }
 
-class WheelsetContender : public Contender
+class WheelsetRun : public MethodRun
 {
  public:
-  WheelsetContender(WheelsetContact& wheelset, const WheelsetState& state) : wheelset_(wheelset), state_(state)
+  WheelsetRun(WheelsetContact& wheelset, const WheelsetState& state) : wheelset_(wheelset), state_(state)
   {
     wheelset_.reset();
   }
 
-  void answer(int offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
+  void result(int offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
   void forget() override { wheelset_.reset(); }
   Outcome outcome() const override { return outcomeOf(*result_); }
 
@@ -79,8 +79,8 @@ WheelsetContact& WheelsetPool::find(const Choice& choice)
 }
 
 WheelsetScene::WheelsetScene(std::string name, std::string title, std::shared_ptr<WheelsetPool> pool,
-                             std::shared_ptr<Ladders> ladders, const WheelsetState& state)
-    : Scene(std::move(name), std::move(title)), pool_(std::move(pool)), ladders_(std::move(ladders)), state_(state)
+                             std::shared_ptr<SolverCache> solver_cache, const WheelsetState& state)
+    : Scene(std::move(name), std::move(title)), pool_(std::move(pool)), solvers_(std::move(solver_cache)), state_(state)
 {
 }
 
@@ -88,18 +88,18 @@ Outcome WheelsetScene::truth(const GridSize& grid, int offset)
 {
   ContactModelConfig config = pool_->config();
   config.contact.tolerance = true_balance;
-  WheelsetBalance balance(config, ladders_->find({NormalMethod::conjugate_gradient, grid, true_balance}));
+  WheelsetBalance balance(config, solvers_->find({NormalMethod::conjugate_gradient, grid, true_balance}));
   return outcomeOf(balance, balance.solve(beside(state_, offset)));
 }
 
-std::unique_ptr<Contender> WheelsetScene::contender(const Choice& choice)
+std::unique_ptr<MethodRun> WheelsetScene::contender(const Choice& choice)
 {
-  return std::make_unique<WheelsetContender>(pool_->find(choice), state_);
+  return std::make_unique<WheelsetRun>(pool_->find(choice), state_);
 }
 
 std::vector<std::unique_ptr<Scene>> wheelsetScenes()
 {
-  const auto ladders = std::make_shared<Ladders>();
+  const auto solver_cache = std::make_shared<SolverCache>();
   const auto unbent = std::make_shared<WheelsetPool>(manchester());
   std::vector<std::unique_ptr<Scene>> scenes;
   for (const double y : {0.0, 0.5, 3.0, 5.0, 6.5})
@@ -107,10 +107,10 @@ std::vector<std::unique_ptr<Scene>> wheelsetScenes()
     char name[32], title[64];
     std::snprintf(name, sizeof name, "manchester_%g", y);
     std::snprintf(title, sizeof title, "Manchester, y = %g mm", y);
-    scenes.push_back(std::make_unique<WheelsetScene>(name, title, unbent, ladders, loadedAt(1e-3 * y)));
+    scenes.push_back(std::make_unique<WheelsetScene>(name, title, unbent, solver_cache, loadedAt(1e-3 * y)));
   }
   scenes.push_back(std::make_unique<WheelsetScene>(
-      "paper", "Paper's case, rails bent", std::make_shared<WheelsetPool>(paper()), ladders, loadedAt(0.572e-3)));
+      "paper", "Paper's case, rails bent", std::make_shared<WheelsetPool>(paper()), solver_cache, loadedAt(0.572e-3)));
   return scenes;
 }
 }  // namespace wheel_rail_contact::core::chart

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
-#include "chart/grid_series.h"
 #include "chart/method_run.h"
+#include "chart/solver_cache.h"
 
 namespace wheel_rail_contact::core::chart
 {
@@ -30,15 +30,15 @@ class WheelsetScene : public Scene
 {
  public:
   WheelsetScene(std::string name, std::string title, std::shared_ptr<WheelsetPool> pool,
-                std::shared_ptr<Ladders> ladders, const WheelsetState& state);
+                std::shared_ptr<SolverCache> solver_cache, const WheelsetState& state);
 
   const char* kind() const override { return "wheelset"; }
   Outcome truth(const GridSize& grid, int offset) override;
-  std::unique_ptr<Contender> contender(const Choice& choice) override;
+  std::unique_ptr<MethodRun> contender(const Choice& choice) override;
 
  private:
   std::shared_ptr<WheelsetPool> pool_;
-  std::shared_ptr<Ladders> ladders_;
+  std::shared_ptr<SolverCache> solvers_;
   WheelsetState state_;
 };
 

@@ -88,13 +88,14 @@ class WheelsetContact::Chain
 {
  public:
   explicit Chain(ContactModelConfig config)
-      : config_(checked(std::move(config))), ladder_(config_), balance_(config_, ladder_)
+      : config_(checked(std::move(config))), levels_(config_), balance_(config_, levels_)
   {
   }
 
   const WheelsetResult& evaluate(const WheelsetState& state)
   {
     const bool given = !config_.wheelset.solve_height_and_roll;
+    result_.x = state.x;
     result_.y = state.y;
     result_.yaw = state.yaw;
     result_.z = given ? state.z : config_.wheelset.rolling_radius;
@@ -163,7 +164,7 @@ class WheelsetContact::Chain
     const double sign = sideSign(side);
     out.side = side;
     out.method = wheel.solver().name();
-    const Eigen::Vector2d way = wheel.railWay(patch);
+    const Eigen::Vector2d way = wheel.railDisplacement(patch);
     out.pose = {patch.plane.x, sign * (patch.plane.y + way[0]), patch.plane.z + way[1], sign * patch.plane.angle};
     out.contact_angle = std::abs(patch.plane.angle);
     out.normal_force = pressure.force;
@@ -178,7 +179,7 @@ class WheelsetContact::Chain
   }
 
   ContactModelConfig config_;
-  MethodLadder ladder_;
+  GridLevels levels_;
   WheelsetBalance balance_;
   WheelsetResult result_;
   std::size_t patch_count_ = 0;

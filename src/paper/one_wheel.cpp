@@ -9,9 +9,9 @@ namespace wheel_rail_contact::core::paper
 namespace
 {
 constexpr int most_passes = 20;
-constexpr double plane_error = 1e-4;    ///< left open between plane and pressure-weighted normal [rad]
-constexpr double descent_error = 1e-3;  ///< left open of the descent that the gap is built for [-]
-constexpr double least_fill = 0.8;      ///< share of its expected size that a pressure must have [-]
+constexpr double plane_error = 1e-4;        ///< left open between plane and pressure-weighted normal [rad]
+constexpr double penetration_error = 1e-3;  ///< left open of the descent that the gap is built for [-]
+constexpr double least_fill = 0.8;          ///< share of its expected size that a pressure must have [-]
 constexpr int most_roll_steps = 20;
 constexpr double height_difference = 1e-9;  ///< left open between both axle ends [m]
 
@@ -55,7 +55,7 @@ bool OneWheel::solve(double y, double roll, double load)
     {
       return false;
     }
-    if (contact_.planeError() < plane_error && std::abs(contact_.descentError()) < descent_error &&
+    if (contact_.planeError() < plane_error && std::abs(contact_.penetrationError()) < penetration_error &&
         (contact_.boxFill() > least_fill || contact_.widened()))
     {
       return true;
@@ -88,7 +88,7 @@ double OneWheel::countedArea() const
 
 double OneWheel::height() const
 {
-  return touch_.axle_height - contact_.descent();
+  return touch_.axle_height - contact_.penetration();
 }
 
 bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, double& roll)

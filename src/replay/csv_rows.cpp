@@ -67,19 +67,19 @@ std::string angles(const geometry_msgs::Quaternion& q)
 }
 }  // namespace
 
-std::string csvRows(const WheelsetContact& answer, std::uint64_t number, const std::string& wheelset)
+std::string csvRows(const WheelsetContact& output, std::uint64_t number, const std::string& wheelset)
 {
-  const auto& position = answer.wheelset.position;
-  const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(answer.header.stamp) + "," +
-                            statusName(answer.status) + "," + quoted(answer.status_text) + "," + cell(position.x) +
-                            cell(position.y) + cell(position.z) + angles(answer.wheelset.orientation) +
-                            cells(answer.left_rail) + cells(answer.right_rail);
-  if (answer.patches.empty())
+  const auto& position = output.wheelset.position;
+  const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(output.header.stamp) + "," +
+                            statusName(output.status) + "," + quoted(output.status_text) + "," + cell(position.x) +
+                            cell(position.y) + cell(position.z) + angles(output.wheelset.orientation) +
+                            cells(output.left_rail) + cells(output.right_rail);
+  if (output.patches.empty())
   {
     return start + no_patch + "\n";
   }
   std::string rows;
-  for (const ContactPatch& patch : answer.patches)
+  for (const ContactPatch& patch : output.patches)
   {
     rows += start + cells(patch) + "\n";
   }
@@ -123,11 +123,11 @@ void CsvFile::flush()
   }
 }
 
-void CsvFile::finish(std::uint64_t answers)
+void CsvFile::finish(std::uint64_t results)
 {
   if (uncut_)
   {
-    cut(answers);
+    cut(results);
   }
   flush();
 }
@@ -143,18 +143,18 @@ void CsvFile::cut(std::uint64_t number)
     throw std::runtime_error(path_ + ": is not the table of a replay");
   }
   std::uint64_t length = line.size() + 1;
-  std::uint64_t answers = 0;
+  std::uint64_t results = 0;
   while (std::getline(before, line) && !before.eof())
   {
-    const std::uint64_t answer = answerOf(line);
-    if (answer >= number)
+    const std::uint64_t output = resultOf(line);
+    if (output >= number)
     {
       break;
     }
     length += line.size() + 1;
-    answers = answer + 1;
+    results = output + 1;
   }
-  if (answers != number)
+  if (results != number)
   {
     throw std::runtime_error(path_ + ": lacks rows of answers that are in the bag");
   }
@@ -163,7 +163,7 @@ void CsvFile::cut(std::uint64_t number)
   uncut_ = false;
 }
 
-std::uint64_t CsvFile::answerOf(const std::string& row) const
+std::uint64_t CsvFile::resultOf(const std::string& row) const
 {
   std::uint64_t number = 0;
   if (std::from_chars(row.data(), row.data() + row.size(), number).ec != std::errc())

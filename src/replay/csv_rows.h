@@ -11,7 +11,7 @@ namespace wheel_rail_contact
 {
 /// A line for each patch of an answer; one with empty cells at the patch for an answer that has none.
 /// @param number of the answer in the output
-std::string csvRows(const WheelsetContact& answer, std::uint64_t number, const std::string& wheelset);
+std::string csvRows(const WheelsetContact& result, std::uint64_t number, const std::string& wheelset);
 
 /// The table on its way to a file.
 class CsvFile
@@ -31,11 +31,11 @@ class CsvFile
   void flush();
   /// After the last rows: the table is that of so many answers.
   /// @throw std::runtime_error as write() and flush() do.
-  void finish(std::uint64_t answers);
+  void finish(std::uint64_t results);
 
  private:
   void cut(std::uint64_t number);
-  std::uint64_t answerOf(const std::string& row) const;
+  std::uint64_t resultOf(const std::string& row) const;
 
   std::string path_;
   bool uncut_;  ///< resumed, and nothing was written since

@@ -48,7 +48,7 @@ void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* 
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::shared_ptr<Slice>& slice = open_[wheelset];
-  if (!slice || input.starts_anew)
+  if (!slice || input.resets)
   {
     if (slice)
     {
@@ -114,7 +114,7 @@ void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
     }
     for (const Job& job : jobs)
     {
-      answer(*slice.evaluator, job);
+      evaluate(*slice.evaluator, job);
     }
     lock.lock();
   }
@@ -125,19 +125,19 @@ void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
   }
 }
 
-void EvaluationPool::answer(ContactEvaluator& evaluator, const Job& job) const
+void EvaluationPool::evaluate(ContactEvaluator& evaluator, const Job& job) const
 {
-  const ContactAnswer answer = evaluator.answer(job.input);
+  const ContactOutput output = evaluator.evaluate(job.input);
   if (!job.item)
   {
     return;
   }
-  WheelsetContact message = toMessage(answer, format_.grids, 0);
+  WheelsetContact message = toMessage(output, format_.grids, 0);
   message.header.seq = job.item->sequence;
   std::string csv;
   if (format_.csv)
   {
-    csv = csvRows(message, job.item->answer, format_.wheelsets[*job.item->wheelset]);
+    csv = csvRows(message, job.item->result, format_.wheelsets[*job.item->wheelset]);
   }
   const bool is_ok = message.status == WheelsetContact::OK;
   output_.complete(*job.item, serialized(message), std::move(csv), message.status,

@@ -15,7 +15,7 @@
 
 namespace wheel_rail_contact
 {
-/// Threads that answer inputs. Each slice (FreshStartRule) is answered in its order by one evaluator, which starts
+/// Threads that answer inputs. Each slice (ResetRule) is answered in its order by one evaluator, which starts
 /// cold, so that the answers do not depend on the number of threads.
 class EvaluationPool
 {
@@ -57,7 +57,7 @@ class EvaluationPool
   void offer(const std::shared_ptr<Slice>& slice);
   void work();
   void run(Slice& slice, std::unique_lock<std::mutex>& lock);
-  void answer(ContactEvaluator& evaluator, const Job& job) const;
+  void evaluate(ContactEvaluator& evaluator, const Job& job) const;
 
   const NodeConfig config_;
   const Format format_;

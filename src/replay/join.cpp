@@ -42,7 +42,7 @@ std::vector<std::string> topicsOf(const std::string& description)
   std::vector<std::string> topics;
   for (const std::string& wheelset : describedWheelsets(description))
   {
-    topics.push_back(answerTopic(wheelset));
+    topics.push_back(resultTopic(wheelset));
   }
   return topics;
 }
@@ -75,10 +75,10 @@ std::vector<std::string> topicsOf(const std::vector<Connections>& parts)
 }
 
 /// Collects the parts' answers and checks that the parts follow one another.
-class Answers
+class Results
 {
  public:
-  explicit Answers(const std::vector<std::string>& parts)
+  explicit Results(const std::vector<std::string>& parts)
   {
     if (parts.empty())
     {
@@ -158,10 +158,10 @@ class Answers
 class Joiner
 {
  public:
-  Joiner(const std::vector<BagConnection>& answers, const std::string& output, const std::string& compression)
-      : writer_(output, compression), sequence_(answers.size(), 0)
+  Joiner(const std::vector<BagConnection>& results, const std::string& output, const std::string& compression)
+      : writer_(output, compression), sequence_(results.size(), 0)
   {
-    for (const BagConnection& connection : answers)
+    for (const BagConnection& connection : results)
     {
       writer_.addConnection(connection);
     }
@@ -225,7 +225,7 @@ class Joiner
 std::uint64_t joinParts(const std::vector<std::string>& parts, const std::string& output,
                         const std::string& compression)
 {
-  Joiner joiner(Answers(parts).connections(), output, compression);
+  Joiner joiner(Results(parts).connections(), output, compression);
   for (const std::string& part : parts)
   {
     joiner.add(part);

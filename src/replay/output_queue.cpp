@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds moment(100);
 void OutputQueue::charge(OutputItem& item)
 {
   bytes_ -= item.charged;
-  item.charged = overhead + (item.ready ? item.data.size() + item.csv.size() : largest_answer_);
+  item.charged = overhead + (item.ready ? item.data.size() + item.csv.size() : largest_result_);
   bytes_ += item.charged;
 }
 
@@ -50,7 +50,7 @@ void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, 
   item.reason = std::move(reason);
   item.ready = true;
   charge(item);
-  largest_answer_ = std::max(largest_answer_, item.data.size() + item.csv.size());
+  largest_result_ = std::max(largest_result_, item.data.size() + item.csv.size());
   if (&item == &items_.front())
   {
     front_ready_.notify_one();

@@ -15,7 +15,7 @@ namespace wheel_rail_contact
 /// A message of the output, which may still be worked on.
 struct OutputItem : ReplayItem
 {
-  std::uint64_t answer = 0;    ///< number of the answer in the output
+  std::uint64_t result = 0;    ///< number of the answer in the output
   std::uint32_t sequence = 0;  ///< number of the answer among those of its wheelset
   bool ready = false;          ///< `data` and what follows is there
   std::string csv;             ///< rows of the table
@@ -61,7 +61,7 @@ class OutputQueue
   std::deque<OutputItem> items_;
   std::size_t budget_;
   std::size_t bytes_ = 0;           ///< of all items
-  std::size_t largest_answer_ = 0;  ///< so far; answers still to come count as much
+  std::size_t largest_result_ = 0;  ///< so far; answers still to come count as much
   bool closed_ = false, stopped_ = false;
   std::exception_ptr reason_;
 };

@@ -27,33 +27,33 @@ double Progress::elapsed() const
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void Progress::show(std::uint64_t read, std::uint64_t answers)
+void Progress::show(std::uint64_t read, std::uint64_t results)
 {
   if (Clock::now() >= next_)
   {
-    print(read, answers);
+    print(read, results);
     next_ = Clock::now() + (terminal_ ? Clock::duration(bar_period) : Clock::duration(line_period));
   }
 }
 
-void Progress::finish(std::uint64_t read, std::uint64_t answers)
+void Progress::finish(std::uint64_t read, std::uint64_t results)
 {
   if (terminal_)
   {
-    print(read, answers);
+    print(read, results);
     std::fputc('\n', stderr);
   }
 }
 
-void Progress::print(std::uint64_t read, std::uint64_t answers) const
+void Progress::print(std::uint64_t read, std::uint64_t results) const
 {
   const double share = total_ > 0 ? std::min(1.0, static_cast<double>(read) / static_cast<double>(total_)) : 1.0;
-  const double rate = static_cast<double>(answers) / std::max(elapsed(), 1e-3);
+  const double rate = static_cast<double>(results) / std::max(elapsed(), 1e-3);
   const double left = share > 0 ? elapsed() * (1 - share) / share : 0;
   const auto filled = static_cast<std::size_t>(std::lround(share * bar_width));
   const std::string bar =
       terminal_ ? "\r[" + std::string(filled, '#') + std::string(bar_width - filled, '.') + "] " : std::string();
   std::fprintf(stderr, "%s%5.1f %%  %llu answers, %.0f/s, %.0f s left %s", bar.c_str(), 100 * share,
-               static_cast<unsigned long long>(answers), rate, std::ceil(left), terminal_ ? "  " : "\n");
+               static_cast<unsigned long long>(results), rate, std::ceil(left), terminal_ ? "  " : "\n");
 }
 }  // namespace wheel_rail_contact

@@ -15,16 +15,16 @@ class Progress
   explicit Progress(std::uint64_t total);
 
   /// Called often; shows something only when it is time.
-  void show(std::uint64_t read, std::uint64_t answers);
+  void show(std::uint64_t read, std::uint64_t results);
   /// Shows the last state and ends the line.
-  void finish(std::uint64_t read, std::uint64_t answers);
+  void finish(std::uint64_t read, std::uint64_t results);
 
   /// Since the beginning [s].
   double elapsed() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  void print(std::uint64_t read, std::uint64_t answers) const;
+  void print(std::uint64_t read, std::uint64_t results) const;
 
   std::uint64_t total_;
   bool terminal_;

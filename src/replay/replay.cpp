@@ -18,11 +18,11 @@ namespace
 {
 constexpr std::size_t queue_budget = 96 << 20;  ///< [B]
 
-BagConnection answerConnection(const std::string& wheelset, const std::string& description,
+BagConnection resultConnection(const std::string& wheelset, const std::string& description,
                                const core::ContactModelConfig& model)
 {
   BagConnection connection;
-  connection.topic = answerTopic(wheelset);
+  connection.topic = resultTopic(wheelset);
   connection.header.set("topic", connection.topic)
       .set("type", ros::message_traits::datatype<WheelsetContact>())
       .set("md5sum", ros::message_traits::md5sum<WheelsetContact>())
@@ -67,7 +67,7 @@ Replay::Replay(ReplayOptions options)
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
       source_(options_.input, config_, options_.wheelsets, options_.keep_topics, options_.span,
-              leadInStart(options_, config_)),
+              warmUpStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       queue_(queue_budget)
 {
@@ -93,7 +93,7 @@ Replay::Replay(ReplayOptions options)
       });
   for (const std::string& wheelset : options_.wheelsets)
   {
-    bag_->addConnection(answerConnection(wheelset, description_, config_.model));
+    bag_->addConnection(resultConnection(wheelset, description_, config_.model));
   }
 }
 
@@ -138,7 +138,7 @@ void Replay::run(const std::atomic<bool>& interrupted)
         {
           write(item);
         }
-        progress.show(last_read_, answers_ - answers_before_);
+        progress.show(last_read_, results_ - results_before_);
       }
     }
     catch (...)
@@ -152,11 +152,11 @@ void Replay::run(const std::atomic<bool>& interrupted)
   }
   if (csv_)
   {
-    csv_->finish(answers_);
+    csv_->finish(results_);
   }
   bag_->close();
   seconds_ = progress.elapsed();
-  progress.finish(last_read_, answers_ - answers_before_);
+  progress.finish(last_read_, results_ - results_before_);
 }
 
 /// Reads the input and hands out the work.
@@ -164,11 +164,11 @@ void Replay::read(EvaluationPool& pool)
 {
   try
   {
-    std::uint64_t messages = 0, answers = 0;
+    std::uint64_t messages = 0, results = 0;
     std::vector<std::uint32_t> sequence(options_.wheelsets.size(), 0);
     while (auto event = source_.next())
     {
-      if (event->lead_in)
+      if (event->warm_up)
       {
         pool.add(*event->wheelset, std::move(event->input), nullptr);
         continue;
@@ -179,7 +179,7 @@ void Replay::read(EvaluationPool& pool)
       item.ready = !event->wheelset || !wanted;
       if (event->wheelset)
       {
-        item.answer = answers++;
+        item.result = results++;
         item.sequence = sequence[*event->wheelset]++;
       }
       OutputItem* const place = queue_.append(std::move(item));
@@ -205,8 +205,8 @@ void Replay::write(const OutputItem& item)
   const bool is_there = written_++ < remains_.messages;
   if (item.wheelset)
   {
-    ++answers_;
-    answers_before_ += is_there ? 1U : 0U;
+    ++results_;
+    results_before_ += is_there ? 1U : 0U;
   }
   if (item.wheelset && !is_there && statuses_.at(item.status)++ == 0)
   {
@@ -214,7 +214,7 @@ void Replay::write(const OutputItem& item)
   }
   if (csv_ && item.wheelset && !is_there)
   {
-    csv_->write(item.answer, item.csv);
+    csv_->write(item.result, item.csv);
   }
   last_read_ = item.read;
   const auto number = item.wheelset ? static_cast<std::uint32_t>(*item.wheelset) : keptConnection(item);
@@ -233,12 +233,12 @@ std::uint32_t Replay::keptConnection(const OutputItem& item)
 
 void Replay::printSummary(std::ostream& out) const
 {
-  const std::uint64_t evaluated = answers_ - answers_before_;
+  const std::uint64_t evaluated = results_ - results_before_;
   out << evaluated << " pairs answered in " << seconds_ << " s, "
       << static_cast<std::uint64_t>(static_cast<double>(evaluated) / seconds_) << "/s";
-  if (answers_before_ > 0)
+  if (results_before_ > 0)
   {
-    out << "; " << answers_before_ << " were there already";
+    out << "; " << results_before_ << " were there already";
   }
   out << "\n";
   for (std::size_t status = 0; status < statuses_.size(); ++status)
@@ -263,7 +263,7 @@ void Replay::printSummary(std::ostream& out) const
     }
     if (const std::uint64_t lacking = source_.lackingNeighbour(i))
     {
-      out << "  " << answerTopic(options_.wheelsets[i]) << ": " << lacking << " answers lack a neighbour's forces\n";
+      out << "  " << resultTopic(options_.wheelsets[i]) << ": " << lacking << " answers lack a neighbour's forces\n";
     }
   }
 }

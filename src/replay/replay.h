@@ -38,7 +38,7 @@ class Replay
   /// What could not be read, in sentences; empty if everything was.
   std::vector<std::string> faults() const { return source_.faults(); }
   /// Answers written, those resumed among them.
-  std::uint64_t answers() const { return answers_; }
+  std::uint64_t results() const { return results_; }
 
  private:
   std::unique_ptr<BagWriter> resumeOutput();
@@ -57,8 +57,8 @@ class Replay
   OutputQueue queue_;
   std::map<std::uint32_t, std::uint32_t> kept_connections_;  ///< numbers in the output by those in the input
   std::uint64_t written_ = 0;                                ///< messages, with those that were there before
-  std::uint64_t answers_ = 0;                                ///< with those that were there before
-  std::uint64_t answers_before_ = 0;                         ///< that were there before
+  std::uint64_t results_ = 0;                                ///< with those that were there before
+  std::uint64_t results_before_ = 0;                         ///< that were there before
   std::uint64_t last_read_ = 0;                              ///< messages of the input that are dealt with
   std::array<std::uint64_t, ContactStatistics::statuses> statuses_{};
   std::array<std::string, ContactStatistics::statuses> first_reasons_;  ///< of each status

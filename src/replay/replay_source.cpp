@@ -23,30 +23,30 @@ std::string absolute(const std::string& topic)
   return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
 }
 
-std::set<std::string> answerTopics(const std::vector<std::string>& wheelsets)
+std::set<std::string> resultTopics(const std::vector<std::string>& wheelsets)
 {
   std::set<std::string> topics;
   for (const std::string& wheelset : wheelsets)
   {
-    topics.insert(answerTopic(wheelset));
+    topics.insert(resultTopic(wheelset));
   }
   return topics;
 }
 }  // namespace
 
-std::string answerTopic(const std::string& wheelset)
+std::string resultTopic(const std::string& wheelset)
 {
   return wheelset + "/contact_node/contact";
 }
 
 ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets,
-                           bool keep, const BagSpan& span, std::uint64_t lead_in)
+                           bool keep, const BagSpan& span, std::uint64_t warm_up)
     : span_(span),
-      answers_(answerTopics(wheelsets)),
+      results_(resultTopics(wheelsets)),
       uses_(usesOf(config, wheelsets)),
       keep_(keep),
       wheelsets_(wheelsets.size(), Wheelset(config)),
-      stream_(bag, [this](const std::string& topic) { return wants(topic); }, {lead_in, span.to})
+      stream_(bag, [this](const std::string& topic) { return wants(topic); }, {warm_up, span.to})
 {
   requireTopics();
   requireTypes();
@@ -83,13 +83,13 @@ ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vec
 bool ReplaySource::wants(const std::string& topic) const
 {
   const std::string name = absolute(topic);
-  return uses_.count(name) > 0 || (keep_ && answers_.count(name) == 0);
+  return uses_.count(name) > 0 || (keep_ && results_.count(name) == 0);
 }
 
 /// The answers that this run makes are not in its input; those there are another run's.
 void ReplaySource::requireAnotherRuns(const std::string& topic) const
 {
-  if (answers_.count(topic) > 0)
+  if (results_.count(topic) > 0)
   {
     throw std::invalid_argument("rail_bending/neighbours: topic " + topic +
                                 " is answered in this same run; answer that wheelset first, with --keep-topics, and "
@@ -259,7 +259,7 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
   }
   if (use.role == Role::neighbour)
   {
-    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<NeighbourAnswer>(message.data));
+    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<NeighbourResult>(message.data));
     return;
   }
   auto input = pair(use, message);
@@ -307,10 +307,10 @@ void ReplaySource::emit(std::size_t wheelset)
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
   const NeighbourEffect effect = own.neighbours.effectAt(event.input.stamp);
-  event.input.placed.state.rail_offset = effect.deflection;
+  event.input.state.rail_offset = effect.deflection;
   event.input.lacks_neighbour = !effect.complete;
   event.read = read_;
-  event.lead_in = !in_span_;
+  event.warm_up = !in_span_;
   const bool is_evaluated = event.input.status == WheelsetContact::OK;
   own.lacking_neighbour += in_span_ && is_evaluated && event.input.lacks_neighbour ? 1U : 0U;
   observe(own, event.input.stamp);
@@ -334,7 +334,7 @@ void ReplaySource::beginSpan()
 /// Looks at the stamps of a wheelset's inputs, see isCertain().
 void ReplaySource::observe(Wheelset& wheelset, const ros::Time& stamp)
 {
-  const bool fresh = wheelset.last_stamp && FreshStartRule::isSeam(*wheelset.last_stamp, stamp);
+  const bool fresh = wheelset.last_stamp && ResetRule::isSeam(*wheelset.last_stamp, stamp);
   wheelset.certain = wheelset.certain || (fresh && wheelset.settled && wheelset.neighbours.reachBackFrom(stamp));
   wheelset.settled = wheelset.settled || wheelset.pairing.isSettled();
   wheelset.last_stamp = stamp;

@@ -24,7 +24,7 @@ namespace wheel_rail_contact
 struct ReplayEvent : ReplayItem
 {
   PreparedInput input;   ///< of an answer
-  bool lead_in = false;  ///< not asked for, but the answers after it may start from it
+  bool warm_up = false;  ///< not asked for, but the answers after it may start from it
 };
 
 /// Makes of a bag's messages the inputs that the live node would make of them: pairs them by their stamps, and brings
@@ -36,10 +36,10 @@ class ReplaySource
   /// @param wheelsets namespaces, "" or "/name"
   /// @param keep true: all messages are delivered too, but for answers of an earlier run
   /// @param span what becomes ready in it is delivered
-  /// @param lead_in where to begin to read, at or before the span [ns]; see leadInStart()
+  /// @param warm_up where to begin to read, at or before the span [ns]; see warmUpStart()
   /// @throw BagError if the bag cannot be read.
   ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets, bool keep,
-               const BagSpan& span = {}, std::uint64_t lead_in = 0);
+               const BagSpan& span = {}, std::uint64_t warm_up = 0);
 
   /// The next event, nothing at the end.
   std::optional<ReplayEvent> next();
@@ -114,7 +114,7 @@ class ReplaySource
 
   BagSpan span_;
   bool in_span_ = false;
-  std::set<std::string> answers_;  ///< topics
+  std::set<std::string> results_;  ///< topics
   Uses uses_;
   bool keep_;
   std::vector<Wheelset> wheelsets_;
@@ -128,5 +128,5 @@ class ReplaySource
 };
 
 /// Topic of a wheelset's answers.
-std::string answerTopic(const std::string& wheelset);
+std::string resultTopic(const std::string& wheelset);
 }  // namespace wheel_rail_contact

@@ -41,7 +41,7 @@ std::uint64_t startOf(const BagContents& contents)
 }
 }  // namespace
 
-std::uint64_t leadInStart(const ReplayOptions& options, const NodeConfig& config)
+std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config)
 {
   const std::uint64_t from = options.span.from;
   if (from == 0 || config.slop > 0)

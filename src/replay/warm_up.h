@@ -12,5 +12,5 @@ namespace wheel_rail_contact
 /// are known as long as they count. 0, the bag's beginning, where that cannot be told from a part: with transforms,
 /// whose buffer depends on all before; with a slop, which may shift who is paired with whom; without an index.
 /// @throw BagError if the bag cannot be read.
-std::uint64_t leadInStart(const ReplayOptions& options, const NodeConfig& config);
+std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config);
 }  // namespace wheel_rail_contact

@@ -45,7 +45,7 @@ void ContactDisplay::reset()
 
 void ContactDisplay::clear()
 {
-  answer_.reset();
+  output_.reset();
   trail_.clear();
   changed_ = false;
   if (drawing_)
@@ -63,7 +63,7 @@ void ContactDisplay::processMessage(const WheelsetContact::ConstPtr& message)
   }
   try
   {
-    answer_ = answerFromMessage(*message, result_);
+    output_ = outputFromMessage(*message, result_);
   }
   catch (const std::invalid_argument& error)
   {
@@ -72,7 +72,7 @@ void ContactDisplay::processMessage(const WheelsetContact::ConstPtr& message)
     return;
   }
   extendTrail();
-  reportAnswer();
+  reportResult();
   changed_ = true;
 }
 
@@ -87,7 +87,7 @@ void ContactDisplay::extendTrail()
   if (length > 0)
   {
     const std::optional<core::PlacedRail> at_rest = restingRail(model());
-    trail_.add(*answer_, at_rest ? &*at_rest : nullptr);
+    trail_.add(*output_, at_rest ? &*at_rest : nullptr);
   }
   trail_.limit(length);
 }
@@ -118,17 +118,17 @@ void ContactDisplay::readParameters()
   }
 }
 
-void ContactDisplay::reportAnswer()
+void ContactDisplay::reportResult()
 {
-  const bool usable = answer_->result != nullptr;
-  const std::string name = statusName(answer_->status);
+  const bool usable = output_->result != nullptr;
+  const std::string name = statusName(output_->status);
   setStatusStd(usable ? StatusProperty::Ok : StatusProperty::Warn, "Answer",
-               answer_->reason.empty() ? name : name + ": " + answer_->reason);
+               output_->reason.empty() ? name : name + ": " + output_->reason);
 }
 
 void ContactDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
 {
-  if (changed_ && answer_)
+  if (changed_ && output_)
   {
     changed_ = false;
     draw();
@@ -138,10 +138,10 @@ void ContactDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
 void ContactDisplay::draw()
 {
   const SceneOptions options = properties_.options();
-  drawing_->show(sceneMarkers(*answer_, model(), trail_, options));
+  drawing_->show(sceneMarkers(*output_, model(), trail_, options));
   if (properties_.panelLetters() > 0)
   {
-    panel_->show(panelPicture(answerLines(*answer_, options.track.sides), options.patch.max_pressure,
+    panel_->show(panelPicture(resultLines(*output_, options.track.sides), options.patch.max_pressure,
                               properties_.panelLetters()));
   }
   else

@@ -38,7 +38,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   /// Null while the node's parameters are not known.
   const core::ContactModelConfig* model() const;
   std::string parameterNamespace() const;
-  void reportAnswer();
+  void reportResult();
   void draw();
 
   DisplayProperties properties_;
@@ -47,7 +47,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   std::optional<NodeConfig> config_;  ///< of the contact node; without it wheels and rails are not drawn
   ros::WallTime next_reading_;        ///< of parameters that could not be read
   core::WheelsetResult result_;
-  std::optional<ContactAnswer> answer_;  ///< refers to `result_`
+  std::optional<ContactOutput> output_;  ///< refers to `result_`
   ContactTrail trail_;
   bool changed_ = false;  ///< since the last drawing
 };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the package's commands have in common: how they end, and where they find what comes with the package."""
+"""Functions shared by the commands: exit status, error messages, and paths of files and programs of the package."""
 import contextlib
 import os
 import sys
@@ -9,12 +9,14 @@ PACKAGE = "wheel_rail_contact"
 
 
 class Failure(Exception):
-    """What went wrong, in one sentence for the user."""
+    """Failure of a command; the message is one sentence for the user."""
 
 
 def finish(name, work, *arguments):
-    """Runs the work of a command; returns its exit status: what the work returns, else 0. A failure is one sentence on
-    standard error."""
+    """Runs a command and returns its exit status: the value that `work` returns, or 0 if this is None.
+
+    A Failure, an OSError or Ctrl-C is reported as one sentence on standard error.
+    """
     try:
         return work(*arguments) or 0
     except (Failure, OSError) as error:
@@ -27,7 +29,7 @@ def finish(name, work, *arguments):
 
 @contextlib.contextmanager
 def writing(path):
-    """Tells what cannot be written by its name, which the error of a full disk does not hold."""
+    """Adds the path to errors during writing: the error of a full disk does not contain it."""
     try:
         yield
     except FileExistsError:
@@ -37,16 +39,16 @@ def writing(path):
 
 
 def shipped(name):
-    """Path of a file that comes with the package, in the source tree or installed."""
+    """Path of a file of the package, in the source tree or in the install space."""
     here = Path(__file__).resolve().parent
     for root in (here.parents[1], *(parent / "share" / PACKAGE for parent in here.parents)):
         if (root / name).is_file():
             return root / name
-    raise Failure(f"{name} of the package was not found")
+    raise Failure(f"file {name} of the package was not found")
 
 
 def runner(name):
-    """Path of a program: beside the command, in the devel space as in the install space, or in a workspace."""
+    """Path of a program: in the folder of the command (devel or install space), or in a sourced workspace."""
     command = Path(sys.argv[0])
     workspaces = [Path(prefix, "lib", PACKAGE)
                   for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep) if prefix]
@@ -57,7 +59,7 @@ def runner(name):
 
 
 def pyplot():
-    """matplotlib's pyplot, drawing to files only."""
+    """pyplot of matplotlib, with a backend that draws only to files."""
     try:
         import matplotlib
         matplotlib.use("Agg")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the numbers in answers stand for, as WheelsetContact.msg and ContactPatch.msg have them."""
+"""Names of the numbers in results, as defined in WheelsetContact.msg and ContactPatch.msg."""
 SIDES = ("left", "right")
 STATUSES = ("OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM")
 USABLE = (STATUSES.index("OK"), STATUSES.index("LIFT_OFF"))

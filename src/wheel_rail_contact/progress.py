@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Progress on standard error: a bar on a terminal, lines elsewhere."""
+"""Progress on standard error: a bar on a terminal, otherwise lines."""
 import sys
 import time
 
@@ -7,11 +7,15 @@ WIDTH = 30
 
 
 class Progress:
-    """Called with (steps done, steps in all, what is at work). Lines come when that changes, at most one a period [s]."""
+    """Shows the progress of a work in steps.
+
+    Each call gives the number of steps done, the total number of steps, and a title. Without a terminal, a line is printed
+    when the title changes, at most one per `period` [s].
+    """
 
     def __init__(self, stream=None, period=0):
         self._stream = stream or sys.stderr
-        self._started = self._told = time.monotonic()
+        self._started = self._reported = time.monotonic()
         self._period = period
         self._bar = self._stream.isatty()
         self._title = None
@@ -24,13 +28,13 @@ class Progress:
             bar = "#" * full + "." * (WIDTH - full)
             print(f"\r[{bar}] {100 * done // total:3d} %  {seconds:4.0f} s  {title:<45.45}", end="", file=self._stream,
                   flush=True)
-        elif title == self._title or now - self._told < self._period:
+        elif title == self._title or now - self._reported < self._period:
             return
         else:
             print(f"[{seconds:5.0f} s] {100 * done // total:3d} %  {title}", file=self._stream, flush=True)
-        self._title, self._told = title, now
+        self._title, self._reported = title, now
 
     def end(self):
-        """Leaves the bar's line."""
+        """Ends the line of the bar."""
         if self._bar and self._title is not None:
             print(file=self._stream, flush=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_animation: drawn bodies touch where the answer says, and the file holds what was drawn."""
+"""contact_animation: the drawn bodies touch at the contact positions of the results, and the file contains the pictures."""
 import pathlib
 import sys
 import unittest
@@ -12,10 +12,10 @@ from wheel_rail_contact.animation.command_line import main
 from wheel_rail_contact.animation.gif import write_gif
 from wheel_rail_contact.animation.section import section
 from wheel_rail_contact.msg import WheelsetContact
-from wheel_rail_contact.report.answers import full, read
+from wheel_rail_contact.report.results import read, read_full
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from sweep_case import SWEEP, SweepCase  # noqa: E402  (stands beside other tests)
+from sweep_case import SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 MOVED = """\
 rail: {profile: UIC60_manchester}
@@ -24,10 +24,10 @@ rail_bending: {model: prescribed, prescribed: {lateral: 2.0e-3, vertical: -1.0e-
 
 
 def distance(point, curve):
-    """From a point to the nearest of a curve's chords."""
-    start, way = curve[:-1], np.diff(curve, axis=0)
-    share = np.clip(((point - start) * way).sum(axis=1) / (way**2).sum(axis=1), 0, 1)
-    return np.hypot(*(start + share[:, None] * way - point).T).min()
+    """Distance from a point to the nearest chord of a curve."""
+    start, chord = curve[:-1], np.diff(curve, axis=0)
+    share = np.clip(((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1), 0, 1)
+    return np.hypot(*(start + share[:, None] * chord - point).T).min()
 
 
 class Animation(SweepCase):
@@ -40,24 +40,24 @@ class Animation(SweepCase):
     def animate(self, *arguments, status=0):
         return self.run_command(main, *arguments, status=status)
 
-    def test_bodies_touch_where_the_answer_says(self):
-        answers, topic = read(self.moved)
-        for message in full(self.moved, topic, {0, 57, 100}).values():
+    def test_drawn_bodies_touch_at_the_contact_positions_of_the_results(self):
+        results, topic = read(self.moved)
+        for message in read_full(self.moved, topic, {0, 57, 100}).values():
             for patch in message.patches:
-                shown = section(message, patch.side, answers.outlines)
+                shown = section(message, patch.side, results.outlines)
                 origin = 1e3 * np.array([(1, -1)[patch.side] * patch.pose.position.y, patch.pose.position.z])
-                # The patch's origin lies on the rail; chords of 0.4 mm are off by 2 um where the radius is 13 mm.
+                # The origin of the patch is on the rail. At a radius of 13 mm, chords of 0.4 mm deviate by 2 um.
                 self.assertLess(distance(origin, shown.rail), 0.003)
-                # The wheel is pressed into the rail by the approach.
+                # The wheel overlaps the rail by the approach.
                 self.assertLess(distance(origin, shown.wheel), 1e3 * patch.approach + 0.003)
                 drawn = next(p for p in shown.patches if p.force == 1e-3 * patch.normal_force)
                 centre = drawn.pressure.sum(axis=0) @ drawn.surface / drawn.pressure.sum()
                 self.assertLess(distance(centre, shown.rail), 1e3 * patch.approach)
-                # Both bodies' outlines run along the patch's plane there.
+                # The plane of the patch is perpendicular to its normal.
                 tangent = drawn.surface[-1] - drawn.surface[0]
                 self.assertAlmostEqual(tangent @ drawn.normal, 0, delta=1e-9)
 
-    def test_file_holds_the_pictures_of_both_runs(self):
+    def test_file_contains_the_pictures_of_both_runs(self):
         out = self.folder / "sweep.gif"
         self.animate(self.rigid, self.moved, "--out", out, "--frames", 3, "--rate", 4, "--side", "right")
         with Image.open(out) as gif:
@@ -68,12 +68,12 @@ class Animation(SweepCase):
                 frames.append(np.asarray(gif.convert("RGB")).astype(int))
         for frame in frames:
             self.assertEqual(frame[0, 0].tolist(), [255, 255, 255])
-            for half in np.array_split(frame[:, :860], 2, axis=1):  # the colour scale stands beside both
-                bodies = half[30:460]  # grey but for the pressure; titles above and histories below are coloured
+            for half in np.array_split(frame[:, :860], 2, axis=1):  # without the colour scale on the right
+                bodies = half[30:460]  # only the pressure is coloured; excludes the coloured titles and histories
                 self.assertGreater(np.count_nonzero(np.ptp(bodies, axis=2) > 60), 200, "no pressure is drawn")
         self.assertTrue((frames[0] != frames[1]).any())
 
-    def test_few_colours_are_kept_exactly(self):
+    def test_frames_with_at_most_256_colours_keep_them_exactly(self):
         rng = np.random.default_rng(7)
         colours = rng.integers(0, 256, (200, 3), dtype=np.uint8)
         frames = [colours[rng.integers(0, 200, (40, 60))] for _ in range(3)]
@@ -84,22 +84,22 @@ class Animation(SweepCase):
                 gif.seek(k)
                 self.assertTrue((np.asarray(gif.convert("RGB")) == frame).all())
 
-    def test_what_cannot_be_drawn_is_told(self):
+    def test_undrawable_input_is_reported_and_writes_no_file(self):
         out = self.folder / "none.gif"
         recorded = self.folder / "recorded.bag"
         with rosbag.Bag(str(recorded), "w") as bag:
             bag.write("/contact_node/contact", WheelsetContact(), genpy.Time(1))
         lifted = self.folder / "lifted.bag"
-        with rosbag.Bag(str(lifted), "w") as bag, rosbag.Bag(str(self.rigid)) as whole:
-            for topic, message, time, header in whole.read_messages(return_connection_header=True):
+        with rosbag.Bag(str(lifted), "w") as bag, rosbag.Bag(str(self.rigid)) as source:
+            for topic, message, time, header in source.read_messages(return_connection_header=True):
                 if message._type == WheelsetContact._type:
                     message.patches = [patch for patch in message.patches if patch.side == 1]
-                bag.write(topic, message, time, connection_header=header)  # which holds the profiles
-        for arguments, words in (((lifted,), "lifted.bag: no answer that would be shown has a contact on the left side"),
-                                 ((self.rigid, self.rigid, self.rigid), "at most two bags"),
+                bag.write(topic, message, time, connection_header=header)  # contains the profiles
+        for arguments, words in (((lifted,), "lifted.bag: no result to be shown has a contact on the left side"),
+                                 ((self.rigid, self.rigid, self.rigid), "3 bags: must be at most two"),
                                  ((self.rigid, "--label", "a", "--label", "b"), "--label"),
                                  ((self.rigid, "--frames", 0), "--frames 0"), ((self.rigid, "--rate", -1), "--rate -1"),
-                                 ((recorded,), "does not tell the profiles"), ((SWEEP,), "0 topics with answers")):
+                                 ((recorded,), "does not contain the outlines of the profiles"), ((SWEEP,), "0 topics with results")):
             self.assertIn(words, self.animate(*arguments, "--out", out, status=1))
         self.assertFalse(out.exists())
 

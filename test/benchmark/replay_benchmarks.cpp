@@ -60,18 +60,18 @@ void addCost(const Work& work, Cost& sum)
   sum.cpu += static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
 }
 
-/// The inputs of the bag, slice by slice (FreshStartRule).
+/// The inputs of the bag, slice by slice (ResetRule).
 std::vector<std::vector<PreparedInput>> slicesOf(const std::vector<double>& lateral)
 {
   std::vector<std::vector<PreparedInput>> slices;
-  FreshStartRule fresh_start;
+  ResetRule reset_rule;
   for (int i = 0; i < pairs; ++i)
   {
     PreparedInput input;
     input.stamp = stampOf(i);
-    input.placed.state = {lateral[static_cast<std::size_t>(i)], 0, 0, 0, -200e3, 0, {}};
-    input.starts_anew = fresh_start.startsAnew(input.stamp);
-    if (input.starts_anew)
+    input.state = {lateral[static_cast<std::size_t>(i)], 0, 0, 0, -200e3, 0, {}};
+    input.resets = reset_rule.resets(input.stamp);
+    if (input.resets)
     {
       slices.emplace_back();
     }
@@ -94,7 +94,7 @@ void evaluateAll(const std::vector<std::vector<PreparedInput>>& slices, std::vec
           {
             for (const PreparedInput& input : slices[k])
             {
-              benchmark::DoNotOptimize(evaluator.answer(input));
+              benchmark::DoNotOptimize(evaluator.evaluate(input));
             }
           }
         });

@@ -105,9 +105,9 @@ void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& c
 {
   constexpr std::size_t count = 4800, first = 480;
   double spent = 0;
-  const core::MethodLadder ladder(config, [&](std::unique_ptr<core::NormalSolver> solver)
-                                  { return std::make_unique<TimedSolver>(std::move(solver), spent); });
-  core::WheelsetBalance balance(config, ladder);
+  const core::GridLevels levels(config, [&](std::unique_ptr<core::NormalSolver> solver)
+                                { return std::make_unique<TimedSolver>(std::move(solver), spent); });
+  core::WheelsetBalance balance(config, levels);
   std::vector<Message> messages;
   for (auto _ : state)
   {

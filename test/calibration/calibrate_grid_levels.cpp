@@ -33,13 +33,13 @@ constexpr GridSize truth{128, 320}, unit{24, 56};
 constexpr double finest_tolerance = 0.003;
 
 /// Grids of the ladder, in its order.
-std::vector<GridSize> ladderGrids()
+std::vector<GridSize> levelGrids()
 {
-  const MethodLadder ladder{ContactModelConfig()};
+  const GridLevels levels{ContactModelConfig()};
   std::vector<GridSize> sizes;
-  for (std::size_t k = 0; k < ladder.count(); ++k)
+  for (std::size_t k = 0; k < levels.count(); ++k)
   {
-    sizes.push_back(ladder.at(k).size);
+    sizes.push_back(levels.at(k).size);
   }
   return sizes;
 }
@@ -50,8 +50,8 @@ using Parts = std::array<double, 4>;
 Parts partsOf(const ErrorEstimate& error)
 {
   const ErrorEstimate algebra = ofResidual(error.residual);
-  return {error.max_pressure - algebra.max_pressure, error.area - error.tails - algebra.area,
-          error.approach - algebra.approach, error.tails};
+  return {error.max_pressure - algebra.max_pressure, error.area - error.narrow_ends - algebra.area,
+          error.approach - algebra.approach, error.narrow_ends};
 }
 
 /// Of the patches of every scene that all grids tell alike, in the same order for each grid.
@@ -141,12 +141,12 @@ void print(const Errors& errors, const Estimates& estimates)
 }
 
 /// Adds the estimates of every patch of a wheelset on a grid, solved without a truth; false if it has no solution.
-bool estimate(const MethodLadder& ladder, const scenes::WheelsetScene& scene, std::vector<Parts>& parts)
+bool estimate(const GridLevels& levels, const scenes::WheelsetScene& scene, std::vector<Parts>& parts)
 {
   constexpr double settled = 2e-3;  // planes and roll
   ContactModelConfig config = scene.config;
   config.contact.tolerance = settled;
-  WheelsetBalance balance(config, ladder);
+  WheelsetBalance balance(config, levels);
   if (balance.solve(scene.state) != ContactStatus::ok)
   {
     return false;
@@ -154,7 +154,7 @@ bool estimate(const MethodLadder& ladder, const scenes::WheelsetScene& scene, st
   for (const Side side : {Side::left, Side::right})
   {
     const WheelContact& wheel = balance.wheel(side);
-    const std::vector<ErrorEstimate> errors = errorsOf(ladder.solver(), wheel.problem(), wheel.solution());
+    const std::vector<ErrorEstimate> errors = errorsOf(levels.solver(), wheel.problem(), wheel.solution());
     for (std::size_t k = 0; k < errors.size(); ++k)
     {
       if (wheel.solution().patches[k].force > 0)
@@ -177,8 +177,8 @@ int main(int argc, char** argv)
     return 2;
   }
   constexpr int estimates_per_error = 20;
-  Errors errors(ladderGrids());
-  Estimates estimates(ladderGrids());
+  Errors errors(levelGrids());
+  Estimates estimates(levelGrids());
   scenes::WheelsetSampler sampler{scenes::Method::grid};
   scenes::Random seeds(seed);
   int left_out = 0;
@@ -193,7 +193,7 @@ int main(int argc, char** argv)
                       : 1;
     }
     estimates.add([&](const GridSize& size, auto& list)
-                  { return estimate(sampler.ladderFor(scenes::Method::grid, size), scene, list); });
+                  { return estimate(sampler.levelsFor(scenes::Method::grid, size), scene, list); });
     std::fprintf(stderr, "\rscene %d of %d", i + 1, estimates_per_error * count);
   }
   std::fprintf(stderr, "\n");

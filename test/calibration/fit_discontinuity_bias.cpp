@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits by how much jumps of the gap's curvature move the edge of the contact (normal/joint_excess.h).
+// Fits by how much jumps of the gap's curvature move the edge of the contact (normal/discontinuity_bias.h).
 //
-//   fit_joint_excess [wheelset scenes, default 2000] [gaps, default 12000] [seed, default 1] [passes, default 60]
+//   fit_discontinuity_bias [wheelset scenes, default 2000] [gaps, default 12000] [seed, default 1] [passes, default 60]
 //
 // The weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, on wheelsets and gaps with jumps
-// (settled_contacts.h), with the weights of EdgeExcess as they are. Prints how much of the error is left on samples of
-// the next seed (a quarter as many), and the weights as they stand in joint_excess_weights.cpp. Takes about
+// (settled_contacts.h), with the weights of EdgeBias as they are. Prints how much of the error is left on samples of
+// the next seed (a quarter as many), and the weights as they stand in discontinuity_bias_weights.cpp. Takes about
 // twelve minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +21,7 @@ namespace
 using namespace wheel_rail_contact::core;
 
 /// The crossings of one kind of line at which there are steps, of all contacts.
-struct Joints
+struct Discontinuities
 {
   std::vector<EdgeInputs> inputs;
   std::vector<EdgeSteps> steps;
@@ -33,9 +33,9 @@ struct Joints
 /// Contacts that have such crossings.
 struct Samples
 {
-  Joints along, across;
+  Discontinuities along, across;
   std::vector<float> images;  ///< of each contact's crossings: 2 if half of it is stored
-  std::vector<float> excess;  ///< of the area without joints [cells]
+  std::vector<float> bias;    ///< of the area without joints [cells]
   std::vector<float> off;     ///< the area that the present weights give less the true one [cells]
 
   std::size_t count() const { return images.size(); }
@@ -50,20 +50,20 @@ void add(const fits::Contact& contact, Samples& samples)
   const double images = patch.grid.symmetric ? 2 : 1, area = images * polygon.cells(aspect);
   const EdgeOf edge{polygon, contact.gap, contact.modulus, patch.max_pressure};
   bool any = false;
-  visitEdgeJoints(edge,
-                  [&](const EdgeCrossing& crossing, const EdgeInputs& inputs, const EdgeSteps& steps)
-                  {
-                    Joints& joints = crossing.along ? samples.along : samples.across;
-                    joints.inputs.push_back(inputs);
-                    joints.steps.push_back(steps);
-                    any = true;
-                  });
+  visitEdgeDiscontinuities(edge,
+                           [&](const EdgeCrossing& crossing, const EdgeInputs& inputs, const EdgeSteps& steps)
+                           {
+                             Discontinuities& discontinuities = crossing.along ? samples.along : samples.across;
+                             discontinuities.inputs.push_back(inputs);
+                             discontinuities.steps.push_back(steps);
+                             any = true;
+                           });
   if (any)
   {
     samples.along.ends.push_back(samples.along.inputs.size());
     samples.across.ends.push_back(samples.across.inputs.size());
     samples.images.push_back(static_cast<float>(images));
-    samples.excess.push_back(static_cast<float>(area - contact.true_area / cell));
+    samples.bias.push_back(static_cast<float>(area - contact.true_area / cell));
     samples.off.push_back(static_cast<float>((patch.area - contact.true_area) / cell));
   }
 }
@@ -71,25 +71,26 @@ void add(const fits::Contact& contact, Samples& samples)
 /// Crossings of several contacts side by side: first with their steps, then without.
 struct Crossings
 {
-  Eigen::MatrixXf inputs;    ///< JointExcess::inputs × twice the crossings
+  Eigen::MatrixXf inputs;    ///< DiscontinuityBias::inputs × twice the crossings
   std::vector<int> contact;  ///< of each crossing
 
-  Crossings(const Joints& joints, const std::vector<std::size_t>& contacts)
+  Crossings(const Discontinuities& discontinuities, const std::vector<std::size_t>& contacts)
   {
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
-      contact.insert(contact.end(), joints.ends[contacts[i]] - joints.begin(contacts[i]), static_cast<int>(i));
+      contact.insert(contact.end(), discontinuities.ends[contacts[i]] - discontinuities.begin(contacts[i]),
+                     static_cast<int>(i));
     }
     const auto count = static_cast<Eigen::Index>(contact.size());
-    inputs.setZero(JointExcess::inputs, 2 * count);
+    inputs.setZero(DiscontinuityBias::inputs, 2 * count);
     Eigen::Index column = 0;
     for (const std::size_t k : contacts)
     {
-      for (std::size_t c = joints.begin(k); c < joints.ends[k]; ++c, ++column)
+      for (std::size_t c = discontinuities.begin(k); c < discontinuities.ends[k]; ++c, ++column)
       {
-        inputs.col(column).head<edge_inputs>() = joints.inputs[c].matrix();
-        inputs.col(column).tail<edge_steps>() = joints.steps[c].matrix();
-        inputs.col(count + column).head<edge_inputs>() = joints.inputs[c].matrix();
+        inputs.col(column).head<edge_inputs>() = discontinuities.inputs[c].matrix();
+        inputs.col(column).tail<edge_steps>() = discontinuities.steps[c].matrix();
+        inputs.col(count + column).head<edge_inputs>() = discontinuities.inputs[c].matrix();
       }
     }
   }
@@ -98,7 +99,7 @@ struct Crossings
 class Fit
 {
   static constexpr float blunt = 0.05F;  ///< errors below that count by their square [cells]
-  using Ramps = fits::RampFit<JointExcess::inputs, JointExcess::ramps>;
+  using Units = fits::ReluFit<DiscontinuityBias::inputs, DiscontinuityBias::units>;
 
  public:
   explicit Fit(std::mt19937_64& random) : along_(random, 0.1), across_(random, 0.1) {}
@@ -126,7 +127,7 @@ class Fit
 
   void print() const
   {
-    Eigen::ArrayXf numbers(JointExcess::numbers);
+    Eigen::ArrayXf numbers(DiscontinuityBias::numbers);
     numbers << along_.sum().all, across_.sum().all;
     fits::print(numbers);
   }
@@ -141,14 +142,14 @@ class Fit
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
       float& sum = sums[static_cast<Eigen::Index>(i)];
-      sum = samples.images[contacts[i]] * sum - samples.excess[contacts[i]];
+      sum = samples.images[contacts[i]] * sum - samples.bias[contacts[i]];
     }
     return sums;
   }
 
-  static void addTo(Eigen::ArrayXf& sums, const Crossings& crossings, Ramps& ramps)
+  static void addTo(Eigen::ArrayXf& sums, const Crossings& crossings, Units& units)
   {
-    const Eigen::RowVectorXf values = ramps.values(crossings.inputs);
+    const Eigen::RowVectorXf values = units.values(crossings.inputs);
     const auto count = static_cast<Eigen::Index>(crossings.contact.size());
     for (Eigen::Index c = 0; c < count; ++c)
     {
@@ -156,7 +157,7 @@ class Fit
     }
   }
 
-  static void step(const Crossings& crossings, const Eigen::ArrayXf& pull, double rate, Ramps& ramps)
+  static void step(const Crossings& crossings, const Eigen::ArrayXf& pull, double rate, Units& units)
   {
     const auto count = static_cast<Eigen::Index>(crossings.contact.size());
     Eigen::RowVectorXf at(2 * count);
@@ -165,10 +166,10 @@ class Fit
       at[c] = pull[crossings.contact[static_cast<std::size_t>(c)]];
     }
     at.tail(count) = -at.head(count);
-    ramps.step(crossings.inputs, at, rate);
+    units.step(crossings.inputs, at, rate);
   }
 
-  Ramps along_, across_;
+  Units along_, across_;
 };
 
 void printErrors(const char* name, const Samples& samples, Fit& fit)
@@ -177,7 +178,7 @@ void printErrors(const char* name, const Samples& samples, Fit& fit)
   const auto count = static_cast<Eigen::Index>(all.size());
   std::printf("%s: %td contacts, %zu crossings; errors in cells\n", name, count,
               samples.along.inputs.size() + samples.across.inputs.size());
-  fits::printSizes("without joints", Eigen::Map<const Eigen::ArrayXf>(samples.excess.data(), count));
+  fits::printSizes("without joints", Eigen::Map<const Eigen::ArrayXf>(samples.bias.data(), count));
   fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), count));
   fits::printSizes("these", fit.left(samples, all));
 }

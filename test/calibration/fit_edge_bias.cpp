@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits what a polygon through the crossings of the contact's edge is too large by (normal/edge_excess.h).
+// Fits what a polygon through the crossings of the contact's edge is too large by (normal/edge_bias.h).
 //
-//   fit_edge_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [seed, default 1] [passes, default
+//   fit_edge_bias [wheelset scenes, default 1000] [Hertz contacts, default 12000] [seed, default 1] [passes, default
 //                   450]
 //
 // The weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, on settled_contacts.h. Prints how
 // much of the error is left on samples of the next seed (a quarter as many), and the weights as they stand in
-// edge_excess_weights.cpp. Takes about ten minutes; not part of the test run.
+// edge_bias_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -29,8 +29,8 @@ struct Samples
   std::vector<float> images;          ///< of each contact's crossings: 2 if half of it is stored
   std::vector<float> polygon;         ///< of the whole [cells]
   std::vector<int> islands;
-  std::vector<float> excess;  ///< of the polygon [cells]
-  std::vector<float> off;     ///< the area that the present weights give less the true one [cells]
+  std::vector<float> bias;  ///< of the polygon [cells]
+  std::vector<float> off;   ///< the area that the present weights give less the true one [cells]
 
   std::size_t count() const { return ends.size(); }
   std::size_t begin(std::size_t contact) const { return contact > 0 ? ends[contact - 1] : 0; }
@@ -47,7 +47,7 @@ void add(const fits::Contact& contact, Samples& samples)
   const double chords = images * polygon.chords();
   samples.polygon.push_back(static_cast<float>(chords));
   samples.islands.push_back(polygon.islands());
-  samples.excess.push_back(static_cast<float>(chords - cells));
+  samples.bias.push_back(static_cast<float>(chords - cells));
   samples.images.push_back(static_cast<float>(images));
   for (const EdgeCrossing& crossing : polygon.crossings())
   {
@@ -64,15 +64,15 @@ struct Batch
   Eigen::ArrayXf images;     ///< of each contact
   Eigen::ArrayXf islands;    ///< of each contact
   Eigen::ArrayXf few;        ///< the same over the cells of each island
-  Eigen::ArrayXf excess;     ///< true
+  Eigen::ArrayXf bias;       ///< true
 
   Batch(const Samples& samples, const std::vector<std::size_t>& contacts)
       : images(static_cast<Eigen::Index>(contacts.size())),
         islands(images.size()),
         few(images.size()),
-        excess(images.size())
+        bias(images.size())
   {
-    EdgeExcess of_few;
+    EdgeBias of_few;
     of_few.few_cells = 1;
     for (Eigen::Index i = 0; i < images.size(); ++i)
     {
@@ -80,7 +80,7 @@ struct Batch
       images[i] = samples.images[k];
       islands[i] = static_cast<float>(samples.islands[k]);
       few[i] = static_cast<float>(of_few.of(static_cast<double>(samples.polygon[k]), samples.islands[k]));
-      excess[i] = samples.excess[k];
+      bias[i] = samples.bias[k];
       contact.insert(contact.end(), samples.ends[k] - samples.begin(k), static_cast<int>(i));
     }
     inputs.resize(edge_inputs, static_cast<Eigen::Index>(contact.size()));
@@ -106,7 +106,7 @@ class Fit
   Eigen::ArrayXf left(const Batch& batch)
   {
     const Eigen::RowVectorXf at = crossing_.values(batch.inputs);
-    Eigen::ArrayXf sum = contact_[0] * batch.islands + contact_[1] * batch.few - batch.excess;
+    Eigen::ArrayXf sum = contact_[0] * batch.islands + contact_[1] * batch.few - batch.bias;
     for (Eigen::Index c = 0; c < at.size(); ++c)
     {
       const int k = batch.contact[static_cast<std::size_t>(c)];
@@ -132,13 +132,13 @@ class Fit
 
   void print() const
   {
-    Eigen::ArrayXf numbers(EdgeExcess::numbers);
+    Eigen::ArrayXf numbers(EdgeBias::numbers);
     numbers << crossing_.sum().all, contact_;
     fits::print(numbers);
   }
 
  private:
-  fits::RampFit<edge_inputs, EdgeExcess::ramps> crossing_;
+  fits::ReluFit<edge_inputs, EdgeBias::units> crossing_;
   Eigen::Array2f contact_ = Eigen::Array2f::Zero();  ///< island, few_cells
   fits::Adam<2> adam_;
 };
@@ -148,8 +148,8 @@ void printErrors(const char* name, const Samples& samples, Fit& fit)
   const std::vector<std::size_t> all = fits::upTo(samples.count());
   const Batch batch(samples, all);
   std::printf("%s: %zu contacts, %zu crossings; errors in cells\n", name, samples.count(), samples.crossings.size());
-  fits::printSizes("the polygon", batch.excess);
-  fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), batch.excess.size()));
+  fits::printSizes("the polygon", batch.bias);
+  fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), batch.bias.size()));
   fits::printSizes("these", fit.left(batch));
 }
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits what the parabolas through a crest of the pressure are too large by (normal/crest_excess.h).
+// Fits what the parabolas through a crest of the pressure are too large by (normal/peak_bias.h).
 //
-//   fit_crest_excess [wheelset scenes, default 1000] [Hertz contacts, default 12000] [gaps, default 6000]
+//   fit_peak_bias [wheelset scenes, default 1000] [Hertz contacts, default 12000] [gaps, default 6000]
 //                    [seed, default 1] [passes, default 300]
 //
 // The weights are those with the least mean of (error² + 0.05²)^1/2, errors over an eightieth of the bend and 0.01 %
 // (about what the parabolas are off by in smooth contacts), on settled_contacts.h (the truth of its wheelsets is by the
 // weights in use, on cells that hardly need them). Prints how much of the error is left on samples of the next seed (a
-// quarter as many; of the new weights without crestPressure()'s limit), and the weights as they stand in
-// crest_excess_weights.cpp. Takes about ten minutes; not part of the test run.
+// quarter as many; of the new weights without peakPressure()'s limit), and the weights as they stand in
+// peak_bias_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -26,8 +26,8 @@ using namespace wheel_rail_contact::core;
 
 struct Samples
 {
-  std::vector<CrestInputs> crests;
-  std::vector<float> excess;    ///< of the parabolas [-]
+  std::vector<PeakInputs> peaks;
+  std::vector<float> bias;      ///< of the parabolas [-]
   std::vector<float> off;       ///< by the present weights [-]
   std::vector<float> expected;  ///< what errors count by [-]
 };
@@ -38,17 +38,17 @@ void add(const fits::Contact& contact, Samples& samples)
   const PatchPressure& patch = contact.found;
   Eigen::Index row = 0, column = 0;
   patch.pressure.maxCoeff(&row, &column);
-  const CellsAround crest(patch.grid, patch.pressure, row, column);
-  const double present = crestPressure(contact.gap, contact.modulus, crest);
-  const GapSteps steps = gapSteps(crest, contact.gap, contact.modulus);
-  if (present < patch.max_pressure || !showsExcess(crest, steps))
+  const CellsAround peak(patch.grid, patch.pressure, row, column);
+  const double present = peakPressure(contact.gap, contact.modulus, peak);
+  const GapSteps steps = gapSteps(peak, contact.gap, contact.modulus);
+  if (present < patch.max_pressure || !showsBias(peak, steps))
   {
     return;
   }
-  samples.crests.emplace_back(crest, steps, std::log(patch.grid.dx / patch.grid.dy));
-  samples.excess.push_back(static_cast<float>(crest.parabolas() / contact.true_pressure - 1));
+  samples.peaks.emplace_back(peak, steps, std::log(patch.grid.dx / patch.grid.dy));
+  samples.bias.push_back(static_cast<float>(peak.parabolas() / contact.true_pressure - 1));
   samples.off.push_back(static_cast<float>(present / contact.true_pressure - 1));
-  samples.expected.push_back(static_cast<float>(crest.bend() / 80 + 1e-4));
+  samples.expected.push_back(static_cast<float>(peak.bend() / 80 + 1e-4));
 }
 
 /// Several crests side by side, everything over what is expected. The first half of the columns are the first tips and
@@ -57,28 +57,28 @@ struct Batch
 {
   Eigen::MatrixXf tips, sides;
   Eigen::RowVectorXf along;  ///< bend, of each tip
-  Eigen::ArrayXf excess;
+  Eigen::ArrayXf bias;
 
-  Batch(const Samples& samples, const std::vector<std::size_t>& crests, const CrestInputs::Side& units)
+  Batch(const Samples& samples, const std::vector<std::size_t>& peaks, const PeakInputs::Side& units)
   {
-    const auto count = static_cast<Eigen::Index>(crests.size());
+    const auto count = static_cast<Eigen::Index>(peaks.size());
     tips.resize(edge_inputs, 2 * count);
-    sides.resize(crest_inputs, 2 * count);
+    sides.resize(peak_inputs, 2 * count);
     along.resize(2 * count);
-    excess.resize(count);
+    bias.resize(count);
     for (Eigen::Index i = 0; i < count; ++i)
     {
-      const std::size_t k = crests[static_cast<std::size_t>(i)];
-      const CrestInputs& crest = samples.crests[k];
+      const std::size_t k = peaks[static_cast<std::size_t>(i)];
+      const PeakInputs& peak = samples.peaks[k];
       const float expected = samples.expected[k];
       for (Eigen::Index side = 0; side < 2; ++side)
       {
         const auto half = static_cast<std::size_t>(side);
-        tips.col(side * count + i) = crest.tips[half].matrix();
-        sides.col(side * count + i) = (crest.sides[half] / (units * expected)).matrix();
-        along[side * count + i] = static_cast<float>(crest.along) / expected;
+        tips.col(side * count + i) = peak.tips[half].matrix();
+        sides.col(side * count + i) = (peak.sides[half] / (units * expected)).matrix();
+        along[side * count + i] = static_cast<float>(peak.along) / expected;
       }
-      excess[i] = samples.excess[k] / expected;
+      bias[i] = samples.bias[k] / expected;
     }
   }
 };
@@ -88,19 +88,17 @@ class Fit
   static constexpr float blunt = 0.05F;  ///< errors below that count by their square, over what is expected
 
  public:
-  Fit(std::mt19937_64& random, const CrestInputs::Side& units) : tip_(random, 0.01), side_(random, 0.1), units_(units)
-  {
-  }
+  Fit(std::mt19937_64& random, const PeakInputs::Side& units) : tip_(random, 0.01), side_(random, 0.1), units_(units) {}
 
-  const CrestInputs::Side& units() const { return units_; }
+  const PeakInputs::Side& units() const { return units_; }
 
   /// Errors that are left, over what is expected.
   Eigen::ArrayXf left(const Batch& batch)
   {
     const Eigen::RowVectorXf both =
         (batch.along.array() * tip_.values(batch.tips).array()).matrix() + side_.values(batch.sides);
-    const Eigen::Index count = batch.excess.size();
-    return (both.head(count) + both.tail(count)).transpose().array() - batch.excess;
+    const Eigen::Index count = batch.bias.size();
+    return (both.head(count) + both.tail(count)).transpose().array() - batch.bias;
   }
 
   /// The same before a step.
@@ -117,34 +115,34 @@ class Fit
 
   void print() const
   {
-    CrestExcess found{tip_.sum(), side_.sum()};
-    for (Eigen::Index k = 0; k < crest_inputs; ++k)
+    PeakBias found{tip_.sum(), side_.sum()};
+    for (Eigen::Index k = 0; k < peak_inputs; ++k)
     {
-      constexpr int ramps = CrestExcess::side_ramps;
-      found.side.all.segment<ramps>(k * ramps) /= units_[k];
+      constexpr int units = PeakBias::side_units;
+      found.side.all.segment<units>(k * units) /= units_[k];
     }
-    found.side.all.tail<crest_inputs>() /= units_;
-    Eigen::ArrayXf numbers(CrestExcess::numbers);
+    found.side.all.tail<peak_inputs>() /= units_;
+    Eigen::ArrayXf numbers(PeakBias::numbers);
     numbers << found.tip.all, found.side.all;
     fits::print(numbers);
   }
 
  private:
-  fits::RampFit<edge_inputs, CrestExcess::tip_ramps> tip_;
-  fits::RampFit<crest_inputs, CrestExcess::side_ramps> side_;
-  CrestInputs::Side units_;
+  fits::ReluFit<edge_inputs, PeakBias::tip_units> tip_;
+  fits::ReluFit<peak_inputs, PeakBias::side_units> side_;
+  PeakInputs::Side units_;
 };
 
 /// Of each input of a side what nine in ten stay below, over what is expected.
-CrestInputs::Side unitsOf(const Samples& samples)
+PeakInputs::Side unitsOf(const Samples& samples)
 {
-  CrestInputs::Side units;
-  for (Eigen::Index k = 0; k < crest_inputs; ++k)
+  PeakInputs::Side units;
+  for (Eigen::Index k = 0; k < peak_inputs; ++k)
   {
     std::vector<double> sizes;
-    for (std::size_t i = 0; i < samples.crests.size(); ++i)
+    for (std::size_t i = 0; i < samples.peaks.size(); ++i)
     {
-      sizes.push_back(static_cast<double>(std::abs(samples.crests[i].sides[0][k]) / samples.expected[i]));
+      sizes.push_back(static_cast<double>(std::abs(samples.peaks[i].sides[0][k]) / samples.expected[i]));
     }
     units[k] = static_cast<float>(std::max(chart::quantile(sizes, 0.9), 1e-6));
   }
@@ -153,11 +151,11 @@ CrestInputs::Side unitsOf(const Samples& samples)
 
 void printErrors(const char* name, const Samples& samples, Fit& fit)
 {
-  const std::vector<std::size_t> all = fits::upTo(samples.crests.size());
+  const std::vector<std::size_t> all = fits::upTo(samples.peaks.size());
   const Batch batch(samples, all, fit.units());
-  const auto count = batch.excess.size();
+  const auto count = batch.bias.size();
   std::printf("%s: %td crests; errors over an eightieth of the bend and 0.01 %%\n", name, count);
-  fits::printSizes("the parabolas", batch.excess);
+  fits::printSizes("the parabolas", batch.bias);
   fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), count) /
                                           Eigen::Map<const Eigen::ArrayXf>(samples.expected.data(), count));
   fits::printSizes("these", fit.left(batch));
@@ -174,7 +172,7 @@ int main(int argc, char** argv)
   const Samples samples = fits::collect<Samples>({wheelsets, hertz, gaps}, seed);
   std::mt19937_64 random(seed);
   Fit fit(random, unitsOf(samples));
-  fits::inBatches(samples.crests.size(), static_cast<int>(argument(5, 300)), random,
+  fits::inBatches(samples.peaks.size(), static_cast<int>(argument(5, 300)), random,
                   [&](const std::vector<std::size_t>& batch, double rate)
                   { return fit.step(Batch(samples, batch, fit.units()), rate); });
   printErrors("these samples", samples, fit);

@@ -39,21 +39,21 @@ class Adam
   double weight_ = 1, weight_square_ = 1;
 };
 
-template <int Inputs, int Ramps>
-class RampFit
+template <int Inputs, int Units>
+class ReluFit
 {
  public:
-  using Sum = RampSum<Inputs, Ramps>;
+  using Sum = ReluNetwork<Inputs, Units>;
 
   /// @param height  of what the ramps may give at first
-  RampFit(std::mt19937_64& random, double height)
+  ReluFit(std::mt19937_64& random, double height)
   {
     std::normal_distribution<float> normal;
     const auto fill = [&](auto&& block, double scale)
     { block = block.unaryExpr([&](float) { return static_cast<float>(scale) * normal(random); }); };
     sum_.all.setZero();
-    fill(sum_.all.template head<Ramps * Inputs>(), std::sqrt(2.0 / Inputs));
-    fill(sum_.all.template segment<Ramps>(Ramps * Inputs), height / std::sqrt(Ramps));
+    fill(sum_.all.template head<Units * Inputs>(), std::sqrt(2.0 / Inputs));
+    fill(sum_.all.template segment<Units>(Units * Inputs), height / std::sqrt(Units));
   }
 
   const Sum& sum() const { return sum_; }
@@ -61,8 +61,8 @@ class RampFit
   /// One value for each column of inputs.
   Eigen::RowVectorXf values(const Eigen::MatrixXf& inputs)
   {
-    ramps_ = (sum_.slopes().matrix() * inputs).cwiseMax(0);
-    return sum_.heights().matrix().transpose() * ramps_ + sum_.linear().matrix().transpose() * inputs;
+    units_ = (sum_.slopes().matrix() * inputs).cwiseMax(0);
+    return sum_.heights().matrix().transpose() * units_ + sum_.linear().matrix().transpose() * inputs;
   }
 
   /// @param inputs  those of the last values()
@@ -70,10 +70,10 @@ class RampFit
   void step(const Eigen::MatrixXf& inputs, const Eigen::RowVectorXf& pull, double rate)
   {
     const Eigen::MatrixXf rising =
-        ((sum_.heights().matrix() * pull).array() * (ramps_.array() > 0).template cast<float>()).matrix();
+        ((sum_.heights().matrix() * pull).array() * (units_.array() > 0).template cast<float>()).matrix();
     typename Adam<Sum::numbers>::Values slope;
-    Eigen::Map<Eigen::Matrix<float, Ramps, Inputs>>(slope.data()) = rising * inputs.transpose();
-    slope.template segment<Ramps>(Ramps * Inputs) = ramps_ * pull.transpose();
+    Eigen::Map<Eigen::Matrix<float, Units, Inputs>>(slope.data()) = rising * inputs.transpose();
+    slope.template segment<Units>(Units * Inputs) = units_ * pull.transpose();
     slope.template tail<Inputs>() = inputs * pull.transpose();
     adam_.step(slope, rate, sum_.all);
   }
@@ -81,7 +81,7 @@ class RampFit
  private:
   Sum sum_;
   Adam<Sum::numbers> adam_;
-  Eigen::MatrixXf ramps_;
+  Eigen::MatrixXf units_;
 };
 
 /// Slope of the mean of (error² + blunt²)^1/2 by each error.

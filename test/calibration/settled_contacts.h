@@ -101,16 +101,16 @@ inline scenes::GapScene evenOrYawed(scenes::Random& random, const char* kind, co
 }
 
 /// A paraboloid whose curvature across jumps about the edge of the contact: by up to ten times itself, or to concave.
-inline scenes::GapScene edgeJointScene(scenes::Random& random)
+inline scenes::GapScene edgeDiscontinuityScene(scenes::Random& random)
 {
   const double load = 1e3 * scenes::spread(random, 5, 150);
   const double along = 0.5 / scenes::spread(random, 0.1, 1), across = along * std::exp(scenes::uniform(random, -3, 3));
   const double edge = hertzForForce({along, across}, 1.14e11, load).semi_axis_y;
-  const double joint = scenes::uniform(random, 0.4, 1.4) * edge, most = scenes::oneIn(random, 4) ? 10 : 3;
+  const double discontinuity = scenes::uniform(random, 0.4, 1.4) * edge, most = scenes::oneIn(random, 4) ? 10 : 3;
   const double jump = scenes::uniform(random, -1.3, most) * across;
   const scenes::Gap gap = [=](double x, double y)
   {
-    const double beyond = std::max(y - joint, 0.0);
+    const double beyond = std::max(y - discontinuity, 0.0);
     return along * x * x + across * y * y + jump * beyond * beyond;
   };
   return evenOrYawed(random, "joint", gap, load);
@@ -118,14 +118,16 @@ inline scenes::GapScene edgeJointScene(scenes::Random& random)
 
 /// A gap whose curvature jumps, half of them with one jump about the edge, or varies within a few cells (gap_scenes.h):
 /// arcs of a rail's head, lobes and waves.
-inline scenes::GapScene jointScene(scenes::Random& random)
+inline scenes::GapScene discontinuityScene(scenes::Random& random)
 {
   if (scenes::oneIn(random, 2))
   {
-    return edgeJointScene(random);
+    return edgeDiscontinuityScene(random);
   }
   const bool arcs = scenes::oneIn(random, 2), waves = scenes::oneIn(random, 2);
-  const scenes::Gap gap = arcs ? scenes::jointGap(random) : waves ? scenes::roughGap(random) : scenes::lobesGap(random);
+  const scenes::Gap gap = arcs    ? scenes::discontinuityGap(random)
+                          : waves ? scenes::roughGap(random)
+                                  : scenes::lobesGap(random);
   const double load = 1e3 * scenes::spread(random, 5, 150);
   return evenOrYawed(random, arcs ? "arcs" : waves ? "waves" : "lobes", gap, load);
 }
@@ -161,14 +163,14 @@ class WheelsetContacts
   {
     ContactModelConfig settled = scene.config;
     settled.contact.tolerance = 1e-4;
-    WheelsetBalance truth(settled, sampler_.ladderFor(scenes::Method::grid, {192, 512}));
+    WheelsetBalance truth(settled, sampler_.levelsFor(scenes::Method::grid, {192, 512}));
     if (truth.solve(scene.state) != ContactStatus::ok)
     {
       return;
     }
     for (const GridSize& size : grids)
     {
-      WheelsetBalance balance(settled, sampler_.ladderFor(scenes::Method::grid, size));
+      WheelsetBalance balance(settled, sampler_.levelsFor(scenes::Method::grid, size));
       if (balance.solve(scene.state) != ContactStatus::ok)
       {
         continue;
@@ -194,7 +196,7 @@ class WheelsetContacts
 /// How many of each kind; of the wheelsets scenes.
 struct Counts
 {
-  int wheelsets = 0, hertz = 0, gaps = 0, joints = 0;
+  int wheelsets = 0, hertz = 0, gaps = 0, discontinuities = 0;
 };
 
 template <typename Visit>
@@ -207,11 +209,11 @@ void visitContacts(const Counts& counts, unsigned long seed, Visit visit)
     hertz.visit(seeds, visit);
   }
   GapContacts gaps;
-  for (int i = 0; i < counts.gaps + counts.joints; ++i)
+  for (int i = 0; i < counts.gaps + counts.discontinuities; ++i)
   {
     scenes::Random random(seeds());
-    gaps.visit(i < counts.gaps ? smoothScene(random) : jointScene(random), random, visit);
-    std::fprintf(stderr, "\rseed %lu: %d of %d gaps", seed, i + 1, counts.gaps + counts.joints);
+    gaps.visit(i < counts.gaps ? smoothScene(random) : discontinuityScene(random), random, visit);
+    std::fprintf(stderr, "\rseed %lu: %d of %d gaps", seed, i + 1, counts.gaps + counts.discontinuities);
   }
   WheelsetContacts wheelsets;
   for (int i = 0; i < counts.wheelsets; ++i)

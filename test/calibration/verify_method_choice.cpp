@@ -33,7 +33,7 @@ using namespace wheel_rail_contact::core;
 
 bool meets(const chart::Series& series, double tolerance)
 {
-  return series.status == chart::Series::Status::answered && series.errors.largest() <= tolerance;
+  return series.status == chart::Series::Status::evaluated && series.errors.largest() <= tolerance;
 }
 
 /// Time of the cheapest fixed method that is settled to the tolerance and meets it [s]; infinite if none does.
@@ -54,13 +54,13 @@ double cheapest(const chart::Result& result, chart::Series chart::Entry::*start,
 struct Tally
 {
   int scenes = 0, met = 0, flagged = 0, held = 0;
-  std::size_t answers = 0, answers_met = 0, answers_flagged = 0;
+  std::size_t results = 0, results_met = 0, results_flagged = 0;
   std::vector<double> times;   ///< of an answer, medians [s]
   std::vector<double> ratios;  ///< to the cheapest fixed method, where one meets the tolerance [-]
 
   void count(const chart::Series& series, double tolerance, double cheapest_time)
   {
-    if (series.status != chart::Series::Status::answered)
+    if (series.status != chart::Series::Status::evaluated)
     {
       return;
     }
@@ -70,11 +70,11 @@ struct Tally
     met += within ? 1 : 0;
     flagged += !within && series.estimate() > tolerance ? 1 : 0;
     held += series.errors.largest() <= series.estimate() ? 1 : 0;
-    for (const chart::Series::Answer& answer : series.answers)
+    for (const chart::Series::Result& result : series.results)
     {
-      ++answers;
-      answers_met += answer.error <= tolerance ? 1 : 0;
-      answers_flagged += answer.error > tolerance && answer.estimate > tolerance ? 1 : 0;
+      ++results;
+      results_met += result.error <= tolerance ? 1 : 0;
+      results_flagged += result.error > tolerance && result.estimate > tolerance ? 1 : 0;
     }
     times.push_back(time);
     if (cheapest_time < std::numeric_limits<double>::infinity())
@@ -85,10 +85,10 @@ struct Tally
 
   void print(const char* start, double tolerance) const
   {
-    const double percent = 100 / static_cast<double>(answers);
+    const double percent = 100 / static_cast<double>(results);
     std::printf("%s %8.1f %% %7d %6d %8d %6d | %7zu %6.2f %% %7.2f %% | %8.3f ms | %8zu %7.2f %7.2f %7.2f %7.2f\n",
-                start, 100 * tolerance, scenes, met, flagged, held, answers, percent * static_cast<double>(answers_met),
-                percent * static_cast<double>(answers_flagged), 1e3 * chart::quantile(times, 0.5), ratios.size(),
+                start, 100 * tolerance, scenes, met, flagged, held, results, percent * static_cast<double>(results_met),
+                percent * static_cast<double>(results_flagged), 1e3 * chart::quantile(times, 0.5), ratios.size(),
                 chart::quantile(ratios, 0.5), chart::quantile(ratios, 0.25), chart::quantile(ratios, 0.75),
                 chart::quantile(ratios, 0.9));
   }
@@ -165,7 +165,7 @@ int main(int argc, char** argv)
   plan.rounds = 2;
   plan.reach = 1;  // many scenes, each at a place of its own: what is right by luck counts little
   const std::vector<chart::Choice> all = choices();
-  const auto ladders = std::make_shared<chart::Ladders>();
+  const auto solver_cache = std::make_shared<chart::SolverCache>();
   Tallies tallies;
   int without_truth = 0;
   scenes::Random seeds(seed);
@@ -173,11 +173,11 @@ int main(int argc, char** argv)
   {
     scenes::Random random(seeds());
     const scenes::WheelsetScene drawn = scenes::randomWheelsetScene(random);
-    chart::WheelsetScene scene("random", "random", std::make_shared<chart::WheelsetPool>(drawn.config), ladders,
+    chart::WheelsetScene scene("random", "random", std::make_shared<chart::WheelsetPool>(drawn.config), solver_cache,
                                drawn.state);
     try
     {
-      tallies.count(chart::race(scene, all, plan, [] {}));
+      tallies.count(chart::compare(scene, all, plan, [] {}));
     }
     catch (const std::runtime_error&)
     {

@@ -52,8 +52,7 @@ TEST(PaperConfig, RailGivesWayAsPrinted)
 {
   const core::ComplianceTable table = paperConfig().model.rail_bending.table;
   const double height = 0.1624 - 0.158;
-  const core::RailDeflection moved =
-      deflection(table, {printed_lateral_force, 0, printed_lateral_force * height});
+  const core::RailDeflection moved = deflection(table, {printed_lateral_force, 0, printed_lateral_force * height});
   const double top = moved.lateral + moved.roll * core::ComplianceTable::reference_depth;
   EXPECT_LT(std::abs(relative(top, printed_displacement)), 0.01) << top;
 }
@@ -67,12 +66,11 @@ TEST(PaperFigures, AreThoseOfTheReferenceProgram)
     core::RailDeflection crown;
     double y, max_pressure, area;
   };
-  for (const Reference& wanted :
-       {Reference{{}, case_position, 1175.0e6, 187.2e-6},
-        {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
-        {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
-        {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
-        {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
+  for (const Reference& wanted : {Reference{{}, case_position, 1175.0e6, 187.2e-6},
+                                  {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
+                                  {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
+                                  {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
+                                  {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
   {
     const Figures found = levelFigures(wanted.crown, wanted.y);
     EXPECT_LT(std::abs(relative(found.max_pressure, wanted.max_pressure)), 0.01) << wanted.max_pressure;
@@ -121,7 +119,7 @@ TEST(OneWheel, PairOfThemBalancesLikeTheWheelset)
 
 // What the paper's method leaves open on its own: point forces on squares of 0.5 to 1 mm, stopped at a change of 1e-3
 // or less, stay within 4 % in pressure and 2 % in area (3 % and 1.5 % were found); counting whole cells adds area.
-TEST(PaperMethods, PrintedIterationIsNearTheAccurateAnswer)
+TEST(PaperMethods, PrintedIterationIsNearTheAccurateResult)
 {
   const std::vector<MethodRow> rows = compareMethods(paperConfig().model, {});
   const Figures accurate = rows.front().figures;

@@ -113,9 +113,8 @@ TEST(LateralForce, RaisesThePressureOnEveryShippedRail)
   for (const char* name : {"paper", "pads_100_500", "pads_40_100", "pads_20_60", "pads_10_25"})
   {
     const ComplianceTableFile file = readComplianceTable(shipped("rails/" + std::string(name) + ".yaml"));
-    const std::vector<ForceRow> rows =
-        underForces(paperConfig().model, {name, file.table, file.linear_range}, DeflectionShare::whole,
-                    {case_position}, {0, 20e3, 40e3, 60e3});
+    const std::vector<ForceRow> rows = underForces(paperConfig().model, {name, file.table, file.linear_range},
+                                                   DeflectionShare::whole, {case_position}, {0, 20e3, 40e3, 60e3});
     ASSERT_EQ(rows.size(), 4U);
     for (std::size_t i = 1; i < rows.size(); ++i)
     {

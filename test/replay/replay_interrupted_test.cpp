@@ -48,7 +48,7 @@ class ReplayInterrupted : public testing::Test
     options.resume = resume;
     Replay replay(options);
     replay.run(std::atomic<bool>(interrupted));
-    return replay.answers();
+    return replay.results();
   }
 
   std::string folder_;

@@ -50,10 +50,10 @@ boost::shared_ptr<const Message> shared(const Message& message)
 
 ContactInput input(const geometry_msgs::PoseStamped& p, const geometry_msgs::WrenchStamped& load = wrench(0, -2e5, 3))
 {
-  return {shared(p), shared(load), {}};
+  return {shared(p), shared(load), {}, {}};
 }
 
-PlacedState convert(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
+core::WheelsetState convert(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
 {
   return toState(in, "track", transforms);
 }
@@ -101,23 +101,23 @@ TEST(ContactInput, NameOfAFrameThatIsLongerThanAnyTakesNoRoomWhileItWaits)
 
 TEST(ContactInput, PoseAndLoadAreTakenOver)
 {
-  const PlacedState placed = convert(input(pose()));
-  EXPECT_EQ(placed.x, 4);
-  EXPECT_EQ(placed.state.y, 0.002);
-  EXPECT_EQ(placed.state.z, 0.46);
-  EXPECT_EQ(placed.state.yaw, 0);
-  EXPECT_EQ(placed.state.roll, 0);
-  EXPECT_EQ(placed.state.force_z, -2e5);
-  EXPECT_EQ(placed.state.torque_x, 3);
+  const core::WheelsetState state = convert(input(pose()));
+  EXPECT_EQ(state.x, 4);
+  EXPECT_EQ(state.y, 0.002);
+  EXPECT_EQ(state.z, 0.46);
+  EXPECT_EQ(state.yaw, 0);
+  EXPECT_EQ(state.roll, 0);
+  EXPECT_EQ(state.force_z, -2e5);
+  EXPECT_EQ(state.torque_x, 3);
 }
 
 TEST(ContactInput, RollingOfTheWheelsDoesNotMatter)
 {
   for (const double spin : {0.0, 0.3, 1.5707963267948966, 3.0, -2.0})
   {
-    const PlacedState placed = convert(input(pose(turned(0.02, -0.005, spin))));
-    EXPECT_NEAR(placed.state.yaw, 0.02, 1e-12) << spin;
-    EXPECT_NEAR(placed.state.roll, -0.005, 1e-12) << spin;
+    const core::WheelsetState state = convert(input(pose(turned(0.02, -0.005, spin))));
+    EXPECT_NEAR(state.yaw, 0.02, 1e-12) << spin;
+    EXPECT_NEAR(state.roll, -0.005, 1e-12) << spin;
   }
 }
 
@@ -125,7 +125,7 @@ TEST(ContactInput, QuaternionOfNearlyUnitLengthIsNormalised)
 {
   Eigen::Quaterniond q = turned(0.02, 0.01, 0);
   q.coeffs() *= 1.0009;
-  EXPECT_NEAR(convert(input(pose(q))).state.yaw, 0.02, 1e-12);
+  EXPECT_NEAR(convert(input(pose(q))).yaw, 0.02, 1e-12);
   q.coeffs() *= 1.0002;
   EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContact::INVALID_INPUT);
 }
@@ -155,7 +155,7 @@ TEST(ContactInput, LoadInAnotherFrameIsRefused)
 {
   auto load = wrench(0, -2e5, 0);
   load.header.frame_id = "track";
-  EXPECT_EQ(convert(input(pose(), load)).state.force_z, -2e5);
+  EXPECT_EQ(convert(input(pose(), load)).force_z, -2e5);
   load.header.frame_id = "wheelset";
   const auto refused = refusal(input(pose(), load));
   EXPECT_EQ(refused.first, WheelsetContact::INVALID_INPUT);
@@ -175,9 +175,9 @@ TEST(ContactInput, TransformLeadsToTheTrackFrame)
   transforms.setTransform(transform, "test");
   auto message = pose();
   message.header.frame_id = "vehicle";
-  const PlacedState placed = convert(input(message), transforms);
-  EXPECT_NEAR(placed.state.yaw, 0.01, 1e-12);
-  EXPECT_NEAR(placed.state.y, 0.01 + 4 * std::sin(0.01) + 0.002 * std::cos(0.01), 1e-12);
+  const core::WheelsetState state = convert(input(message), transforms);
+  EXPECT_NEAR(state.yaw, 0.01, 1e-12);
+  EXPECT_NEAR(state.y, 0.01 + 4 * std::sin(0.01) + 0.002 * std::cos(0.01), 1e-12);
 
   message.header.stamp = ros::Time(11);
   const auto late = refusal(input(message), transforms);
@@ -200,9 +200,9 @@ TEST(ContactInput, RailForcesAreOutwardOnBothSides)
 {
   ContactInput in = input(pose());
   in.rail_force = {shared(wrench(30e3, 0, 0)), shared(wrench(-5e3, 0, 0))};
-  const PlacedState placed = convert(in);
-  EXPECT_EQ(placed.state.rail_lateral_force[0], 30e3);
-  EXPECT_EQ(placed.state.rail_lateral_force[1], -5e3);
+  const core::WheelsetState state = convert(in);
+  EXPECT_EQ(state.rail_lateral_force[0], 30e3);
+  EXPECT_EQ(state.rail_lateral_force[1], -5e3);
   in.rail_force[1] = shared(wrench(not_a_number, 0, 0));
   EXPECT_EQ(refusal(in).second, "right rail force: force is not finite");
 }

@@ -16,10 +16,10 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-class Scene : public AnswerScene
+class Scene : public ResultScene
 {
  protected:
-  MarkerArray draw() const { return sceneMarkers(answer, &config.model, trail, options); }
+  MarkerArray draw() const { return sceneMarkers(output, &config.model, trail, options); }
 
   ContactTrail trail;
   SceneOptions options;
@@ -43,7 +43,7 @@ TEST_F(Scene, PressureInTrueSizeStandsOnItsPatch)
   Eigen::Vector3d largest = Eigen::Vector3d::Zero();
   for (const auto& p : findMarker(markers, "zoom", 16).points)
   {
-    const Eigen::Vector3d from_origin(p.x - answer.x, p.y - patch.pose.y, p.z - patch.pose.z);
+    const Eigen::Vector3d from_origin(p.x - output.x(), p.y - patch.pose.y, p.z - patch.pose.z);
     largest = largest.cwiseMax((turn.inverse() * from_origin).cwiseAbs());
   }
   // A fifth of a cell of 1 mm: the edge is found between cells.
@@ -79,7 +79,7 @@ TEST_F(Scene, ExaggeratedRailTakesItsPatchAlong)
 {
   result.rail[0].deflection.lateral = 1e-3;
   options.deflection_scale = 11;
-  const auto before = findMarker(sceneMarkers(answer, &config.model, trail, SceneOptions()), "force", 0).points[0];
+  const auto before = findMarker(sceneMarkers(output, &config.model, trail, SceneOptions()), "force", 0).points[0];
   const auto after = findMarker(draw(), "force", 0).points[0];
   EXPECT_NEAR(after.y - before.y, 10e-3, 1e-12) << "outward is to the left on the left rail";
   EXPECT_NEAR(after.z, before.z, 1e-12);
@@ -88,7 +88,7 @@ TEST_F(Scene, ExaggeratedRailTakesItsPatchAlong)
 TEST_F(Scene, ShowsOneSide)
 {
   options.track.sides = {core::Side::right};
-  trail.add(answer, nullptr);
+  trail.add(output, nullptr);
   const MarkerArray markers = draw();
   for (const char* ns : {"rail", "rail_at_rest", "wheel", "zoom", "outline", "force", "label"})
   {
@@ -121,27 +121,27 @@ TEST_F(Scene, WithoutModelOrGridsTheForcesRemain)
     patch.grid.nx = patch.grid.ny = 0;
     patch.pressure.resize(0, 0);
   }
-  const MarkerArray markers = sceneMarkers(answer, nullptr, trail, options);
+  const MarkerArray markers = sceneMarkers(output, nullptr, trail, options);
   EXPECT_EQ(count(markers, "force"), 2U);
   EXPECT_EQ(count(markers, "label"), 2U);
   EXPECT_EQ(markers.markers.size(), 4U);
 }
 
-TEST_F(Scene, UnusableAnswerIsTextOnly)
+TEST_F(Scene, UnusableResultIsTextOnly)
 {
-  answer.result = nullptr;
-  answer.status = WheelsetContact::OFF_PROFILE;
-  answer.reason = "beyond the profile";
+  output.result = nullptr;
+  output.status = WheelsetContact::OFF_PROFILE;
+  output.reason = "beyond the profile";
   EXPECT_TRUE(draw().markers.empty());
   const std::vector<std::string> expected{"OFF_PROFILE", "beyond the profile"};
-  EXPECT_EQ(answerLines(answer, options.track.sides), expected);
+  EXPECT_EQ(resultLines(output, options.track.sides), expected);
 }
 
 TEST_F(Scene, TextNamesPressureAreaMethodAndError)
 {
   result.patches[0].method = "hertz";
   result.patches[0].error_estimate = 0.012;
-  const std::vector<std::string> lines = answerLines(answer, {core::Side::left});
+  const std::vector<std::string> lines = resultLines(output, {core::Side::left});
   ASSERT_EQ(lines.size(), 3U);
   for (const char* figure : {"982 MPa", "192 mm²", "100.0 kN", "±1.2 %", "hertz"})
   {
@@ -152,49 +152,49 @@ TEST_F(Scene, TextNamesPressureAreaMethodAndError)
 TEST_F(Scene, TrailRemembersThePointsOnTheRailAtRest)
 {
   const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
-  trail.add(answer, &at_rest);
+  trail.add(output, &at_rest);
   result.rail[1].deflection.lateral = 2e-3;
   result.patches[1].pose.y -= 2e-3;  // the rail has moved outward, and the patch with it
-  answer.header.stamp += ros::Duration(1);
-  trail.add(answer, &at_rest);
+  output.header.stamp += ros::Duration(1);
+  trail.add(output, &at_rest);
   ASSERT_EQ(trail.points().size(), 4U);
   EXPECT_NEAR(trail.points()[3].pose.y, trail.points()[1].pose.y, 1e-12);
 
   trail.limit(3);
   EXPECT_EQ(trail.points().size(), 3U);
-  answer.header.stamp -= ros::Duration(2);
-  trail.add(answer, &at_rest);
+  output.header.stamp -= ros::Duration(2);
+  trail.add(output, &at_rest);
   EXPECT_EQ(trail.points().size(), 2U) << "time has gone back";
 }
 
 TEST_F(Scene, StaysAtTheOriginIfAsked)
 {
-  trail.add(answer, nullptr);
-  answer.x += 1;
-  answer.header.stamp += ros::Duration(1);
+  trail.add(output, nullptr);
+  output.state.x += 1;
+  output.header.stamp += ros::Duration(1);
   options.at_origin = true;
   const MarkerArray markers = draw();
   EXPECT_NEAR(findMarker(markers, "force", 0).points[0].x, 0, 1e-12);
   EXPECT_NEAR(findMarker(markers, "trail", 0).points[0].x, -1, 1e-12);
 }
 
-TEST_F(Scene, AnswerSurvivesItsMessage)
+TEST_F(Scene, ResultSurvivesItsMessage)
 {
-  answer.status = WheelsetContact::OK;
+  output.status = WheelsetContact::OK;
   for (core::PatchResult& patch : result.patches)
   {
     patch.method = "hertz";
   }
-  result.y = answer.pose.y = 2e-3;
+  result.y = 2e-3;
   core::WheelsetResult received;
-  const ContactAnswer back = answerFromMessage(toMessage(answer, true, 0), received);
-  EXPECT_EQ(back.header.stamp, answer.header.stamp);
-  EXPECT_DOUBLE_EQ(back.x, answer.x);
-  EXPECT_DOUBLE_EQ(back.pose.y, 2e-3);
+  const ContactOutput back = outputFromMessage(toMessage(output, true, 0), received);
+  EXPECT_EQ(back.header.stamp, output.header.stamp);
+  EXPECT_DOUBLE_EQ(back.x(), output.x());
+  EXPECT_DOUBLE_EQ(back.pose().y, 2e-3);
   ASSERT_EQ(back.result, &received);
   EXPECT_EQ(received.patches.size(), 2U);
 
-  answer.result = nullptr;
-  answer.status = WheelsetContact::NO_TRANSFORM;
-  EXPECT_EQ(answerFromMessage(toMessage(answer, true, 0), received).result, nullptr);
+  output.result = nullptr;
+  output.status = WheelsetContact::NO_TRANSFORM;
+  EXPECT_EQ(outputFromMessage(toMessage(output, true, 0), received).result, nullptr);
 }

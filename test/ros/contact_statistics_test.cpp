@@ -10,12 +10,12 @@ using diagnostic_msgs::DiagnosticStatus;
 
 namespace
 {
-ContactAnswer answerWith(std::uint8_t status, const std::string& reason)
+ContactOutput resultWith(std::uint8_t status, const std::string& reason)
 {
-  ContactAnswer answer;
-  answer.status = status;
-  answer.reason = reason;
-  return answer;
+  ContactOutput output;
+  output.status = status;
+  output.reason = reason;
+  return output;
 }
 
 diagnostic_updater::DiagnosticStatusWrapper reportOf(const ContactStatistics& now, const ContactStatistics& before)
@@ -38,11 +38,11 @@ std::string valueOf(const diagnostic_updater::DiagnosticStatusWrapper& report, c
 }
 }  // namespace
 
-TEST(ContactStatistics, GoodAnswersAreOk)
+TEST(ContactStatistics, GoodResultsAreOk)
 {
   ContactStatistics now;
-  now.count(answerWith(WheelsetContact::OK, ""), 0.001);
-  now.count(answerWith(WheelsetContact::LIFT_OFF, "the left wheel carries nothing"), 0.003);
+  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.count(resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries nothing"), 0.003);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::OK);
   EXPECT_EQ(valueOf(report, "answers"), "2");
@@ -57,15 +57,15 @@ TEST(ContactStatistics, SilenceIsOk)
   EXPECT_EQ(reportOf({}, {}).level, DiagnosticStatus::OK);
 }
 
-TEST(ContactStatistics, SomeUnusableAnswersWarnAndOnlyUnusableOnesAreAnError)
+TEST(ContactStatistics, SomeUnusableResultsWarnAndOnlyUnusableOnesAreAnError)
 {
   ContactStatistics before, now;
-  before.count(answerWith(WheelsetContact::OK, ""), 0.001);
+  before.count(resultWith(WheelsetContact::OK, ""), 0.001);
   now = before;
-  now.count(answerWith(WheelsetContact::INVALID_INPUT, "load: force is not finite"), 0);
+  now.count(resultWith(WheelsetContact::INVALID_INPUT, "load: force is not finite"), 0);
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::ERROR);
   EXPECT_NE(reportOf(now, before).message.find("load: force is not finite"), std::string::npos);
-  now.count(answerWith(WheelsetContact::OK, ""), 0.001);
+  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::WARN);
   EXPECT_EQ(reportOf(now, now).level, DiagnosticStatus::OK) << "what was reported before is over";
 }
@@ -91,10 +91,10 @@ TEST(ContactStatistics, InputWithoutPartnerWarns)
 TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
 {
   ContactStatistics now;
-  ContactAnswer answer = answerWith(WheelsetContact::OK, "");
-  now.count(answer, 0.001);
-  answer.lacks_neighbour = true;
-  now.count(answer, 0.001);
+  ContactOutput output = resultWith(WheelsetContact::OK, "");
+  now.count(output, 0.001);
+  output.lacks_neighbour = true;
+  now.count(output, 0.001);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(report.message, "1 of 2 answers lack a neighbour's forces");
@@ -104,11 +104,11 @@ TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
 TEST(ContactStatistics, RailBeyondItsTableWarns)
 {
   ContactStatistics now;
-  ContactAnswer answer = answerWith(WheelsetContact::OK, "");
-  answer.beyond_linear_range = "left rail: Y = 70.0 kN at Q = 100.0 kN";
-  now.count(answer, 0.001);
-  answer.beyond_linear_range.clear();
-  now.count(answer, 0.001);
+  ContactOutput output = resultWith(WheelsetContact::OK, "");
+  output.beyond_linear_range = "left rail: Y = 70.0 kN at Q = 100.0 kN";
+  now.count(output, 0.001);
+  output.beyond_linear_range.clear();
+  now.count(output, 0.001);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(report.message, "left rail: Y = 70.0 kN at Q = 100.0 kN");
@@ -119,10 +119,12 @@ TEST(ContactStatistics, RailBeyondItsTableWarns)
 TEST(ContactStatistics, ErrorAboveTheToleranceWarns)
 {
   ContactStatistics now;
-  now.count(answerWith(WheelsetContact::OK, ""), 0.001);
-  ContactAnswer answer = answerWith(WheelsetContact::OK, "an error estimate is above contact/tolerance");
-  answer.above_tolerance = true;
-  now.count(answer, 0.001);
+  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  ContactOutput output = resultWith(WheelsetContact::OK, "an error estimate is above contact/tolerance");
+  core::WheelsetResult result;
+  result.above_tolerance = true;
+  output.result = &result;
+  now.count(output, 0.001);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(valueOf(report, "answers with an error estimate above contact/tolerance"), "1");

@@ -8,7 +8,7 @@
 
 #include "result_scene.h"
 #include "ros/markers/color_map.h"
-#include "ros/markers/contact_markers.h"
+#include "ros/markers/contact_scene.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/track_markers.h"
 
@@ -18,10 +18,14 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-class Picture : public AnswerScene
+class Picture : public ResultScene
 {
  protected:
-  MarkerArray draw() const { return contactMarkers(answer, config); }
+  MarkerArray draw() const { return draw(config); }
+  MarkerArray draw(const NodeConfig& node) const
+  {
+    return sceneMarkers(output, &node.model, ContactTrail(), sceneOptions(node.markers));
+  }
 };
 
 double width(const Marker& marker)
@@ -71,7 +75,7 @@ TEST_F(Picture, BothWheelProfilesLieOnTheirWheels)
     for (const auto& p : line.points)
     {
       EXPECT_EQ(p.y > 0, side == 0);
-      const double radius = std::hypot(p.x - answer.x, p.z - answer.pose.z);
+      const double radius = std::hypot(p.x - output.x(), p.z - output.pose().z);
       tip = std::max(tip, radius);
       if (std::abs(std::abs(p.y) - wheelset.halfBase()) < 2e-3)
       {
@@ -142,10 +146,10 @@ TEST_F(Picture, ColourFollowsThePressure)
 TEST_F(Picture, ArrowPressesIntoTheRailWithTheForcesLength)
 {
   const Marker arrow = findMarker(draw(), "force", 0);
-  const auto &tail = arrow.points[0], &head = arrow.points[1];
-  EXPECT_NEAR(std::hypot(head.y - tail.y, head.z - tail.z), config.markers.force_scale * 1e5, 1e-12);
-  EXPECT_LT(head.z, tail.z);
-  EXPECT_GT(head.y, tail.y) << "on the left the force of a tread pushes outward";
+  const auto &narrow_end = arrow.points[0], &head = arrow.points[1];
+  EXPECT_NEAR(std::hypot(head.y - narrow_end.y, head.z - narrow_end.z), config.markers.force_scale * 1e5, 1e-12);
+  EXPECT_LT(head.z, narrow_end.z);
+  EXPECT_GT(head.y, narrow_end.y) << "on the left the force of a tread pushes outward";
 }
 
 TEST_F(Picture, LabelTellsPressureAndArea)
@@ -166,10 +170,10 @@ TEST_F(Picture, RailIsDrawnDeflected)
 TEST_F(Picture, VanishedPatchIsDeleted)
 {
   MarkerArray first = draw();
-  const MarkerKeys shown = appendDeletions({}, answer.header, first);
+  const MarkerKeys shown = appendDeletions({}, output.header, first);
   result.patches.pop_back();
   MarkerArray second = draw();
-  const MarkerKeys now = appendDeletions(shown, answer.header, second);
+  const MarkerKeys now = appendDeletions(shown, output.header, second);
   for (const char* ns : {"patch", "zoom", "zoom_line", "force", "label"})
   {
     EXPECT_EQ(findMarker(second, ns, 16).action, Marker::DELETE) << ns;
@@ -178,17 +182,17 @@ TEST_F(Picture, VanishedPatchIsDeleted)
   }
   MarkerArray third = draw();
   const std::size_t count = third.markers.size();
-  appendDeletions(now, answer.header, third);
+  appendDeletions(now, output.header, third);
   EXPECT_EQ(third.markers.size(), count) << "deleted once only";
 }
 
-TEST_F(Picture, UnusableAnswerShowsItsReason)
+TEST_F(Picture, UnusableResultShowsItsReason)
 {
-  answer.result = nullptr;
-  answer.reason = "pose: position is not finite";
+  output.result = nullptr;
+  output.reason = "pose: position is not finite";
   const MarkerArray markers = draw();
   ASSERT_EQ(markers.markers.size(), 1U);
-  EXPECT_EQ(markers.markers[0].text, answer.reason);
+  EXPECT_EQ(markers.markers[0].text, output.reason);
   expectDrawable(markers);
 }
 
@@ -197,7 +201,7 @@ TEST_F(Picture, PartsCanBeSwitchedOff)
   NodeConfig plain = config;
   plain.markers.zoom = 0;
   plain.markers.force_scale = 0;
-  for (const Marker& marker : contactMarkers(answer, plain).markers)
+  for (const Marker& marker : draw(plain).markers)
   {
     EXPECT_TRUE(marker.ns != "zoom" && marker.ns != "zoom_line" && marker.ns != "force") << marker.ns;
   }

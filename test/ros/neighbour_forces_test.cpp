@@ -25,13 +25,13 @@ NodeConfig configWith(std::size_t neighbours)
 }
 
 /// An answer with lateral forces [N] on both rails at a time [s].
-NeighbourAnswer answerAt(double time, double left, double right = 0)
+NeighbourResult resultAt(double time, double left, double right = 0)
 {
-  NeighbourAnswer answer;
-  answer.stamp = ros::Time(time);
-  answer.left_rail.lateral_force = left;
-  answer.right_rail.lateral_force = right;
-  return answer;
+  NeighbourResult result;
+  result.stamp = ros::Time(time);
+  result.left_rail.lateral_force = left;
+  result.right_rail.lateral_force = right;
+  return result;
 }
 
 /// Lateral force on the left rail that counts at a time [N].
@@ -42,7 +42,7 @@ double countedAt(const NeighbourForces& forces, double time)
 }  // namespace
 
 // More patches are claimed than any memory holds.
-TEST(NeighbourForces, AnswerIsReadUpToItsPatches)
+TEST(NeighbourForces, ResultIsReadUpToItsPatches)
 {
   WheelsetContact message;
   message.header.stamp = ros::Time(10);
@@ -57,34 +57,34 @@ TEST(NeighbourForces, AnswerIsReadUpToItsPatches)
   const std::size_t patches = bytes.size() - sizeof(message.solve_time) - sizeof(std::uint32_t);
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(patches), sizeof(std::uint32_t), 0xff);
 
-  NeighbourAnswer answer;
+  NeighbourResult result;
   ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::deserialize(in, answer);
-  EXPECT_EQ(answer.stamp, message.header.stamp);
-  EXPECT_EQ(answer.status, message.status);
-  EXPECT_EQ(answer.left_rail, message.left_rail);
-  EXPECT_EQ(answer.right_rail, message.right_rail);
+  ros::serialization::deserialize(in, result);
+  EXPECT_EQ(result.stamp, message.header.stamp);
+  EXPECT_EQ(result.status, message.status);
+  EXPECT_EQ(result.left_rail, message.left_rail);
+  EXPECT_EQ(result.right_rail, message.right_rail);
 }
 
 TEST(NeighbourForces, TellsWhetherEveryNeighboursForcesAreKnown)
 {
   EXPECT_TRUE(NeighbourForces(configWith(0)).effectAt(ros::Time(10)).complete);
   NeighbourForces forces(configWith(2));
-  forces.add(0, answerAt(10.0, 1e3));
+  forces.add(0, resultAt(10.0, 1e3));
   EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete) << "the second one is silent";
-  forces.add(1, answerAt(10.1, 0));
+  forces.add(1, resultAt(10.1, 0));
   EXPECT_FALSE(forces.effectAt(ros::Time(10.1)).complete);
   EXPECT_TRUE(forces.effectAt(ros::Time(10.2)).complete) << "no force is one that is known";
   EXPECT_FALSE(forces.effectAt(ros::Time(11.05)).complete) << "the first one's is too old";
 }
 
-TEST(NeighbourForces, NewestAnswerBeforeTheStampCounts)
+TEST(NeighbourForces, NewestResultBeforeTheStampCounts)
 {
   NeighbourForces forces(configWith(1));
   EXPECT_EQ(countedAt(forces, 10.0), 0) << "no answer yet";
-  forces.add(0, answerAt(10.00, 1e3));
-  forces.add(0, answerAt(10.25, 2e3));
-  forces.add(0, answerAt(10.50, 3e3));
+  forces.add(0, resultAt(10.00, 1e3));
+  forces.add(0, resultAt(10.25, 2e3));
+  forces.add(0, resultAt(10.50, 3e3));
   EXPECT_EQ(countedAt(forces, 10.00), 0) << "an answer of the same step depends on the order of arrival";
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.25), 1e3);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.375), 2e3);
@@ -92,10 +92,10 @@ TEST(NeighbourForces, NewestAnswerBeforeTheStampCounts)
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.75), 3e3);
 }
 
-TEST(NeighbourForces, AnswerOlderThanASecondCountsNoMore)
+TEST(NeighbourForces, ResultOlderThanASecondCountsNoMore)
 {
   NeighbourForces forces(configWith(1));
-  forces.add(0, answerAt(10, 1e3));
+  forces.add(0, resultAt(10, 1e3));
   EXPECT_DOUBLE_EQ(countedAt(forces, 11), 1e3);
   EXPECT_EQ(countedAt(forces, 11.001), 0);
   constexpr double last_stamp_there_is = 4294967295.0;  // in a ros::Time; a difference of stamps may not fit a Duration
@@ -104,30 +104,30 @@ TEST(NeighbourForces, AnswerOlderThanASecondCountsNoMore)
   EXPECT_TRUE(forces.reachBackFrom(ros::Time(last_stamp_there_is)));
 }
 
-TEST(NeighbourForces, UnusableAnswerIsNoForce)
+TEST(NeighbourForces, UnusableResultIsNoForce)
 {
   NeighbourForces forces(configWith(1));
-  forces.add(0, answerAt(10.0, 1e3));
-  NeighbourAnswer unusable = answerAt(10.1, 2e3);
+  forces.add(0, resultAt(10.0, 1e3));
+  NeighbourResult unusable = resultAt(10.1, 2e3);
   unusable.status = WheelsetContact::NOT_CONVERGED;
   forces.add(0, unusable);
   EXPECT_EQ(countedAt(forces, 10.2), 0);
   EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete);
-  NeighbourAnswer lifted = answerAt(10.2, 3e3);
+  NeighbourResult lifted = resultAt(10.2, 3e3);
   lifted.status = WheelsetContact::LIFT_OFF;
   forces.add(0, lifted);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);
-  forces.add(0, answerAt(10.3, std::nan("")));
+  forces.add(0, resultAt(10.3, std::nan("")));
   EXPECT_EQ(countedAt(forces, 10.4), 0);
   EXPECT_FALSE(forces.effectAt(ros::Time(10.4)).complete);
 }
 
-TEST(NeighbourForces, AnswersOfALoopBeforeAreForgotten)
+TEST(NeighbourForces, ResultsOfALoopBeforeAreForgotten)
 {
   NeighbourForces forces(configWith(1));
-  forces.add(0, answerAt(10.0, 1e3));
-  forces.add(0, answerAt(10.4, 2e3));
-  forces.add(0, answerAt(10.2, 3e3));
+  forces.add(0, resultAt(10.0, 1e3));
+  forces.add(0, resultAt(10.4, 2e3));
+  forces.add(0, resultAt(10.2, 3e3));
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.2), 1e3);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.5), 3e3);
 }
@@ -135,20 +135,20 @@ TEST(NeighbourForces, AnswersOfALoopBeforeAreForgotten)
 TEST(NeighbourForces, NeighboursAddUpAndEachRailHasItsOwn)
 {
   NeighbourForces forces(configWith(2));
-  forces.add(0, answerAt(10.0, 1e3, 5e3));
-  forces.add(1, answerAt(10.1, 2e3, -2e3));
+  forces.add(0, resultAt(10.0, 1e3, 5e3));
+  forces.add(1, resultAt(10.1, 2e3, -2e3));
   const auto moved = forces.effectAt(ros::Time(10.2)).deflection;
   EXPECT_DOUBLE_EQ(moved[0].lateral, compliance * 3e3);
   EXPECT_DOUBLE_EQ(moved[1].lateral, compliance * 3e3);
   EXPECT_EQ(countedAt(forces, 10.1), compliance * 1e3 / compliance) << "the second one's is of the same step";
 }
 
-TEST(NeighbourForces, KeepsTheNewestAnswersOnly)
+TEST(NeighbourForces, KeepsTheNewestResultsOnly)
 {
   NeighbourForces forces(configWith(1));
   for (std::size_t i = 0; i <= NeighbourForces::most_kept; ++i)
   {
-    forces.add(0, answerAt(10 + 1e-4 * static_cast<double>(i), 1e3));
+    forces.add(0, resultAt(10 + 1e-4 * static_cast<double>(i), 1e3));
   }
   EXPECT_EQ(countedAt(forces, 10.00005), 0);
   EXPECT_DOUBLE_EQ(countedAt(forces, 10.00015), 1e3);

@@ -12,11 +12,11 @@ namespace
 /// Places in the sequence of stamps [ms] at which an evaluator starts anew.
 std::vector<std::size_t> starts(const std::vector<int>& stamps)
 {
-  FreshStartRule rule;
+  ResetRule rule;
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < stamps.size(); ++i)
   {
-    if (rule.startsAnew(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
+    if (rule.resets(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
     {
       result.push_back(i);
     }
@@ -25,17 +25,17 @@ std::vector<std::size_t> starts(const std::vector<int>& stamps)
 }
 }  // namespace
 
-TEST(FreshStart, ComesAtTheFirstInputAndAtEveryWholeSecond)
+TEST(Reset, ComesAtTheFirstInputAndAtEveryWholeSecond)
 {
   EXPECT_EQ(starts({500, 700, 999, 1000, 1999, 2000, 5000}), (std::vector<std::size_t>{0, 3, 5, 6}));
 }
 
-TEST(FreshStart, ComesWhenTimeDoesNotRise)
+TEST(Reset, ComesWhenTimeDoesNotRise)
 {
   EXPECT_EQ(starts({500, 700, 600, 610, 610}), (std::vector<std::size_t>{0, 2, 4}));
 }
 
-TEST(FreshStart, ComesAfterTwoHundredInputsOfOneSecond)
+TEST(Reset, ComesAfterTwoHundredInputsOfOneSecond)
 {
   std::vector<int> stamps;
   for (int i = 0; i < 450; ++i)
@@ -46,7 +46,7 @@ TEST(FreshStart, ComesAfterTwoHundredInputsOfOneSecond)
 }
 
 // Whoever begins in the middle agrees from the next whole second on.
-TEST(FreshStart, DoesNotDependOnWhatWasMissed)
+TEST(Reset, DoesNotDependOnWhatWasMissed)
 {
   const std::vector<int> all{100, 300, 900, 1100, 1200, 2100};
   const std::vector<int> late{900, 1100, 1200, 2100};

@@ -21,21 +21,21 @@ inline NodeConfig exampleConfig()
 }
 
 /// An answer with one Hertz-like patch on either side, drawn without solving anything.
-class AnswerScene : public testing::Test
+class ResultScene : public testing::Test
 {
  protected:
-  AnswerScene()
+  ResultScene()
   {
     result.status = core::ContactStatus::ok;
-    answer.pose.z = 0.46;
+    result.z = 0.46;
     for (const core::Side side : {core::Side::left, core::Side::right})
     {
       result.patches.push_back(makePatch(side, 0.75));
     }
-    answer.header.frame_id = "track";
-    answer.header.stamp = ros::Time(10);
-    answer.x = 3;
-    answer.result = &result;
+    output.header.frame_id = "track";
+    output.header.stamp = ros::Time(10);
+    output.state.x = result.x = 3;
+    output.result = &result;
   }
 
   static core::PatchResult makePatch(core::Side side, double distance)
@@ -65,7 +65,7 @@ class AnswerScene : public testing::Test
 
   const NodeConfig config = exampleConfig();
   core::WheelsetResult result;
-  ContactAnswer answer;
+  ContactOutput output;
 };
 
 inline const visualization_msgs::Marker& findMarker(const visualization_msgs::MarkerArray& markers,

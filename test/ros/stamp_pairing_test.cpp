@@ -47,7 +47,7 @@ void expectNothingLost(const Pairing& pairing)
 }
 }  // namespace
 
-TEST(StampPairing, AnswersEqualStampsInOrderWhicheverChannelComesFirst)
+TEST(StampPairing, ResultsEqualStampsInOrderWhicheverChannelComesFirst)
 {
   Pairing pairing(2, 0, plenty);
   Sets sets;
@@ -69,7 +69,7 @@ TEST(StampPairing, WithoutSlopOneNanosecondIsTooFar)
   Pairing pairing(2, 0, plenty);
   EXPECT_FALSE(pairing.add(0, ros::Time(10, 0), 0));
   EXPECT_FALSE(pairing.add(1, ros::Time(10, 1), 0));
-  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U) << "the older one can find no partner any more";
+  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U) << "the older one can find no partner any more";
 }
 
 TEST(StampPairing, SampleWithoutPartnerIsDroppedAndCounted)
@@ -85,7 +85,7 @@ TEST(StampPairing, SampleWithoutPartnerIsDroppedAndCounted)
     add(pairing, 1, t, sets);
   }
   EXPECT_EQ(sets, (Sets{{1, 1}, {3, 3}}));
-  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U);
+  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U);
   expectNothingLost(pairing);
 }
 
@@ -102,7 +102,7 @@ TEST(StampPairing, PairsWithinTheSlopAndNotBeyond)
     add(pairing, 1, t, sets);
   }
   EXPECT_EQ(sets, (Sets{{100, 97}, {200, 203}}));
-  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U);
+  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U);
   EXPECT_EQ(pairing.counts().waiting, 1U);
 }
 
@@ -119,7 +119,7 @@ TEST(StampPairing, FastChannelFindsTheSlowOnesPartners)
     }
   }
   EXPECT_EQ(sets, (Sets{{0, 0}, {20, 20}, {40, 40}, {60, 60}, {80, 80}, {100, 100}}));
-  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 95U);
+  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 95U);
   expectNothingLost(pairing);
 }
 
@@ -136,7 +136,7 @@ TEST(StampPairing, FourChannelsMustAllCome)
   EXPECT_EQ(sets, (Sets{{5, 5, 5, 5}}));
 }
 
-TEST(StampPairing, OneChannelIsAnsweredAtOnce)
+TEST(StampPairing, OneChannelIsEvaluatedAtOnce)
 {
   Pairing pairing(1, 0, plenty);
   Sets sets;
@@ -381,6 +381,6 @@ TEST(StampPairing, FinishCountsWhatStillWaits)
   add(pairing, 0, 1, sets);
   pairing.finish();
   EXPECT_EQ(pairing.counts().waiting, 0U);
-  EXPECT_EQ(dropped(pairing, DropReason::no_partner), 1U);
+  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U);
   expectNothingLost(pairing);
 }

@@ -7,7 +7,7 @@
 //
 // TABLES is the folder of the rails' compliance tables (config/rails). A scene is drawn from profiles, inclination,
 // gauge, method, tolerance, grid and rail, and walked through in 30 states (random_scene.h); each answer is checked
-// from outside (answer_check.h) and, where only 1 um of y lies between, against the one before (continuity.h). Prints
+// from outside (result_check.h) and, where only 1 um of y lies between, against the one before (continuity.h). Prints
 // refusals by reason and region, the slowest state, and what was wrong, with the scene's seed. Ends with 1 if anything
 // was wrong or, over many scenes, if more answers than usual are rough (tally.cpp). The same seed gives the same
 // states.
@@ -106,7 +106,7 @@ void Campaign::runScene(unsigned long seed, bool aloud)
   Random random(seed);
   const Scene scene = randomScene(pool_, random);
   WheelsetContact contact(scene.config);
-  AnswerCheck check(contact.config());
+  ResultCheck check(contact.config());
   Walk walk(contact.config(), random);
   for (int i = 0; i < states_of_a_scene; ++i)
   {

@@ -9,7 +9,7 @@ namespace wheel_rail_contact::core::stability
 {
 namespace
 {
-ContactModelConfig flangeOnYieldingRail(double tolerance)
+ContactModelConfig flangeOnCompliantRail(double tolerance)
 {
   ContactModelConfig config;
   config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
@@ -26,12 +26,12 @@ ContactModelConfig flangeOnYieldingRail(double tolerance)
 /// the plane, over surfaces that turn by a radian. Pressures, pose and deflection of an answer have to belong together:
 /// bodies placed by the answer and deformed by its pressures must touch where it presses, and nowhere else. Three
 /// tolerances are left for the passes' own (descent, plane, roll and the rail's way are each open to about one).
-TEST(ContactConditions, holdWhereAFlangePushesItsRailAway)
+TEST(ContactConditions, HoldWhereAFlangePushesItsRailAway)
 {
   constexpr double tolerance = 0.004;
-  const ContactModelConfig config = flangeOnYieldingRail(tolerance);
+  const ContactModelConfig config = flangeOnCompliantRail(tolerance);
   WheelsetContact contact(config);
-  AnswerCheck check(contact.config());
+  ResultCheck check(contact.config());
   for (double y = 6e-3; y < 9.5e-3; y += 50e-6)
   {
     const WheelsetState state = stateAt(y, 8e4);

@@ -76,7 +76,8 @@ double unworn(double /*y*/)
 void drawTrack(ContactModelConfig& config, Random& random)
 {
   constexpr std::array<double, 3> inclinations{0, 0.025, 0.05};
-  config.track.rail_inclination = oneIn(random, 4) ? uniform(random, -0.02, 0.08) : inclinations[random() % inclinations.size()];
+  config.track.rail_inclination =
+      oneIn(random, 4) ? uniform(random, -0.02, 0.08) : inclinations[random() % inclinations.size()];
   config.track.gauge = oneIn(random, 2) ? 1.435 : uniform(random, 1.42, 1.47);
 }
 
@@ -253,8 +254,9 @@ std::string describe(const WheelsetState& state)
 std::string describe(const Scene& scene)
 {
   char text[120];
-  std::snprintf(text, sizeof text, "; inclination %.4g rad, gauge %.4f m, height and roll %s", scene.config.track.rail_inclination,
-                scene.config.track.gauge, scene.config.wheelset.solve_height_and_roll ? "from the load" : "given");
+  std::snprintf(text, sizeof text, "; inclination %.4g rad, gauge %.4f m, height and roll %s",
+                scene.config.track.rail_inclination, scene.config.track.gauge,
+                scene.config.wheelset.solve_height_and_roll ? "from the load" : "given");
   return scene.profiles + "; " + scene.method + "; rail " + scene.rail + text;
 }
 }  // namespace wheel_rail_contact::core::stability

@@ -55,19 +55,19 @@ bool sumsUp(const ContactModelConfig& config)
 }
 }  // namespace
 
-AnswerCheck::AnswerCheck(const ContactModelConfig& config)
+ResultCheck::ResultCheck(const ContactModelConfig& config)
     : config_(config), undeflected_(config.rail_profile, config.track)
 {
 }
 
-void AnswerCheck::fault(const char* what, double value)
+void ResultCheck::fault(const char* what, double value)
 {
   char text[200];
   std::snprintf(text, sizeof text, "%s (%.3g)", what, value);
   faults_.emplace_back(text);
 }
 
-const std::vector<std::string>& AnswerCheck::faults(const WheelsetState& state, const WheelsetResult& result)
+const std::vector<std::string>& ResultCheck::faults(const WheelsetState& state, const WheelsetResult& result)
 {
   faults_.clear();
   violation_ = 0;
@@ -100,7 +100,7 @@ const std::vector<std::string>& AnswerCheck::faults(const WheelsetState& state, 
   return faults_;
 }
 
-void AnswerCheck::checkNumbers(const WheelsetResult& result)
+void ResultCheck::checkNumbers(const WheelsetResult& result)
 {
   double sum = result.y + result.z + result.yaw + result.roll;
   for (const RailResult& rail : result.rail)
@@ -119,7 +119,7 @@ void AnswerCheck::checkNumbers(const WheelsetResult& result)
   }
 }
 
-void AnswerCheck::checkPatch(const PatchResult& patch)
+void ResultCheck::checkPatch(const PatchResult& patch)
 {
   const PatchGrid& grid = patch.grid;
   if (!(patch.pressure.minCoeff() >= 0))
@@ -144,7 +144,7 @@ void AnswerCheck::checkPatch(const PatchResult& patch)
 
 /// Vertical balance of each wheel: exact where height and roll follow from the load, but for hertz and kik_piotrowski,
 /// whose load is met by an iteration on the approach.
-void AnswerCheck::checkLoads(const WheelsetState& state, const WheelsetResult& result)
+void ResultCheck::checkLoads(const WheelsetState& state, const WheelsetResult& result)
 {
   const double tolerance = config_.contact.method == NormalMethod::seidel_printed ? 1e-4 : 1e-7;
   for (const Side side : sides)
@@ -168,7 +168,7 @@ void AnswerCheck::checkLoads(const WheelsetState& state, const WheelsetResult& r
 }
 
 /// Table times forces and moment must give the deflection.
-void AnswerCheck::checkDeflection(const WheelsetState& state, const WheelsetResult& result, Side side)
+void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
   const RailBendingConfig& bending = config_.rail_bending;
   const auto k = static_cast<std::size_t>(side);
@@ -203,7 +203,7 @@ void AnswerCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
   }
 }
 
-void AnswerCheck::checkConditions(const WheelsetResult& result)
+void ResultCheck::checkConditions(const WheelsetResult& result)
 {
   for (const PatchResult& patch : result.patches)
   {
@@ -215,7 +215,7 @@ void AnswerCheck::checkConditions(const WheelsetResult& result)
 }
 
 /// Displacement of both half-spaces under a patch's pressure, by exact coefficients.
-void AnswerCheck::displace(const PatchResult& patch)
+void ResultCheck::displace(const PatchResult& patch)
 {
   const PatchGrid& grid = patch.grid;
   const auto influence = operators_.find(grid.nx, grid.ny, false, grid.dx / grid.dy);
@@ -245,7 +245,7 @@ void AnswerCheck::displace(const PatchResult& patch)
 /// Zero where the bodies are not found over the plane (a flange's tip on the rail's crown, more than 30 mm off).
 /// Where a wheel has several patches, only the cells under pressure are looked at: another patch may lie in the free
 /// cells of this one's grid.
-double AnswerCheck::patchViolation(const WheelsetResult& result, const PatchResult& patch)
+double ResultCheck::patchViolation(const WheelsetResult& result, const PatchResult& patch)
 {
   const auto same_wheel = [&](const PatchResult& other) { return other.side == patch.side; };
   const bool alone = std::count_if(result.patches.begin(), result.patches.end(), same_wheel) == 1;

@@ -14,11 +14,11 @@ namespace wheel_rail_contact::core::stability
 /// Looks at an answer from outside: does it solve the problem that was set? Nothing of the solution's own bookkeeping
 /// is believed. Bodies are placed by the answer's pose and deflections, and its pressures are pushed through exact
 /// coefficients again.
-class AnswerCheck
+class ResultCheck
 {
  public:
   /// Refers to `config`, which must outlive it.
-  explicit AnswerCheck(const ContactModelConfig& config);
+  explicit ResultCheck(const ContactModelConfig& config);
 
   /// What is wrong with an answer; empty if nothing is.
   const std::vector<std::string>& faults(const WheelsetState& state, const WheelsetResult& result);

@@ -254,16 +254,16 @@ std::string verdictInBox(const NormalSolution& found, double expected)
 }
 
 /// On the grids of `auto`, from coarse to fine until the estimate meets the tolerance.
-std::string verdictOfGrids(const MethodLadder& ladder, const Shape& shape, double expected)
+std::string verdictOfGrids(const GridLevels& levels, const Shape& shape, double expected)
 {
   constexpr double tolerance = 0.01;
   NormalSolution found;
   double estimate = 1;
-  for (std::size_t rung = 0; rung < ladder.count() && estimate > tolerance; ++rung)
+  for (std::size_t level = 0; level < levels.count() && estimate > tolerance; ++level)
   {
-    const NormalProblem problem = shaped(shape, ladder.at(rung).size.along, ladder.at(rung).size.across);
-    found = solved(ladder.solver(), problem);
-    estimate = isUsable(found.status) ? errorsOf(ladder.solver(), problem, found)[0].largest() : 1;
+    const NormalProblem problem = shaped(shape, levels.at(level).size.along, levels.at(level).size.across);
+    found = solved(levels.solver(), problem);
+    estimate = isUsable(found.status) ? errorsOf(levels.solver(), problem, found)[0].largest() : 1;
   }
   return verdictSaid(verdictInBox(found, expected), estimate > tolerance);
 }
@@ -278,7 +278,7 @@ MapTable solveShapes()
       "the higher. Pressure at the border of the box is noticed; the balance would lay another one.",
       {"grids of auto", "conjugate_gradient", "seidel", "seidel_printed", "kik_piotrowski", "hertz"},
       {}};
-  const MethodLadder ladder{ContactModelConfig()};
+  const GridLevels levels{ContactModelConfig()};
   for (const Shape& shape : shapes())
   {
     ConjugateGradients gradients;
@@ -286,7 +286,7 @@ MapTable solveShapes()
     KikPiotrowski strips;
     HertzSolver hertz;
     const double expected = solved(gradients, shaped(shape, 96, 192)).patches[0].max_pressure;
-    MapRow row{shape.name, {verdictOfGrids(ladder, shape, expected)}};
+    MapRow row{shape.name, {verdictOfGrids(levels, shape, expected)}};
     for (NormalSolver* solver : std::initializer_list<NormalSolver*>{&gradients, &repaired, &printed, &strips, &hertz})
     {
       row.verdicts.push_back(verdictInBox(solved(*solver, shaped(shape, 24, 48)), expected));

@@ -23,7 +23,7 @@ std::vector<std::string> lines(const std::string& text)
 }
 
 /// Each cell is solved again: a method that does better or worse than the page says shows up here.
-TEST(StabilityMap, everyVerdictIsAsThePageSays)
+TEST(StabilityMap, EveryVerdictIsAsThePageSays)
 {
   const std::string found = stabilityPage();
   if (std::getenv("WRITE_STABILITY_PAGE") != nullptr)
@@ -44,7 +44,7 @@ TEST(StabilityMap, everyVerdictIsAsThePageSays)
 
 /// `method: auto` and its grids are right or refuse; on waves that the reference hardly resolves, or not, they say that
 /// the error estimate is above the tolerance.
-TEST(StabilityMap, autoIsRightRefusesOrSaysThatItCannotResolveNoise)
+TEST(StabilityMap, AutoIsRightRefusesOrSaysThatItCannotResolveNoise)
 {
   for (const MapTable* table : {&wheelsetMap(), &shapeMap()})
   {

@@ -120,7 +120,7 @@ std::vector<Situation> situations()
   return list;
 }
 
-WheelsetResult answer(ContactModelConfig config, NormalMethod method, const WheelsetState& state)
+WheelsetResult result(ContactModelConfig config, NormalMethod method, const WheelsetState& state)
 {
   config.contact.method = method;
   return WheelsetContact(config).evaluate(state);
@@ -133,7 +133,7 @@ WheelsetResult reference(ContactModelConfig config, const WheelsetState& state, 
   config.contact.tolerance = 0.002;
   config.contact.cells_along = 64 * finer;
   config.contact.cells_across = 128 * finer;
-  return answer(config, NormalMethod::conjugate_gradient, state);
+  return result(config, NormalMethod::conjugate_gradient, state);
 }
 
 double pressureError(const WheelsetResult& found, const WheelsetResult& truth)
@@ -185,7 +185,7 @@ MapTable solveAll()
     MapRow row{situation.name, {}};
     for (const NormalMethod method : methods)
     {
-      row.verdicts.push_back(verdict(answer(situation.config, method, situation.state), truth, sure));
+      row.verdicts.push_back(verdict(result(situation.config, method, situation.state), truth, sure));
     }
     table.rows.push_back(row);
   }

@@ -71,7 +71,7 @@ struct PatchGap
 /// half-spaces' does.
 struct Support
 {
-  bool yields = false;                                   ///< false: it is rigid, the rest means nothing
+  bool compliant = false;                                ///< false: it is rigid, the rest means nothing
   Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();  ///< symmetric, positive semidefinite
   Eigen::Vector3d placed = Eigen::Vector3d::Zero();      ///< coordinates for which the gaps are given
 };
@@ -122,14 +122,14 @@ inline bool isUsable(SolveStatus status)
 /// whoever changes one may leave the other as it is.
 struct PatchPressure
 {
-  Grid grid;                     ///< where the pressure was found
-  Eigen::ArrayXXd pressure;      ///< [Pa], shape of the gap
-  Eigen::ArrayXXd displacement;  ///< of both half-spaces, apart along the normal [m], shape of the gap
-  double force = 0;              ///< normal force of the whole patch [N]
-  double max_pressure = 0;       ///< highest, between the cells less their excess; may be below theirs [Pa]
-  double area = 0;               ///< contact area with sub-cell edge [m²]
-  double moved_at_joints = 0;    ///< what jumps of the gap's curvature move the edge by, sizes summed [m²]
-  bool touches_border = false;   ///< pressure in an outer cell of the grid: the box cut the patch
+  Grid grid;                            ///< where the pressure was found
+  Eigen::ArrayXXd pressure;             ///< [Pa], shape of the gap
+  Eigen::ArrayXXd displacement;         ///< of both half-spaces, apart along the normal [m], shape of the gap
+  double force = 0;                     ///< normal force of the whole patch [N]
+  double max_pressure = 0;              ///< highest, between the cells less their excess; may be below theirs [Pa]
+  double area = 0;                      ///< contact area with sub-cell edge [m²]
+  double moved_at_discontinuities = 0;  ///< what jumps of the gap's curvature move the edge by, sizes summed [m²]
+  bool touches_border = false;          ///< pressure in an outer cell of the grid: the box cut the patch
 };
 
 /// Answer of a NormalSolver.
@@ -153,7 +153,7 @@ struct ErrorEstimate
   double approach = 0;      ///< of the patch's own approach, from its first touch on
   /// The part of `area` that columns make on which the pressure is narrower than the cells tell, as in a tail: it falls
   /// with the cells along, hardly with those across.
-  double tails = 0;
+  double narrow_ends = 0;
   /// The residual over the patch's own approach, of which ofResidual() tells the parts in the first three: they do not
   /// fall with the cells.
   double residual = 0;

@@ -93,7 +93,7 @@ class Profile
   /// Point and derivatives at u [m]; outside [0, length()] the end section is continued by its own law.
   CurvePoint at(double u) const;
   /// Values of the parameter at which sections meet, with both ends [m].
-  const std::vector<double>& joints() const { return start_; }
+  const std::vector<double>& discontinuities() const { return start_; }
 
  private:
   friend class ProfileCursor;

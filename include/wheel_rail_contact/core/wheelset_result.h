@@ -91,7 +91,8 @@ struct WheelsetResult
   ContactStatus status = ContactStatus::invalid_input;  ///< whether the rest may be used
   std::string reason;                                   ///< one sentence, empty when ok and within the tolerance
   bool above_tolerance = false;                         ///< a patch's error estimate is above contact/tolerance
-  double y = 0, z = 0, yaw = 0, roll = 0;               ///< axle centre [m, rad], with the solved height and roll
+  double x = 0, y = 0, z = 0;                           ///< axle centre, with the solved height [m]
+  double yaw = 0, roll = 0;                             ///< with the solved roll [rad]
   std::array<RailResult, 2> rail;                       ///< by Side
   std::vector<PatchResult> patches;                     ///< empty unless usable
 };

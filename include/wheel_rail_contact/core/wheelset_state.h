@@ -19,5 +19,6 @@ struct WheelsetState
   std::array<double, 2> rail_lateral_force{};  ///< outward force on the rail by Side [N], for LateralForce::topic
   /// Deflection of each rail by Side that other wheelsets' forces cause here, for model compliance.
   std::array<RailDeflection, 2> rail_offset{};
+  double x = 0;  ///< axle centre, along the track [m]; copied to the result
 };
 }  // namespace wheel_rail_contact::core

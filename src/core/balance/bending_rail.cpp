@@ -18,7 +18,7 @@ constexpr double effect_share = 0.3;  ///< of contact/tolerance, below which the
 constexpr double effect_reserve = 0.5;          ///< of that, from which on a bent rail is held straight again
 constexpr double flange_step = 2e-4;            ///< by which a rail is set out from under a flange [m]
 constexpr double greatest_lateral_share = 2.0;  ///< lateral force that may have to hold it there, of the wheel load [-]
-constexpr double farthest_way = 0.05;           ///< that a head is ever set from its place [m], [rad]
+constexpr double farthest_displacement = 0.05;  ///< that a head is ever set from its place [m], [rad]
 constexpr double unsettled = 2.0;               ///< any value above 1
 }  // namespace
 
@@ -52,12 +52,12 @@ void BendingRail::reset()
 void BendingRail::set(const Eigen::Vector3d& own)
 {
   const double norm = own.norm();
-  placed_ = norm > farthest_way ? Eigen::Vector3d(farthest_way / norm * own) : own;
+  placed_ = norm > farthest_displacement ? Eigen::Vector3d(farthest_displacement / norm * own) : own;
   Support support;
   support.placed = placed_;
   if (mode_ == Mode::solved)
   {
-    support.yields = !straight_;
+    support.compliant = !straight_;
     support.compliance = compliance_;
   }
   wheel_.setRail(undeflected_.deflected(toDeflection(placed_ + offset_)), support);
@@ -90,7 +90,7 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
 {
   mixing_.reset();
   step_.reset();
-  yield_left_ = 0;
+  remaining_deflection_ = 0;
   if (mode_ == Mode::held)
   {
     return;
@@ -160,14 +160,14 @@ double BendingRail::lateralForce(double of_contact, double given) const
                                                            : of_contact;
 }
 
-double BendingRail::yieldPerLoad(const RigidTouch& touch) const
+double BendingRail::deflectionPerLoad(const RigidTouch& touch) const
 {
   const bool own = config_.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact;
   const Eigen::Vector3d along(own ? touch.contact.slope : 0, -1, 0);
   return along.dot(compliance_ * along);
 }
 
-double BendingRail::yieldPerLoad() const
+double BendingRail::deflectionPerLoad() const
 {
   const WheelForces& forces = wheel_.forces();
   const Eigen::Vector3d along(forces.outward, -forces.vertical, forces.moment);
@@ -193,9 +193,9 @@ RailForce BendingRail::takeForce(bool loaded, double given_lateral)
 /// slip²/(2R) is left. What the wheel slides as it comes down by that way is not in the gap at all.
 double BendingRail::slipOver() const
 {
-  const double left_open = slip_share * config_.contact.tolerance * wheel_.elasticDescent();
+  const double left_open = slip_share * config_.contact.tolerance * wheel_.elasticPenetration();
   return std::max(wheel_.railSlip() / std::sqrt(2 * sharpest_radius * left_open),
-                  wheel_.yieldError() / config_.contact.tolerance);
+                  wheel_.deflectionError() / config_.contact.tolerance);
 }
 
 double BendingRail::effectLimit() const
@@ -230,9 +230,10 @@ double BendingRail::followContact(bool loaded)
 /// Brings the deflection nearer to the one due under a force. Returns their difference, over the one allowed.
 double BendingRail::mix(const RailForce& force)
 {
-  const Eigen::Vector3d due = toCoordinates(deflectionInTrack(config_.rail_bending.table, force, config_.track.rail_inclination));
+  const Eigen::Vector3d due =
+      toCoordinates(deflectionInTrack(config_.rail_bending.table, force, config_.track.rail_inclination));
   const Eigen::Vector3d along(wheel_.forces().outward, -force.vertical, wheel_.forces().moment);
-  yield_left_ = force.vertical > 0 ? along.dot(due - placed_) / force.vertical : 0;
+  remaining_deflection_ = force.vertical > 0 ? along.dot(due - placed_) / force.vertical : 0;
   if (due.isZero(0))
   {
     return setStraight();
@@ -244,7 +245,7 @@ double BendingRail::mix(const RailForce& force)
   if (difference > coupling_tolerance)
   {
     const Eigen::Vector3d next = mixing_.next(x, image).cwiseQuotient(scale);
-    set(next.norm() < farthest_way ? next : due);  // the mixing may find no direction, and then no number
+    set(next.norm() < farthest_displacement ? next : due);  // the mixing may find no direction, and then no number
   }
   return difference / coupling_tolerance;
 }

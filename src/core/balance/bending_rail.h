@@ -42,12 +42,12 @@ class BendingRail
 
   /// How far the wheel comes down with its rail under a newton more, the direction of the force being that of the last
   /// solution's [m/N].
-  double yieldPerLoad() const;
+  double deflectionPerLoad() const;
   /// The same for a force along the common normal of a first touch, without its moment [m/N].
-  double yieldPerLoad(const RigidTouch& touch) const;
+  double deflectionPerLoad(const RigidTouch& touch) const;
   /// How far the wheel would come down if the rail were set where the last solution's forces want it, beyond what
   /// WheelContact::descent() counts [m].
-  double yieldLeft() const { return yield_left_; }
+  double remainingDeflection() const { return remaining_deflection_; }
 
   /// Takes over the forces of the wheel's last solution, and moves the rail to where they want it.
   /// @param given_lateral  outward force, for LateralForce::topic [N]
@@ -90,7 +90,7 @@ class BendingRail
   bool straight_ = false;                             ///< own deflection left out of the gap
   bool straighten_ = false;                           ///< from the next state on
   bool loaded_ = false;                               ///< in the last answer
-  double yield_left_ = 0;                             ///< see yieldLeft() [m]
+  double remaining_deflection_ = 0;                   ///< see remainingDeflection() [m]
   FixedPoint<3> mixing_;
   RailStep step_;
   RailResult result_;

@@ -25,7 +25,7 @@ double WheelsetBalance::expectedLoad(Side side)
   {
     return 0;
   }
-  return warm_ && loaded_[k] ? rail.result().vertical_force : down / rail.yieldPerLoad(touch);
+  return warm_ && loaded_[k] ? rail.result().vertical_force : down / rail.deflectionPerLoad(touch);
 }
 
 /// True if the wheels lie at the given height; otherwise sets other loads for the next pass.
@@ -38,12 +38,12 @@ bool WheelsetBalance::heightsMeet()
     {
       continue;
     }
-    const double elastic = wheel_[k].elasticDescent();
-    const double too_high = touch_[k].axle_height - descent_[k] - rail_[k].yieldLeft() - state_.z;
+    const double elastic = wheel_[k].elasticPenetration();
+    const double too_high = touch_[k].axle_height - penetration_[k] - rail_[k].remainingDeflection() - state_.z;
     const bool meets = std::abs(too_high) < height_share * config_.contact.tolerance * elastic;
     if (!meets && finds_loads_)
     {
-      load_search_[k].record(too_high, rail_[k].yieldPerLoad() + 2 * elastic / (3 * load_[k]));
+      load_search_[k].record(too_high, rail_[k].deflectionPerLoad() + 2 * elastic / (3 * load_[k]));
       load_[k] = load_search_[k].load();
     }
     all = all && meets;

@@ -32,59 +32,61 @@ constexpr int most_prepared_cells = 64 * 128;
 /// now promises pressures on coarse and areas on fine grids less: that took a third longer where contact jumps between
 /// tread and flange at 0.3 %, and no less elsewhere. The middle half of the estimates lie within a factor of 1 to 3 of
 /// one another; of areas on the finest grids, where they decide little, of 5, of tails of 9.
-constexpr std::array<Rung, 17> rungs{{{{8, 16}, 0.0360, {79.7, 12.4, 7.56, 10.2}},
-                                      {{10, 24}, 0.0074, {19.1, 6.76, 4.84, 7.42}},
-                                      {{12, 24}, 0.0066, {17.6, 4.68, 4.84, 2.88}},
-                                      {{12, 32}, 0.0047, {6.46, 3.73, 4.84, 4.18}},
-                                      {{16, 32}, 0.0038, {5.69, 2.63, 2.47, 2.24}},
-                                      {{16, 48}, 0.0022, {1.77, 2.03, 2.47, 1.67}},
-                                      {{12, 64}, 0.0021, {1.1, 2.31, 4.84, 24.7}},
-                                      {{20, 48}, 0.0015, {1.51, 1.42, 1.49, 1.33}},
-                                      {{16, 64}, 0.0016, {0.864, 1.39, 2.47, 3.92}},
-                                      {{24, 56}, 0.0007, {1, 1, 1, 1}},
-                                      {{16, 80}, 0.0015, {0.364, 2.11, 2.47, 2.88}},
-                                      {{16, 96}, 0.0014, {0.238, 2.1, 2.47, 3.64}},
-                                      {{24, 80}, 0.0008, {0.306, 0.971, 1, 1.15}},
-                                      {{24, 96}, 0.0006, {0.183, 0.962, 1, 1.08}},
-                                      {{32, 96}, 0.0005, {0.172, 0.52, 0.562, 0.516}},
-                                      {{48, 96}, 0.0003, {0.153, 0.253, 0.25, 0.259}},
-                                      {{64, 128}, 0.0002, {0.0682, 0.145, 0.144, 0.158}}}};
+constexpr std::array<GridLevel, 17> levels{{{{8, 16}, 0.0360, {79.7, 12.4, 7.56, 10.2}},
+                                            {{10, 24}, 0.0074, {19.1, 6.76, 4.84, 7.42}},
+                                            {{12, 24}, 0.0066, {17.6, 4.68, 4.84, 2.88}},
+                                            {{12, 32}, 0.0047, {6.46, 3.73, 4.84, 4.18}},
+                                            {{16, 32}, 0.0038, {5.69, 2.63, 2.47, 2.24}},
+                                            {{16, 48}, 0.0022, {1.77, 2.03, 2.47, 1.67}},
+                                            {{12, 64}, 0.0021, {1.1, 2.31, 4.84, 24.7}},
+                                            {{20, 48}, 0.0015, {1.51, 1.42, 1.49, 1.33}},
+                                            {{16, 64}, 0.0016, {0.864, 1.39, 2.47, 3.92}},
+                                            {{24, 56}, 0.0007, {1, 1, 1, 1}},
+                                            {{16, 80}, 0.0015, {0.364, 2.11, 2.47, 2.88}},
+                                            {{16, 96}, 0.0014, {0.238, 2.1, 2.47, 3.64}},
+                                            {{24, 80}, 0.0008, {0.306, 0.971, 1, 1.15}},
+                                            {{24, 96}, 0.0006, {0.183, 0.962, 1, 1.08}},
+                                            {{32, 96}, 0.0005, {0.172, 0.52, 0.562, 0.516}},
+                                            {{48, 96}, 0.0003, {0.153, 0.253, 0.25, 0.259}},
+                                            {{64, 128}, 0.0002, {0.0682, 0.145, 0.144, 0.158}}}};
 
-static_assert(rungs.size() <= RungChoice::most_rungs);
+static_assert(levels.size() <= GridLevelChoice::most_levels);
 
 /// What errors estimated on a rung promise on 24 × 56 cells; of the area, what the tails do not make. The residual's
 /// part is left out, which does not go by the cells.
-ErrorEstimate normalised(const ErrorEstimate& error, const Rung& rung)
+ErrorEstimate normalised(const ErrorEstimate& error, const GridLevel& level)
 {
-  const ErrorEstimate& typical = rung.typical;
+  const ErrorEstimate& typical = level.typical;
   const ErrorEstimate algebra = ofResidual(error.residual);
   const auto mesh = [](double all, double other) { return std::max(all - other, 0.0); };
   return {mesh(error.max_pressure, algebra.max_pressure) / typical.max_pressure,
-          mesh(error.area, algebra.area + error.tails) / typical.area,
-          mesh(error.approach, algebra.approach) / typical.approach, error.tails / typical.tails, error.residual};
+          mesh(error.area, algebra.area + error.narrow_ends) / typical.area,
+          mesh(error.approach, algebra.approach) / typical.approach, error.narrow_ends / typical.narrow_ends,
+          error.residual};
 }
 
 /// Largest error promised on a rung by what is promised on 24 × 56 cells [-].
-double promised(const ErrorEstimate& normal, const Rung& rung)
+double predicted(const ErrorEstimate& normal, const GridLevel& level)
 {
-  const ErrorEstimate& typical = rung.typical;
+  const ErrorEstimate& typical = level.typical;
   const ErrorEstimate algebra = ofResidual(normal.residual);
   return std::max({normal.max_pressure * typical.max_pressure + algebra.max_pressure,
-                   normal.area * typical.area + normal.tails * typical.tails + algebra.area,
+                   normal.area * typical.area + normal.narrow_ends * typical.narrow_ends + algebra.area,
                    normal.approach * typical.approach + algebra.approach});
 }
 
-Rung rungFor(const ContactConfig& contact)
+GridLevel levelFor(const ContactConfig& contact)
 {
   if (contact.cells_along > 0)
   {
     return {{contact.cells_along, contact.cells_across}, 0, {1, 1, 1, 1}, nullptr};
   }
-  return *std::find_if(rungs.begin(), rungs.end() - 1,
-                       [&](const Rung& rung) { return rung.ordinary_error <= contact.tolerance; });
+  return *std::find_if(levels.begin(), levels.end() - 1,
+                       [&](const GridLevel& level) { return level.ordinary_error <= contact.tolerance; });
 }
 
-std::unique_ptr<NormalSolver> makeConjugateGradients(const ContactModelConfig& config, const std::vector<Rung>& grids)
+std::unique_ptr<NormalSolver> makeConjugateGradients(const ContactModelConfig& config,
+                                                     const std::vector<GridLevel>& grids)
 {
   ConjugateGradientsOptions options;
   options.residual = std::max(residual_per_tolerance * config.contact.tolerance, least_residual);
@@ -96,17 +98,17 @@ std::unique_ptr<NormalSolver> makeConjugateGradients(const ContactModelConfig& c
   }
   auto solver = std::make_unique<ConjugateGradients>(options);
   solver->prepare(rough_grid.along, rough_grid.across);
-  for (const Rung& rung : grids)
+  for (const GridLevel& level : grids)
   {
-    if (rung.size.along * rung.size.across <= most_prepared_cells)
+    if (level.size.along * level.size.across <= most_prepared_cells)
     {
-      solver->prepare(rung.size.along, rung.size.across);
+      solver->prepare(level.size.along, level.size.across);
     }
   }
   return solver;
 }
 
-std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const std::vector<Rung>& grids)
+std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const std::vector<GridLevel>& grids)
 {
   const NormalMethod method = config.contact.method;
   return method == NormalMethod::automatic || method == NormalMethod::conjugate_gradient
@@ -115,20 +117,22 @@ std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const
 }
 }  // namespace
 
-MethodLadder::MethodLadder(const ContactModelConfig& config, const Wrap& wrap) : rough_{}, closed_form_{}
+GridLevels::GridLevels(const ContactModelConfig& config, const Wrap& wrap) : rough_{}, closed_form_{}
 {
   const bool free = config.contact.method == NormalMethod::automatic && config.contact.cells_along == 0;
-  rungs_ = free ? std::vector<Rung>(rungs.begin(), rungs.end()) : std::vector<Rung>{rungFor(config.contact)};
-  const auto rough = std::find_if(rungs.begin(), rungs.end(), [](const Rung& rung) { return rung.size == rough_grid; });
+  levels_ =
+      free ? std::vector<GridLevel>(levels.begin(), levels.end()) : std::vector<GridLevel>{levelFor(config.contact)};
+  const auto rough =
+      std::find_if(levels.begin(), levels.end(), [](const GridLevel& level) { return level.size == rough_grid; });
   rough_ = *rough;
-  solver_ = makeSolver(config, rungs_);
+  solver_ = makeSolver(config, levels_);
   if (wrap)
   {
     solver_ = wrap(std::move(solver_));
   }
-  for (Rung& rung : rungs_)
+  for (GridLevel& level : levels_)
   {
-    rung.solver = solver_.get();
+    level.solver = solver_.get();
   }
   rough_.solver = solver_.get();
   if (free && config.rail_bending.model != RailBendingConfig::Model::compliance)
@@ -138,65 +142,65 @@ MethodLadder::MethodLadder(const ContactModelConfig& config, const Wrap& wrap) :
   }
 }
 
-void RungChoice::start(const ErrorEstimate& rough)
+void GridLevelChoice::start(const ErrorEstimate& rough)
 {
   closed_form_ = false;
   closed_form_wait_ = 0;
-  descended_ = false;
-  const ErrorEstimate normal = normalised(rough, ladder_->rough());
-  rung_ = 0;
-  while (rung_ + 1 < ladder_->count() &&
-         (failsHere(rung_) || (rung().ordinary_error > tolerance_ && promised(normal, rung()) > tolerance_)))
+  coarsened_ = false;
+  const ErrorEstimate normal = normalised(rough, levels_->rough());
+  level_ = 0;
+  while (level_ + 1 < levels_->count() &&
+         (failsHere(level_) || (level().ordinary_error > tolerance_ && predicted(normal, level()) > tolerance_)))
   {
-    ++rung_;
+    ++level_;
   }
 }
 
-const RungChoice::Failure* RungChoice::failureHere() const
+const GridLevelChoice::Failure* GridLevelChoice::failureHere() const
 {
   const Failure& failure = failures_[slot(place_)];
-  return failure.place == place_ && answers_ - failure.answer < remembered ? &failure : nullptr;
+  return failure.place == place_ && results_ - failure.result < remembered ? &failure : nullptr;
 }
 
-bool RungChoice::failsHere(std::size_t rung) const
+bool GridLevelChoice::failsHere(std::size_t level) const
 {
   const Failure* failure = failureHere();
-  return failure != nullptr && rung != failure->did &&
-         (failure->rungs[rung] || promised(failure->normal, ladder_->at(rung)) > clear_failure * tolerance_);
+  return failure != nullptr && level != failure->did &&
+         (failure->levels[level] || predicted(failure->normal, levels_->at(level)) > clear_failure * tolerance_);
 }
 
-void RungChoice::arrive(double place)
+void GridLevelChoice::arrive(double place)
 {
   place_ = std::lround(place / same_place);
-  ++answers_;
-  while (rung_ + 1 < ladder_->count() && failsHere(rung_))
+  ++results_;
+  while (level_ + 1 < levels_->count() && failsHere(level_))
   {
-    ++rung_;
+    ++level_;
   }
-  descended_ = descended_ && rung_ < before_;
+  coarsened_ = coarsened_ && level_ < before_;
 }
 
-std::size_t RungChoice::nextRung(const ErrorEstimate& normal, std::size_t highest) const
+std::size_t GridLevelChoice::nextLevel(const ErrorEstimate& normal, std::size_t highest) const
 {
   const Failure* failure = failureHere();
-  const auto failed = [failure](std::size_t rung) { return failure != nullptr && failure->rungs[rung]; };
-  std::size_t best = rung_;
-  double least = promised(normal, rung());
-  for (std::size_t next = rung_ + 1; next < ladder_->count(); ++next)
+  const auto failed = [failure](std::size_t level) { return failure != nullptr && failure->levels[level]; };
+  std::size_t best = level_;
+  double least = predicted(normal, level());
+  for (std::size_t next = level_ + 1; next < levels_->count(); ++next)
   {
-    const bool found = best > rung_, beyond = next > highest;
-    if (beyond ? found || descended_ : found && least <= tolerance_)
+    const bool found = best > level_, beyond = next > highest;
+    if (beyond ? found || coarsened_ : found && least <= tolerance_)
     {
       break;
     }
-    const double error = promised(normal, ladder_->at(next));
+    const double error = predicted(normal, levels_->at(next));
     if (!failed(next) && error < least)
     {
       best = next;
       least = error;
     }
   }
-  if (best == rung_)
+  if (best == level_)
   {
     ++best;
     while (best < highest && failed(best))
@@ -207,82 +211,82 @@ std::size_t RungChoice::nextRung(const ErrorEstimate& normal, std::size_t highes
   return best;
 }
 
-bool RungChoice::climb(const ErrorEstimate& error)
+bool GridLevelChoice::refine(const ErrorEstimate& error)
 {
   if (closed_form_)
   {
     return error.largest() > closedFormLimit() && leaveClosedForm();
   }
-  if (error.largest() <= tolerance_ || rung_ + 1 >= ladder_->count())
+  if (error.largest() <= tolerance_ || level_ + 1 >= levels_->count())
   {
     return false;
   }
-  const ErrorEstimate normal = normalised(error, rung());
+  const ErrorEstimate normal = normalised(error, level());
   const Failure* before = failureHere();
-  Failure failure{place_, answers_, before != nullptr ? before->rungs : std::bitset<most_rungs>(), normal, no_rung};
-  failure.rungs.set(rung_);
+  Failure failure{place_, results_, before != nullptr ? before->levels : std::bitset<most_levels>(), normal, no_level};
+  failure.levels.set(level_);
   failures_[slot(place_)] = failure;
-  rung_ = nextRung(normal, descended_ ? before_ : std::min(rung_ + longest_climb, ladder_->count() - 1));
-  if (descended_)
+  level_ = nextLevel(normal, coarsened_ ? before_ : std::min(level_ + longest_refinement, levels_->count() - 1));
+  if (coarsened_)
   {
     wait_ = next_wait_;
     next_wait_ = std::min(4 * next_wait_, longest_wait);
-    descended_ = false;
+    coarsened_ = false;
   }
   return true;
 }
 
-void RungChoice::tryClosedForm(const NormalProblem& problem, const NormalSolution& solution)
+void GridLevelChoice::tryClosedForm(const NormalProblem& problem, const NormalSolution& solution)
 {
-  if (closed_form_ || ladder_->closedForm() == nullptr || --closed_form_wait_ > 0)
+  if (closed_form_ || levels_->closedForm() == nullptr || --closed_form_wait_ > 0)
   {
     return;
   }
   closed_form_wait_ = between_tries;
   if (HertzSolver::canSolve(problem))
   {
-    ladder_->closedForm()->solver->estimateErrors(problem, solution, scratch_);
-    closed_form_ = largestOf(scratch_).largest() < descend_reserve * closedFormLimit();
+    levels_->closedForm()->solver->estimateErrors(problem, solution, scratch_);
+    closed_form_ = largestOf(scratch_).largest() < coarsen_reserve * closedFormLimit();
   }
 }
 
-double RungChoice::closedFormLimit() const
+double GridLevelChoice::closedFormLimit() const
 {
   return std::min(tolerance_, round_enough);
 }
 
-bool RungChoice::leaveClosedForm()
+bool GridLevelChoice::leaveClosedForm()
 {
   const bool left = closed_form_;
   closed_form_ = false;
   return left;
 }
 
-void RungChoice::descend(const ErrorEstimate& error)
+void GridLevelChoice::coarsen(const ErrorEstimate& error)
 {
   if (closed_form_)
   {
-    descended_ = false;
+    coarsened_ = false;
     return;
   }
   Failure& failure = failures_[slot(place_)];
-  failure.did = failureHere() != nullptr && error.largest() <= tolerance_ ? rung_ : failure.did;
+  failure.did = failureHere() != nullptr && error.largest() <= tolerance_ ? level_ : failure.did;
   const ErrorEstimate faded{fading * lately_.max_pressure, fading * lately_.area, fading * lately_.approach,
-                            fading * lately_.tails, fading * lately_.residual};
-  lately_ = largestOf(normalised(error, rung()), faded);
-  before_ = rung_;
+                            fading * lately_.narrow_ends, fading * lately_.residual};
+  lately_ = largestOf(normalised(error, level()), faded);
+  before_ = level_;
   wait_ = std::max(wait_ - 1, 0);
-  if (descended_)
+  if (coarsened_)
   {
     next_wait_ = std::max(next_wait_ / 2, first_wait);
   }
-  const double reserve = wait_ > 0 ? large_reserve : descend_reserve;
+  const double reserve = wait_ > 0 ? large_reserve : coarsen_reserve;
   std::size_t coarser = 0;
-  while (coarser < rung_ && (failsHere(coarser) || promised(lately_, ladder_->at(coarser)) >= reserve * tolerance_))
+  while (coarser < level_ && (failsHere(coarser) || predicted(lately_, levels_->at(coarser)) >= reserve * tolerance_))
   {
     ++coarser;
   }
-  rung_ = coarser;
-  descended_ = rung_ < before_;
+  level_ = coarser;
+  coarsened_ = level_ < before_;
 }
 }  // namespace wheel_rail_contact::core

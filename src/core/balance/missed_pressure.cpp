@@ -105,7 +105,7 @@ double nearestPlace(const PlacedWheel& wheel, const Station& station, const Cont
 bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const std::vector<Station>& stations,
                             WheelPatch& patch)
 {
-  const double let_pass = missed_share * solved.descent;
+  const double let_pass = missed_share * solved.penetration;
   const double u_first = patch.columns.front().rail_u;
   const double u_last = patch.columns.back().rail_u;
   const bool yawed = !solved.grid.symmetric;

@@ -13,7 +13,7 @@ struct SolvedPatch
   const Grid& grid;                 ///< it was solved on
   const Eigen::ArrayXXd& pressure;  ///< [Pa]
   double modulus;                   ///< contact modulus E* [Pa]
-  double descent;                   ///< of the axle below the first touch [m]
+  double penetration;               ///< of the axle below the first touch [m]
 };
 
 /// Looks at the stretch beyond a patch's grid: where the undeformed bodies overlap by more than its pressure pushes

@@ -34,35 +34,35 @@ double nextTurn(const WheelPatch& patch)
 
 /// Plane through the rail's point `rail_u`, along the chord of the stretch and over the wheel's contact locus: no
 /// matter where in the stretch the bodies touch first, it moves steadily with them.
-ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapZone& zone, double rail_u)
+ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapInterval& interval, double rail_u)
 {
-  InitialContact contact = zone.contact;
+  InitialContact contact = interval.contact;
   contact.wheel_u += rail_u - contact.rail_u;
   contact.rail_u = rail_u;
-  const PlanePoint begin = rail.at(zone.u_begin);
-  const PlanePoint end = rail.at(zone.u_end);
+  const PlanePoint begin = rail.at(interval.u_begin);
+  const PlanePoint end = rail.at(interval.u_end);
   contact.slope = (end.z - begin.z) / (end.y - begin.y);
   return tangentPlane(wheel, rail, contact);
 }
 
-double middleOf(const OverlapZone& zone)
+double middleOf(const OverlapInterval& interval)
 {
-  return 0.5 * (zone.u_begin + zone.u_end);
+  return 0.5 * (interval.u_begin + interval.u_end);
 }
 
-double halfWidth(const OverlapZone& zone)
+double halfWidth(const OverlapInterval& interval)
 {
-  return 0.5 * (zone.u_end - zone.u_begin);
+  return 0.5 * (interval.u_end - interval.u_begin);
 }
 
 /// The stretch made wider by a factor about its middle.
-OverlapZone widened(OverlapZone zone, double factor)
+OverlapInterval widened(OverlapInterval interval, double factor)
 {
-  const double middle = middleOf(zone);
-  const double half = factor * halfWidth(zone);
-  zone.u_begin = middle - half;
-  zone.u_end = middle + half;
-  return zone;
+  const double middle = middleOf(interval);
+  const double half = factor * halfWidth(interval);
+  interval.u_begin = middle - half;
+  interval.u_end = middle + half;
+  return interval;
 }
 
 /// Widens the memory at sides where the grid cut the pressure off.
@@ -75,10 +75,10 @@ void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory
 }
 }  // namespace
 
-PatchMemory firstGuess(const OverlapZone& zone)
+PatchMemory firstGuess(const OverlapInterval& interval)
 {
   PatchMemory memory;
-  memory.rail_u = zone.contact.rail_u;
+  memory.rail_u = interval.contact.rail_u;
   memory.begin = -first_reach;
   memory.end = first_reach;
   memory.half_length = first_reach;
@@ -89,18 +89,18 @@ PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const Whe
                      double grown)
 {
   const PressureExtent& extent = patch.extent;
-  const OverlapZone zone = widened(patch.zone, grown);
-  const double middle = middleOf(zone);
-  const double half = halfWidth(zone);
+  const OverlapInterval interval = widened(patch.interval, grown);
+  const double middle = middleOf(interval);
+  const double half = halfWidth(interval);
   const auto fraction = [&](double t) { return (railParameter(grid, patch.columns, t) - middle) / half; };
   PatchMemory memory;
-  memory.zone = zone;
+  memory.interval = interval;
   memory.rail_u = railParameter(grid, patch.columns, patch.center_y);
   memory.center = (memory.rail_u - middle) / half;
   memory.begin = fraction(extent.y_begin);
   memory.end = fraction(extent.y_end);
   memory.half_length = extent.half_length / (patch.half_overlap * grown);
-  const ContactPlane base = planeAt(wheel, rail, zone, memory.rail_u);
+  const ContactPlane base = planeAt(wheel, rail, interval, memory.rail_u);
   memory.turned = nextTurn(patch);
   memory.turn = patch.plane.angle + memory.turned - base.angle;
   memory.shift_x = patch.plane.x + patch.center_x - base.x;
@@ -111,11 +111,11 @@ PatchMemory remember(const PlacedWheel& wheel, const PlacedRail& rail, const Whe
 void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& size, bool held, PatchMemory& memory,
               WheelPatch& patch, Grid& grid)
 {
-  const OverlapZone& zone = held && memory.zone ? *memory.zone : patch.zone;
-  const double middle = middleOf(zone);
-  const double half = halfWidth(zone);
+  const OverlapInterval& interval = held && memory.interval ? *memory.interval : patch.interval;
+  const double middle = middleOf(interval);
+  const double half = halfWidth(interval);
   ContactPlane& plane = patch.plane;
-  plane = planeAt(wheel, rail, zone, middle + memory.center * half);
+  plane = planeAt(wheel, rail, interval, middle + memory.center * half);
   const bool symmetric = wheel.pose().yaw == 0;  // the bodies then are, about x = 0
   plane.x += symmetric ? 0 : memory.shift_x;     // it may come from a yawed state
   plane.angle = std::clamp(plane.angle + memory.turn, -steepest_plane, steepest_plane);

@@ -7,7 +7,7 @@ namespace wheel_rail_contact::core
 {
 /// Finds the descent that a gap has to be built for: the one that its solution finds. Where solutions swing about the
 /// descents they were built for, as on a stretch that grows onto the flange with the descent, the secant is taken.
-class DescentStep
+class PenetrationStep
 {
  public:
   static constexpr double longest = 1.5;  ///< factor by which the descent may change in a step [-]

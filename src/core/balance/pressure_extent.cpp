@@ -53,18 +53,18 @@ PressureExtent findExtent(const Grid& grid, const Eigen::ArrayXXd& pressure)
   {
     return extent;
   }
-  const auto column_crest = [&](int j) { return j >= 0 && j < pressure.cols() ? pressure.col(j).maxCoeff() : 0.0; };
-  const auto row_crest = [&](int i) { return i >= 0 && i < pressure.rows() ? pressure.row(i).maxCoeff() : 0.0; };
+  const auto column_peak = [&](int j) { return j >= 0 && j < pressure.cols() ? pressure.col(j).maxCoeff() : 0.0; };
+  const auto row_peak = [&](int i) { return i >= 0 && i < pressure.rows() ? pressure.row(i).maxCoeff() : 0.0; };
   const int left = extent.first_column;
   const int right = extent.last_column;
-  extent.y_begin = grid.y(left) - grid.dy * reachBeyond(column_crest(left), column_crest(left + 1));
-  extent.y_end = grid.y(right) + grid.dy * reachBeyond(column_crest(right), column_crest(right - 1));
+  extent.y_begin = grid.y(left) - grid.dy * reachBeyond(column_peak(left), column_peak(left + 1));
+  extent.y_end = grid.y(right) + grid.dy * reachBeyond(column_peak(right), column_peak(right - 1));
   const int front = extent.last_row;
   const int back = extent.first_row;
-  extent.half_length = grid.x(front) + grid.dx * reachBeyond(row_crest(front), row_crest(front - 1));
+  extent.half_length = grid.x(front) + grid.dx * reachBeyond(row_peak(front), row_peak(front - 1));
   if (!grid.symmetric)
   {
-    const double behind = -grid.x(back) + grid.dx * reachBeyond(row_crest(back), row_crest(back + 1));
+    const double behind = -grid.x(back) + grid.dx * reachBeyond(row_peak(back), row_peak(back + 1));
     extent.half_length = std::max(extent.half_length, behind);
   }
   return extent;

@@ -22,7 +22,7 @@ Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclinati
   return compliance;
 }
 
-Eigen::Vector2d wayOf(const PlacedRail& rail, double y, double z, const Eigen::Vector3d& move)
+Eigen::Vector2d displacementOf(const PlacedRail& rail, double y, double z, const Eigen::Vector3d& move)
 {
   const PlanePoint reference = rail.referencePoint();
   return {move[0] + move[2] * (z - reference.z), move[1] - move[2] * (y - reference.y)};

@@ -20,7 +20,7 @@ RailDeflection toDeflection(const Eigen::Vector3d& coordinates);
 Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclination);
 
 /// Way of a rail's point when its head moves by `move` (small), side axes (y, z) [m].
-Eigen::Vector2d wayOf(const PlacedRail& rail, double y, double z, const Eigen::Vector3d& move);
+Eigen::Vector2d displacementOf(const PlacedRail& rail, double y, double z, const Eigen::Vector3d& move);
 
 /// How far a unit of each coordinate opens the gap over a plane, at each of its columns. The rail's surface at a place
 /// of the plane changes by the normal part of its way, less its slope times the tangential part. For the vertical

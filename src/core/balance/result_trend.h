@@ -8,11 +8,11 @@ namespace wheel_rail_contact::core
 {
 /// How a wheel's contact has changed from one answer to the next, for steps to the side that follow one another: the
 /// next answer is then close to where the last two point.
-class AnswerTrend
+class ResultTrend
 {
  public:
   /// Forgets all answers.
-  void reset() { *this = AnswerTrend(); }
+  void reset() { *this = ResultTrend(); }
 
   /// Sets out for a state `moved` beside the last answer [m].
   void begin(double moved)
@@ -23,16 +23,16 @@ class AnswerTrend
   }
 
   /// Factor of the descent to be expected [-].
-  double descent() const { return std::exp(std::clamp(share_ * last_.growth, -most_growth, most_growth)); }
+  double penetration() const { return std::exp(std::clamp(share_ * last_.growth, -most_growth, most_growth)); }
   /// Turn of the plane against its stretch to be expected [rad].
   double turn() const { return std::clamp(share_ * last_.turn, -most_turn, most_turn); }
 
   /// Takes in an answer: its descent at unit load [m], and the plane's angle against its stretch [rad].
-  void finish(double descent, double angle)
+  void finish(double penetration, double angle)
   {
-    const bool both = descent_ > 0;
-    last_ = both ? Step{moved_, std::log(descent / descent_), angle - angle_} : Step();
-    descent_ = descent;
+    const bool both = penetration_ > 0;
+    last_ = both ? Step{moved_, std::log(penetration / penetration_), angle - angle_} : Step();
+    penetration_ = penetration;
     angle_ = angle;
   }
 
@@ -49,9 +49,9 @@ class AnswerTrend
   static constexpr double most_turn = 0.02;  ///< [rad]
 
   Step last_;
-  double share_ = 0;    ///< of the last step's changes to be expected in this one [-]
-  double moved_ = 0;    ///< step to the present state [m]
-  double descent_ = 0;  ///< of the last answer; 0: none [m]
-  double angle_ = 0;    ///< likewise [rad]
+  double share_ = 0;        ///< of the last step's changes to be expected in this one [-]
+  double moved_ = 0;        ///< step to the present state [m]
+  double penetration_ = 0;  ///< of the last answer; 0: none [m]
+  double angle_ = 0;        ///< likewise [rad]
 };
 }  // namespace wheel_rail_contact::core

@@ -13,11 +13,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr int most_boxes = 10;               ///< grids tried in one call
-constexpr int estimate_steps = 4;            ///< fixed-point steps of the descent's estimate
-constexpr double descent_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
+constexpr int most_boxes = 10;                   ///< grids tried in one call
+constexpr int estimate_steps = 4;                ///< fixed-point steps of the descent's estimate
+constexpr double penetration_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
 constexpr double far_slip = 1e-4;  ///< way of the rail beyond which it is to be set anew before boxes are looked at [m]
-constexpr double descent_allowance =
+constexpr double penetration_allowance =
     1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
 
 /// Leaves to the neighbouring patches what lies beyond the patch's stretch.
@@ -26,7 +26,7 @@ void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
   for (std::size_t j = 0; j < patch.columns.size(); ++j)
   {
     const double u = patch.columns[j].rail_u;
-    if (u < patch.zone.u_least || u > patch.zone.u_most)
+    if (u < patch.interval.u_least || u > patch.interval.u_most)
     {
       gap.col(static_cast<Eigen::Index>(j)).setConstant(no_body_gap);
     }
@@ -55,7 +55,7 @@ WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solve
 void WheelContact::begin(double moved)
 {
   trend_.begin(moved);
-  expected_ = trend_.descent();
+  expected_ = trend_.penetration();
   for (PatchMemory& memory : memory_)
   {
     memory.turned = 0;
@@ -112,7 +112,7 @@ RigidTouch WheelContact::touch(const WheelsetPose& pose)
   return touch;
 }
 
-double WheelContact::estimateDescent(const RigidTouch& touch, double load) const
+double WheelContact::estimatePenetration(const RigidTouch& touch, double load) const
 {
   if (load_ > 0)
   {
@@ -120,38 +120,38 @@ double WheelContact::estimateDescent(const RigidTouch& touch, double load) const
   }
   const double cosine = 1 / std::hypot(1, touch.contact.slope);
   const double along = 0.5 * cosine / wheelRadius(config_, touch.contact);
-  double descent = 1e-4;
+  double penetration = 1e-4;
   for (int i = 0; i < estimate_steps; ++i)
   {
-    const OverlapZone zone = search_.zoneAround(touch.contact, touch.contact.separation + descent);
-    const double half = 0.5 * (zone.u_end - zone.u_begin);
-    const double across = descent * cosine / (half * half);
-    descent = hertzForForce({along, across}, modulus_, load / cosine).approach / cosine;
+    const OverlapInterval interval = search_.intervalAround(touch.contact, touch.contact.separation + penetration);
+    const double half = 0.5 * (interval.u_end - interval.u_begin);
+    const double across = penetration * cosine / (half * half);
+    penetration = hertzForForce({along, across}, modulus_, load / cosine).approach / cosine;
   }
-  return descent;
+  return penetration;
 }
 
 WheelStatus WheelContact::solveLoad(const RigidTouch& touch, double load, const GridSize& size)
 {
   problem_.control = NormalProblem::Control::load;
   problem_.value = load;
-  solution_.approach = estimateDescent(touch, load);
+  solution_.approach = estimatePenetration(touch, load);
   expected_ = 1;
   const WheelStatus status = solve(touch, size);
   load_ = status == WheelStatus::solved ? load : 0;
   return status;
 }
 
-WheelStatus WheelContact::solveDescent(const RigidTouch& touch, double descent, const GridSize& size)
+WheelStatus WheelContact::solvePenetration(const RigidTouch& touch, double penetration, const GridSize& size)
 {
-  if (!(descent > 0))
+  if (!(penetration > 0))
   {
     reset();
     return WheelStatus::no_contact;
   }
   problem_.control = NormalProblem::Control::approach;
-  problem_.value = descent;
-  solution_.approach = descent;
+  problem_.value = penetration;
+  solution_.approach = penetration;
   const WheelStatus status = solve(touch, size);
   load_ = status == WheelStatus::solved ? forces_.vertical : 0;
   return status;
@@ -160,7 +160,7 @@ WheelStatus WheelContact::solveDescent(const RigidTouch& touch, double descent, 
 WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
 {
   problem_.modulus = modulus_;
-  DescentStep step;
+  PenetrationStep step;
   for (int attempt = 0; attempt < most_boxes; ++attempt)
   {
     if (!layBoxes(touch, size))
@@ -188,7 +188,7 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     settleSupport();
     widened_ = widened_ && attempt > 0;
     const bool hold = boxesHold(touch);
-    if (hold && std::abs(descentError()) < descent_error_limit)
+    if (hold && std::abs(penetrationError()) < penetration_error_limit)
     {
       const bool on_profiles = std::all_of(patches_.begin(), patches_.end(),
                                            [this](const WheelPatch& patch)
@@ -199,7 +199,7 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
     {
       learn();
     }
-    solution_.approach = step.next(boxed_descent_, solution_.approach);
+    solution_.approach = step.next(boxed_penetration_, solution_.approach);
     if (railSlip() > far_slip)
     {
       return WheelStatus::solved;
@@ -211,21 +211,21 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
 }
 
 /// Memory of the contact in this stretch, a guess if there is none.
-PatchMemory& WheelContact::recall(const OverlapZone& zone)
+PatchMemory& WheelContact::recall(const OverlapInterval& interval)
 {
   PatchMemory* nearest = nullptr;
   for (PatchMemory& memory : memory_)
   {
-    const bool inside = memory.rail_u >= zone.u_begin && memory.rail_u <= zone.u_end;
-    if (inside && (nearest == nullptr ||
-                   std::abs(memory.rail_u - zone.contact.rail_u) < std::abs(nearest->rail_u - zone.contact.rail_u)))
+    const bool inside = memory.rail_u >= interval.u_begin && memory.rail_u <= interval.u_end;
+    if (inside && (nearest == nullptr || std::abs(memory.rail_u - interval.contact.rail_u) <
+                                             std::abs(nearest->rail_u - interval.contact.rail_u)))
     {
       nearest = &memory;
     }
   }
   if (nearest == nullptr)
   {
-    memory_.push_back(firstGuess(zone));
+    memory_.push_back(firstGuess(interval));
     nearest = &memory_.back();
   }
   return *nearest;
@@ -234,20 +234,21 @@ PatchMemory& WheelContact::recall(const OverlapZone& zone)
 bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
 {
   problem_.support = support_;
-  boxed_descent_ = solution_.approach;
+  boxed_penetration_ = solution_.approach;
   touch_separation_ = touch.contact.separation;
-  wheel_->setHeight(touch.axle_height - boxed_descent_);
-  search_.overlapZones(touch.contact.separation + boxed_descent_, zones_);
-  problem_.patches.resize(zones_.size());
-  patches_.resize(zones_.size());
-  for (std::size_t k = 0; k < zones_.size(); ++k)
+  wheel_->setHeight(touch.axle_height - boxed_penetration_);
+  search_.overlapIntervals(touch.contact.separation + boxed_penetration_, intervals_);
+  problem_.patches.resize(intervals_.size());
+  patches_.resize(intervals_.size());
+  for (std::size_t k = 0; k < intervals_.size(); ++k)
   {
     WheelPatch& patch = patches_[k];
     PatchGap& gap = problem_.patches[k];
-    patch.zone = zones_[k];
-    patch.touch_gap = patch.zone.contact.separation - touch.contact.separation;
-    patch.half_overlap = std::sqrt(2 * (boxed_descent_ - patch.touch_gap) * wheelRadius(config_, patch.zone.contact));
-    layPatch(*wheel_, *rail_, size, held_, recall(patch.zone), patch, gap.grid);
+    patch.interval = intervals_[k];
+    patch.touch_gap = patch.interval.contact.separation - touch.contact.separation;
+    patch.half_overlap =
+        std::sqrt(2 * (boxed_penetration_ - patch.touch_gap) * wheelRadius(config_, patch.interval.contact));
+    layPatch(*wheel_, *rail_, size, held_, recall(patch.interval), patch, gap.grid);
     gap.weight = std::cos(patch.plane.angle);
     const bool sound = gap.grid.dx > 0 && gap.grid.dy > 0;
     if (!sound || !buildGap(*wheel_, *rail_, patch.plane, gap.grid, gap.gap, patch.columns))
@@ -255,12 +256,12 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
       return false;
     }
     fillUnseenSlope(gap, [&patch](Eigen::Index j) { return patch.columns[static_cast<std::size_t>(j)].parting; });
-    gap.gap += gap.weight * boxed_descent_;
+    gap.gap += gap.weight * boxed_penetration_;
     clearBeyond(patch, gap.gap);
     patch.least_gap = leastGap(gap.grid, gap.gap);
     fillOpening(*rail_, patch.plane, gap.grid, patch.columns, gap.opening);
   }
-  return !zones_.empty();
+  return !intervals_.empty();
 }
 
 void WheelContact::measure()
@@ -290,8 +291,8 @@ void WheelContact::learn()
   memory_.clear();
   learned_ = wheel_->pose();
   held_ = true;
-  const double grown =
-      std::sqrt(std::clamp(solution_.approach / boxed_descent_, 1 / DescentStep::longest, DescentStep::longest));
+  const double grown = std::sqrt(
+      std::clamp(solution_.approach / boxed_penetration_, 1 / PenetrationStep::longest, PenetrationStep::longest));
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     if (!patches_[k].extent.empty())
@@ -304,18 +305,20 @@ void WheelContact::learn()
 /// Where the bodies overlap in a patch's stretch at this separation [m]; without yaw, beside the grid's columns.
 void WheelContact::findStations(std::size_t patch, double separation)
 {
-  const OverlapZone& zone = patches_[patch].zone;
+  const OverlapInterval& interval = patches_[patch].interval;
   const std::vector<GapColumn>& columns = patches_[patch].columns;
   stations_.clear();
   if (problem_.patches[patch].grid.symmetric)
   {
     // A grid laid as remembered may lie all beside the stretch.
-    search_.addStationsBetween(zone.u_begin, std::min(columns.front().rail_u, zone.u_end), separation, stations_);
-    search_.addStationsBetween(std::max(columns.back().rail_u, zone.u_begin), zone.u_end, separation, stations_);
+    search_.addStationsBetween(interval.u_begin, std::min(columns.front().rail_u, interval.u_end), separation,
+                               stations_);
+    search_.addStationsBetween(std::max(columns.back().rail_u, interval.u_begin), interval.u_end, separation,
+                               stations_);
   }
   else
   {
-    search_.addStationsBetween(zone.u_begin, zone.u_end, separation, stations_);
+    search_.addStationsBetween(interval.u_begin, interval.u_end, separation, stations_);
   }
 }
 
@@ -343,17 +346,18 @@ bool WheelContact::boxesHold(const RigidTouch& touch)
   {
     return false;
   }
-  if (solution_.approach < descent_allowance * boxed_descent_)
+  if (solution_.approach < penetration_allowance * boxed_penetration_)
   {
     return true;
   }
-  search_.overlapZones(touch.contact.separation + solution_.approach, zones_);
-  return std::all_of(zones_.begin(), zones_.end(),
-                     [this](const OverlapZone& zone)
+  search_.overlapIntervals(touch.contact.separation + solution_.approach, intervals_);
+  return std::all_of(intervals_.begin(), intervals_.end(),
+                     [this](const OverlapInterval& interval)
                      {
                        return std::any_of(patches_.begin(), patches_.end(),
                                           [&](const WheelPatch& patch) {
-                                            return zone.u_begin < patch.zone.u_end && patch.zone.u_begin < zone.u_end;
+                                            return interval.u_begin < patch.interval.u_end &&
+                                                   patch.interval.u_begin < interval.u_end;
                                           });
                      });
 }

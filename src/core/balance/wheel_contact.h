@@ -77,12 +77,12 @@ class WheelContact
 
   /// Estimated descent of the axle below the first touch under a vertical load [m]: from the last solution, or Hertz
   /// with the curvatures that the separation has over the contact's own width.
-  double estimateDescent(const RigidTouch& touch, double load) const;
+  double estimatePenetration(const RigidTouch& touch, double load) const;
 
   /// Solves the contact at the pose last given to touch() under a vertical load [N].
   WheelStatus solveLoad(const RigidTouch& touch, double load, const GridSize& size);
   /// The same with the axle `descent` below the first touch [m].
-  WheelStatus solveDescent(const RigidTouch& touch, double descent, const GridSize& size);
+  WheelStatus solvePenetration(const RigidTouch& touch, double penetration, const GridSize& size);
 
   /// Sets out for another state, whose wheelset stands `moved` farther to the side than in the last answer [m]. After a
   /// step like the one before, contacts are expected to change as in that one.
@@ -95,17 +95,17 @@ class WheelContact
 
   /// Descent of the axle below the first touch in the last solution, with what the rail has yielded from where it was
   /// set [m].
-  double descent() const { return solution_.approach + yielded_; }
+  double penetration() const { return solution_.approach + deflected_; }
   /// The part of it that is left if the rail is set where it has yielded to [m].
-  double elasticDescent() const { return solution_.approach; }
+  double elasticPenetration() const { return solution_.approach; }
   /// The rest; none once the rail is set anew [m].
-  double yielded() const { return yielded_; }
+  double deflected() const { return deflected_; }
   /// Of the last solution.
   const WheelForces& forces() const { return forces_; }
   /// Coordinates of the rail in the last solution: those it was set to, unless it yields.
   const Eigen::Vector3d& support() const { return problem_.support.placed; }
   /// Way of the rail at a patch's origin from where it was set to the last solution, side axes (y, z) [m].
-  Eigen::Vector2d railWay(const WheelPatch& patch) const;
+  Eigen::Vector2d railDisplacement(const WheelPatch& patch) const;
   /// Longest of these ways along the patches' planes: the gaps know it to first order [m].
   double railSlip() const;
   /// How much a small way of the rail would change the last contact, as a part of its size: by what it opens the gap
@@ -139,12 +139,12 @@ class WheelContact
   double slipError() const;
   /// The part of that by what the wheel slides as the rail yields from where it was set, the largest of all patches'
   /// [-].
-  double yieldError() const;
+  double deflectionError() const;
   /// How far a patch is from a contact of half-spaces: half the angle through which the section of the wheel or the
   /// rail, whichever is larger, turns over the pressure; on an arc, the pressure's half-width over the radius [rad].
   double halfSpaceRatio(std::size_t patch) const;
   /// Solved descent against the one that the gap was built for, relative [-].
-  double descentError() const;
+  double penetrationError() const;
   /// Smallest ratio of a pressure's length or width to those its grid was laid for [-].
   double boxFill() const { return box_fill_; }
   /// A box of the last call had to be widened for pressure that its first form missed, and may be loose now.
@@ -155,7 +155,7 @@ class WheelContact
   double rise() const;
   /// True if the load is carried elsewhere than where the bodies touch first: rigid touch then does not tell how the
   /// axle moves.
-  bool leans() const;
+  bool tilts() const;
   /// Normal problems solved so far.
   int solutions() const { return solutions_; }
 
@@ -172,7 +172,7 @@ class WheelContact
  private:
   WheelStatus solve(const RigidTouch& touch, const GridSize& size);
   bool layBoxes(const RigidTouch& touch, const GridSize& size);
-  PatchMemory& recall(const OverlapZone& zone);
+  PatchMemory& recall(const OverlapInterval& interval);
   WheelForces sumOfForces() const;
   void settleSupport();
   void takeIntoGaps(const Eigen::Vector3d& way);
@@ -181,7 +181,7 @@ class WheelContact
   double rollError(std::size_t patch, double open_roll) const;
   double slipError(std::size_t patch, double slip) const;
   double slip(const WheelPatch& patch) const;
-  double yieldSlip(const WheelPatch& patch) const;
+  double deflectionSlip(const WheelPatch& patch) const;
   void findStations(std::size_t patch, double separation);
   bool missesPressure(const RigidTouch& touch);
   bool boxesHold(const RigidTouch& touch);
@@ -192,8 +192,8 @@ class WheelContact
   ContactSearch search_;
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
-  std::optional<RigidTouch> touch_;  ///< of that wheel and that rail; none if the rail has been set anew
-  std::vector<OverlapZone> zones_;   ///< scratch
+  std::optional<RigidTouch> touch_;         ///< of that wheel and that rail; none if the rail has been set anew
+  std::vector<OverlapInterval> intervals_;  ///< scratch
   std::vector<Station> stations_;
   std::vector<WheelPatch> patches_;
   std::vector<PatchMemory> memory_;
@@ -202,14 +202,14 @@ class WheelContact
   std::vector<ErrorEstimate> errors_;
   WheelForces forces_;  ///< in the last solution
   Support support_;
-  double yielded_ = 0;           ///< descent that the rail's yielding has added in the last solution [m]
-  double touch_separation_ = 0;  ///< of the first touch that the boxes were laid for [m]
-  double boxed_descent_ = 0;     ///< descent for which the boxes were laid [m]
+  double deflected_ = 0;          ///< descent that the rail's yielding has added in the last solution [m]
+  double touch_separation_ = 0;   ///< of the first touch that the boxes were laid for [m]
+  double boxed_penetration_ = 0;  ///< descent for which the boxes were laid [m]
   double box_fill_ = 1;
   bool box_cut_ = false;
   bool spike_ = false;  ///< in the last solution's pressure
   bool widened_ = false;
-  AnswerTrend trend_;
+  ResultTrend trend_;
   double expected_ = 1;   ///< descent of the state set out for, over the last answer's [-]
   WheelsetPose learned_;  ///< pose of the wheel that memory is of
   bool held_ = false;     ///< the wheel is at that pose, but for its height

@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double rigid_lean = 0.1;  ///< turn of a plane against the normal of its first touch [rad]
+constexpr double rigid_tilt = 0.1;  ///< turn of a plane against the normal of its first touch [rad]
 
 /// The largest of the errors that `error_of(k)` tells of so many patches [-].
 template <typename ErrorOf>
@@ -28,8 +28,8 @@ double largestError(std::size_t patches, const ErrorOf& error_of)
 double WheelContact::patchApproach(std::size_t patch) const
 {
   const WheelPatch& p = patches_[patch];
-  const double at_first_touch = (elasticDescent() - p.touch_gap) / std::hypot(1, p.zone.contact.slope);
-  return std::max(at_first_touch, problem_.patches[patch].weight * elasticDescent() - p.least_gap);
+  const double at_first_touch = (elasticPenetration() - p.touch_gap) / std::hypot(1, p.interval.contact.slope);
+  return std::max(at_first_touch, problem_.patches[patch].weight * elasticPenetration() - p.least_gap);
 }
 
 const std::vector<ErrorEstimate>& WheelContact::estimateErrors()
@@ -54,15 +54,15 @@ double WheelContact::slipError(std::size_t patch, double slip) const
 
 /// Way of the wheel along the plane as it comes down by what the rail has yielded [m]. The rail's own way down does not
 /// count: where both go down together nothing slides.
-double WheelContact::yieldSlip(const WheelPatch& patch) const
+double WheelContact::deflectionSlip(const WheelPatch& patch) const
 {
-  return (yielded_ + railWay(patch)[1]) * std::sin(patch.plane.angle);
+  return (deflected_ + railDisplacement(patch)[1]) * std::sin(patch.plane.angle);
 }
 
 /// Way of the wheel along the plane since the gap was built [m].
 double WheelContact::slip(const WheelPatch& patch) const
 {
-  return (solution_.approach - boxed_descent_) * std::sin(patch.plane.angle) + yieldSlip(patch);
+  return (solution_.approach - boxed_penetration_) * std::sin(patch.plane.angle) + deflectionSlip(patch);
 }
 
 double WheelContact::slipError() const
@@ -92,9 +92,9 @@ double WheelContact::rollError(double open_roll) const
                       [&](std::size_t k) { return patches_[k].extent.empty() ? 0 : rollError(k, open_roll); });
 }
 
-double WheelContact::yieldError() const
+double WheelContact::deflectionError() const
 {
-  return largestError(patches_.size(), [this](std::size_t k) { return slipError(k, yieldSlip(patches_[k])); });
+  return largestError(patches_.size(), [this](std::size_t k) { return slipError(k, deflectionSlip(patches_[k])); });
 }
 
 double WheelContact::halfSpaceRatio(std::size_t patch) const
@@ -115,9 +115,9 @@ double WheelContact::halfSpaceRatio(std::size_t patch) const
   return p.extent.empty() ? 0 : 0.5 * std::max(turn(&GapColumn::wheelSlope), turn(&GapColumn::railSlope));
 }
 
-double WheelContact::descentError() const
+double WheelContact::penetrationError() const
 {
-  return solution_.approach / boxed_descent_ - 1;
+  return solution_.approach / boxed_penetration_ - 1;
 }
 
 double WheelContact::planeError() const
@@ -132,15 +132,15 @@ double WheelContact::planeError() const
   return force > 0 ? error / force : 0;
 }
 
-bool WheelContact::leans() const
+bool WheelContact::tilts() const
 {
-  double lean = 0;
+  double tilt = 0;
   for (const WheelPatch& patch : patches_)
   {
-    const double touched = std::atan(patch.zone.contact.slope);
-    lean = std::max(lean, patch.extent.empty() ? 0 : std::abs(patch.plane.angle - touched));
+    const double touched = std::atan(patch.interval.contact.slope);
+    tilt = std::max(tilt, patch.extent.empty() ? 0 : std::abs(patch.plane.angle - touched));
   }
-  return lean > rigid_lean;
+  return tilt > rigid_tilt;
 }
 
 double WheelContact::rise() const

@@ -18,7 +18,7 @@ void WheelContact::setRail(const PlacedRail& rail, const Support& support)
 {
   rail_ = rail;
   support_ = support;
-  yielded_ = 0;
+  deflected_ = 0;
   search_.setRail(rail);
   touch_.reset();
 }
@@ -54,18 +54,18 @@ double WheelContact::heightOverReference() const
 /// Brings the problem to where the rail has yielded to.
 void WheelContact::settleSupport()
 {
-  yielded_ = 0;
+  deflected_ = 0;
   if (support_.compliance.isZero(0) || !(forces_.vertical > 0))
   {
     return;
   }
   const Eigen::Vector3d along(forces_.outward, -forces_.vertical, forces_.moment);
   const Eigen::Vector3d coordinates =
-      support_.yields ? solution_.support : Eigen::Vector3d(support_.compliance * along);
+      support_.compliant ? solution_.support : Eigen::Vector3d(support_.compliance * along);
   const Eigen::Vector3d way = coordinates - support_.placed;
-  yielded_ = along.dot(way) / forces_.vertical;
+  deflected_ = along.dot(way) / forces_.vertical;
   problem_.support.placed = coordinates;
-  if (support_.yields)
+  if (support_.compliant)
   {
     takeIntoGaps(way);
   }
@@ -80,18 +80,18 @@ void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
     PatchGap& gap = problem_.patches[k];
     for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
     {
-      gap.gap.col(j) += gap.opening.row(j).matrix().dot(way) - gap.weight * yielded_;
+      gap.gap.col(j) += gap.opening.row(j).matrix().dot(way) - gap.weight * deflected_;
     }
     const double before = patch.least_gap;
     patch.least_gap = leastGap(gap.grid, gap.gap);
     patch.touch_gap += (patch.least_gap - before) / gap.weight;
   }
-  solution_.approach -= yielded_;
+  solution_.approach -= deflected_;
 }
 
-Eigen::Vector2d WheelContact::railWay(const WheelPatch& patch) const
+Eigen::Vector2d WheelContact::railDisplacement(const WheelPatch& patch) const
 {
-  return wayOf(*rail_, patch.plane.y, patch.plane.z, support() - support_.placed);
+  return displacementOf(*rail_, patch.plane.y, patch.plane.z, support() - support_.placed);
 }
 
 double WheelContact::railSlip() const
@@ -100,7 +100,7 @@ double WheelContact::railSlip() const
   for (const WheelPatch& patch : patches_)
   {
     const Eigen::Vector2d tangent(std::cos(patch.plane.angle), std::sin(patch.plane.angle));
-    slip = std::max(slip, std::abs(tangent.dot(railWay(patch))));
+    slip = std::max(slip, std::abs(tangent.dot(railDisplacement(patch))));
   }
   return slip;
 }
@@ -128,7 +128,7 @@ double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
     return effect;
   }
   const double reach = steepest_slope * (std::hypot(way[0], way[1]) + rail_head_size * std::abs(way[2]));
-  search_.overlapZones(touch_separation_ + solution_.approach + reach, zones_);
-  return zones_.size() == patches_.size() ? effect : std::numeric_limits<double>::infinity();
+  search_.overlapIntervals(touch_separation_ + solution_.approach + reach, intervals_);
+  return intervals_.size() == patches_.size() ? effect : std::numeric_limits<double>::infinity();
 }
 }  // namespace wheel_rail_contact::core

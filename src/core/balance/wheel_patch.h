@@ -25,7 +25,7 @@ inline bool operator==(const GridSize& one, const GridSize& other)
 /// One patch as solved, beside its pressure.
 struct WheelPatch
 {
-  OverlapZone zone;                ///< stretch it was laid over
+  OverlapInterval interval;        ///< stretch it was laid over
   double touch_gap = 0;            ///< vertical gap at the first touch of the whole wheel [m]
   double least_gap = 0;            ///< leastGap() along the normal, the axle at the first touch [m]
   double half_overlap = 0;         ///< half-length of the overlap along the track [m]

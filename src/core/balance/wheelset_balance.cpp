@@ -18,20 +18,20 @@ constexpr std::array<double, 2> detours{0.05e-3, 0.2e-3};
 constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
 constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
 // A pass is far from the balance while a plane, a descent or the roll is off by more than this.
-constexpr double far_plane = 0.05;   ///< [rad]
-constexpr double far_descent = 0.1;  ///< relative [-]
-constexpr double far_roll = 1e-4;    ///< [rad]
-constexpr double least_load = 1e-9;  ///< of a wheel; the approach under less is rounding of its place [N]
-constexpr double least_fill = 0.8;   ///< share of its expected size that a pressure must have
+constexpr double far_plane = 0.05;       ///< [rad]
+constexpr double far_penetration = 0.1;  ///< relative [-]
+constexpr double far_roll = 1e-4;        ///< [rad]
+constexpr double least_load = 1e-9;      ///< of a wheel; the approach under less is rounding of its place [N]
+constexpr double least_fill = 0.8;       ///< share of its expected size that a pressure must have
 }  // namespace
 
-WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const MethodLadder& ladder)
+WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
     : config_(config),
-      ladder_(ladder),
-      wheel_{WheelContact(config, ladder.solver()), WheelContact(config, ladder.solver())},
-      rail_{BendingRail(config, ladder.solver().solvesSupport(), wheel_[0]),
-            BendingRail(config, ladder.solver().solvesSupport(), wheel_[1])},
-      choice_{RungChoice(ladder, config.contact.tolerance), RungChoice(ladder, config.contact.tolerance)}
+      levels_(levels),
+      wheel_{WheelContact(config, levels.solver()), WheelContact(config, levels.solver())},
+      rail_{BendingRail(config, levels.solver().solvesSupport(), wheel_[0]),
+            BendingRail(config, levels.solver().solvesSupport(), wheel_[1])},
+      choice_{GridLevelChoice(levels, config.contact.tolerance), GridLevelChoice(levels, config.contact.tolerance)}
 {
   reset();
 }
@@ -45,7 +45,7 @@ void WheelsetBalance::reset()
   {
     wheel_[index(side)].reset();
     rail_[index(side)].reset();
-    choice_[index(side)] = RungChoice(ladder_, config_.contact.tolerance);
+    choice_[index(side)] = GridLevelChoice(levels_, config_.contact.tolerance);
   }
 }
 
@@ -73,16 +73,16 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
   }
 }
 
-WheelStatus WheelsetBalance::solveWheel(Side side, const Rung& rung)
+WheelStatus WheelsetBalance::solveWheel(Side side, const GridLevel& level)
 {
   const std::size_t k = index(side);
   WheelContact& wheel = wheel_[k];
-  wheel.setSolver(*rung.solver);
+  wheel.setSolver(*level.solver);
   if (!config_.wheelset.solve_height_and_roll && !finds_loads_)
   {
-    return wheel.solveDescent(touch_[k], touch_[k].axle_height - state_.z, rung.size);
+    return wheel.solvePenetration(touch_[k], touch_[k].axle_height - state_.z, level.size);
   }
-  return load_[k] > 0 ? wheel.solveLoad(touch_[k], load_[k], rung.size) : WheelStatus::no_contact;
+  return load_[k] > 0 ? wheel.solveLoad(touch_[k], load_[k], level.size) : WheelStatus::no_contact;
 }
 
 WheelStatus WheelsetBalance::solveWheels(bool rough)
@@ -92,13 +92,13 @@ WheelStatus WheelsetBalance::solveWheels(bool rough)
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    WheelStatus status = solveWheel(side, rough ? ladder_.rough() : choice_[k].rung());
+    WheelStatus status = solveWheel(side, rough ? levels_.rough() : choice_[k].level());
     if (is_failure(status) && !rough && choice_[k].leaveClosedForm())
     {
-      status = solveWheel(side, choice_[k].rung());
+      status = solveWheel(side, choice_[k].level());
     }
     loaded_[k] = status == WheelStatus::solved;
-    descent_[k] = loaded_[k] ? wheel_[k].descent() : 0;
+    penetration_[k] = loaded_[k] ? wheel_[k].penetration() : 0;
     if (is_failure(status))
     {
       normal_status_ = wheel_[k].solution().status;
@@ -116,7 +116,7 @@ double WheelsetBalance::moveRails()
   {
     const std::size_t k = index(side);
     open = std::max(open, rail_[k].follow(loaded_[k], state_.rail_lateral_force[k]));
-    descent_[k] = loaded_[k] ? wheel_[k].descent() : 0;
+    penetration_[k] = loaded_[k] ? wheel_[k].penetration() : 0;
   }
   return open;
 }
@@ -132,7 +132,7 @@ bool WheelsetBalance::layoutFits(double slack)
     const double tolerance = slack * config_.contact.tolerance;
     const bool fits =
         !loaded_[index(side)] ||
-        (wheel.planeError() < plane_per_tolerance * tolerance && std::abs(wheel.descentError()) < tolerance &&
+        (wheel.planeError() < plane_per_tolerance * tolerance && std::abs(wheel.penetrationError()) < tolerance &&
          (wheel.boxFill() > least_fill || wheel.widened()) && wheel.slipError() < config_.contact.tolerance);
     if (!fits)
     {
@@ -162,8 +162,8 @@ bool WheelsetBalance::isFar(double roll_change) const
   for (const Side side : sides)
   {
     const WheelContact& wheel = wheel_[index(side)];
-    far = far ||
-          (loaded_[index(side)] && (wheel.planeError() > far_plane || std::abs(wheel.descentError()) > far_descent));
+    far = far || (loaded_[index(side)] &&
+                  (wheel.planeError() > far_plane || std::abs(wheel.penetrationError()) > far_penetration));
   }
   return far;
 }
@@ -176,7 +176,7 @@ bool WheelsetBalance::fineEnough()
   {
     const std::size_t k = index(side);
     error_[k] = loaded_[k] ? largestOf(wheel_[k].estimateErrors()) : ErrorEstimate();
-    enough = !choice_[k].climb(error_[k]) && enough;
+    enough = !choice_[k].refine(error_[k]) && enough;
   }
   return enough;
 }
@@ -195,7 +195,7 @@ void WheelsetBalance::chooseGrids()
 /// Their ellipses follow the curvature of a single place, which may keep passes from settling.
 void WheelsetBalance::leaveClosedForms()
 {
-  for (RungChoice& choice : choice_)
+  for (GridLevelChoice& choice : choice_)
   {
     choice.leaveClosedForm();
   }
@@ -243,7 +243,7 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    descent_[k] = load_[k] > 0 ? wheel_[k].estimateDescent(touch_[k], load_[k]) + wheel_[k].yielded() : 0;
+    penetration_[k] = load_[k] > 0 ? wheel_[k].estimatePenetration(touch_[k], load_[k]) + wheel_[k].deflected() : 0;
   }
   return true;
 }
@@ -328,7 +328,7 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
       finish(roll_change);
       return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
     }
-    rough = far && (rough || (pass == 0 && ladder_.count() > 1));  // a grid given by hand is kept while warm
+    rough = far && (rough || (pass == 0 && levels_.count() > 1));  // a grid given by hand is kept while warm
     const bool steady = secant_.steady(roll_, difference);
     if (fits || steady || !secant_.takesOver())
     {
@@ -348,7 +348,7 @@ void WheelsetBalance::finish(double roll_change)
   {
     wheel_[index(side)].finish();
     rail_[index(side)].finish(loaded_[index(side)]);
-    choice_[index(side)].descend(error_[index(side)]);
+    choice_[index(side)].coarsen(error_[index(side)]);
     tryClosedForm(side);
   }
   if (!config_.wheelset.solve_height_and_roll)
@@ -357,8 +357,8 @@ void WheelsetBalance::finish(double roll_change)
     return;
   }
   roll_ += roll_change;
-  const double left = (touch_[0].axle_height - descent_[0]) - lever(Side::left) * roll_change;
-  const double right = (touch_[1].axle_height - descent_[1]) + lever(Side::right) * roll_change;
+  const double left = (touch_[0].axle_height - penetration_[0]) - lever(Side::left) * roll_change;
+  const double right = (touch_[1].axle_height - penetration_[1]) + lever(Side::right) * roll_change;
   height_ = 0.5 * (left + right);
 }
 }  // namespace wheel_rail_contact::core

@@ -24,7 +24,7 @@ class WheelsetBalance
 {
  public:
   /// Refers to `config` and `ladder`, which must outlive it.
-  WheelsetBalance(const ContactModelConfig& config, const MethodLadder& ladder);
+  WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels);
   WheelsetBalance(const WheelsetBalance&) = delete;
   WheelsetBalance& operator=(const WheelsetBalance&) = delete;
 
@@ -64,7 +64,7 @@ class WheelsetBalance
   double heightDifference() const;
   double lever(Side side) const;
   double leverSum() const;
-  WheelStatus solveWheel(Side side, const Rung& rung);
+  WheelStatus solveWheel(Side side, const GridLevel& level);
   WheelStatus solveWheels(bool rough);
   double moveRails();
   double expectedLoad(Side side);
@@ -81,15 +81,15 @@ class WheelsetBalance
   void finish(double roll_change);
 
   const ContactModelConfig& config_;
-  const MethodLadder& ladder_;
+  const GridLevels& levels_;
   std::array<WheelContact, 2> wheel_;
   std::array<BendingRail, 2> rail_;
   WheelsetState state_;
   std::array<double, 2> load_{};  ///< vertical wheel loads [N]
   std::array<bool, 2> loaded_{};
-  std::array<double, 2> descent_{};  ///< known so far [m]
+  std::array<double, 2> penetration_{};  ///< known so far [m]
   std::array<RigidTouch, 2> touch_;
-  std::array<RungChoice, 2> choice_;
+  std::array<GridLevelChoice, 2> choice_;
   std::array<ErrorEstimate, 2> error_;
   SolveStatus normal_status_ = SolveStatus::converged;  ///< of the last solution that failed
   RollSecant secant_;

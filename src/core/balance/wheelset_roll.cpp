@@ -36,7 +36,7 @@ bool WheelsetBalance::touchBoth(double roll)
 
 double WheelsetBalance::heightDifference() const
 {
-  return (touch_[0].axle_height - descent_[0]) - (touch_[1].axle_height - descent_[1]);
+  return (touch_[0].axle_height - penetration_[0]) - (touch_[1].axle_height - penetration_[1]);
 }
 
 /// The roll at which both axle ends agree, with the descents known so far: the height seen from the left falls with the
@@ -86,15 +86,15 @@ bool WheelsetBalance::touchFirst()
 void WheelsetBalance::foresee(double moved)
 {
   double rise = 0;
-  bool leans = false;
+  bool tilts = false;
   for (const Side side : sides)
   {
     rise += loaded_[index(side)] ? wheel_[index(side)].rise() : touch_[index(side)].contact.slope;
-    leans = leans || (loaded_[index(side)] && wheel_[index(side)].leans());
+    tilts = tilts || (loaded_[index(side)] && wheel_[index(side)].tilts());
   }
   const double levers = std::max(leverSum(), RollSecant::least_fall);
   roll_ += std::clamp(rise * moved / levers, -roll_step_limit, roll_step_limit);
-  if (leans)
+  if (tilts)
   {
     secant_.start(roll_, levers);
   }

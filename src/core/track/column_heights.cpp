@@ -11,9 +11,9 @@ namespace
 {
 /// How far from a column's crest the wheel's profile is told by its derivatives there, if no joint lies within [m]: the
 /// fourth derivative leaves 1e-11 m on arcs of 13 mm.
-constexpr double near_crest = 1.5e-4;
+constexpr double expansion_reach = 1.5e-4;
 
-using Numbers = CrestGroup::Numbers;
+using Numbers = ColumnGroup::Numbers;
 
 /// Profile points with tangents.
 struct Tangents
@@ -22,7 +22,7 @@ struct Tangents
 };
 
 /// The profile `shift` beside the crests.
-Tangents beside(const CrestGroup::Points& p, const Numbers& shift)
+Tangents beside(const ColumnGroup::Points& p, const Numbers& shift)
 {
   const Numbers half = 0.5 * shift;
   const Numbers third = shift * (1.0 / 3);
@@ -32,8 +32,8 @@ Tangents beside(const CrestGroup::Points& p, const Numbers& shift)
 }
 }  // namespace
 
-void CrestGroup::set(int column, double place, double parameter, const CurveExpansion& point, double height,
-                     double joint_distance)
+void ColumnGroup::set(int column, double place, double parameter, const CurveExpansion& point, double height,
+                      double discontinuity_distance)
 {
   const CurvePoint& p = point.point;
   profile.y[column] = p.y;
@@ -47,7 +47,7 @@ void CrestGroup::set(int column, double place, double parameter, const CurveExpa
   u[column] = parameter;
   t[column] = place;
   n[column] = height;
-  reach[column] = std::min(joint_distance, near_crest);
+  reach[column] = std::min(discontinuity_distance, expansion_reach);
 }
 
 ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& seen, double plane_x, double reach,
@@ -57,60 +57,60 @@ ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& seen, 
 }
 
 /// Two steps of Newton's method from the crest on its expansion; where that does not reach, on the profile itself.
-Numbers ColumnHeights::heights(const CrestGroup& crests, int count, double x) const
+Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) const
 {
-  const SectionPoint<Numbers> start = seen_.at<Numbers>(crests.profile, plane_x_ + x);
-  const Numbers shift = (crests.t - start.y) / start.dy;
-  const SectionPoint<Numbers> point = seen_.at<Numbers>(beside(crests.profile, shift), plane_x_ + x);
-  const Numbers miss = crests.t - point.y;
+  const SectionPoint<Numbers> start = seen_.at<Numbers>(columns.profile, plane_x_ + x);
+  const Numbers shift = (columns.t - start.y) / start.dy;
+  const SectionPoint<Numbers> point = seen_.at<Numbers>(beside(columns.profile, shift), plane_x_ + x);
+  const Numbers miss = columns.t - point.y;
   Numbers n = point.z + point.dz / point.dy * miss;
   for (int k = 0; k < count; ++k)
   {
     const bool found =
-        point.dy[k] > 0 && std::abs(miss[k]) < tangential_tolerance && std::abs(shift[k]) < crests.reach[k];
+        point.dy[k] > 0 && std::abs(miss[k]) < tangential_tolerance && std::abs(shift[k]) < columns.reach[k];
     if (!found)
     {
       const auto curve = [&](double u, PlanePoint& at) { return seen_.at(profile_->at(u), plane_x_ + x, at); };
-      double u = crests.u[k];
+      double u = columns.u[k];
       LocalPoint local;
-      n[k] = pointOver(crests.t[k], curve, u, local) ? local.n : std::numeric_limits<double>::quiet_NaN();
+      n[k] = pointOver(columns.t[k], curve, u, local) ? local.n : std::numeric_limits<double>::quiet_NaN();
     }
   }
   return n;
 }
 
 /// Through the crest and two places fore.
-HeightPolynomials ColumnHeights::evenPolynomials(const CrestGroup& crests, int count) const
+HeightPolynomials ColumnHeights::evenPolynomials(const ColumnGroup& columns, int count) const
 {
   const double inner = 0.6 * reach_;
   const double inner_square = inner * inner;
   const double outer_square = reach_ * reach_;
-  const Numbers second_inner = (heights(crests, count, inner) - crests.n) * (1 / inner_square);
-  const Numbers second_outer = (heights(crests, count, reach_) - crests.n) * (1 / outer_square);
+  const Numbers second_inner = (heights(columns, count, inner) - columns.n) * (1 / inner_square);
+  const Numbers second_outer = (heights(columns, count, reach_) - columns.n) * (1 / outer_square);
   const Numbers fourth = (second_outer - second_inner) * (1 / (outer_square - inner_square));
   HeightPolynomials c = HeightPolynomials::Zero();
-  c.col(0) = crests.n;
+  c.col(0) = columns.n;
   c.col(2) = second_inner - fourth * inner_square;
   c.col(4) = fourth;
   return c;
 }
 
 /// Through the crest and two places fore and aft each.
-HeightPolynomials ColumnHeights::fullPolynomials(const CrestGroup& crests, int count) const
+HeightPolynomials ColumnHeights::fullPolynomials(const ColumnGroup& columns, int count) const
 {
   const double h = 0.5 * reach_;
   const double per_h = 1 / h;
   const double per_square = per_h * per_h;
-  const Numbers fore = heights(crests, count, h);
-  const Numbers aft = heights(crests, count, -h);
-  const Numbers far_fore = heights(crests, count, 2 * h);
-  const Numbers far_aft = heights(crests, count, -2 * h);
+  const Numbers fore = heights(columns, count, h);
+  const Numbers aft = heights(columns, count, -h);
+  const Numbers far_fore = heights(columns, count, 2 * h);
+  const Numbers far_aft = heights(columns, count, -2 * h);
   const Numbers odd = 0.5 * (fore - aft);
-  const Numbers even = 0.5 * (fore + aft) - crests.n;
+  const Numbers even = 0.5 * (fore + aft) - columns.n;
   const Numbers third = (0.5 * (far_fore - far_aft) - 2 * odd) * (1.0 / 6);
-  const Numbers fourth = (0.5 * (far_fore + far_aft) - crests.n - 4 * even) * (1.0 / 12);
+  const Numbers fourth = (0.5 * (far_fore + far_aft) - columns.n - 4 * even) * (1.0 / 12);
   HeightPolynomials c;
-  c.col(0) = crests.n;
+  c.col(0) = columns.n;
   c.col(1) = (odd - third) * per_h;
   c.col(2) = (even - fourth) * per_square;
   c.col(3) = third * per_square * per_h;
@@ -118,8 +118,8 @@ HeightPolynomials ColumnHeights::fullPolynomials(const CrestGroup& crests, int c
   return c;
 }
 
-HeightPolynomials ColumnHeights::polynomials(const CrestGroup& crests, int count) const
+HeightPolynomials ColumnHeights::polynomials(const ColumnGroup& columns, int count) const
 {
-  return symmetric_ ? evenPolynomials(crests, count) : fullPolynomials(crests, count);
+  return symmetric_ ? evenPolynomials(columns, count) : fullPolynomials(columns, count);
 }
 }  // namespace wheel_rail_contact::core

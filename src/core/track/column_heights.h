@@ -32,12 +32,12 @@ bool pointOver(double t, Curve at, double& u, LocalPoint& out)
     {
       return false;
     }
-    const double per_stretch = 1 / point.dy;
+    const double per_length = 1 / point.dy;
     const double miss = t - point.y;
-    u += miss * per_stretch;
+    u += miss * per_length;
     if (std::abs(miss) < tangential_tolerance)
     {
-      out.slope = point.dz * per_stretch;
+      out.slope = point.dz * per_length;
       out.n = point.z + out.slope * miss;
       return true;
     }
@@ -47,7 +47,7 @@ bool pointOver(double t, Curve at, double& u, LocalPoint& out)
 
 /// Columns of a gap that are worked on at once, each with the wheel's profile under its crest (the middle of the
 /// column).
-struct CrestGroup
+struct ColumnGroup
 {
   static constexpr int together = 8;
   using Numbers = Eigen::Array<double, together, 1>;
@@ -66,12 +66,12 @@ struct CrestGroup
   Numbers reach = Numbers::Zero();  ///< how far along the profile the expansion holds [m]
 
   void set(int column, double place, double parameter, const CurveExpansion& point, double height,
-           double joint_distance);
+           double discontinuity_distance);
 };
 
 /// Height of the wheel over a group's columns as polynomials of x, from the plane's origin [m]: coefficients by column
 /// and power; NaN where the wheel has no point over the column.
-using HeightPolynomials = Eigen::Array<double, CrestGroup::together, 5>;
+using HeightPolynomials = Eigen::Array<double, ColumnGroup::together, 5>;
 
 /// Heights of the wheel over columns, away from their crests.
 class ColumnHeights
@@ -82,14 +82,14 @@ class ColumnHeights
   ColumnHeights(const Profile& profile, const WheelSections& seen, double plane_x, double reach, bool symmetric);
 
   /// The polynomials of columns `0` to `count`, not included.
-  HeightPolynomials polynomials(const CrestGroup& crests, int count) const;
+  HeightPolynomials polynomials(const ColumnGroup& columns, int count) const;
 
  private:
-  using Numbers = CrestGroup::Numbers;
+  using Numbers = ColumnGroup::Numbers;
 
-  Numbers heights(const CrestGroup& crests, int count, double x) const;
-  HeightPolynomials evenPolynomials(const CrestGroup& crests, int count) const;
-  HeightPolynomials fullPolynomials(const CrestGroup& crests, int count) const;
+  Numbers heights(const ColumnGroup& columns, int count, double x) const;
+  HeightPolynomials evenPolynomials(const ColumnGroup& columns, int count) const;
+  HeightPolynomials fullPolynomials(const ColumnGroup& columns, int count) const;
 
   const Profile* profile_;
   WheelSections seen_;

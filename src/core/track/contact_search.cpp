@@ -87,8 +87,8 @@ void ContactSearch::setRail(const PlacedRail& rail)
 /// The first of the wheel's points that may lie over the rail, and the one behind the last, in whole groups.
 std::pair<std::size_t, std::size_t> ContactSearch::pointsOverRail(const PlacedWheel& wheel) const
 {
-  const double least = stations_.first - wheel.sway();
-  const double most = stations_.y(stations_.count - 1) + wheel.sway();
+  const double least = stations_.first - wheel.lateralBound();
+  const double most = stations_.y(stations_.count - 1) + wheel.lateralBound();
   const auto beside = [&](std::size_t group)
   { return wheel.across(group_end_[group]) < least || wheel.across(group_begin_[group]) > most; };
   std::size_t first = 0;
@@ -151,9 +151,9 @@ double ContactSearch::depthBelowStation(std::size_t k) const
 }
 
 /// Stations `first` to `last` with the stretch's edges between stations, without its contact.
-OverlapZone ContactSearch::stretch(std::size_t first, std::size_t last, double separation) const
+OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t last, double separation) const
 {
-  OverlapZone zone;
+  OverlapInterval interval;
   const auto edge = [&](std::size_t inside, std::size_t outside)
   {
     const double share = (separation - separation_[inside]) / (separation_[outside] - separation_[inside]);
@@ -161,16 +161,16 @@ OverlapZone ContactSearch::stretch(std::size_t first, std::size_t last, double s
   };
   const bool starts_open = first == 0 || !(separation_[first - 1] < infinity);
   const bool ends_open = last + 1 == separation_.size() || !(separation_[last + 1] < infinity);
-  zone.at_profile_end = starts_open || ends_open;
-  zone.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
-  zone.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
-  return zone;
+  interval.at_profile_end = starts_open || ends_open;
+  interval.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
+  interval.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
+  return interval;
 }
 
 /// Measures a stretch narrower than the stations can tell by its osculating parabola. False if it vanishes.
-bool ContactSearch::narrow(double separation, OverlapZone& zone)
+bool ContactSearch::narrow(double separation, OverlapInterval& interval)
 {
-  const InitialContact& contact = zone.contact;
+  const InitialContact& contact = interval.contact;
   const double depth = separation - contact.separation;
   if (!(depth > 0))
   {
@@ -180,10 +180,10 @@ bool ContactSearch::narrow(double separation, OverlapZone& zone)
   if (half < static_cast<double>(fine_stations) * spacing)
   {
     const double along_rail = half * std::sqrt(1 + contact.slope * contact.slope);
-    zone.u_begin = contact.rail_u - along_rail;
-    zone.u_end = contact.rail_u + along_rail;
+    interval.u_begin = contact.rail_u - along_rail;
+    interval.u_end = contact.rail_u + along_rail;
   }
-  return zone.u_end > zone.u_begin;
+  return interval.u_end > interval.u_begin;
 }
 
 std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t behind) const
@@ -209,19 +209,19 @@ std::pair<std::size_t, std::size_t> ContactSearch::belowAround(std::size_t k, do
   return {first, last};
 }
 
-OverlapZone ContactSearch::zoneAround(const InitialContact& contact, double separation) const
+OverlapInterval ContactSearch::intervalAround(const InitialContact& contact, double separation) const
 {
   const auto last_station = static_cast<double>(stations_.count - 1);
   const double place = std::round((contact.y - stations_.first) / stations_.spacing);
   const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, last_station));
   const auto [first, last] = belowAround(k, separation);
-  OverlapZone zone = separation_[k] < separation ? stretch(first, last, separation) : OverlapZone{};
-  zone.contact = contact;
+  OverlapInterval interval = separation_[k] < separation ? intervalBetween(first, last, separation) : OverlapInterval{};
+  interval.contact = contact;
   if (last - first + 1 < fine_stations)
   {
-    narrow(separation, zone);
+    narrow(separation, interval);
   }
-  return zone;
+  return interval;
 }
 
 double ContactSearch::railAngle(std::size_t k) const
@@ -240,8 +240,8 @@ double ContactSearch::railSlope(std::size_t k) const
 }
 
 /// Adds the stretch of stations `first` to `last`, divided where it bends too much for one plane.
-void ContactSearch::addZones(std::size_t first, std::size_t last, double separation,
-                             std::vector<OverlapZone>& zones) const
+void ContactSearch::addIntervals(std::size_t first, std::size_t last, double separation,
+                                 std::vector<OverlapInterval>& intervals) const
 {
   const std::size_t lowest = lowestStation(first, last + 1);
   for (auto minimum = std::upper_bound(minima_.begin(), minima_.end(), first);
@@ -253,21 +253,21 @@ void ContactSearch::addZones(std::size_t first, std::size_t last, double separat
       const auto at = [this](std::size_t i) { return separation_.begin() + static_cast<long>(i); };
       const auto divide = static_cast<std::size_t>(std::max_element(at(std::min(k, lowest)), at(std::max(k, lowest))) -
                                                    separation_.begin());
-      addZones(first, divide, separation, zones);
-      zones.back().u_most = zones.back().u_end = rail_outline_.u(divide);
-      const std::size_t behind = zones.size();
-      addZones(divide, last, separation, zones);
-      zones[behind].u_least = zones[behind].u_begin = rail_outline_.u(divide);
+      addIntervals(first, divide, separation, intervals);
+      intervals.back().u_most = intervals.back().u_end = rail_outline_.u(divide);
+      const std::size_t behind = intervals.size();
+      addIntervals(divide, last, separation, intervals);
+      intervals[behind].u_least = intervals[behind].u_begin = rail_outline_.u(divide);
       return;
     }
   }
-  zones.push_back(stretch(first, last, separation));
-  zones.back().contact = refined(lowest);
+  intervals.push_back(intervalBetween(first, last, separation));
+  intervals.back().contact = refined(lowest);
 }
 
-void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zones) const
+void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const
 {
-  zones.clear();
+  intervals.clear();
   std::size_t behind = 0;  // the last stretch
   for (const std::size_t minimum : minima_)
   {
@@ -275,34 +275,34 @@ void ContactSearch::overlapZones(double separation, std::vector<OverlapZone>& zo
     {
       continue;
     }
-    OverlapZone zone;
+    OverlapInterval interval;
     if (separation_[minimum] < separation)
     {
       const auto [first, last] = belowAround(minimum, separation);
       behind = last + 1;
       if (behind - first >= fine_stations)
       {
-        addZones(first, last, separation, zones);
+        addIntervals(first, last, separation, intervals);
         continue;
       }
-      zone = stretch(first, last, separation);
-      zone.contact = refined(lowestStation(first, behind));
+      interval = intervalBetween(first, last, separation);
+      interval.contact = refined(lowestStation(first, behind));
     }
     else if (separation_[minimum] < separation + depthBelowStation(minimum))
     {
-      zone.contact = refined(minimum);
+      interval.contact = refined(minimum);
     }
     else
     {
       continue;
     }
-    if (narrow(separation, zone))
+    if (narrow(separation, interval))
     {
-      zones.push_back(zone);
+      intervals.push_back(interval);
     }
   }
-  mergeNeighbours(zones);
-  keepApart(zones);
+  mergeNeighbours(intervals);
+  keepApart(intervals);
 }
 
 /// The first of the stations that the rail's profile passes between two of its parameters, and the one behind the last,
@@ -338,12 +338,12 @@ void ContactSearch::addStationsBetween(double u_begin, double u_end, double sepa
   }
 }
 
-void ContactSearch::mergeNeighbours(std::vector<OverlapZone>& zones) const
+void ContactSearch::mergeNeighbours(std::vector<OverlapInterval>& intervals) const
 {
-  for (std::size_t i = 1; i < zones.size();)
+  for (std::size_t i = 1; i < intervals.size();)
   {
-    OverlapZone& before = zones[i - 1];
-    const OverlapZone& here = zones[i];
+    OverlapInterval& before = intervals[i - 1];
+    const OverlapInterval& here = intervals[i];
     const double wider = std::max(before.u_end - before.u_begin, here.u_end - here.u_begin);
     const double turn = std::abs(std::atan(here.contact.slope) - std::atan(before.contact.slope));
     const bool divided = before.u_most == here.u_least;  // halves of a stretch
@@ -359,17 +359,17 @@ void ContactSearch::mergeNeighbours(std::vector<OverlapZone>& zones) const
     {
       before.contact = here.contact;
     }
-    zones.erase(zones.begin() + static_cast<long>(i));
+    intervals.erase(intervals.begin() + static_cast<long>(i));
   }
 }
 
 /// Sets where one stretch ends for the other's sake: half-way between neighbours that are not halves of one.
-void ContactSearch::keepApart(std::vector<OverlapZone>& zones)
+void ContactSearch::keepApart(std::vector<OverlapInterval>& intervals)
 {
-  for (std::size_t i = 1; i < zones.size(); ++i)
+  for (std::size_t i = 1; i < intervals.size(); ++i)
   {
-    OverlapZone& before = zones[i - 1];
-    OverlapZone& here = zones[i];
+    OverlapInterval& before = intervals[i - 1];
+    OverlapInterval& here = intervals[i];
     if (before.u_most != here.u_least)
     {
       before.u_most = here.u_least = 0.5 * (before.u_end + here.u_begin);

@@ -24,7 +24,7 @@ struct InitialContact
 };
 
 /// A stretch across the track in which the separation is below a given value.
-struct OverlapZone
+struct OverlapInterval
 {
   double u_begin = 0;                                         ///< parameter of the rail's profile [m]
   double u_end = 0;                                           ///< [m]
@@ -66,11 +66,11 @@ class ContactSearch
   bool nearest(InitialContact& contact);
 
   /// The stretch around a contact (as nearest() gave it) in which the separation is below `separation` [m].
-  OverlapZone zoneAround(const InitialContact& contact, double separation) const;
+  OverlapInterval intervalAround(const InitialContact& contact, double separation) const;
 
   /// All stretches in which the separation is below `separation` [m], from the gauge side on. Neighbours whose distance
   /// is less than the wider one's width and whose planes differ by less than `merge_angle` count as one.
-  void overlapZones(double separation, std::vector<OverlapZone>& zones) const;
+  void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const;
 
   /// Largest angle between the planes of two stretches that count as one [rad].
   static constexpr double merge_angle = 0.1;
@@ -93,7 +93,8 @@ class ContactSearch
   double depthBelowStation(std::size_t k) const;
   double railAngle(std::size_t k) const;
   double railSlope(std::size_t k) const;
-  void addZones(std::size_t first, std::size_t last, double separation, std::vector<OverlapZone>& zones) const;
+  void addIntervals(std::size_t first, std::size_t last, double separation,
+                    std::vector<OverlapInterval>& intervals) const;
   std::size_t lowestStation(std::size_t first, std::size_t behind) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
@@ -103,10 +104,10 @@ class ContactSearch
   bool isNear(const InitialContact& contact, std::size_t k) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
-  OverlapZone stretch(std::size_t first, std::size_t last, double separation) const;
-  static bool narrow(double separation, OverlapZone& zone);
-  void mergeNeighbours(std::vector<OverlapZone>& zones) const;
-  static void keepApart(std::vector<OverlapZone>& zones);
+  OverlapInterval intervalBetween(std::size_t first, std::size_t last, double separation) const;
+  static bool narrow(double separation, OverlapInterval& interval);
+  void mergeNeighbours(std::vector<OverlapInterval>& intervals) const;
+  static void keepApart(std::vector<OverlapInterval>& intervals);
 
   static std::vector<double> sample(const Profile& profile);
 

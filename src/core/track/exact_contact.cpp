@@ -62,8 +62,8 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   contact.separation = locus.z - rail.z;
   contact.slope = rail.dz / rail.dy;
   slope_difference = wheel.dz / wheel.dy - contact.slope;
-  const double stretch = 1 + contact.slope * contact.slope;
-  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * stretch * std::sqrt(stretch);
+  const double interval = 1 + contact.slope * contact.slope;
+  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * interval * std::sqrt(interval);
   return std::isfinite(contact.separation) && std::isfinite(slope_difference);
 }
 

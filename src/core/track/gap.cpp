@@ -102,11 +102,11 @@ class GapBuilder
     for (int j = first; j >= 0 && j < grid_.ny; j += step)
     {
       GapColumn next = starts.next();
-      bool found = findCrest(grid_.y(j), next, count);
+      bool found = findMiddle(grid_.y(j), next, count);
       if (!found)
       {
         next = column;
-        found = findCrest(grid_.y(j), next, count);
+        found = findMiddle(grid_.y(j), next, count);
       }
       if (found)
       {
@@ -120,7 +120,7 @@ class GapBuilder
         starts.stayAt(column);
       }
       columns[static_cast<std::size_t>(j)] = column;
-      if (count == CrestGroup::together)
+      if (count == ColumnGroup::together)
       {
         found_any = fillGroup(count, columns, gap) || found_any;
         count = 0;
@@ -132,7 +132,7 @@ class GapBuilder
  private:
   /// Both bodies over place t of the plane; `column` holds the starting parameters and takes the result, the group's
   /// place `k` the wheel's.
-  bool findCrest(double t, GapColumn& column, int k)
+  bool findMiddle(double t, GapColumn& column, int k)
   {
     const auto rail_curve = [this](double u, PlanePoint& point)
     {
@@ -156,7 +156,7 @@ class GapBuilder
     column.slope = 0.5 * (rail.slope + wheel.slope);
     column.parting = wheel.slope - rail.slope;
     column.rail_height = rail.n;
-    crests_.set(k, t, u, profile, wheel.n, wheel_profile_.reach());
+    columns_.set(k, t, u, profile, wheel.n, wheel_profile_.reach());
     return true;
   }
 
@@ -168,7 +168,7 @@ class GapBuilder
     {
       return found_any;
     }
-    const HeightPolynomials heights = heights_.polynomials(crests_, count);
+    const HeightPolynomials heights = heights_.polynomials(columns_, count);
     for (int k = 0; k < count; ++k)
     {
       const int j = place_[static_cast<std::size_t>(k)];
@@ -192,8 +192,8 @@ class GapBuilder
   WheelSections wheel_;
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;
-  CrestGroup crests_;
-  std::array<int, CrestGroup::together> place_{};  ///< column of each of the group's places
+  ColumnGroup columns_;
+  std::array<int, ColumnGroup::together> place_{};  ///< column of each of the group's places
 };
 }  // namespace
 

@@ -165,7 +165,7 @@ void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t
   }
 }
 
-double PlacedWheel::sway() const
+double PlacedWheel::lateralBound() const
 {
   constexpr double highest_flange = 2;  // no circle of a wheel has more of its rolling radius
   return highest_flange * sections_.radius * (std::abs(sections_.y.down) + std::abs(sections_.y.forward));

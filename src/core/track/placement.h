@@ -154,7 +154,7 @@ class PlacedWheel
   /// Where a profile's y lies on the axle, seen along the track [m]: a locus lies within sway() of it.
   double across(double y) const { return pose_.y + sections_.y.along * (sections_.half_base + y); }
   /// Bound of a locus's distance from across() [m].
-  double sway() const;
+  double lateralBound() const;
 
   /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
   /// profile at constant x. @return false if x is beyond the circle.

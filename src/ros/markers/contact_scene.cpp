@@ -43,7 +43,8 @@ void addPressure(const PatchPicture& picture, const SceneOptions& options, const
                  MarkerArray& markers)
 {
   const PressureSurface fine = fineSurface(picture, options.patch);
-  if (options.patches)
+  const bool magnified = options.patches && options.patch.zoom > 0;
+  if (magnified)
   {
     markers.markers.push_back(zoomedPatch(picture, fine, options.patch, header));
   }
@@ -51,9 +52,12 @@ void addPressure(const PatchPicture& picture, const SceneOptions& options, const
   {
     markers.markers.push_back(patchOutline(picture, fine, options.patch, header));
   }
-  if (options.patches && options.patch.lift > 0)
+  if (options.patches && (options.patch.lift > 0 || !magnified))
   {
     markers.markers.push_back(truePatch(picture, options.patch, header));
+  }
+  if (magnified && options.patch.lift > 0)
+  {
     markers.markers.push_back(zoomLine(picture, options.patch, header));
   }
 }
@@ -115,34 +119,54 @@ void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult&
 }
 }  // namespace
 
-MarkerArray sceneMarkers(const ContactAnswer& answer, const core::ContactModelConfig* model, const ContactTrail& trail,
+SceneOptions sceneOptions(const MarkerConfig& config)
+{
+  SceneOptions options;
+  options.patch.zoom = config.zoom;
+  options.patch.lift = config.zoom_height;
+  options.patch.pressure_height = config.pressure_height;
+  options.patch.max_pressure = config.max_pressure;
+  options.patch.force_scale = config.force_scale;
+  options.track.rail_length = config.rail_length;
+  options.outlines = false;
+  options.ghost = false;
+  options.reason = true;
+  return options;
+}
+
+MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model, const ContactTrail& trail,
                          const SceneOptions& options)
 {
   MarkerArray markers;
-  if (!answer.result)
+  if (!output.result)
   {
+    if (options.reason)
+    {
+      markers.markers.push_back(makeText(output.header, "status", 0, {output.x(), 0, options.patch.lift},
+                                         options.patch.letter_height, output.reason));
+    }
     return markers;
   }
-  const double x = options.at_origin ? 0 : answer.x;
+  const double x = options.at_origin ? 0 : output.x();
   const std::optional<core::PlacedRail> at_rest = restingRail(model);
   std::optional<core::WheelsetResult> exaggeration;
   if (at_rest && options.deflection_scale != 1)
   {
-    exaggeration = exaggerated(*answer.result, *at_rest, options.deflection_scale);
+    exaggeration = exaggerated(*output.result, *at_rest, options.deflection_scale);
   }
-  const core::WheelsetResult& drawn = exaggeration ? *exaggeration : *answer.result;
+  const core::WheelsetResult& drawn = exaggeration ? *exaggeration : *output.result;
   if (model)
   {
-    addTrack(*model, drawn, answer.pose, x, options, answer.header, markers);
+    addTrack(*model, drawn, output.pose(), x, options, output.header, markers);
   }
   for (const core::Side side : options.track.sides)
   {
     for (const PatchPicture& picture : arrangePatches(drawn, side, x, options.patch))
     {
-      addPatch(picture, options, answer.header, markers);
+      addPatch(picture, options, output.header, markers);
     }
   }
-  addTrail(trail, drawn, at_rest ? &*at_rest : nullptr, x - answer.x, options, answer.header, markers);
+  addTrail(trail, drawn, at_rest ? &*at_rest : nullptr, x - output.x(), options, output.header, markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

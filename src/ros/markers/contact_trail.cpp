@@ -5,26 +5,26 @@
 
 namespace wheel_rail_contact
 {
-void ContactTrail::add(const ContactAnswer& answer, const core::PlacedRail* at_rest)
+void ContactTrail::add(const ContactOutput& output, const core::PlacedRail* at_rest)
 {
-  if (answer.header.stamp < last_)
+  if (output.header.stamp < last_)
   {
     clear();
   }
-  last_ = answer.header.stamp;
-  if (!answer.result)
+  last_ = output.header.stamp;
+  if (!output.result)
   {
     return;
   }
-  for (const core::PatchResult& patch : answer.result->patches)
+  for (const core::PatchResult& patch : output.result->patches)
   {
     core::PatchPose pose = patch.pose;
     if (at_rest)
     {
-      const core::RailDeflection& now = answer.result->rail.at(static_cast<std::size_t>(patch.side)).deflection;
+      const core::RailDeflection& now = output.result->rail.at(static_cast<std::size_t>(patch.side)).deflection;
       pose = carriedByRail(*at_rest, patch.side, now, {}, pose);
     }
-    pose.x += answer.x;
+    pose.x += output.x();
     points_.push_back({patch.side, pose, patch.max_pressure});
   }
 }

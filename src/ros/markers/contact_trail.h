@@ -24,7 +24,7 @@ class ContactTrail
  public:
   /// Adds the patches of a usable answer. `at_rest` tells how the rail's deflection is taken off; without it the
   /// points are kept where they are.
-  void add(const ContactAnswer& answer, const core::PlacedRail* at_rest);
+  void add(const ContactOutput& output, const core::PlacedRail* at_rest);
   /// Keeps at most so many points.
   void limit(std::size_t count);
   /// Forgets all points.

@@ -43,64 +43,69 @@ ContactEvaluator::ContactEvaluator(const NodeConfig& config)
 {
 }
 
-ContactAnswer ContactEvaluator::answer(const PreparedInput& input)
+core::WheelsetPose ContactOutput::pose() const
 {
-  if (input.starts_anew)
+  return result ? core::WheelsetPose{result->y, result->z, result->yaw, result->roll}
+                : core::WheelsetPose{state.y, state.z, state.yaw, state.roll};
+}
+
+ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
+{
+  if (input.resets)
   {
     contact_.reset();
   }
-  ContactAnswer answer;
-  answer.header.stamp = input.stamp;
-  answer.header.frame_id = track_frame_;
-  answer.status = input.status;
-  answer.reason = input.reason;
+  ContactOutput output;
+  output.header.stamp = input.stamp;
+  output.header.frame_id = track_frame_;
+  output.status = input.status;
+  output.reason = input.reason;
   if (input.status != WheelsetContact::OK)
   {
-    return answer;
+    return output;
   }
-  const core::WheelsetState& state = input.placed.state;
-  const core::WheelsetResult& result = contact_.evaluate(state);
-  answer.status = toMessage(result.status);
-  answer.reason = result.reason;
-  answer.lacks_neighbour = input.lacks_neighbour;
-  answer.x = input.placed.x;
-  answer.pose = {state.y, state.z, state.yaw, state.roll};
+  const core::WheelsetResult& result = contact_.evaluate(input.state);
+  output.status = toMessage(result.status);
+  output.reason = result.reason;
+  output.state = input.state;
+  output.lacks_neighbour = input.lacks_neighbour;
   if (isUsable(result.status))
   {
-    answer.result = &result;
-    answer.pose = {result.y, result.z, result.yaw, result.roll};
-    answer.beyond_linear_range = linearRangeWarning(result, linear_range_);
-    append(answer.beyond_linear_range, answer.reason);
-    answer.above_tolerance = result.above_tolerance;
+    output.result = &result;
+    output.beyond_linear_range = linearRangeWarning(result, linear_range_);
+    append(output.beyond_linear_range, output.reason);
   }
-  return answer;
+  return output;
 }
 
-WheelsetContact toMessage(const ContactAnswer& answer, bool with_grids, double solve_time)
+WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double solve_time)
 {
   WheelsetContact message;
-  if (answer.result)
+  if (output.result)
   {
-    message = toMessage(*answer.result, answer.x, with_grids);
+    message = toMessage(*output.result, output.x(), with_grids);
   }
-  message.wheelset = toMessage(answer.pose, answer.x);
-  message.header = answer.header;
-  message.status = answer.status;
-  message.status_text = answer.reason;
+  message.wheelset = toMessage(output.pose(), output.x());
+  message.header = output.header;
+  message.status = output.status;
+  message.status_text = output.reason;
   message.solve_time = solve_time;
   return message;
 }
 
-ContactAnswer answerFromMessage(const WheelsetContact& message, core::WheelsetResult& result)
+ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetResult& result)
 {
   result = fromMessage(message);
-  ContactAnswer answer;
-  answer.header = message.header;
-  answer.status = message.status;
-  answer.reason = message.status_text;
-  answer.x = message.wheelset.position.x;
-  answer.pose = {result.y, result.z, result.yaw, result.roll};
-  answer.result = isUsable(result.status) ? &result : nullptr;
-  return answer;
+  ContactOutput output;
+  output.header = message.header;
+  output.status = message.status;
+  output.reason = message.status_text;
+  output.state.x = result.x = message.wheelset.position.x;
+  output.state.y = result.y;
+  output.state.z = result.z;
+  output.state.yaw = result.yaw;
+  output.state.roll = result.roll;
+  output.result = isUsable(result.status) ? &result : nullptr;
+  return output;
 }
 }  // namespace wheel_rail_contact

@@ -13,29 +13,32 @@
 
 namespace wheel_rail_contact
 {
-/// Answer to one input, before it becomes messages and markers.
-struct ContactAnswer
+/// Output for one input, before it becomes messages and markers.
+struct ContactOutput
 {
-  std_msgs::Header header;                               ///< the pose's stamp, the track frame
+  std_msgs::Header header;                               ///< stamp of the pose; frame_id is the track frame
   std::uint8_t status = WheelsetContact::INVALID_INPUT;  ///< constant of the message WheelsetContact
-  std::string reason;       ///< in words, empty when OK and within tolerance and linear range
-  double x = 0;             ///< axle centre along the track [m]
-  core::WheelsetPose pose;  ///< solved if usable, otherwise as given; zero if the input was unusable
+  std::string reason;                            ///< text; empty if OK, within the tolerance and the linear range
+  core::WheelsetState state;                     ///< as given; zero if the input was unusable
   const core::WheelsetResult* result = nullptr;  ///< null unless usable; valid until the next evaluation
-  std::string beyond_linear_range;  ///< figures of a rail whose |Y|/Q is beyond its table's range, else empty
-  bool above_tolerance = false;     ///< a patch's error estimate is above contact/tolerance
+  std::string beyond_linear_range;  ///< text on each rail whose |Y|/Q exceeds the range of its table; else empty
   bool lacks_neighbour = false;     ///< evaluated without the forces of a neighbour (NeighbourForces)
+
+  /// Axle centre along the track [m].
+  double x() const { return state.x; }
+  /// Solved if usable, otherwise as given.
+  core::WheelsetPose pose() const;
 };
 
-/// One answer for each input: what the live node and the replay have in common. Not thread-safe.
+/// Evaluates inputs: the part that live node and replay share. Not thread-safe.
 class ContactEvaluator
 {
  public:
-  /// @throw std::invalid_argument as the core does for a configuration it cannot use.
+  /// @throw std::invalid_argument for a configuration that the core rejects.
   explicit ContactEvaluator(const NodeConfig& config);
 
-  /// Never throws for an unusable input: the answer's status tells.
-  ContactAnswer answer(const PreparedInput& input);
+  /// Returns one output for each input. Never throws for an unusable input: see ContactOutput::status.
+  ContactOutput evaluate(const PreparedInput& input);
 
  private:
   std::string track_frame_;
@@ -43,14 +46,15 @@ class ContactEvaluator
   core::WheelsetContact contact_;
 };
 
-/// Says side, forces and ratio of each rail whose |Y|/Q is greater than its compliance table allows; empty if none is.
+/// Text with side, forces and ratio of each rail whose |Y|/Q exceeds the range of its compliance table; empty if none
+/// does.
 std::string linearRangeWarning(const core::WheelsetResult& result, double linear_range);
 
 /// @param with_grids false leaves the pressure grids empty
 /// @param solve_time wall time of the evaluation [s]
-WheelsetContact toMessage(const ContactAnswer& answer, bool with_grids, double solve_time);
+WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double solve_time);
 
-/// The answer in a message. `result` is filled, and referred to by the answer if that is usable.
+/// The output that a message was made from. Fills `result`; a usable output refers to it.
 /// @throw std::invalid_argument as fromMessage() does for the result.
-ContactAnswer answerFromMessage(const WheelsetContact& message, core::WheelsetResult& result);
+ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetResult& result);
 }  // namespace wheel_rail_contact

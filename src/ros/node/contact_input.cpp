@@ -176,29 +176,30 @@ bool isFrameName(const std::string& name)
   return !name.empty() && name[0] != '/';
 }
 
-PlacedState toState(const ContactInput& input, const std::string& track_frame, const tf2::BufferCore& transforms)
+core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
+                            const tf2::BufferCore& transforms)
 {
-  PlacedState placed;
+  core::WheelsetState state;
   const Eigen::Isometry3d pose = poseInTrack(*input.pose, track_frame, transforms);
   const core::WheelsetPose wheelset = toWheelsetPose(pose);
-  placed.x = pose.translation().x();
-  placed.state.y = wheelset.y;
-  placed.state.z = wheelset.z;
-  placed.state.yaw = wheelset.yaw;
-  placed.state.roll = wheelset.roll;
+  state.x = pose.translation().x();
+  state.y = wheelset.y;
+  state.z = wheelset.z;
+  state.yaw = wheelset.yaw;
+  state.roll = wheelset.roll;
   if (input.load)
   {
-    setLoad(*input.load, track_frame, placed.state);
+    setLoad(*input.load, track_frame, state);
   }
   for (std::size_t side = 0; side < 2; ++side)
   {
     if (input.rail_force[side])
     {
       requireFinite(input.rail_force[side]->wrench, side == 0 ? "left rail force" : "right rail force");
-      placed.state.rail_lateral_force[side] = input.rail_force[side]->wrench.force.y;
+      state.rail_lateral_force[side] = input.rail_force[side]->wrench.force.y;
     }
   }
-  return placed;
+  return state;
 }
 
 bool InputPreparation::isReady(const ContactInput& input, const tf2::BufferCore& transforms) const
@@ -212,10 +213,10 @@ PreparedInput InputPreparation::prepare(const ContactInput& input, const tf2::Bu
 {
   PreparedInput prepared;
   prepared.stamp = input.pose->header.stamp;
-  prepared.starts_anew = fresh_start_.startsAnew(prepared.stamp);
+  prepared.resets = reset_rule_.resets(prepared.stamp);
   try
   {
-    prepared.placed = toState(input, track_frame_, transforms);
+    prepared.state = toState(input, track_frame_, transforms);
   }
   catch (const UnusableInput& error)
   {

@@ -26,6 +26,7 @@ struct ContactInput
   geometry_msgs::WrenchStampedConstPtr load;  ///< null if height and roll are given
   /// By Side; null unless lateral forces come by topic.
   std::array<geometry_msgs::WrenchStampedConstPtr, 2> rail_force;
+  ros::WallTime arrival;  ///< of the last of them at a live node; not set otherwise
 };
 
 /// Pairs the messages of the input topics. Which topics take part follows from the configuration: the pose always, the
@@ -87,13 +88,6 @@ class UnusableInput : public std::runtime_error
   std::uint8_t status_;
 };
 
-/// State of a wheelset with its place along the track [m], which does not matter to the contact.
-struct PlacedState
-{
-  core::WheelsetState state;  ///< in the core's terms
-  double x = 0;               ///< of the axle centre, track frame [m]
-};
-
 /// True if tf can know a frame of this name: not empty, without a slash before it.
 bool isFrameName(const std::string& name);
 
@@ -107,16 +101,17 @@ bool isFrameName(const std::string& name);
 ///
 /// @throw UnusableInput with INVALID_INPUT for numbers that are not finite, a quaternion that is none, or a load in
 /// another frame; with NO_TRANSFORM if tf does not lead from the pose's frame to the track frame.
-PlacedState toState(const ContactInput& input, const std::string& track_frame, const tf2::BufferCore& transforms);
+core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
+                            const tf2::BufferCore& transforms);
 
 /// An input in the core's terms, or the reason why it has none: all that an evaluation needs to know.
 struct PreparedInput
 {
   ros::Time stamp;                            ///< of the pose
-  PlacedState placed;                         ///< what to evaluate
-  std::uint8_t status = WheelsetContact::OK;  ///< INVALID_INPUT or NO_TRANSFORM: `placed` means nothing
+  core::WheelsetState state;                  ///< to evaluate
+  std::uint8_t status = WheelsetContact::OK;  ///< INVALID_INPUT or NO_TRANSFORM: `state` means nothing
   std::string reason;                         ///< empty when OK
-  bool starts_anew = true;                    ///< forget the answers before (FreshStartRule)
+  bool resets = true;                         ///< forget the answers before (ResetRule)
   bool lacks_neighbour = false;               ///< a neighbour's forces are not known and count as none
 };
 
@@ -137,6 +132,6 @@ class InputPreparation
 
  private:
   std::string track_frame_;
-  FreshStartRule fresh_start_;
+  ResetRule reset_rule_;
 };
 }  // namespace wheel_rail_contact

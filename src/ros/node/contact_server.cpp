@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ros/markers/contact_markers.h"
+#include "ros/markers/contact_scene.h"
 #include "ros/markers/track_markers.h"
 #include "ros/parameters/node_parameters.h"
 
@@ -29,7 +29,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       preparation_(config_),
       evaluator_(config_),
       listener_(transforms_, nh_),
-      jobs_(input_capacity),
+      inputs_(input_capacity),
       neighbours_(config_),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
@@ -49,27 +49,27 @@ ContactServer::~ContactServer()
   {
     subscriber.shutdown();
   }
-  jobs_.close();
+  inputs_.close();
   if (!ros::isShuttingDown())
   {
     worker_.join();  // the answer in hand is still published
   }
-  tellUnanswered();
+  reportUnevaluated();
   if (worker_.joinable())
   {
     worker_.join();
   }
 }
 
-void ContactServer::tellUnanswered()
+void ContactServer::reportUnevaluated()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::uint64_t unanswered = inputs_ - jobs_.dropped() - statistics_.answered();
-  if (unanswered == 0)
+  const std::uint64_t unevaluated = input_count_ - inputs_.dropped() - statistics_.evaluated();
+  if (unevaluated == 0)
   {
     return;
   }
-  const std::string text = private_nh_.getNamespace() + " ends, inputs unanswered: " + std::to_string(unanswered);
+  const std::string text = private_nh_.getNamespace() + " ends, inputs unanswered: " + std::to_string(unevaluated);
   if (ros::isShuttingDown())
   {
     std::cerr << text << std::endl;  // the log is closed
@@ -118,8 +118,9 @@ void ContactServer::subscribeToInput(const std::string& topic, const Take& take)
                              const std::lock_guard<std::mutex> lock(mutex_);
                              if (auto input = take(message))
                              {
-                               jobs_.push({std::move(*input), ros::WallTime::now()});
-                               ++inputs_;
+                               input->arrival = ros::WallTime::now();
+                               inputs_.push(std::move(*input));
+                               ++input_count_;
                              }
                            });
 }
@@ -143,23 +144,23 @@ void ContactServer::subscribeToNeighbours()
       throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
                                   topic + " is this node's own");
     }
-    subscribeAtOnce<NeighbourAnswer>(topic,
-                                     [this, i](const boost::shared_ptr<const NeighbourAnswer>& answer)
+    subscribeAtOnce<NeighbourResult>(topic,
+                                     [this, i](const boost::shared_ptr<const NeighbourResult>& output)
                                      {
                                        const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-                                       neighbours_.add(i, *answer);
+                                       neighbours_.add(i, *output);
                                      });
   }
 }
 
 void ContactServer::work()
 {
-  while (const auto job = jobs_.pop())
+  while (const auto input = inputs_.pop())
   {
     try
     {
-      waitForTransform(*job);
-      answer(job->input);
+      waitForTransform(*input);
+      evaluate(*input);
     }
     catch (const std::exception& error)
     {
@@ -171,11 +172,12 @@ void ContactServer::work()
   }
 }
 
-/// The deadline counts from the job's arrival, so a transform that never comes delays answers but does not slow them.
-void ContactServer::waitForTransform(const Job& job) const
+/// The deadline counts from the arrival of the input. A transform that never arrives delays the results but does not
+/// reduce their rate.
+void ContactServer::waitForTransform(const ContactInput& input) const
 {
-  const ros::WallTime deadline = job.arrival + ros::WallDuration(InputPreparation::transform_patience);
-  while (!preparation_.isReady(job.input, transforms_) && ros::WallTime::now() < deadline && !jobs_.closed())
+  const ros::WallTime deadline = input.arrival + ros::WallDuration(InputPreparation::transform_patience);
+  while (!preparation_.isReady(input, transforms_) && ros::WallTime::now() < deadline && !inputs_.closed())
   {
     ros::WallDuration(transform_poll_period).sleep();
   }
@@ -186,20 +188,20 @@ PreparedInput ContactServer::prepare(const ContactInput& input)
   PreparedInput prepared = preparation_.prepare(input, transforms_);
   const std::lock_guard<std::mutex> lock(neighbours_mutex_);
   const NeighbourEffect effect = neighbours_.effectAt(prepared.stamp);
-  prepared.placed.state.rail_offset = effect.deflection;
+  prepared.state.rail_offset = effect.deflection;
   prepared.lacks_neighbour = !effect.complete;
   return prepared;
 }
 
-void ContactServer::answer(const ContactInput& input)
+void ContactServer::evaluate(const ContactInput& input)
 {
   const ros::WallTime start = ros::WallTime::now();
-  const ContactAnswer answer = evaluator_.answer(prepare(input));
+  const ContactOutput output = evaluator_.evaluate(prepare(input));
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
   if (wants_message)
   {
-    contact_publisher_.publish(toMessage(answer, true, solve_time));
+    contact_publisher_.publish(toMessage(output, true, solve_time));
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -207,13 +209,13 @@ void ContactServer::answer(const ContactInput& input)
     {
       return;  // nobody gets this answer
     }
-    statistics_.count(answer, solve_time);
+    statistics_.count(output, solve_time);
     statistics_.messages_built += wants_message ? 1U : 0U;
   }
-  warn(answer.beyond_linear_range);
+  warn(output.beyond_linear_range);
   if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
   {
-    publishMarkers(answer);
+    publishMarkers(output);
   }
 }
 
@@ -231,13 +233,14 @@ void ContactServer::warn(const std::string& beyond_linear_range)
 bool ContactServer::pictureIsDue()
 {
   const double left = (next_picture_ - ros::WallTime::now()).toSec();
-  return left <= 0 || !jobs_.waitForEntry(left);
+  return left <= 0 || !inputs_.waitForEntry(left);
 }
 
-void ContactServer::publishMarkers(const ContactAnswer& answer)
+void ContactServer::publishMarkers(const ContactOutput& output)
 {
-  visualization_msgs::MarkerArray markers = contactMarkers(answer, config_);
-  shown_markers_ = appendDeletions(shown_markers_, answer.header, markers);
+  visualization_msgs::MarkerArray markers =
+      sceneMarkers(output, &config_.model, ContactTrail(), sceneOptions(config_.markers));
+  shown_markers_ = appendDeletions(shown_markers_, output.header, markers);
   marker_publisher_.publish(markers);
   next_picture_ = ros::WallTime::now() + ros::WallDuration(1 / config_.markers.rate);
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -248,7 +251,7 @@ void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   statistics_.pairing = pairing_.counts();
-  statistics_.overload = jobs_.dropped();
+  statistics_.overload = inputs_.dropped();
   diagnose(statistics_, reported_, status);
   reported_ = statistics_;
   statistics_.solve_time_max = 0;

@@ -41,12 +41,6 @@ class ContactServer
   ContactServer& operator=(const ContactServer&) = delete;
 
  private:
-  struct Job
-  {
-    ContactInput input;
-    ros::WallTime arrival;
-  };
-
   void advertise();
   void subscribe();
   /// `take` gives a message to the pairing.
@@ -59,28 +53,28 @@ class ContactServer
                        const boost::function<void(const boost::shared_ptr<const Message>&)>& receive);
 
   void work();
-  void tellUnanswered();
-  void waitForTransform(const Job& job) const;
+  void reportUnevaluated();
+  void waitForTransform(const ContactInput& input) const;
   PreparedInput prepare(const ContactInput& input);
-  void answer(const ContactInput& input);
+  void evaluate(const ContactInput& input);
   void warn(const std::string& beyond_linear_range);
   bool pictureIsDue();
-  void publishMarkers(const ContactAnswer& answer);
+  void publishMarkers(const ContactOutput& output);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle nh_, private_nh_;
   const NodeConfig config_;
-  InputPairing pairing_;          ///< under `mutex_`, with what it gives to `jobs_`
+  InputPairing pairing_;          ///< under `mutex_`, together with pushing to `inputs_`
   InputPreparation preparation_;  ///< worker only
   ContactEvaluator evaluator_;    ///< worker only
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
-  NewestQueue<Job> jobs_;
+  NewestQueue<ContactInput> inputs_;
 
-  std::mutex mutex_;              ///< guards the statistics, the inputs' number and the pairing
-  ContactStatistics statistics_;  ///< of what was answered before ROS shut down
-  ContactStatistics reported_;    ///< as they were at the last report
-  std::uint64_t inputs_ = 0;      ///< given to `jobs_`
+  std::mutex mutex_;               ///< guards the statistics, the inputs' number and the pairing
+  ContactStatistics statistics_;   ///< of what was answered before ROS shut down
+  ContactStatistics reported_;     ///< as they were at the last report
+  std::uint64_t input_count_ = 0;  ///< pushed to `inputs_`
 
   std::mutex neighbours_mutex_;  ///< guards the neighbours' forces
   NeighbourForces neighbours_;

@@ -26,35 +26,35 @@ std::uint64_t total(const Counts& counts)
 void summarize(const ContactStatistics& now, const ContactStatistics& before,
                diagnostic_updater::DiagnosticStatusWrapper& report)
 {
-  const std::uint64_t answered = now.answered() - before.answered();
-  const std::uint64_t unusable = answered - (now.usable() - before.usable());
+  const std::uint64_t evaluated = now.evaluated() - before.evaluated();
+  const std::uint64_t unusable = evaluated - (now.usable() - before.usable());
   const std::uint64_t errors = now.internal_errors - before.internal_errors;
   const std::uint64_t dropped = now.dropped() - before.dropped();
   if (errors > 0)
   {
     report.summaryf(DiagnosticStatus::ERROR, "internal error: %s", now.last_reason.c_str());
   }
-  else if (answered > 0 && unusable == answered)
+  else if (evaluated > 0 && unusable == evaluated)
   {
     report.summaryf(DiagnosticStatus::ERROR, "no answer usable: %s", now.last_reason.c_str());
   }
   else if (unusable > 0)
   {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers not usable: %s", unusable, answered,
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers not usable: %s", unusable, evaluated,
                     now.last_reason.c_str());
   }
   else if (dropped > 0)
   {
     report.summaryf(DiagnosticStatus::WARN, "%lu inputs dropped", dropped);
   }
-  else if (answered == 0 && now.pairing.received > before.pairing.received)
+  else if (evaluated == 0 && now.pairing.received > before.pairing.received)
   {
     report.summary(DiagnosticStatus::WARN, "what comes in finds no partner");
   }
   else if (now.lacking_neighbour > before.lacking_neighbour)
   {
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers lack a neighbour's forces",
-                    now.lacking_neighbour - before.lacking_neighbour, answered);
+                    now.lacking_neighbour - before.lacking_neighbour, evaluated);
   }
   else if (now.beyond_linear_range > before.beyond_linear_range)
   {
@@ -63,11 +63,11 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   else if (now.above_tolerance > before.above_tolerance)
   {
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers with an error estimate above contact/tolerance",
-                    now.above_tolerance - before.above_tolerance, answered);
+                    now.above_tolerance - before.above_tolerance, evaluated);
   }
-  else if (answered > 0)
+  else if (evaluated > 0)
   {
-    report.summaryf(DiagnosticStatus::OK, "%lu answers", answered);
+    report.summaryf(DiagnosticStatus::OK, "%lu answers", evaluated);
   }
   else
   {
@@ -78,9 +78,9 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
 void addTimes(const ContactStatistics& now, const ContactStatistics& before,
               diagnostic_updater::DiagnosticStatusWrapper& report)
 {
-  const std::uint64_t answered = now.answered() - before.answered();
+  const std::uint64_t evaluated = now.evaluated() - before.evaluated();
   const double sum = now.solve_time_sum - before.solve_time_sum;
-  report.addf("solve time, mean [ms]", "%.3f", answered > 0 ? 1e3 * sum / static_cast<double>(answered) : 0.0);
+  report.addf("solve time, mean [ms]", "%.3f", evaluated > 0 ? 1e3 * sum / static_cast<double>(evaluated) : 0.0);
   report.addf("solve time, max [ms]", "%.3f", 1e3 * now.solve_time_max);
 }
 }  // namespace
@@ -95,27 +95,27 @@ const char* dropName(DropReason reason)
   return drop_names.at(static_cast<std::size_t>(reason));
 }
 
-void ContactStatistics::count(const ContactAnswer& answer, double solve_time)
+void ContactStatistics::count(const ContactOutput& output, double solve_time)
 {
-  ++answers.at(answer.status);
-  if (!answer.beyond_linear_range.empty())
+  ++results.at(output.status);
+  if (!output.beyond_linear_range.empty())
   {
     ++beyond_linear_range;
-    last_beyond_linear_range = answer.beyond_linear_range;
+    last_beyond_linear_range = output.beyond_linear_range;
   }
-  above_tolerance += answer.above_tolerance ? 1U : 0U;
-  lacking_neighbour += answer.lacks_neighbour ? 1U : 0U;
+  above_tolerance += output.result && output.result->above_tolerance ? 1U : 0U;
+  lacking_neighbour += output.lacks_neighbour ? 1U : 0U;
   solve_time_sum += solve_time;
   solve_time_max = std::max(solve_time_max, solve_time);
-  if (!answer.reason.empty())
+  if (!output.reason.empty())
   {
-    last_reason = answer.reason;
+    last_reason = output.reason;
   }
 }
 
-std::uint64_t ContactStatistics::answered() const
+std::uint64_t ContactStatistics::evaluated() const
 {
-  return total(answers);
+  return total(results);
 }
 
 std::uint64_t ContactStatistics::usable() const
@@ -123,7 +123,7 @@ std::uint64_t ContactStatistics::usable() const
   std::uint64_t sum = 0;
   for (std::uint8_t status = 0; status < statuses; ++status)
   {
-    sum += isUsable(status) ? answers[status] : 0;
+    sum += isUsable(status) ? results[status] : 0;
   }
   return sum;
 }
@@ -144,10 +144,10 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
     report.add(std::string("messages dropped: ") + drop_names[i], now.pairing.dropped[i]);
   }
   report.add("inputs dropped: overload", now.overload);
-  report.add("answers", now.answered());
+  report.add("answers", now.evaluated());
   for (std::size_t i = 0; i < status_names.size(); ++i)
   {
-    report.add(std::string("answers ") + status_names[i], now.answers[i]);
+    report.add(std::string("answers ") + status_names[i], now.results[i]);
   }
   report.add("internal errors", now.internal_errors);
   report.add("answers beyond the table's linear range", now.beyond_linear_range);

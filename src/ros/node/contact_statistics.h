@@ -24,7 +24,7 @@ struct ContactStatistics
 
   PairingCounts pairing;                          ///< of single messages
   std::uint64_t overload = 0;                     ///< inputs pushed out by newer ones before their turn came
-  std::array<std::uint64_t, statuses> answers{};  ///< by status constant of the message WheelsetContact
+  std::array<std::uint64_t, statuses> results{};  ///< by status constant of the message WheelsetContact
   std::uint64_t internal_errors = 0;              ///< inputs that ended in an exception: mistakes of this program
   std::uint64_t beyond_linear_range = 0;          ///< answers with |Y|/Q beyond the compliance table's range
   std::uint64_t above_tolerance = 0;              ///< usable answers with an error estimate above contact/tolerance
@@ -37,10 +37,10 @@ struct ContactStatistics
   std::string last_reason;                        ///< of the newest answer that had one
 
   /// Adds an answer that took so long [s].
-  void count(const ContactAnswer& answer, double solve_time);
+  void count(const ContactOutput& output, double solve_time);
 
   /// Answers of any status.
-  std::uint64_t answered() const;
+  std::uint64_t evaluated() const;
   /// Answers that may be used.
   std::uint64_t usable() const;
   /// Inputs and single messages that got none.

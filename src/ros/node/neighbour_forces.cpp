@@ -39,24 +39,24 @@ NeighbourForces::NeighbourForces(const NodeConfig& config) : inclination_(config
   }
 }
 
-void NeighbourForces::add(std::size_t neighbour, const NeighbourAnswer& answer)
+void NeighbourForces::add(std::size_t neighbour, const NeighbourResult& result)
 {
-  std::deque<Answer>& answers = neighbours_.at(neighbour).answers;
-  while (!answers.empty() && answers.back().stamp >= answer.stamp)
+  std::deque<Result>& results = neighbours_.at(neighbour).results;
+  while (!results.empty() && results.back().stamp >= result.stamp)
   {
-    answers.pop_back();
+    results.pop_back();
   }
-  if (answers.size() == most_kept)
+  if (results.size() == most_kept)
   {
-    answers.pop_front();
+    results.pop_front();
   }
-  answers.push_back({answer.stamp, forcesOf(answer)});
+  results.push_back({result.stamp, forcesOf(result)});
 }
 
-std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const NeighbourAnswer& answer)
+std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const NeighbourResult& result)
 {
-  const Forces forces{forceOn(answer.left_rail), forceOn(answer.right_rail)};
-  return isUsable(answer.status) && isFinite(forces[0]) && isFinite(forces[1]) ? std::optional(forces) : std::nullopt;
+  const Forces forces{forceOn(result.left_rail), forceOn(result.right_rail)};
+  return isUsable(result.status) && isFinite(forces[0]) && isFinite(forces[1]) ? std::optional(forces) : std::nullopt;
 }
 
 bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
@@ -64,7 +64,7 @@ bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
   return std::all_of(
       neighbours_.begin(), neighbours_.end(),
       [&stamp](const Neighbour& neighbour)
-      { return !neighbour.answers.empty() && ageAt(stamp, neighbour.answers.front().stamp) >= longest_age_ns; });
+      { return !neighbour.results.empty() && ageAt(stamp, neighbour.results.front().stamp) >= longest_age_ns; });
 }
 
 NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
@@ -88,14 +88,14 @@ NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
 /// Of the newest answer before the stamp; null if there is none, or it is too old or not usable.
 const NeighbourForces::Forces* NeighbourForces::forcesAt(const Neighbour& neighbour, const ros::Time& stamp)
 {
-  const auto& answers = neighbour.answers;
-  const auto after = std::lower_bound(answers.begin(), answers.end(), stamp,
-                                      [](const Answer& answer, const ros::Time& t) { return answer.stamp < t; });
-  if (after == answers.begin())
+  const auto& results = neighbour.results;
+  const auto after = std::lower_bound(results.begin(), results.end(), stamp,
+                                      [](const Result& result, const ros::Time& t) { return result.stamp < t; });
+  if (after == results.begin())
   {
     return nullptr;
   }
-  const Answer& newest = *(after - 1);
+  const Result& newest = *(after - 1);
   return newest.forces && ageAt(stamp, newest.stamp) <= longest_age_ns ? &*newest.forces : nullptr;
 }
 }  // namespace wheel_rail_contact

@@ -35,7 +35,7 @@ class NeighbourForces
   explicit NeighbourForces(const NodeConfig& config);
 
   /// Takes an answer of the neighbour of this number in NodeConfig::neighbours.
-  void add(std::size_t neighbour, const NeighbourAnswer& answer);
+  void add(std::size_t neighbour, const NeighbourResult& result);
 
   /// True if answers of every neighbour reach back so far that those before them do not count at the stamp, nor later.
   bool reachBackFrom(const ros::Time& stamp) const;
@@ -45,7 +45,7 @@ class NeighbourForces
 
  private:
   using Forces = std::array<core::RailForce, 2>;  ///< by Side
-  struct Answer
+  struct Result
   {
     ros::Time stamp;
     std::optional<Forces> forces;  ///< none unless usable and finite
@@ -53,10 +53,10 @@ class NeighbourForces
   struct Neighbour
   {
     core::ComplianceTable influence;
-    std::deque<Answer> answers;  ///< stamps rising
+    std::deque<Result> results;  ///< stamps rising
   };
   static const Forces* forcesAt(const Neighbour& neighbour, const ros::Time& stamp);
-  static std::optional<Forces> forcesOf(const NeighbourAnswer& answer);
+  static std::optional<Forces> forcesOf(const NeighbourResult& result);
 
   double inclination_;
   std::vector<Neighbour> neighbours_;

@@ -16,7 +16,7 @@ namespace wheel_rail_contact
 {
 /// What a wheelset needs to know of a neighbour's answer. It is read from a message WheelsetContact up to the patches,
 /// which may be large, or damaged and claim to be.
-struct NeighbourAnswer
+struct NeighbourResult
 {
   ros::Time stamp;                            ///< of the neighbour's input
   std::uint8_t status = WheelsetContact::OK;  ///< constant of the message WheelsetContact
@@ -31,12 +31,12 @@ namespace message_traits
 {
 /// That of the whole message.
 template <>
-struct MD5Sum<wheel_rail_contact::NeighbourAnswer> : MD5Sum<wheel_rail_contact::WheelsetContact>
+struct MD5Sum<wheel_rail_contact::NeighbourResult> : MD5Sum<wheel_rail_contact::WheelsetContact>
 {
 };
 /// That of the whole message.
 template <>
-struct DataType<wheel_rail_contact::NeighbourAnswer> : DataType<wheel_rail_contact::WheelsetContact>
+struct DataType<wheel_rail_contact::NeighbourResult> : DataType<wheel_rail_contact::WheelsetContact>
 {
 };
 }  // namespace message_traits
@@ -45,22 +45,22 @@ namespace serialization
 {
 /// Reads the fields in the order of WheelsetContact.msg.
 template <>
-struct Serializer<wheel_rail_contact::NeighbourAnswer>
+struct Serializer<wheel_rail_contact::NeighbourResult>
 {
   /// @throw StreamOverrunException if the message ends before its patches.
   template <typename Stream>
-  static void read(Stream& stream, wheel_rail_contact::NeighbourAnswer& answer)
+  static void read(Stream& stream, wheel_rail_contact::NeighbourResult& result)
   {
     std_msgs::Header header;
     std::string status_text;
     geometry_msgs::Pose wheelset;
     stream.next(header);
-    stream.next(answer.status);
+    stream.next(result.status);
     stream.next(status_text);
     stream.next(wheelset);
-    stream.next(answer.left_rail);
-    stream.next(answer.right_rail);
-    answer.stamp = header.stamp;
+    stream.next(result.left_rail);
+    stream.next(result.right_rail);
+    result.stamp = header.stamp;
   }
 };
 }  // namespace serialization

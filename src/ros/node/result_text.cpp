@@ -23,17 +23,18 @@ std::string patchLine(const core::PatchResult& patch)
 }
 }  // namespace
 
-std::vector<std::string> answerLines(const ContactAnswer& answer, const std::vector<core::Side>& sides)
+std::vector<std::string> resultLines(const ContactOutput& output, const std::vector<core::Side>& sides)
 {
-  if (!answer.result)
+  if (!output.result)
   {
-    return {statusName(answer.status), answer.reason};
+    return {statusName(output.status), output.reason};
   }
-  std::vector<std::string> lines{formatted("y %+.2f mm, yaw %+.2f mrad", 1e3 * answer.pose.y, 1e3 * answer.pose.yaw)};
+  std::vector<std::string> lines{
+      formatted("y %+.2f mm, yaw %+.2f mrad", 1e3 * output.pose().y, 1e3 * output.pose().yaw)};
   for (const core::Side side : sides)
   {
-    lines.push_back(railLine(side, answer.result->rail.at(static_cast<std::size_t>(side)).deflection));
-    for (const core::PatchResult& patch : answer.result->patches)
+    lines.push_back(railLine(side, output.result->rail.at(static_cast<std::size_t>(side)).deflection));
+    for (const core::PatchResult& patch : output.result->patches)
     {
       if (patch.side == side)
       {

@@ -18,10 +18,10 @@ namespace wheel_rail_contact
 /// Why a sample never became part of an answer.
 enum class DropReason
 {
-  no_partner,  ///< no sample of another channel had a stamp near enough
-  duplicate,   ///< its channel had a sample of that stamp already
-  time_jump,   ///< time went back while it waited for its partner, or it came out of order
-  queue_full   ///< newer samples of its channel pushed it out while it waited
+  unmatched,  ///< no sample of another channel had a stamp near enough
+  duplicate,  ///< its channel had a sample of that stamp already
+  time_jump,  ///< time went back while it waited for its partner, or it came out of order
+  queue_full  ///< newer samples of its channel pushed it out while it waited
 };
 
 /// Where the samples went. At any time: received = paired + sum of dropped + waiting.
@@ -101,8 +101,8 @@ class StampPairing
   {
     for (Channel& channel : channels_)
     {
-      dropAll(channel.waiting, DropReason::no_partner);
-      dropAll(channel.after, DropReason::no_partner);
+      dropAll(channel.waiting, DropReason::unmatched);
+      dropAll(channel.after, DropReason::unmatched);
     }
   }
 
@@ -209,7 +209,7 @@ class StampPairing
       {
         return takeSet();
       }
-      dropOldest(ends.first->waiting, DropReason::no_partner);
+      dropOldest(ends.first->waiting, DropReason::unmatched);
     }
     return std::nullopt;
   }

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Animated pictures of bags of answers."""
+"""Animated pictures of the results in bags."""

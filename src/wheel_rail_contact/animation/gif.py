@@ -3,28 +3,29 @@
 import numpy as np
 from PIL import Image
 
-SAMPLES = 12   # frames whose colours make the palette
+SAMPLES = 12   # number of frames from which the palette is computed
 COLOURS = 256  # of a GIF
 SHIFTS = np.array([16, 8, 0], np.uint32)
 
 
 def _numbers(frame):
-    """A number for each pixel's colour."""
+    """Colour of each pixel as one number."""
     return (frame.reshape(-1, 3).astype(np.uint32) << SHIFTS).sum(axis=1, dtype=np.uint32)
 
 
 def _colours(numbers):
+    """Inverse of _numbers: red, green, blue."""
     return (numbers[:, None] >> SHIFTS & 255).astype(np.int32)
 
 
 def _palette(frames):
-    """The most frequent colours: drawn areas keep theirs exactly, only rims of letters and lines are rounded."""
+    """The most frequent colours. Areas keep their exact colours; only the edges of letters and lines are rounded."""
     numbers, counts = np.unique(np.concatenate([_numbers(frame) for frame in frames]), return_counts=True)
     return _colours(numbers[np.argsort(-counts, kind="stable")[:COLOURS]])
 
 
 def _picture(frame, palette):
-    """The frame with each colour's nearest of the palette."""
+    """The frame with the nearest palette colour for each pixel."""
     numbers, pixels = np.unique(_numbers(frame), return_inverse=True)
     distances = ((_colours(numbers)[:, None] - palette) ** 2).sum(axis=2)
     indices = distances.argmin(axis=1).astype(np.uint8)[pixels]
@@ -34,7 +35,11 @@ def _picture(frame, palette):
 
 
 def write_gif(path, frames, rate):
-    """Frames are (height, width, 3) bytes; all share one palette, so that nothing flickers. rate: of the frames [Hz]"""
+    """Writes frames to a file. All frames share one palette, which avoids flicker.
+
+    @param frames arrays (height, width, 3) of bytes
+    @param rate frames per second [Hz]
+    """
     palette = _palette(frames[::max(1, len(frames) // SAMPLES)])
     pictures = [_picture(frame, palette) for frame in frames]
     pictures[0].save(path, format="GIF", save_all=True, append_images=pictures[1:], duration=round(1000 / rate), loop=0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws one instant of one or two runs: section and plan of the contact for each, histories of both below."""
+"""Draws one instant of one or two runs: section and plan of each contact, and the histories of both below."""
 import matplotlib
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
@@ -8,20 +8,20 @@ from matplotlib.patches import FancyArrowPatch
 from ..message_constants import SIDES, USABLE
 
 SIZE, DPI = (9.6, 6.6), 100     # [inch], pixels per inch
-COLOURS = ("#D55E00", "#0072B2")  # of the runs; told apart with any colour vision (Okabe and Ito 2008)
+COLOURS = ("#D55E00", "#0072B2")  # of the runs; distinguishable by colour-blind readers (Okabe and Ito 2008)
 STEEL, WHEEL, INK = "#CBD2D9", "#6C7B8A", "#26303A"
-BEYOND = (-44, 28)              # of the section around the rail's reference point, y [mm]
-HEIGHT = (-24, 29)              # of the section, z [mm]
+BEYOND = (-44, 28)              # y limits of the section, from the reference point of the rail head [mm]
+HEIGHT = (-24, 29)              # z limits of the section [mm]
 ALONG = 13                      # half length of the plan [mm]
-LEVELS = 20                     # steps of the colour scale
-PRESSURE_HEIGHT = 14            # of the pressure at the end of the scale over the rail's surface [mm]
-FORCE_LENGTH = 0.15             # of the arrow of a normal force [mm/kN]
-POINTS = 160                    # across a patch
-FAINT = 0.02                    # of the end of the scale: pressure that is drawn
+LEVELS = 20                     # largest number of steps of the colour scale
+PRESSURE_HEIGHT = 14            # drawn height of the largest pressure of the scale above the rail surface [mm]
+FORCE_LENGTH = 0.15             # length of the arrow per normal force [mm/kN]
+POINTS = 160                    # number of points across a patch
+FAINT = 0.02                    # smallest pressure that is drawn, as a share of the end of the scale
 
 
 class Picture:
-    """A figure that is drawn anew for each instant.
+    """A figure that is redrawn for each instant.
 
     @param plot command.pyplot()
     @param runs animation.run.Run, one or two
@@ -54,7 +54,7 @@ class Picture:
 
     def _histories(self):
         self.cursors = []
-        for axis, (title, values) in zip(self.rows, (("rail's head outward [mm]", "lateral"), ("outward force [kN]", "force"),
+        for axis, (title, values) in zip(self.rows, (("rail head outward [mm]", "lateral"), ("outward force [kN]", "force"),
                                                      ("highest pressure [MPa]", "pressure"))):
             axis.set_title(title, fontsize=9, color=INK)
             for run, colour in zip(self.runs, COLOURS):
@@ -66,7 +66,7 @@ class Picture:
             axis.spines[["top", "right"]].set_visible(False)
 
     def draw(self, instant):
-        """The picture at an instant, an index into what the runs hold, as (height, width, 3) bytes."""
+        """Picture at an instant (index into the histories of the runs), as (height, width, 3) bytes."""
         for axis, plan, run, colour in zip(self.sections, self.plans, self.runs, COLOURS):
             self._draw_section(axis, run, instant, colour)
             self._draw_plan(plan, run, instant)
@@ -96,7 +96,7 @@ class Picture:
             axis.invert_xaxis()
 
     def _draw_pressure(self, axis, patch):
-        """The highest pressure of each column, drawn upwards from the contact."""
+        """Draws the highest pressure of each column along the patch normal, from the rail surface outward."""
         column = np.linspace(0, 1, len(patch.surface))
         fine = np.linspace(0, 1, POINTS)
         pressure = np.interp(fine, column, patch.pressure.max(axis=0))
@@ -111,7 +111,7 @@ class Picture:
 
     @staticmethod
     def _draw_force(axis, patch):
-        """The normal force on the rail, from the pressure's centre."""
+        """Draws the normal force on the rail, from the centre of pressure."""
         start = patch.pressure.sum(axis=0) @ patch.surface / patch.pressure.sum()
         axis.add_patch(FancyArrowPatch(start, start - FORCE_LENGTH * patch.force * patch.normal, zorder=5, color=INK,
                                        linewidth=1.6, arrowstyle="-|>", mutation_scale=12, shrinkA=0, shrinkB=0))
@@ -126,11 +126,11 @@ class Picture:
             y, pressure = patch.surface[:, 0], patch.pressure
             axis.contourf(y, patch.x, pressure, levels=[FAINT * self.levels[-1], *self.levels[1:]], norm=self.colours,
                           cmap=self.map)
-        axis.set_xlabel("y [mm], seen from above", fontsize=8, labelpad=1)
+        axis.set_xlabel("y [mm], top view", fontsize=8, labelpad=1)
         if axis is self.plans[0]:
             axis.set_ylabel("x [mm]", fontsize=8, labelpad=1)
 
 
 def _closed(curve, height):
-    """The curve closed beyond the picture at a height."""
+    """The curve, closed by a horizontal line at `height` outside the picture."""
     return np.vstack([curve, [curve[-1, 0], height], [curve[0, 0], height]])

@@ -1,33 +1,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an animation shows of one bag of answers."""
+"""Data that an animation shows of the results in one bag."""
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..command import Failure
 from ..message_constants import SIDES, STATUSES, USABLE
-from ..report.answers import RAIL_FIELDS, full, of_answers, read
+from ..report.results import RAIL_FIELDS, per_result, read, read_full
 from .section import MM, MPA, section
 
 
 @dataclass
 class Run:
-    """Histories have a value for each instant shown; lengths in mm, forces in kN, pressures in MPa."""
+    """Histories have one value per instant shown. Lengths in mm, forces in kN, pressures in MPa."""
     label: str
     stamp: np.ndarray       # [s]
     status: np.ndarray
-    outward: np.ndarray     # way of the wheelset towards the side
-    lateral: np.ndarray     # way of the rail's head, outward
-    force: np.ndarray       # that bends the rail, outward
-    pressure: np.ndarray    # highest
+    outward: np.ndarray     # displacement of the wheelset towards the side
+    lateral: np.ndarray     # displacement of the rail head, outward positive
+    force: np.ndarray       # lateral force on the rail, outward positive
+    pressure: np.ndarray    # highest pressure of the side
     sections: list
     texts: list
-    rest: np.ndarray        # section of the rail at rest
-    reference: np.ndarray   # the point of its head whose way the answers tell
+    rest: np.ndarray        # outline of the undeflected rail, (n, 2)
+    reference: np.ndarray   # reference point of the rail head, at which the deflection is given
 
 
 def instants(count, frames):
-    """Indices of answers, evenly spread, the first and the last among them."""
+    """Indices of at most `frames` evenly spaced results, including the first and the last one."""
     return np.unique(np.linspace(0, count - 1, min(frames, count)).round().astype(int))
 
 
@@ -37,26 +37,26 @@ def _text(message, side, lateral, force, pressure):
     area = 1e6 * sum(patch.area for patch in message.patches if patch.side == side)
     angle = max((np.degrees(patch.contact_angle) for patch in message.patches if patch.side == side), default=0)
     return (f"p max {pressure:5.0f} MPa   area {area:4.0f} mm²   angle {angle:3.0f}°\n"
-            f"outward force {force:5.1f} kN   rail moves {lateral:5.2f} mm")
+            f"outward: force {force:5.1f} kN   rail head {lateral:5.2f} mm")
 
 
 def read_run(path, label, side, frames, wheelset):
-    """Raises Failure for a bag that does not tell the profiles or holds no pressure."""
-    answers, topic = read(path, wheelset)
-    if "reference" not in answers.outlines:
-        raise Failure(f"{path}: does not tell the profiles; make the answers with contact_replay")
-    if np.size(answers.patches["answer"]) == 0:
-        raise Failure(f"{path}: no answer has a contact")
-    chosen = instants(len(answers.stamp), frames)
-    messages = full(path, topic, set(chosen.tolist()))
-    of_side = np.flatnonzero(answers.patches["side"] == side)
-    pressure = MPA * of_answers(answers.patches["max_pressure"], answers, of_side, "max")[chosen]
+    """Reads the results of a bag. Raises Failure if the bag lacks the outlines of the profiles, or contacts to draw."""
+    results, topic = read(path, wheelset)
+    if "reference" not in results.outlines:
+        raise Failure(f"{path}: does not contain the outlines of the profiles; write the results with contact_replay")
+    if np.size(results.patches["result"]) == 0:
+        raise Failure(f"{path}: no result has a contact")
+    chosen = instants(len(results.stamp), frames)
+    messages = read_full(path, topic, set(chosen.tolist()))
+    of_side = np.flatnonzero(results.patches["side"] == side)
+    pressure = MPA * per_result(results.patches["max_pressure"], results, of_side, "max")[chosen]
     if not np.nanmax(pressure, initial=0) > 0:
-        raise Failure(f"{path}: no answer that would be shown has a contact on the {SIDES[side]} side")
-    lateral = MM * answers.rail[chosen, side, RAIL_FIELDS.index("lateral")]
-    force = 1e-3 * answers.rail[chosen, side, RAIL_FIELDS.index("lateral_force")]
-    return Run(label=label, stamp=answers.stamp[chosen], status=answers.status[chosen],
-               outward=MM * (1, -1)[side] * answers.y[chosen], lateral=lateral, force=force, pressure=pressure,
-               sections=[section(messages[i], side, answers.outlines) for i in chosen],
+        raise Failure(f"{path}: no result to be shown has a contact on the {SIDES[side]} side")
+    lateral = MM * results.rail[chosen, side, RAIL_FIELDS.index("lateral")]
+    force = 1e-3 * results.rail[chosen, side, RAIL_FIELDS.index("lateral_force")]
+    return Run(label=label, stamp=results.stamp[chosen], status=results.status[chosen],
+               outward=MM * (1, -1)[side] * results.y[chosen], lateral=lateral, force=force, pressure=pressure,
+               sections=[section(messages[i], side, results.outlines) for i in chosen],
                texts=[_text(messages[i], side, *row) for i, *row in zip(chosen, lateral, force, pressure)],
-               rest=MM * answers.outlines["rail"], reference=MM * answers.outlines["reference"][0])
+               rest=MM * results.outlines["rail"], reference=MM * results.outlines["reference"][0])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One side of an answer as curves of a picture.
+"""One side of a result as curves of a picture.
 
 All curves are in side axes: y outward to the field side, z up, in mm, (n, 2) each; pressures in MPa.
 """
@@ -12,24 +12,24 @@ MM, MPA = 1e3, 1e-6
 
 @dataclass
 class Patch:
-    """A patch of contact; the pressure has a row for each cell along the track."""
+    """A contact patch."""
     pressure: np.ndarray  # (nx, ny)
-    x: np.ndarray         # of the cells' centres, forward
-    surface: np.ndarray   # the cells' centres in the section, in the patch's plane
-    normal: np.ndarray    # out of the rail
+    x: np.ndarray         # (nx,) cell centres along the track, forward
+    surface: np.ndarray   # (ny, 2) cell centres in the section, in the plane of the patch
+    normal: np.ndarray    # unit vector out of the rail
     force: float          # along the normal [kN]
 
 
 @dataclass
 class Section:
-    """What the section through the contact shows at one instant."""
+    """Outlines and patches in the section through the contact at one instant."""
     wheel: np.ndarray
     rail: np.ndarray
     patches: list
 
 
-def _turned(points, angle):
-    """Points turned from y towards z [rad]."""
+def _rotated(points, angle):
+    """Points rotated about the origin by an angle from y towards z [rad]."""
     c, s = np.cos(angle), np.sin(angle)
     return points @ np.array([[c, s], [-s, c]])
 
@@ -42,13 +42,13 @@ def _wheel(message, side, outline):
     sign = (1, -1)[side]
     pose = message.wheelset
     centre = np.array([sign * pose.position.y, pose.position.z])
-    return MM * (centre + _turned(outline, sign * _roll(pose.orientation)))
+    return MM * (centre + _rotated(outline, sign * _roll(pose.orientation)))
 
 
 def _rail(message, side, outline, reference):
     deflection = (message.left_rail, message.right_rail)[side]
-    way = np.array([deflection.lateral, deflection.vertical])
-    return MM * (reference + way + _turned(outline - reference, -deflection.roll))
+    displacement = np.array([deflection.lateral, deflection.vertical])
+    return MM * (reference + displacement + _rotated(outline - reference, -deflection.roll))
 
 
 def _patch(patch):
@@ -65,10 +65,10 @@ def _patch(patch):
 
 
 def section(message, side, outlines):
-    """The section of an answer: the wheel at yaw 0, so that a yawed one stands a little off its contact.
+    """Section of a result. The wheel is drawn without yaw; a yawed wheel therefore appears slightly away from its contact.
 
-    @param side index into report.answers.SIDES
-    @param outlines as report.answers reads them
+    @param side index into SIDES
+    @param outlines as in report.results.Results
     """
     return Section(wheel=_wheel(message, side, outlines["wheel"]),
                    rail=_rail(message, side, outlines["rail"], outlines["reference"][0]),

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_campaign: bags answered by many workers, in slices, and joined."""
+"""contact_campaign: divides bags into slices, evaluates them with many workers, and joins the results."""

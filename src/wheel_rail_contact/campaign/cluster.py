@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the work is done."""
+"""Connection to the workers."""
 import contextlib
 import logging
 import os
@@ -7,11 +7,11 @@ import tempfile
 
 from ..command import Failure
 
-PATIENCE = "20s"  # for the scheduler, and for its first worker
+TIMEOUT = "20s"  # for the scheduler, and for its first worker
 
 
 def _dask():
-    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "critical")  # here and in workers: lost ones are no fault
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "critical")  # here and in workers: lost workers are not errors
     try:
         import distributed
     except ImportError as error:
@@ -21,7 +21,7 @@ def _dask():
 
 @contextlib.contextmanager
 def connect(scheduler):
-    """A client of the scheduler at an address; of one of its own, with a worker for each core, if there is none."""
+    """A client of the scheduler at this address. Without an address: of a local scheduler with one worker per core."""
     distributed = _dask()
     with contextlib.ExitStack() as stack:
         if scheduler:
@@ -33,8 +33,8 @@ def connect(scheduler):
                 dashboard_address="127.0.0.1:0", local_directory=folder, preload=[f"{__package__}.no_interrupts"],
                 silence_logs=logging.CRITICAL))
         try:
-            client = stack.enter_context(distributed.Client(target, timeout=PATIENCE))
-            client.wait_for_workers(1, timeout=PATIENCE)
+            client = stack.enter_context(distributed.Client(target, timeout=TIMEOUT))
+            client.wait_for_workers(1, timeout=TIMEOUT)
         except (OSError, TimeoutError, distributed.TimeoutError) as error:
-            raise Failure(f"--scheduler {scheduler}: no scheduler with workers there ({error})") from None
+            raise Failure(f"--scheduler {scheduler}: found no scheduler with workers at this address ({error})") from None
         yield client

@@ -14,7 +14,7 @@ SLICE = 20000
 
 
 def main(arguments=None):
-    """Run the command; returns its exit status."""
+    """Runs the command and returns its exit status."""
     return finish("contact_campaign", _run, _parser().parse_args(arguments))
 
 
@@ -26,19 +26,19 @@ def _run(options):
             require_same(plan, before)
         folder.write_manifest(plan)
         try:
-            failures = _answer(options, plan, folder)
+            failures = _evaluate(options, plan, folder)
         finally:
             folder.write_manifest(plan)
         faults = _report(plan, folder)
         if failures:
-            raise Failure("\n  ".join([f"{len(failures)} tasks failed; the same command tries them again:", *failures]))
+            raise Failure("\n  ".join([f"{len(failures)} tasks failed; the same command repeats them:", *failures]))
         folder.clear()
         return DAMAGED if faults else 0
 
 
-def _answer(options, plan, folder):
-    """Does what is left to do. @return what failed, in sentences."""
-    if all(record_of(folder.answers(name)) for name in plan["bags"]):
+def _evaluate(options, plan, folder):
+    """Does the remaining work. @return failures, as sentences"""
+    if all(record_of(folder.results(name)) for name in plan["bags"]):
         return []
     with connect(options.scheduler) as client:
         campaign = Campaign(client, plan, folder)
@@ -47,9 +47,9 @@ def _answer(options, plan, folder):
 
 
 def _report(plan, folder):
-    """Tells what stands in the answers, as contact_replay does. @return what could not be read, in sentences."""
-    slices = [record for name in plan["bags"] for record in (record_of(folder.answers(name)) or {"done": []})["done"]]
-    print(f"{sum(record['answers'] for record in slices)} answers of {len(plan['bags'])} bags in {folder.path}")
+    """Prints a summary of the results, as contact_replay does. @return parts that could not be read, as sentences"""
+    slices = [record for name in plan["bags"] for record in (record_of(folder.results(name)) or {"done": []})["done"]]
+    print(f"{sum(record['results'] for record in slices)} results of {len(plan['bags'])} bags in {folder.path}")
     for status, count in sum((Counter(record["statuses"]) for record in slices), Counter()).items():
         print(f"  {status}: {count}")
     dropped = Counter()
@@ -58,8 +58,8 @@ def _report(plan, folder):
             dropped[inputs, reason] += count
     for (inputs, reason), count in dropped.items():
         print(f"  {inputs}: {count} messages dropped: {reason}")
-    for answers, count in sum((Counter(record["lacking_neighbour"]) for record in slices), Counter()).items():
-        print(f"  {answers}: {count} answers lack a neighbour's forces")
+    for topic, count in sum((Counter(record["lacking_neighbour"]) for record in slices), Counter()).items():
+        print(f"  {topic}: {count} results lack a neighbour's forces")
     faults = list(dict.fromkeys(fault for record in slices for fault in record["faults"]))
     for fault in faults:
         print(f"  {fault}")
@@ -75,18 +75,21 @@ def _slice(text):
 
 def _parser():
     parser = argparse.ArgumentParser(
-        prog="contact_campaign", description="Answers bags as contact_replay does, on every core of this machine or on the "
-        "workers of a Dask scheduler. Long bags are cut into slices, whose answers are joined: each file is the one that "
-        "contact_replay writes. The same command goes on where an earlier one was broken off. See doc/campaign.md.")
-    parser.add_argument("bags", nargs="+", metavar="BAG", help="bag to answer")
-    parser.add_argument("--out", required=True, metavar="DIR", help="folder for the answers and manifest.json")
-    parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="Dask scheduler (default: one of its own)")
+        prog="contact_campaign", description="Evaluates bags as contact_replay does, on every core of this machine or "
+        "on the workers of a Dask scheduler. Long bags are divided into slices, and the results of the slices are joined. "
+        "Each file is identical to that of contact_replay. After an interruption, the same command continues. See "
+        "doc/campaign.md.")
+    parser.add_argument("bags", nargs="+", metavar="BAG", help="bag to evaluate")
+    parser.add_argument("--out", required=True, metavar="DIR", help="folder for the results and manifest.json")
+    parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="address of a Dask scheduler (default: a local one)")
     parser.add_argument("--slice", type=_slice, default=SLICE, metavar="N",
-                        help="answers in a slice, about (default: %(default)s)")
+                        help="approximate number of results in a slice (default: %(default)s)")
     parser.add_argument("--config", action="append", default=[], metavar="F.yaml",
-                        help="path of a parameter file, laid over the defaults and the files given before")
-    parser.add_argument("--wheelset", nargs="+", default=[], metavar="NAME", help="as contact_replay takes it")
-    parser.add_argument("--keep-topics", action="store_true", help="likewise")
-    parser.add_argument("--no-grids", action="store_true", help="likewise")
-    parser.add_argument("--lz4", action="store_true", help="likewise")
+                        help="path of a parameter file, applied over the defaults and over the files given before")
+    parser.add_argument("--wheelset", nargs="+", default=[], metavar="NAME",
+                        help="namespaces of several wheelsets, as in contact_replay")
+    parser.add_argument("--keep-topics", action="store_true",
+                        help="copy the other messages of the bags, as in contact_replay")
+    parser.add_argument("--no-grids", action="store_true", help="omit the pressure grids, as in contact_replay")
+    parser.add_argument("--lz4", action="store_true", help="compress the bags of results, as in contact_replay")
     return parser

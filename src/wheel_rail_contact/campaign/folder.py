@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The campaign's folder: answers, what is left of unfinished bags, and the manifest.
+"""Folder of a campaign: results, slices of unfinished bags, and the manifest.
 
-A slice or a bag is done when its record, a JSON file beside it, is there; records come after what they tell, both by
-renaming. So whoever is killed leaves nothing that counts and is not whole."""
+A slice or a bag is done when its record exists, a JSON file next to it. The record is written after the file that it
+describes. Both get their name by renaming. A process that is killed therefore never leaves an incomplete file that counts
+as done.
+"""
 import contextlib
 import fcntl
 import json
@@ -12,15 +14,15 @@ from pathlib import Path
 
 from ..command import Failure
 
-FORMAT = 2  # of the manifest and the records
+FORMAT = 3  # of the manifest and the records
 MANIFEST = "manifest.json"
-WORK = "unfinished"  # folder of slices
+WORK = "unfinished"  # subfolder of the slices
 LOCK = ".lock"
-COMMON = ("folder", "options", "slice", "configs")  # of a plan: equal whenever a campaign goes on
+COMMON = ("folder", "options", "slice", "configs")  # keys of a plan that must not change when a campaign continues
 
 
 def write_json(path, content):
-    """In one step: a reader finds the old file or the new one."""
+    """Writes a file in one step: a reader finds either the old file or the new one."""
     partial = path.with_name(f"{path.name}.{os.getpid()}.partial")
     with open(partial, "w", encoding="utf-8") as stream:
         json.dump(content, stream, indent=1)
@@ -31,7 +33,7 @@ def write_json(path, content):
 
 
 def read_json(path):
-    """Content of a file, None where there is none."""
+    """Content of a file; None if it does not exist."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -39,67 +41,70 @@ def read_json(path):
 
 
 class Folder:
-    """Where a campaign's files stand."""
+    """Paths and files of a campaign."""
 
     def __init__(self, path):
         self.path = Path(path).resolve()
 
     @contextlib.contextmanager
     def opened(self):
-        """Makes the folder or takes up one of a campaign; nobody else may be at work in it. Gives the manifest."""
+        """Creates the folder, or opens the folder of an earlier run, and locks it. Yields its manifest; None if new.
+
+        Raises Failure if the folder contains other files, or if another campaign uses it.
+        """
         self.path.mkdir(parents=True, exist_ok=True)
         if not (self.path / MANIFEST).is_file() and any(file.name != LOCK for file in self.path.iterdir()):
-            raise Failure(f"--out {self.path}: is not empty, and no campaign's folder")
+            raise Failure(f"--out {self.path}: is not empty, and is not the folder of a campaign")
         with open(self.path / LOCK, "w", encoding="ascii") as lock:
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:
-                raise Failure(f"--out {self.path}: another campaign is at work there") from None
+                raise Failure(f"--out {self.path}: is in use by another campaign") from None
             manifest = read_json(self.path / MANIFEST)
             if manifest and manifest["format"] != FORMAT:
-                raise Failure(f"--out {self.path}: holds a campaign of another version of contact_campaign (format "
-                              f"{manifest['format']}, not {FORMAT}); take another folder, or finish it with that version")
+                raise Failure(f"--out {self.path}: contains a campaign of another version of contact_campaign (format "
+                              f"{manifest['format']}, not {FORMAT}); use another folder, or finish it with that version")
             yield manifest
 
-    def answers(self, bag):
-        """The bag of answers."""
+    def results(self, bag):
+        """Path of the bag of results."""
         return self.path / bag
 
     def part(self, bag, number):
-        """The answers of a slice."""
+        """Path of the results of a slice."""
         return self.path / WORK / bag / f"{number:06}.bag"
 
     def clear(self):
-        """Removes what slices have left, once all are joined."""
+        """Removes the files of the slices; call it when all are joined."""
         shutil.rmtree(self.path / WORK, ignore_errors=True)
 
     def write_manifest(self, plan):
-        """The plan with what is known of each bag."""
-        bags = {name: {**entry, **(record_of(self.answers(name)) or {})} for name, entry in plan["bags"].items()}
+        """Writes the plan, with the records of the bags that are done."""
+        bags = {name: {**entry, **(record_of(self.results(name)) or {})} for name, entry in plan["bags"].items()}
         write_json(self.path / MANIFEST, {**plan, "bags": bags})
 
 
 def require_same(plan, before):
-    """A campaign goes on with the same bags and options only, or its answers would not belong together."""
+    """Raises Failure if the plan differs from that of the earlier run: all results must come from the same options."""
     for name in COMMON:
         if plan[name] != before[name]:
-            raise Failure(f"{name} {plan[name]} is not that of the campaign in this folder: {before[name]}")
+            raise Failure(f"{name}: {plan[name]} differs from the campaign in this folder: {before[name]}")
     for bag, entry in plan["bags"].items():
         known = before["bags"].get(bag)
         if known is None or any(entry[key] != known[key] for key in entry):
-            raise Failure(f"{bag} is not in the campaign in this folder, or has changed since")
+            raise Failure(f"{bag} is not part of the campaign in this folder, or has been changed")
     missing = before["bags"].keys() - plan["bags"].keys()
     if missing:
-        raise Failure(f"{', '.join(sorted(missing))} of the campaign in this folder was not named")
+        raise Failure(f"missing bags of the campaign in this folder: {', '.join(sorted(missing))}")
 
 
 def record_path(path):
-    """The file that tells of a slice's or a bag's answers."""
+    """Path of the record of a slice or a bag."""
     return path.with_name(path.name + ".json")
 
 
 def record_of(path):
-    """What is known of answers that are there; None if they are not, or not whole."""
+    """Record of a slice or a bag; None if its results do not exist or are incomplete."""
     record = read_json(record_path(path))
-    whole = record is not None and path.is_file() and path.stat().st_size == record["bytes"]
-    return record if whole else None
+    complete = record is not None and path.is_file() and path.stat().st_size == record["bytes"]
+    return record if complete else None

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ctrl-C that is not lost."""
+"""Handling of Ctrl-C that does not lose it."""
 import signal
 
 
 class Interrupts:
-    """Within it, the first SIGINT is noted, to be raised where raise_noted is called: Python drops a KeyboardInterrupt
-    that strikes in a destructor or a callback of the libraries in use, and the work would go on to its end. Each later
-    one is raised at once, for the user of a call that never returns. A SIGINT that is ignored or handled by others stays
-    so. For the main thread only."""
+    """Context in which the first SIGINT is noted, and raised as KeyboardInterrupt by raise_noted().
+
+    Python drops a KeyboardInterrupt that is raised in a destructor or in a callback of a library. The work would then
+    continue to its end. Each later SIGINT is raised immediately, in case a call never returns. If SIGINT is ignored, or
+    handled elsewhere, this is not changed. Only for the main thread.
+    """
 
     def __enter__(self):
         self._noted = False
@@ -26,6 +28,6 @@ class Interrupts:
         self._noted = True
 
     def raise_noted(self):
-        """Raises KeyboardInterrupt if there was a SIGINT."""
+        """Raises KeyboardInterrupt if a SIGINT was noted."""
         if self._noted:
             raise KeyboardInterrupt

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loaded by the workers of a cluster of one's own: Ctrl-C in their terminal is for the campaign, which ends them."""
+"""Preloaded by the workers of a local cluster. They ignore Ctrl-C, because the campaign handles it and ends them."""
 import signal
 
 signal.signal(signal.SIGINT, signal.SIG_IGN)

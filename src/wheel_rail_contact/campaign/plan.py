@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a campaign has to do: which bags, cut where. Nothing here depends on the workers."""
+"""Plan of a campaign: the bags, and the limits of their slices. It does not depend on the workers."""
 import hashlib
 import math
 import sys
@@ -21,28 +21,31 @@ def sha256(path):
 
 
 def read_index(path, wheelsets):
-    """How many poses a bag holds, and when its recording begins and ends [s]."""
+    """Number of poses in a bag, and the times at which its recording begins and ends [s]."""
     poses = [f"{slash}{name.strip('/')}/wheelset/pose" if name.strip("/") else f"{slash}wheelset/pose"
              for name in wheelsets or [""] for slash in ("", "/")]
-    with rosbag.Bag(str(path), skip_index=True) as bag:  # without the places of its messages
+    with rosbag.Bag(str(path), skip_index=True) as bag:  # does not read the positions of the messages
         count = bag.get_message_count(poses)
         return (count, bag.get_start_time(), bag.get_end_time()) if count else (0, 0, 0)
 
 
 def cuts(path, wheelsets, per_slice):
-    """Recording times [s], as text, between slices of about `per_slice` answers; none for a bag that is one slice, such as
-    one that must be read whole (damaged, or no bag), of which the user is told."""
+    """Recording times [s], as text, between slices of about `per_slice` results. Empty if the bag is one slice.
+
+    A bag with an unreadable index is one slice. This is reported on standard error.
+    """
     try:
         poses, start, end = read_index(path, wheelsets)
-    except Exception as error:  # rosbag lets decoders' own through
-        print(f"contact_campaign: {path}: is one slice, since its index cannot be read ({error})", file=sys.stderr)
+    except Exception as error:  # rosbag does not convert the exceptions of its decoders
+        print(f"contact_campaign: {path}: evaluated as one slice, because its index cannot be read ({error})",
+              file=sys.stderr)
         return []
     count = math.ceil(poses / per_slice)
     return list(dict.fromkeys(f"{start + k * (end - start) / count:.6f}" for k in range(1, count)))
 
 
 def plan_of_bag(path, wheelsets, per_slice):
-    """The campaign's entry for a bag."""
+    """Entry of a bag in the plan."""
     state = path.stat()
     at = [None, *cuts(path, wheelsets, per_slice), None]
     return {"bag": str(path), "size": state.st_size, "modified": state.st_mtime_ns,
@@ -50,12 +53,15 @@ def plan_of_bag(path, wheelsets, per_slice):
 
 
 def plan_of(options, before=None):
-    """The campaign as a dictionary, told by its manifest. Bags that have not changed since `before` keep its cuts."""
+    """The plan as a dictionary, as in the manifest.
+
+    @param before manifest of an earlier run: bags that have not changed keep their slices
+    """
     bags = [Path(name).resolve() for name in options.bags]
     names = [bag.name for bag in bags]
     for name in names:
         if names.count(name) > 1:
-            raise Failure(f"two bags are named {name}: their answers would have one name")
+            raise Failure(f"two bags are named {name}: their results would have the same name")
     plan = {"format": FORMAT, "folder": str(Path.cwd()), "options": replay_options(options), "slice": options.slice,
             "configs": {str(Path(name).resolve()): sha256(name) for name in options.config}, "bags": {}}
     for bag in bags:
@@ -69,7 +75,7 @@ def plan_of(options, before=None):
 
 
 def replay_options(options):
-    """What contact_replay is told beside the bag and the slice."""
+    """Options of contact_replay other than the bag and the slice."""
     words = [word for name in options.config for word in ("--config", str(Path(name).resolve()))]
     words += ["--wheelset", *options.wheelset] if options.wheelset else []
     return words + [f"--{name}" for name in ("keep-topics", "no-grids", "lz4") if getattr(options, name.replace("-", "_"))]

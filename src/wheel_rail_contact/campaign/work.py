@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a worker does. Either function may run twice for the same slice, at once or later: the result is the same file."""
+"""Tasks of a worker.
+
+Each function may run twice for the same slice, even at the same time. The resulting file is the same.
+"""
 import contextlib
 import os
 import re
@@ -15,15 +18,16 @@ from .folder import record_of, record_path, write_json
 from .plan import sha256
 
 DONE, DAMAGED = 0, 3  # exit statuses of contact_replay
-DIES_WITH_ITS_WORKER = ("setpriv", "--pdeathsig", "KILL")
-ANSWERED = re.compile(r"(\d+) pairs answered")
+END_WITH_WORKER = ("setpriv", "--pdeathsig", "KILL")
+# Lines of the summary that contact_replay prints.
+EVALUATED = re.compile(r"^(\d+) .* in \S+ s, ", re.MULTILINE)
 STATUS = re.compile(r"  ([A-Z_]+): (\d+) \(")
 DROPPED = re.compile(r"  (\S*): (\d+) messages dropped: (.*)")
-LACKING = re.compile(r"  (\S*): (\d+) answers lack a neighbour's forces")
+LACKING = re.compile(r"  (\S*): (\d+) \w+ lack a neighbour's forces")
 
 
-def answer_slice(task):
-    """Answers one slice. @return its record."""
+def evaluate_slice(task):
+    """Evaluates one slice. @return its record"""
     part = Path(task["part"])
     known = record_of(part)
     if known:
@@ -33,30 +37,30 @@ def answer_slice(task):
     span = (["--from", start] if start else []) + (["--to", end] if end else [])
     began = time.monotonic()
     with _partial(part.parent) as partial:
-        command = [*DIES_WITH_ITS_WORKER, runner("contact_replay"), task["bag"], partial, "--threads", "1", *span,
+        command = [*END_WITH_WORKER, runner("contact_replay"), task["bag"], partial, "--threads", "1", *span,
                    *task["options"]]
         run = subprocess.run(command, cwd=task["folder"], capture_output=True, text=True, check=False)
         if run.returncode not in (DONE, DAMAGED):
-            raise Failure(_last_words(run))
+            raise Failure(_last_line(run))
         record = {**_summary(run.stdout), "from": start, "to": end, "faults": _faults(run),
                   "seconds": round(time.monotonic() - began, 3), "worker": f"{socket.gethostname()}:{os.getpid()}"}
         return _finish(partial, part, record)
 
 
 def join_slices(task):
-    """Joins the slices of a bag and removes them. @return its record."""
-    answers = Path(task["answers"])
-    known = record_of(answers)
+    """Joins the slices of a bag and removes them. @return the record of the bag"""
+    results = Path(task["results"])
+    known = record_of(results)
     if known is None:
         parts = [Path(part) for part in task["parts"]]
         records = [_checked(part) for part in parts]
         with _partial(parts[0].parent) as partial:
             compression = ["--lz4"] if "--lz4" in task["options"] else []
-            run = subprocess.run([*DIES_WITH_ITS_WORKER, runner("contact_join"), *compression, partial, *parts],
+            run = subprocess.run([*END_WITH_WORKER, runner("contact_join"), *compression, partial, *parts],
                                  capture_output=True, text=True, check=False)
             if run.returncode != DONE:
-                raise Failure(_last_words(run))
-            known = _finish(partial, answers, {"answers": sum(record["answers"] for record in records),
+                raise Failure(_last_line(run))
+            known = _finish(partial, results, {"results": sum(record["results"] for record in records),
                                                "done": records})
     shutil.rmtree(Path(task["parts"][0]).parent, ignore_errors=True)
     return known
@@ -64,7 +68,7 @@ def join_slices(task):
 
 @contextlib.contextmanager
 def _partial(folder):
-    """A name for a file that nobody else writes to; removed unless it was renamed."""
+    """A unique file name for this task. The file is removed at the end, unless it was renamed."""
     path = folder / f"{uuid.uuid4().hex}.partial"
     try:
         yield path
@@ -73,7 +77,7 @@ def _partial(folder):
 
 
 def _finish(partial, path, record):
-    """Makes the file and then its record appear."""
+    """Renames the finished file, then writes its record. @return the record"""
     record = {"sha256": sha256(partial), "bytes": partial.stat().st_size, **record}
     os.replace(partial, path)
     write_json(record_path(path), record)
@@ -81,28 +85,30 @@ def _finish(partial, path, record):
 
 
 def _checked(part):
-    """The record of a slice whose bytes are those that were written."""
+    """Record of a slice. Raises Failure if the file differs from its checksum."""
     record = record_of(part)
     if record is None or sha256(part) != record["sha256"]:
         record_path(part).unlink(missing_ok=True)
-        raise Failure(f"{part} is not as it was written; the same command answers it again")
+        raise Failure(f"{part} was changed after it was written; the same command evaluates it again")
     return record
 
 
 def _summary(text):
+    """Counts of the summary that contact_replay prints."""
     statuses = {name: int(count) for name, count in STATUS.findall(text)}
     dropped = [[inputs, int(count), reason] for inputs, count, reason in DROPPED.findall(text)]
-    lacking = {answers: int(count) for answers, count in LACKING.findall(text)}
-    return {"answers": int(ANSWERED.search(text).group(1)), "statuses": statuses, "dropped": dropped,
+    lacking = {topic: int(count) for topic, count in LACKING.findall(text)}
+    return {"results": int(EVALUATED.search(text).group(1)), "statuses": statuses, "dropped": dropped,
             "lacking_neighbour": lacking}
 
 
 def _faults(run):
-    """Sentences about what could not be read."""
+    """Parts of the bag that could not be read, as sentences."""
     start = "contact_replay: "
     return [line[len(start):] for line in run.stderr.splitlines() if line.startswith(start)]
 
 
-def _last_words(run):
+def _last_line(run):
+    """Last error message of a program."""
     lines = [line for line in run.stderr.splitlines() if line.strip() and not line.startswith("(")]
     return lines[-1] if lines else f"ended with status {run.returncode}"

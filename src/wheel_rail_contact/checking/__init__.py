@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of a simulation's wheel-rail contact against bounds."""
+"""Compares the wheel-rail contact of a simulation with bounds."""

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bounds on the answers of a contact node, as parameters give them, and what breaks them. Knows no ROS node."""
+"""Bounds for the results of a contact node, read from parameters, and their violations. Does not depend on a ROS node."""
 import math
 from dataclasses import dataclass, field
 
 from ..message_constants import SIDES, STATUSES, USABLE
 
-QUANTITIES = {  # of each patch, with units
+QUANTITIES = {  # of each patch -> unit
     "max_pressure": "Pa",
     "area": "m^2",
     "contact_angle": "rad",
@@ -16,11 +16,11 @@ QUANTITIES = {  # of each patch, with units
 
 
 class BadParameter(ValueError):
-    """A parameter that cannot be used; the message has its name, its value and the rule."""
+    """Invalid parameter. The message contains its name, its value and the violated rule."""
 
 
 def number(name, value):
-    """A finite number, or a string that is one: YAML 1.1 reads 2e9 as a string."""
+    """A finite number. May be given as a string, because YAML 1.1 reads 2e9 as a string."""
     try:
         if isinstance(value, bool):
             raise ValueError
@@ -54,15 +54,15 @@ def yes_or_no(name, value):
 
 @dataclass
 class Limits:
-    """What is asked of the answers. The fields' names are those of the parameters."""
-    answers: int = 1              # least number
-    refusals: int = 0             # largest number of answers that are not usable
-    lift_offs: int = 0            # largest number of answers with a wheel that carries nothing
-    flange_contact: bool = True   # False: no patch may have flange_angle or more
-    flange_angle: float = 0.7     # contact angle from which a patch counts as on the flange [rad]
-    patience: float = 60.0        # for the first answer [s] of wall time
-    idle: float = 3.0             # the run is over when no answer has come for so long [s] of wall time
-    bounds: dict = field(default_factory=dict)  # of QUANTITIES: (min, max)
+    """Requirements for the results. The names of the fields are those of the parameters."""
+    answers: int = 1              # minimum number of results
+    refusals: int = 0             # maximum number of results that are not usable
+    lift_offs: int = 0            # maximum number of results in which a wheel carries no load
+    flange_contact: bool = True   # False: a contact angle of flange_angle or more is a violation
+    flange_angle: float = 0.7     # contact angle from which a patch counts as flange contact [rad]
+    patience: float = 60.0        # maximum wall time until the first result [s]
+    idle: float = 3.0             # wall time without a result after which the run is considered finished [s]
+    bounds: dict = field(default_factory=dict)  # name in QUANTITIES -> (min, max)
 
 
 PARSERS = {"answers": whole_number, "refusals": whole_number, "lift_offs": whole_number, "flange_contact": yes_or_no,
@@ -70,7 +70,7 @@ PARSERS = {"answers": whole_number, "refusals": whole_number, "lift_offs": whole
 
 
 def read_limits(parameters):
-    """Limits from the node's private parameters; raises BadParameter for a wrong value or an unknown name."""
+    """Limits from the private parameters of the node. Raises BadParameter for an invalid value or an unknown name."""
     limits = Limits()
     for name, value in parameters.items():
         if name == "bounds":
@@ -78,7 +78,7 @@ def read_limits(parameters):
         elif name in PARSERS:
             setattr(limits, name, PARSERS[name](name, value))
         else:
-            raise BadParameter(f"{name} = {value!r}: there is no such parameter; known are "
+            raise BadParameter(f"{name} = {value!r}: unknown parameter; valid names are "
                                + ", ".join([*PARSERS, "bounds"]))
     return limits
 
@@ -90,64 +90,64 @@ def _read_bounds(groups):
     for quantity, ends in groups.items():
         name = f"bounds/{quantity}"
         if quantity not in QUANTITIES:
-            raise BadParameter(f"{name}: there is no such quantity; known are {', '.join(QUANTITIES)}")
+            raise BadParameter(f"{name}: unknown quantity; valid names are {', '.join(QUANTITIES)}")
         if not isinstance(ends, dict) or not ends or not set(ends) <= {"min", "max"}:
-            raise BadParameter(f"{name} = {ends!r}: must have min, max or both, and nothing else")
+            raise BadParameter(f"{name} = {ends!r}: must contain min, max or both, and nothing else")
         low = number(name + "/min", ends.get("min", -1e300))
         high = number(name + "/max", ends.get("max", 1e300))
         if low > high:
-            raise BadParameter(f"{name}: min = {low:g} is above max = {high:g}")
+            raise BadParameter(f"{name}: min = {low:g} must not be above max = {high:g}")
         bounds[quantity] = (low, high)
     return bounds
 
 
 def check_names(limits):
-    """What is checked, one name for each result."""
+    """Names of the checks. Each one is a test of the rostest."""
     flange = [] if limits.flange_contact else ["flange_contact"]
     return ["answers", "refusals", "lift_offs", *flange, *limits.bounds]
 
 
-def complaint(check, limits, answers):
-    """Why the answers break a check, as text; empty if they do not."""
+def violation(check, limits, results):
+    """Violation of a check by the results, as text; empty if there is none."""
     if check == "answers":
-        return _too_few(limits, answers)
+        return _too_few(limits, results)
     if check == "refusals":
-        return _too_many("refused", limits.refusals, [a for a in answers if a.status not in USABLE])
+        return _too_many("refused", limits.refusals, [r for r in results if r.status not in USABLE])
     if check == "lift_offs":
-        return _too_many("with a wheel off the rail", limits.lift_offs,
-                         [a for a in answers if STATUSES[a.status] == "LIFT_OFF"])
+        return _too_many("with a wheel that carries no load", limits.lift_offs,
+                         [r for r in results if STATUSES[r.status] == "LIFT_OFF"])
     if check == "flange_contact":
-        return _outside("contact_angle", lambda angle: angle < limits.flange_angle, -1e300, limits.flange_angle, answers,
+        return _outside("contact_angle", lambda angle: angle < limits.flange_angle, -1e300, limits.flange_angle, results,
                         "flange contact: ")
     low, high = limits.bounds[check]
-    return _outside(check, lambda value: low <= value <= high, low, high, answers, "")
+    return _outside(check, lambda value: low <= value <= high, low, high, results, "")
 
 
-def _too_few(limits, answers):
-    return "" if len(answers) >= limits.answers else f"{len(answers)} answers, at least {limits.answers} are asked for"
+def _too_few(limits, results):
+    return "" if len(results) >= limits.answers else f"{len(results)} results, at least {limits.answers} are required"
 
 
-def _when(answer):
-    """The stamp to the millisecond, also where it is the time of day."""
-    return f"at {answer.header.stamp.to_sec():.3f} s"
+def _when(result):
+    """The stamp with milliseconds; it may be a time of day, with ten digits before the point."""
+    return f"at {result.header.stamp.to_sec():.3f} s"
 
 
-def _too_many(what, allowed, answers):
-    if len(answers) <= allowed:
+def _too_many(kind, allowed, results):
+    if len(results) <= allowed:
         return ""
-    first = answers[0]
-    return (f"{len(answers)} answers {what}, {allowed} allowed; the first {_when(first)}: "
+    first = results[0]
+    return (f"{len(results)} results {kind}, {allowed} allowed; the first {_when(first)}: "
             f"{STATUSES[first.status]}: {first.status_text}")
 
 
-def _outside(quantity, is_inside, low, high, answers, prefix):
-    patches = [(getattr(p, quantity), a, p) for a in answers for p in a.patches]
+def _outside(quantity, is_inside, low, high, results, prefix):
+    patches = [(getattr(p, quantity), r, p) for r in results for p in r.patches]
     outside = [entry for entry in patches if not is_inside(entry[0])]
     if not outside:
         return ""
-    value, answer, patch = max(outside, key=lambda entry: max(low - entry[0], entry[0] - high))
+    value, result, patch = max(outside, key=lambda entry: max(low - entry[0], entry[0] - high))
     unit = QUANTITIES[quantity]
     end = f"below {low:g}" if value < low else f"not below {high:g}" if value == high else f"above {high:g}"
-    return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} {_when(answer)}, "
-            f"{SIDES[patch.side]} wheel, y = {1e3 * answer.wheelset.position.y:.4g} mm "
+    return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} {_when(result)}, "
+            f"{SIDES[patch.side]} wheel, y = {1e3 * result.wheelset.position.y:.4g} mm "
             f"({len(outside)} of {len(patches)} patches are outside; this is the worst)")

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's case: runs the calculation, prints its figures beside ours, draws the pictures."""
+"""The case of the paper: runs the calculation, prints the values of the paper and ours, and draws the pictures."""

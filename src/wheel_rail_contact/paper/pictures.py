@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study's pictures."""
+"""Pictures of the study."""
 from . import force_picture, placement_picture, scan_picture
 from .files import read
 
@@ -8,7 +8,7 @@ PICTURES = ((placement_picture, "figure_3.png"), (scan_picture, "scan.png"), (fo
 
 
 def draw(plot, folder):
-    """Draws all pictures into the folder; returns their files."""
+    """Draws all pictures into the folder and returns their paths."""
     return [_save(plot, module.figure(folder, plot, read), folder / name) for module, name in PICTURES]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's Figure 3 from our results: both placements, initial contact points, pressures on one scale."""
+"""Figure 3 of the paper, from our results: both placements, initial contact points, pressures on one scale."""
 import numpy as np
 
 from .colours import BLACK, BLUE, RED
@@ -7,12 +7,12 @@ from .colours import BLACK, BLUE, RED
 SHOWN = ("without", "shifted", "turned", "own_rail")
 TITLES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "and 13 mrad inward",
           "own_rail": "paper's rail, 30 kN, coupled"}
-WINDOW = (714, 778, -19, 3)  # of the profiles: y, z [mm]
-PATCH_WINDOW = (-13, 14, -8, 8)  # across, along [mm]
+WINDOW = (714, 778, -19, 3)  # limits of the profiles: y, z [mm]
+PATCH_WINDOW = (-13, 14, -8, 8)  # limits of the pressures: across, along [mm]
 
 
 def figure(folder, plot, read):
-    """Profiles above, pressures below."""
+    """Top: profiles. Bottom: pressures."""
     drawn = plot.figure(figsize=(11, 5.4))
     grid = drawn.add_gridspec(2, 4, height_ratios=(1.1, 1), left=0.06, right=0.91, top=0.94, bottom=0.09, wspace=0.14,
                               hspace=0.45)
@@ -21,13 +21,13 @@ def figure(folder, plot, read):
         axes = drawn.add_subplot(grid[0, column:column + 2])
         _placements(axes, profiles, contacts, case)
         axes.set_ylabel("z, up [mm]" if column == 0 else "")
-    figures = {row["case"]: row for row in read(folder / "figures.csv")}
+    values = {row["case"]: row for row in read(folder / "figures.csv")}
     patches = read(folder / "patches.csv")
     top = max(row["pressure"] for row in patches if row["case"] in SHOWN)
     for column, case in enumerate(SHOWN):
         axes = drawn.add_subplot(grid[1, column])
         mesh = _pressure(axes, [row for row in patches if row["case"] == case], top)
-        _caption(axes, case, figures[case])
+        _caption(axes, case, values[case])
         if column:
             axes.set_yticklabels([])
         else:
@@ -64,8 +64,8 @@ def _pressure(axes, rows, top):
     return mesh
 
 
-def _caption(axes, case, figures):
+def _caption(axes, case, values):
     def text(prefix):
-        return f"{1e-6 * figures[prefix + 'max_pressure']:.0f} MPa, {1e6 * figures[prefix + 'area']:.0f} mm²"
+        return f"{1e-6 * values[prefix + 'max_pressure']:.0f} MPa, {1e6 * values[prefix + 'area']:.0f} mm²"
 
     axes.set_title(f"{TITLES[case]}\nours {text('')}\n(paper {text('printed_')})", fontsize=9)

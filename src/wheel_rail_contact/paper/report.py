@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study's results as text."""
+"""Results of the study as text."""
 from .files import read
 
 CASES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "the same, 13 mrad inward",
@@ -7,39 +7,39 @@ CASES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned":
 
 
 def text(folder):
-    """All tables."""
+    """All tables of the study."""
     return "\n".join([*_cases(folder), "", *_methods(folder), "", *_scan(folder), "", *_search(folder)])
 
 
-def _figures(row, prefix=""):
+def _values(row, prefix=""):
     pressure, area = row[prefix + "max_pressure"], row[prefix + "area"]
     return f"{1e-6 * pressure:5.0f} / {1e6 * area:5.1f}" if pressure else f"{'-':>13}"
 
 
 def _cases(folder):
-    yield "Highest pressure [MPa] / area [mm2] of the wheel at the flange, y = 0.572 mm, 100 kN on each wheel"
+    yield "Highest pressure [MPa] / area [mm2] of the wheel on the flange side, y = 0.572 mm, 100 kN on each wheel"
     yield f"{'case':30}{'paper':>15}{'ours':>15}{'ours, roll 0':>15}{'CONTACT, roll 0':>17}"
     for row in read(folder / "figures.csv"):
-        figures = [_figures(row, prefix) for prefix in ("printed_", "", "level_", "reference_")]
-        yield f"{CASES[row['case']]:30}{figures[0]:>15}{figures[1]:>15}{figures[2]:>15}{figures[3]:>17}"
+        values = [_values(row, prefix) for prefix in ("printed_", "", "level_", "reference_")]
+        yield f"{CASES[row['case']]:30}{values[0]:>15}{values[1]:>15}{values[2]:>15}{values[3]:>17}"
 
 
 def _methods(folder):
-    yield "The same by method (roll 0): area by its edge, and by counting cells with pressure"
+    yield "The same by method, at roll 0. The area is that within its edge; counted: that of all cells with pressure"
     yield f"{'case':30}{'method':20}{'cells':>8}{'cell, mm':>13}{'stop':>8}{'MPa / mm2':>15}{'counted':>9}"
     for row in read(folder / "methods.csv"):
         cells = f"{row['cells_along']:.0f}x{row['cells_across']:.0f}"
         size = f"{1e3 * row['cell_along']:.2f} x {1e3 * row['cell_across']:.2f}" if row["area"] else "-"
         counted = f"{1e6 * row['counted_area']:.1f}" if row["area"] else "-"
-        yield (f"{CASES[row['case']]:30}{row['method']:20}{cells:>8}{size:>13}{row['stop']:>8g}{_figures(row):>15}"
+        yield (f"{CASES[row['case']]:30}{row['method']:20}{cells:>8}{size:>13}{row['stop']:>8g}{_values(row):>15}"
                f"{counted:>9}")
 
 
 def _scan(folder):
     rows = read(folder / "scan.csv")
-    yield f"Nearest of {len(rows)} settings; off: the larger deviation of pressure and area from the paper"
-    yield (f"{'scan':32}{'rail':17}{'inclination':>8}{'y, mm':>8}{'shift, mm':>10}{'turn, mrad':>11}{'without':>15}"
-           f"{'with':>15}{'off, %':>8}")
+    yield f"Nearest of {len(rows)} settings. Deviation: the larger one of pressure and area from the values of the paper"
+    yield (f"{'scan':34}{'rail':17}{'inclination':>12}{'y, mm':>8}{'shift, mm':>10}{'turn, mrad':>11}{'without':>15}"
+           f"{'with':>15}{'deviation, %':>14}")
     for title, part, key, chosen in _SEARCHES:
         for rail in dict.fromkeys(row["rail"] for row in rows):
             found = [row for row in rows if row["part"] == part and row["rail"] == rail and chosen(row)]
@@ -48,19 +48,19 @@ def _scan(folder):
 
 
 def _nearest(title, row, key):
-    first, second = (_figures(row), "") if key == "deviation_without" else (_figures(row, "without_"), _figures(row))
-    return (f"{title:32}{row['rail']:17}{row['inclination']:8.5f}{1e3 * row['y']:8.2f}{1e3 * row['crown_lateral']:10.4f}"
-            f"{1e3 * row['rail_turn']:11.2f}{first:>15}{second:>15}{100 * row[key]:8.1f}")
+    first, second = (_values(row), "") if key == "deviation_without" else (_values(row, "without_"), _values(row))
+    return (f"{title:34}{row['rail']:17}{row['inclination']:12.5f}{1e3 * row['y']:8.2f}{1e3 * row['crown_lateral']:10.4f}"
+            f"{1e3 * row['rail_turn']:11.2f}{first:>15}{second:>15}{100 * row[key]:14.1f}")
 
 
 def _search(folder):
     rows = read(folder / "search.csv")
-    yield "Figures with bending on rails that give way to a lateral force, y = 2 to 8 mm: nearest for each table"
-    yield f"{'rail':17}{'y, mm':>8}{'Y, kN':>8}{'shift, mm':>10}{'turn, mrad':>11}{'MPa / mm2':>15}{'off, %':>8}"
+    yield "Values with bending on rails under a lateral force, y = 2 to 8 mm: nearest setting for each table"
+    yield f"{'rail':17}{'y, mm':>8}{'Y, kN':>8}{'shift, mm':>10}{'turn, mrad':>11}{'MPa / mm2':>15}{'deviation, %':>14}"
     for table in dict.fromkeys(row["table"] for row in rows):
         row = min((row for row in rows if row["table"] == table), key=lambda row: row["deviation_with"])
         yield (f"{table:17}{1e3 * row['y']:8.2f}{1e-3 * row['lateral_force']:8.0f}{1e3 * row['rail_lateral']:10.3f}"
-               f"{1e3 * row['rail_roll']:11.2f}{_figures(row):>15}{100 * row['deviation_with']:8.1f}")
+               f"{1e3 * row['rail_roll']:11.2f}{_values(row):>15}{100 * row['deviation_with']:14.1f}")
 
 
 def _any(_):
@@ -74,15 +74,15 @@ def _within_printed(row):
 _SEARCHES = (
     ("without bending, 100 kN", "start", "deviation_without", lambda row: row["load"] > 75e3),
     ("without bending, 50 kN", "start", "deviation_without", lambda row: row["load"] < 75e3),
-    ("shift only, to 0.25 mm", "shift", "deviation_pair", _within_printed),
-    ("shift only, to 5 mm", "shift", "deviation_pair", _any),
-    ("wheelset rolled to 1 mrad", "roll", "deviation_pair", _any),
+    ("shift only, up to 0.25 mm", "shift", "deviation_pair", _within_printed),
+    ("shift only, up to 5 mm", "shift", "deviation_pair", _any),
+    ("wheelset rolled up to 1 mrad", "roll", "deviation_pair", _any),
     ("other rail displaced", "rails", "deviation_pair", _any),
-    ("shift, turned inward", "pair", "deviation_pair", lambda row: row["rail_turn"] < 0),
-    ("shift, turned outward", "pair", "deviation_pair", lambda row: row["rail_turn"] > 0),
-    ("any inclination, not turned", "inclination", "deviation_pair", lambda row: abs(row["rail_turn"]) < 1e-9),
-    ("any inclination, to 2 mrad out", "inclination", "deviation_pair", lambda row: 0 <= row["rail_turn"] < 2.1e-3),
-    ("any inclination, inward", "inclination", "deviation_pair", lambda row: row["rail_turn"] < 0),
-    ("any inclination, outward", "inclination", "deviation_pair", lambda row: row["rail_turn"] > 0),
-    ("with bending, by itself", "alone", "deviation_with", _any),
+    ("shift, and turn inward", "pair", "deviation_pair", lambda row: row["rail_turn"] < 0),
+    ("shift, and turn outward", "pair", "deviation_pair", lambda row: row["rail_turn"] > 0),
+    ("any inclination, no turn", "inclination", "deviation_pair", lambda row: abs(row["rail_turn"]) < 1e-9),
+    ("any inclination, 0 to 2 mrad out", "inclination", "deviation_pair", lambda row: 0 <= row["rail_turn"] < 2.1e-3),
+    ("any inclination, turn inward", "inclination", "deviation_pair", lambda row: row["rail_turn"] < 0),
+    ("any inclination, turn outward", "inclination", "deviation_pair", lambda row: row["rail_turn"] > 0),
+    ("with bending only", "alone", "deviation_with", _any),
 )

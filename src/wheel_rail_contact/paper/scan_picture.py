@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where settings lie in the plane of area and highest pressure, and the paper's two points in it."""
+"""Settings in the plane of area and highest pressure, with the two points of the paper."""
 from .colours import BLACK, BLUE, GREEN, ORANGE, RED
 
 RAIL = "UIC60_manchester"
@@ -8,7 +8,7 @@ MARKED_SHIFTS = (-3, -1, 1, 2, 3, 4)  # [mm]
 
 
 def figure(folder, plot, read):
-    """Curves of pure shift and of turning, from the same start."""
+    """Curves of displacement only, and of displacement and turn, from the same start."""
     rows = [row for row in read(folder / "scan.csv") if row["rail"] == RAIL]
     pairs = [row for row in rows if row["part"] == "pair" and abs(row["crown_lateral"] - 0.2435e-3) < 1e-9]
     start = min(pairs, key=lambda row: row["deviation_pair"])["y"]
@@ -28,7 +28,7 @@ def figure(folder, plot, read):
                       textcoords="offset points", zorder=6, weight="bold",
                       bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
     axes.set(xlabel="area [mm²]", ylabel="highest pressure [MPa]", xlim=(90, 215), ylim=(780, 1720),
-             title=f"S1002 on UIC60, 1:40, y = {1e3 * start:.2f} mm, 100 kN, unless said")
+             title=f"S1002 on UIC60, 1:40, y = {1e3 * start:.2f} mm, 100 kN, unless stated otherwise")
     axes.grid(color="0.88", linewidth=0.6)
     axes.legend(fontsize=8, loc="lower left")
     return drawn

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The finite-element step: mesh, loads, supports, solution, and the head's compliance from it."""
+"""Finite-element analysis: mesh, loads, supports, solution, and the compliance of the rail head."""
 import tempfile
 from contextlib import nullcontext
 from dataclasses import dataclass
@@ -15,15 +15,15 @@ from .mesh import Mesh
 from .stations import stations
 from .supports import Supports, supports
 
-ECCENTRICITY = 0.020        # of the vertical force that gives the moment [m]
-COARSER = 1.5               # mesh size of the second solution, over that of the first
-CONVERGENCE_ORDER = 1.5     # of the compliances with the mesh size (seen: 1.5 to 1.8 on meshes of 36 to 7 mm)
+ECCENTRICITY = 0.020        # lever arm of the vertical force that causes the moment [m]
+COARSER = 1.5               # mesh size of the second solution, divided by that of the first
+CONVERGENCE_ORDER = 1.5     # of the compliances with the mesh size (found: 1.5 to 1.8 for mesh sizes of 36 to 7 mm)
 COMPLIANCES = ("lateral_lateral", "lateral_roll", "roll_roll", "vertical_vertical")
 
 
 @dataclass
 class Model:
-    """All that the input deck says."""
+    """Content of the input deck."""
     mesh: Mesh
     supports: Supports
     cases: list
@@ -37,21 +37,24 @@ class Solution:
     """Result of one mesh, per unit force on the whole rail; compliances in SI (see COMPLIANCES)."""
     mesh: Mesh
     compliance: dict
-    asymmetry: float       # |roll per Y - displacement per M| over their mean: 0 by Maxwell-Betti
+    asymmetry: float       # |roll per Y - displacement per M| / mean of both: 0 by Maxwell-Betti
     neighbours: list       # one compliance dictionary per distance
     unknowns: int
-    check: np.ndarray      # displacements (nodes, 3) [m] under the study's check load, right in the loaded section
-    check_crown: float     # lateral displacement of the crown there [m]
-    check_roll: float      # roll of the head there [rad]
+    check: np.ndarray      # displacements (nodes, 3) [m] under the check load; valid only in the loaded section
+    check_crown: float     # lateral displacement of the crown in the loaded section [m]
+    check_roll: float      # roll of the head in the loaded section [rad]
 
 
 def solve(study, mesh_size, progress, deck_directory=None):
-    """Solve the study on one mesh. `progress(text)` is told what begins; the deck is kept in `deck_directory` if given.
+    """Solves the study on one mesh.
+
+    @param progress is called with the name of each step when it begins
+    @param deck_directory keeps the deck, if given
 
     Raises Failure if a program is missing or fails.
     """
-    place = nullcontext(deck_directory) if deck_directory else tempfile.TemporaryDirectory(prefix="rail_compliance_")
-    with place as directory:
+    location = nullcontext(deck_directory) if deck_directory else tempfile.TemporaryDirectory(prefix="rail_compliance_")
+    with location as directory:
         directory = Path(directory)
         progress(f"meshing with {mesh_size:g} m")
         mesh = _mesh(study, mesh_size, directory)
@@ -59,8 +62,8 @@ def solve(study, mesh_size, progress, deck_directory=None):
         heads = [Head(mesh, x, study.section.height - study.head_depth, study.section.height - REFERENCE_DEPTH)
                  for x in (0.0, *study.neighbours)]
         reported = np.unique(np.concatenate([mesh.plane_nodes(0, 0.0)] + [head.nodes for head in heads]))
-        holding = supports(study.supports, mesh, study.section, study.pads)
-        model = Model(mesh, holding, _load_cases(study, mesh), reported, study.young, study.poisson)
+        rail_supports = supports(study.supports, mesh, study.section, study.pads)
+        model = Model(mesh, rail_supports, _load_cases(study, mesh), reported, study.young, study.poisson)
         write_deck(directory / "rail.inp", model, fields=deck_directory is not None)
         steps = calculix.solve(directory, "rail", len(model.cases),
                                lambda k: progress(f"solving load case {k} of {len(model.cases)}"))
@@ -81,7 +84,7 @@ def _mesh(study, size, directory):
 
 
 def _load_cases(study, mesh):
-    """Y at the reference height, Q on the axis, Q off the axis; last the check load, if it is another one."""
+    """Load cases: Y at the reference height, Q on the axis, Q off the axis, and the check load if its height is given."""
     section, surface = study.section, HeadSurface(mesh, study.section)
     cases = [surface.lateral(section.gauge_face(section.height - REFERENCE_DEPTH), "Y at the reference height"),
              surface.vertical(section.crown(), "Q on the axis"),
@@ -112,8 +115,10 @@ def _evaluate(study, model, heads, fields):
 
 
 def _compliance(head, cases, fields):
-    """Compliances of the motion of one head from the first three load cases: the moment's part is the difference of the
-    two vertical forces, and what moment the lateral force's patch has is taken out of its part."""
+    """Compliances of the rigid motion of one head, from the first three load cases.
+
+    The difference of the two vertical forces is a moment. The moment of the lateral force is subtracted from its motion.
+    """
     (lateral_case, on_axis, off_axis), motions = cases[:3], [head.motion(field) for field in fields[:3]]
     per_moment = (motions[2] - motions[1]) / (off_axis.moment - on_axis.moment)
     per_lateral = motions[0] - lateral_case.moment * per_moment

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Running CalculiX and reading the displacements it prints."""
+"""Runs CalculiX and reads the displacements that it prints."""
 import re
 import shutil
 import subprocess
@@ -25,29 +25,29 @@ def version():
 
 
 def solve(directory, job, step_count, on_step):
-    """Run ccx on `job`.inp in `directory`; calls on_step(k) when load step k = 1.. begins.
+    """Runs ccx on `job`.inp in `directory`. Calls on_step(k) when load step k = 1, 2, ... begins.
 
     Returns the printed displacements of each step: a list of dictionaries, node number -> array(3) [m].
     Raises Failure if ccx is missing or fails.
     """
     with subprocess.Popen([program(), job], cwd=directory, text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT) as run:
-        complaints = []
+        errors = []
         for line in run.stdout:
             step = re.match(r"\s*STEP\s+(\d+)\s*$", line)
             if step:
                 on_step(int(step.group(1)))
-            if "*ERROR" in line or complaints:
-                complaints.append(line.strip())
+            if "*ERROR" in line or errors:
+                errors.append(line.strip())
     steps = _read_displacements(directory / f"{job}.dat") if (directory / f"{job}.dat").exists() else []
-    if run.returncode != 0 or complaints or len(steps) != step_count:
-        raise Failure("ccx failed: " + (" ".join(complaints[:5]) or f"exit status {run.returncode}, "
+    if run.returncode != 0 or errors or len(steps) != step_count:
+        raise Failure("ccx failed: " + (" ".join(errors[:5]) or f"exit status {run.returncode}, "
                                           f"{len(steps)} of {step_count} steps solved"))
     return steps
 
 
 def _read_displacements(path):
-    """Blocks of `node ux uy uz` lines, one block per step."""
+    """Reads blocks of lines `node ux uy uz`, one block per step."""
     steps = []
     for line in path.read_text(encoding="ascii").splitlines():
         if line.lstrip().startswith("displacements"):

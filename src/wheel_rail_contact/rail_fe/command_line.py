@@ -22,7 +22,7 @@ PAD_OPTIONS = {"pad_lateral": "lateral", "pad_vertical": "vertical", "pad_roll":
 
 
 def main(arguments=None):
-    """Run the command; returns its exit status."""
+    """Runs the command and returns its exit status."""
     arguments = sys.argv[1:] if arguments is None else arguments
     options = _parser().parse_args(arguments)
     return finish("rail_compliance", _run, options, shlex.join(["rail_compliance", *arguments]))
@@ -31,7 +31,7 @@ def main(arguments=None):
 def _run(options, command):
     study = _study(options)
     study.validate()
-    _check_what_is_needed(options)
+    _check_requirements(options)
     started = time.monotonic()
 
     def progress(text):
@@ -41,7 +41,7 @@ def _run(options, command):
         options.keep_deck.mkdir(parents=True, exist_ok=True)
     progress("coarser mesh, for the error estimate")
     coarse = solve(study, COARSER * study.mesh_size, progress)
-    progress("asked mesh")
+    progress("mesh of the given size")
     fine = solve(study, study.mesh_size, progress, options.keep_deck)
     options.out.write_text(table_text(options.out.stem, study, fine, coarse, command), encoding="utf-8")
     progress(f"wrote {options.out}")
@@ -51,13 +51,13 @@ def _run(options, command):
     _report(study, fine, coarse)
 
 
-def _check_what_is_needed(options):
-    """Raises Failure for a missing program or folder before any time is spent."""
+def _check_requirements(options):
+    """Raises Failure for a missing program or folder, before the analysis starts."""
     gmsh_mesh.program()
     calculix.program()
     for path in (options.out, options.picture):
         if path and not path.parent.is_dir():
-            raise Failure(f"{path}: there is no folder {path.parent}")
+            raise Failure(f"{path}: folder {path.parent} does not exist")
     if options.picture:
         pyplot()
 
@@ -66,11 +66,11 @@ def _report(study, fine, coarse):
     print("  ".join(f"{name} {value:.4e}" for name, value in fine.compliance.items()) + "  (SI)")
     print(f"estimated discretisation error {100 * estimated_error(fine, coarse):.2g} %")
     print(f"{study.force / 1e3:g} kN outward at {1e3 * study.check_height:g} mm: "
-          f"crown {1e3 * fine.check_crown:.4f} mm, head rolls {1e3 * fine.check_roll:.3f} mrad")
+          f"crown {1e3 * fine.check_crown:.4f} mm, head roll {1e3 * fine.check_roll:.3f} mrad")
 
 
 def _study(options):
-    """The study the options ask for; raises Failure for options that do not go together."""
+    """The study defined by the options. Raises Failure if options contradict each other."""
     pads = _pads(options)
     length = options.length
     if length is None:
@@ -78,47 +78,48 @@ def _study(options):
     neighbours = options.neighbours
     if neighbours is None:
         neighbours = [distance for distance in NEIGHBOURS if pads and distance < 0.5 * length]
-    return Study(section=read_section(options.section or shipped("config/rails/sections/60E1.csv")), supports=options.supports, pads=pads,
-                 length=length, young=options.young, poisson=options.poisson, element_type=options.element,
-                 mesh_size=options.mesh_size, neighbours=tuple(sorted(set(neighbours))),
-                 head_depth=options.head_depth, force=options.force, force_height=options.force_height)
+    section = read_section(options.section or shipped("config/rails/sections/60E1.csv"))
+    return Study(section=section, supports=options.supports, pads=pads, length=length, young=options.young,
+                 poisson=options.poisson, element_type=options.element, mesh_size=options.mesh_size,
+                 neighbours=tuple(sorted(set(neighbours))), head_depth=options.head_depth, force=options.force,
+                 force_height=options.force_height)
 
 
 def _pads(options):
-    """Pads from the options that were given; None where the supports are no seats."""
+    """Pads from the given options; None if the supports are not seats."""
     given = {name: getattr(options, option) for option, name in PAD_OPTIONS.items()}
     given = {name: value for name, value in given.items() if value is not None}
     if options.supports != "seats":
         if given:
-            raise Failure("options of seats (pads, --spacing, --bays) belong to --supports seats")
+            raise Failure("options of seats (pads, --spacing, --bays) require --supports seats")
         return None
     if "lateral" not in given or "vertical" not in given:
-        raise Failure("--supports seats needs --pad-lateral and --pad-vertical")
+        raise Failure("--supports seats requires --pad-lateral and --pad-vertical")
     return Pads(**given)
 
 
 def _parser():
     parser = argparse.ArgumentParser(
-        prog="rail_compliance", description="Compliance of a rail's head under a wheel by finite elements (gmsh, "
-        "CalculiX), written as the table the contact node reads. SI units throughout.")
+        prog="rail_compliance", description="Computes the compliance of a rail head under a wheel with finite elements "
+        "(gmsh, CalculiX), and writes it as a table for the contact node. All units are SI.")
     add = parser.add_argument
-    add("--supports", required=True, choices=KINDS, help="what holds the rail")
-    add("--out", required=True, type=Path, metavar="F.yaml", help="compliance table to write; its stem is the name")
-    add("--section", type=Path, metavar="F.csv", help="closed outline, header y_mm,z_mm (default: the shipped 60E1)")
-    add("--length", type=float, metavar="M", help="of the rail (default: 1; with seats: bays times spacing)")
-    add("--young", type=float, default=Study.young, metavar="PA", help="modulus of elasticity (default: %(default)g)")
+    add("--supports", required=True, choices=KINDS, help="supports of the rail")
+    add("--out", required=True, type=Path, metavar="F.yaml", help="compliance table to write; F is the name of the table")
+    add("--section", type=Path, metavar="F.csv", help="closed outline, header y_mm,z_mm (default: 60E1 of the package)")
+    add("--length", type=float, metavar="M", help="length of the rail (default: 1; with seats: bays times spacing)")
+    add("--young", type=float, default=Study.young, metavar="PA", help="Young's modulus (default: %(default)g)")
     add("--poisson", type=float, default=Study.poisson, metavar="NU", help="Poisson's ratio (default: %(default)g)")
     add("--element", choices=sorted(FACES), default=Study.element_type,
         help="10-node tetrahedra or 20-node bricks (default: %(default)s)")
     add("--mesh-size", type=float, default=Study.mesh_size, metavar="M",
-        help="of the elements in the section (default: %(default)g)")
+        help="size of the elements in the section (default: %(default)g)")
     add("--head-depth", type=float, default=Study.head_depth, metavar="M",
-        help="the head, whose rigid motion is fitted, reaches this far below the crown (default: %(default)g)")
+        help="height of the head below the crown; its rigid motion is fitted (default: %(default)g)")
     add("--force", type=float, default=Study.force, metavar="N",
         help="check load: lateral force on the gauge face (default: %(default)g)")
     add("--force-height", type=float, metavar="M",
         help="height of the check load above the foot (default: 14 mm below the crown)")
-    add("--keep-deck", type=Path, metavar="DIR", help="keep gmsh's and CalculiX's files there")
+    add("--keep-deck", type=Path, metavar="DIR", help="folder in which the files of gmsh and CalculiX are kept")
     add("--picture", type=Path, metavar="F.png", help="picture of the loaded section under the check load")
     _add_seat_options(parser.add_argument_group("with --supports seats").add_argument)
     return parser
@@ -128,10 +129,10 @@ def _add_seat_options(add):
     add("--pad-lateral", type=float, metavar="N/M", help="lateral stiffness of a seat")
     add("--pad-vertical", type=float, metavar="N/M", help="vertical stiffness of a seat")
     add("--pad-roll", type=float, metavar="NM/RAD",
-        help="roll stiffness of a seat (default: of the vertical one spread evenly under the foot)")
-    add("--pad-length", type=float, metavar="M", help=f"of a seat along the rail (default: {Pads.seat_length:g})")
-    add("--spacing", type=float, metavar="M", help=f"of the seats (default: {Pads.spacing:g})")
+        help="roll stiffness of a seat (default: of the vertical stiffness, evenly distributed under the foot)")
+    add("--pad-length", type=float, metavar="M", help=f"length of a seat along the rail (default: {Pads.seat_length:g})")
+    add("--spacing", type=float, metavar="M", help=f"distance between the seats (default: {Pads.spacing:g})")
     add("--bays", type=int, metavar="N",
-        help=f"number of bays; even: load between two seats, odd: over one (default: {Pads.bays})")
-    add("--neighbours", type=float, nargs="*", metavar="M", help="distances along the rail at which another wheel's "
-        f"influence is wanted (default: {' and '.join(map(str, NEIGHBOURS))})")
+        help=f"number of bays; even: load between two seats; odd: load over a seat (default: {Pads.bays})")
+    add("--neighbours", type=float, nargs="*", metavar="M", help="distances along the rail at which the influence "
+        f"of another wheel is computed (default: {' and '.join(map(str, NEIGHBOURS))})")

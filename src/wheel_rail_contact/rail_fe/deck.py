@@ -4,13 +4,13 @@ import numpy as np
 
 
 def write_deck(path, model, fields):
-    """Write the deck of a `Model` (see analysis.py) to `path`; node and element numbers count from 1.
+    """Writes the deck of an analysis.Model to `path`. Node and element numbers start at 1.
 
-    With `fields` ccx also writes the displacements and stresses of all nodes, for a look at them with cgx.
+    @param fields true: ccx also writes the displacements and stresses of all nodes, for a display with cgx
     """
     with open(path, "w", encoding="ascii") as deck:
-        deck.write("** Half a rail (x >= 0, symmetric about x = 0), made by rail_compliance. Units: m, N, Pa.\n"
-                   "** The forces of each step are those on the half: half of 1 N on the whole rail.\n")
+        deck.write("** Half a rail (x >= 0, symmetric about x = 0), written by rail_compliance. Units: m, N, Pa.\n"
+                   "** The forces of each step act on the half rail: half of 1 N on the whole rail.\n")
         _write_mesh(deck, model.mesh)
         deck.write(f"*MATERIAL, NAME=STEEL\n*ELASTIC\n{model.young:.9g}, {model.poisson:.9g}\n"
                    "*SOLID SECTION, ELSET=RAIL, MATERIAL=STEEL\n")
@@ -48,7 +48,7 @@ def _parts(nodes, length):
 
 
 def _wrapped(numbers, per_line):
-    """Numbers separated by commas, lines broken after `per_line` of them with a trailing comma."""
+    """Numbers separated by commas, at most `per_line` in a line. All lines but the last one end with a comma."""
     lines = [", ".join(str(n) for n in part) for part in _parts(list(numbers), per_line)]
     return ",\n".join(lines) + "\n"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshing by gmsh: a section swept along x in layers, from a .geo script to the quadratic elements CalculiX reads."""
+"""Meshing with gmsh: the section is swept along x in layers. Reads the quadratic elements for CalculiX."""
 import shutil
 import subprocess
 
@@ -8,15 +8,15 @@ import numpy as np
 from ..command import Failure
 from .mesh import Mesh
 
-# gmsh's element types and the places of its nodes in CalculiX's order.
+# Element types of gmsh, and for each node of CalculiX its index in gmsh.
 TYPE_NUMBER = {"C3D10": 11, "C3D20": 17}
 NODE_ORDER = {
     "C3D10": [0, 1, 2, 3, 4, 5, 6, 7, 9, 8],
     "C3D20": [0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15],
 }
-SPLINE_PARTS = 8  # outline points that a spline between two ends of mesh edges passes through
+SPLINE_PARTS = 8  # number of outline points on each spline
 SCRIPT_HEAD = """\
-// Half a rail, swept along x (metres). Made by rail_compliance; mesh it with: gmsh -3 rail.geo
+// Half a rail, swept along x (metres). Written by rail_compliance; mesh it with: gmsh -3 rail.geo
 Mesh.ElementOrder = 2;
 Mesh.SecondOrderIncomplete = {incomplete};
 Mesh.RecombinationAlgorithm = 3; // blossom, quadrilaterals only
@@ -34,9 +34,9 @@ def rail_mesh(section, cuts, size, element_type, directory):
     run = subprocess.run([program(), "-3", "rail.geo", "-o", "rail.msh", "-nopopup"], cwd=directory, text=True,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if run.returncode != 0 or not (directory / "rail.msh").exists():
-        complaints = [line for line in run.stdout.splitlines() if line.startswith(("Error", "terminate"))]
+        errors = [line for line in run.stdout.splitlines() if line.startswith(("Error", "terminate"))]
         raise Failure(f"gmsh could not mesh section {section.name} with size {size:g} m: "
-                        + (" ".join(complaints) or f"exit status {run.returncode}"))
+                        + (" ".join(errors) or f"exit status {run.returncode}"))
     return _read(directory / "rail.msh", element_type)
 
 
@@ -69,7 +69,7 @@ def _script(section, cuts, size, element_type):
 def _outline_script(section, size):
     """The outline as a loop of splines, each meshed by two edges of about `size` [m].
 
-    Two, because the full-quadrilateral recombination starts from a boundary of every second point.
+    There are two, because the full-quadrilateral recombination starts from every second point of the boundary.
     """
     arcs = section.cuts(2 * size)
     lengths = np.diff(np.append(arcs, arcs[0] + section.perimeter))
@@ -85,7 +85,7 @@ def _outline_script(section, size):
 
 
 def _read(path, element_type):
-    """Mesh from a file of format 2.2; elements of the volume only, all of one type."""
+    """Reads a mesh file of format 2.2. It must contain only volume elements of one type."""
     lines = path.read_text(encoding="ascii").splitlines()
     start = lines.index("$Nodes") + 2
     count = int(lines[start - 1])
@@ -93,7 +93,7 @@ def _read(path, element_type):
     start = lines.index("$Elements") + 2
     rows = [line.split() for line in lines[start:start + int(lines[start - 1])]]
     if {row[1] for row in rows} != {str(TYPE_NUMBER[element_type])}:
-        raise Failure(f"gmsh did not fill the rail with {element_type} only: try another --mesh-size")
+        raise Failure(f"the mesh of gmsh does not consist of {element_type} only: try another --mesh-size")
     order = NODE_ORDER[element_type]
     elements = np.array(rows, dtype=int)[:, -len(order):][:, order]
     place = np.full(int(table[:, 0].max()) + 1, -1)

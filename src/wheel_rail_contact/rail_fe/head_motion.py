@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rigid motion of the rail's head in one section: the best fit, by area, to the displacements there."""
+"""Rigid motion of the rail head in one section: least-squares fit to the displacements, weighted by area."""
 import numpy as np
 
 from .surface import FacePoints
 
-DIVISIONS = 6
+DIVISIONS = 6  # integration points per direction of a face
 
 
 class Head:
-    """The head in the plane x = `station` [m]: the section from `bottom` [m] above the foot upwards."""
+    """The head in the plane x = `station` [m]: the part of the section above the height `bottom` [m]."""
 
     def __init__(self, mesh, station, bottom, reference_height):
         faces = mesh.plane_faces(0, station)
@@ -24,11 +24,14 @@ class Head:
 
     @property
     def nodes(self):
-        """Nodes whose displacements the fit needs."""
+        """Nodes whose displacements the fit requires."""
         return np.unique(self._points.faces)
 
     def motion(self, displacements):
-        """Displacements of all nodes (n, 3) [m] -> lateral [m], vertical [m] and roll [rad] of the reference point."""
+        """Lateral [m], vertical [m] and roll [rad] motion of the reference point.
+
+        @param displacements of all nodes (n, 3) [m]
+        """
         values = self._points.values(displacements)
         right = np.concatenate([values[..., 1].ravel() * self._weight, values[..., 2].ravel() * self._weight])
         return self._inverse @ right

@@ -8,9 +8,9 @@ from ..command import Failure
 from .mesh import PLANE_TOLERANCE
 from .surface import FacePoints
 
-PATCH = 0.010            # side of the loaded square [m]: along the rail and along the outline
-REFERENCE_DEPTH = 0.014  # head's reference point below the crown on the rail's axis [m]
-DIVISIONS = 40           # integration points per direction of a face: the patch cuts through faces
+PATCH = 0.010            # side of the loaded square, along the rail and along the outline [m]
+REFERENCE_DEPTH = 0.014  # depth of the reference point below the crown, on the rail axis [m]
+DIVISIONS = 40           # integration points per direction of a face; many, because the edge of the patch cuts through faces
 
 
 @dataclass
@@ -20,35 +20,35 @@ class LoadCase:
     forces: np.ndarray
     lateral: float   # Y, outward positive
     vertical: float  # Q, down positive
-    moment: float    # of both about the head's reference point, outward roll positive
+    moment: float    # of both about the reference point of the head, outward roll positive
 
 
 class HeadSurface:
-    """The outer surface near the loaded section, ready for patch loads."""
+    """Outer surface of the rail near the loaded section, for patch loads."""
 
     def __init__(self, mesh, section):
         faces = mesh.outer_faces()
         x = mesh.nodes[faces][:, :, 0]
         faces = faces[(np.ptp(x, axis=1) > PLANE_TOLERANCE) & (x.min(axis=1) < 0.5 * PATCH)]
         arc = section.project(mesh.nodes[faces][:, :, 1:].reshape(-1, 2)).reshape(faces.shape)
-        whole = np.ptp(arc, axis=1) < 0.5 * section.perimeter  # not across the outline's first point
+        whole = np.ptp(arc, axis=1) < 0.5 * section.perimeter  # excludes faces across the first point of the outline
         self._points = FacePoints(mesh.nodes, faces[whole], DIVISIONS)
         self._arc = arc[whole] @ self._points.shape.T
         self._nodes = mesh.nodes
         self._section = section
 
     def lateral(self, arc, name):
-        """1 N outward on the patch centred at the outline's arc length `arc` [m]."""
+        """1 N outward on the patch centred at the arc length `arc` [m] of the outline."""
         return self._case(arc, name, np.array([0.0, 1.0, 0.0]))
 
     def vertical(self, arc, name):
-        """1 N down on that patch."""
+        """1 N down on the patch centred at the arc length `arc` [m] of the outline."""
         return self._case(arc, name, np.array([0.0, 0.0, -1.0]))
 
     def _case(self, arc, name, direction):
         inside = (np.abs(self._arc - arc) <= 0.5 * PATCH) & (self._points.position[..., 0] <= 0.5 * PATCH)
         if not inside.any():
-            raise Failure(f"load {name}: the mesh has no surface there")
+            raise Failure(f"load {name}: the mesh has no surface at this position")
         share = self._points.nodal(inside.astype(float), len(self._nodes))
         forces = np.outer(0.5 * share / share.sum(), direction)
         y, z = self._nodes[:, 1], self._nodes[:, 2] - (self._section.height - REFERENCE_DEPTH)

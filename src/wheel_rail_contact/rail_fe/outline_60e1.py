@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Outline of the rail 60E1 from the lines and arcs of EN 13674-1 (drawing 60E1), lengths in millimetres.
+"""Outline of the rail 60E1 from the lines and arcs of EN 13674-1 (drawing 60E1), in millimetres.
 
-Writes the shipped file: python3 -m wheel_rail_contact.rail_fe.outline_60e1 > config/rails/sections/60E1.csv
+Command that wrote the file of the package:
+python3 -m wheel_rail_contact.rail_fe.outline_60e1 > config/rails/sections/60E1.csv
 """
 import sys
 from dataclasses import dataclass
@@ -10,23 +11,23 @@ import numpy as np
 
 HEIGHT = 172.0
 FOOT_HALF_WIDTH = 75.0
-FOOT_EDGE_HEIGHT = 11.5       # where the 1:14 line would meet the foot's edge
-FOOT_LINE_ON_AXIS = 31.5      # where the foot's 1:2.75 line meets the rail's axis
-HEAD_LINE_ON_AXIS = 121.0     # where the head's underside meets the rail's axis
+FOOT_EDGE_HEIGHT = 11.5       # height at which the 1:14 line meets the edge of the foot
+FOOT_LINE_ON_AXIS = 31.5      # height at which the 1:2.75 line of the foot meets the rail axis
+HEAD_LINE_ON_AXIS = 121.0     # height at which the underside of the head meets the rail axis
 WEB_HALF_WIDTH = 8.25
-WEB_FLAT_HALF_HEIGHT = 16.0   # the web is flat this far on both sides of the middle between the two lines above
-WEB_FILLET_HALF_WIDTH = 11.45046  # half width where R120 passes into R35
-CROWN_HALF_WIDTH = 10.228     # R300 to R80
-SHOULDER_HALF_WIDTH = 26.0265  # R80 to R13
+WEB_FLAT_HALF_HEIGHT = 16.0   # half height of the flat part of the web, midway between the two heights on the axis
+WEB_FILLET_HALF_WIDTH = 11.45046  # half width at the transition from R120 to R35
+CROWN_HALF_WIDTH = 10.228     # half width at the transition from R300 to R80
+SHOULDER_HALF_WIDTH = 26.0265  # half width at the transition from R80 to R13
 SLOPE_STEEP = 1 / 2.75
 SLOPE_FLAT = 1 / 14
 SLOPE_HEAD_SIDE = 1 / 20
-CHORD_DEVIATION = 2e-3        # largest distance between an arc and the chords of the written outline
+CHORD_DEVIATION = 2e-3        # largest distance between an arc and its chords in the written outline
 
 
 @dataclass
 class Line:
-    """Through `point` along the unit vector `direction`."""
+    """Line through `point` along the unit vector `direction`."""
     point: np.ndarray
     direction: np.ndarray
 
@@ -39,7 +40,7 @@ class Line:
         """Unit normal to the left of the direction."""
         return np.array([-self.direction[1], self.direction[0]])
 
-    def meets(self, other):
+    def intersection(self, other):
         """Intersection point with another line."""
         steps = np.linalg.solve(np.column_stack([self.direction, -other.direction]), other.point - self.point)
         return self.point + steps[0] * self.direction
@@ -51,7 +52,7 @@ class Line:
 
 @dataclass
 class Arc:
-    """From `start` to `end` about `center`, the short way."""
+    """The shorter arc from `start` to `end` about `center`."""
     center: np.ndarray
     start: np.ndarray
     end: np.ndarray
@@ -69,12 +70,12 @@ class Arc:
 def fillet(first, second, radius, side):
     """Arc tangent to two lines; its centre lies to the left (side = 1) or right (-1) of both."""
     shifted = [Line(line.point + side * radius * line.left(), line.direction) for line in (first, second)]
-    center = shifted[0].meets(shifted[1])
+    center = shifted[0].intersection(shifted[1])
     return Arc(center, first.foot(center), second.foot(center))
 
 
 def foot_arcs():
-    """Foot from its underside to the 1:2.75 line, walking up the right-hand side."""
+    """Arcs of the foot on the right-hand side, upwards from the underside to the 1:2.75 line; and this line."""
     underside = Line.through(0, 0, 1, 0)
     edge = Line.through(FOOT_HALF_WIDTH, 0, 0, 1)
     flat = Line.through(FOOT_HALF_WIDTH, FOOT_EDGE_HEIGHT, -1, SLOPE_FLAT)
@@ -83,34 +84,34 @@ def foot_arcs():
 
 
 def web_arcs(steep):
-    """R7, R35 and R120 from the foot's 1:2.75 line to the web's flat part."""
+    """Arcs R7, R35 and R120, from the 1:2.75 line of the foot to the flat part of the web."""
     flat_end = 0.5 * (FOOT_LINE_ON_AXIS + HEAD_LINE_ON_AXIS) - WEB_FLAT_HALF_HEIGHT
     center_120 = np.array([WEB_HALF_WIDTH + 120, flat_end])
     cosine = (center_120[0] - WEB_FILLET_HALF_WIDTH) / 120
     ray = np.array([-cosine, -np.sqrt(1 - cosine**2)])
-    joint = center_120 + 120 * ray
-    center_35 = joint - 35 * ray
-    # R7 touches the line and R35 from inside: its centre is 7 from the line and 35 - 7 from the centre of R35
+    transition = center_120 + 120 * ray
+    center_35 = transition - 35 * ray
+    # R7 is tangent to the line, and to R35 from inside. Its centre is 7 from the line and 35 - 7 from the centre of R35.
     foot = steep.foot(center_35) - 7 * steep.left()
     rise = np.sqrt((35 - 7) ** 2 - np.sum((foot - center_35) ** 2))
-    center_7 = foot + rise * steep.direction * np.sign(np.dot(joint - foot, steep.direction))
+    center_7 = foot + rise * steep.direction * np.sign(np.dot(transition - foot, steep.direction))
     touch = center_35 + 35 * (center_7 - center_35) / np.linalg.norm(center_7 - center_35)
-    return [Arc(center_7, steep.foot(center_7), touch), Arc(center_35, touch, joint),
-            Arc(center_120, joint, np.array([WEB_HALF_WIDTH, flat_end]))]
+    return [Arc(center_7, steep.foot(center_7), touch), Arc(center_35, touch, transition),
+            Arc(center_120, transition, np.array([WEB_HALF_WIDTH, flat_end]))]
 
 
 def mirrored(arcs, middle):
-    """The same arcs upside down about the height `middle`, still walking upwards."""
+    """The arcs mirrored about the height `middle`, in upward order."""
     def flip(point):
         return np.array([point[0], 2 * middle - point[1]])
     return [Arc(flip(arc.center), flip(arc.end), flip(arc.start)) for arc in reversed(arcs)]
 
 
 def head_arcs():
-    """Head from its underside to the crown."""
+    """Arcs of the head, from its underside to the crown."""
     center_300 = np.array([0, HEIGHT - 300])
-    crown_joint = center_300 + [CROWN_HALF_WIDTH, np.sqrt(300**2 - CROWN_HALF_WIDTH**2)]
-    center_80 = crown_joint + 80 / 300 * (center_300 - crown_joint)
+    crown_end = center_300 + [CROWN_HALF_WIDTH, np.sqrt(300**2 - CROWN_HALF_WIDTH**2)]
+    center_80 = crown_end + 80 / 300 * (center_300 - crown_end)
     side = SHOULDER_HALF_WIDTH - center_80[0]
     shoulder = center_80 + [side, np.sqrt(80**2 - side**2)]
     center_13 = shoulder + 13 / 80 * (center_80 - shoulder)
@@ -118,8 +119,8 @@ def head_arcs():
     touch = center_13 - 13 * flank.left()
     flank.point = touch
     underside = Line.through(0, HEAD_LINE_ON_AXIS, 1, SLOPE_STEEP)
-    return [fillet(underside, flank, 3, 1), Arc(center_13, touch, shoulder), Arc(center_80, shoulder, crown_joint),
-            Arc(center_300, crown_joint, np.array([0, HEIGHT]))]
+    return [fillet(underside, flank, 3, 1), Arc(center_13, touch, shoulder), Arc(center_80, shoulder, crown_end),
+            Arc(center_300, crown_end, np.array([0, HEIGHT]))]
 
 
 def outline():
@@ -137,7 +138,7 @@ def outline():
 
 
 def main():
-    """Write the outline as CSV to standard output."""
+    """Writes the outline as CSV to standard output."""
     sys.stdout.write("# SPDX-License-Identifier: BSD-3-Clause\n"
                      "# Rail 60E1 after EN 13674-1: y from the rail's axis, z up from the foot's underside.\n"
                      "# Closed outline, written by wheel_rail_contact.rail_fe.outline_60e1\n"

@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Section of a rail: a closed outline read from CSV, its properties, and its boundary cut into mesh edges."""
+"""Section of a rail: a closed outline read from CSV, its properties, and the division of its boundary into mesh edges."""
 from pathlib import Path
 
 import numpy as np
 
 from ..command import Failure
 
-CORNER_ANGLE = np.radians(20)       # a vertex that turns more than this is a corner: a mesh edge ends there
-LARGEST_EDGE_TURN = np.radians(60)  # a mesh edge turns at most this far, so fillets get smaller edges
-FLAT = 1e-9                         # heights [m] that differ less are the same
+CORNER_ANGLE = np.radians(20)       # a vertex with a larger angle is a corner, at which a mesh edge ends
+LARGEST_EDGE_TURN = np.radians(60)  # largest angle of a mesh edge; fillets therefore have smaller edges
+FLAT = 1e-9                         # heights with a smaller difference are considered equal [m]
 CSV_HEADER = "y_mm,z_mm"
 
 
 class Section:
-    """Closed outline, counter-clockwise, (n, 2) array of y, z [m]: lowest point at z = 0, the rail's axis at y = 0.
+    """Closed outline, counter-clockwise, (n, 2) array of y, z [m]: lowest point at z = 0, rail axis at y = 0.
 
-    The outline is also walked by its arc length [m], counted from the first vertex.
+    Arc lengths [m] on the outline are counted from its first vertex.
     """
 
     def __init__(self, name, outline):
-        """Raises Failure if the (n, 2) points [m] are no simple polygon."""
+        """Raises Failure if the points (n, 2) [m] are not a simple polygon."""
         self.name = name
         self.outline = _checked_outline(np.asarray(outline, float), name)
         self._edge = np.roll(self.outline, -1, axis=0) - self.outline
@@ -28,7 +28,7 @@ class Section:
 
     @property
     def height(self):
-        """Height of the crown above the foot's underside [m]."""
+        """Height of the crown above the underside of the foot [m]."""
         return float(self.outline[:, 1].max())
 
     @property
@@ -74,8 +74,8 @@ class Section:
         return float(self.project([[top[:, 0].mean(), self.height]])[0])
 
     def crossing(self, axis, value, side):
-        """Arc length [m] where the coordinate `axis` (0: y, 1: z) takes `value` [m]: the candidate for which the other
-        coordinate times `side` is largest. Raises Failure if the outline does not reach that value."""
+        """Arc length [m] at which the coordinate `axis` (0: y, 1: z) is `value` [m]. If there are several such points, it is
+        the one for which the other coordinate times `side` is largest. Raises Failure if there is none."""
         start, step = self.outline[:, axis], self._edge[:, axis]
         share = np.divide(value - start, step, out=np.full(len(step), -1.0), where=step != 0)
         hits = np.flatnonzero((share >= 0) & (share <= 1))
@@ -86,12 +86,14 @@ class Section:
         return float(self._arc[best] + share[best] * self._length[best])
 
     def gauge_face(self, height):
-        """Arc length [m] of the inner side (least y) at `height` [m] above the foot."""
+        """Arc length [m] of the gauge side (smallest y) at `height` [m] above the underside of the foot."""
         return self.crossing(1, height, -1)
 
     def cuts(self, size):
-        """Rising arc lengths [m] that cut the outline into edges of about `size` [m], smaller in fillets; corners, the
-        crown, and the ends and the middle of the flat underside are always among them."""
+        """Increasing arc lengths [m] that divide the outline into edges of about `size` [m], smaller in fillets.
+
+        They include the corners, the crown, and the ends and the middle of the flat underside.
+        """
         turn = np.abs(_turns(self.outline))
         corners = self._arc[:-1][turn > CORNER_ANGLE]
         underside = self._arc[:-1][self.outline[:, 1] < FLAT]
@@ -109,9 +111,10 @@ class Section:
 
 
 def read_section(path):
-    """Section from a CSV file: comment lines (#), the header y_mm,z_mm, one point [mm] a line; named by the file.
+    """Section from a CSV file: comment lines (#), the header y_mm,z_mm, one point [mm] per line.
 
-    Raises Failure for an unreadable file or an outline that is no simple polygon.
+    The section has the name of the file.
+    Raises Failure for an unreadable file, or if the outline is not a simple polygon.
     """
     path = Path(path)
     try:
@@ -129,7 +132,7 @@ def read_section(path):
 
 
 def _edge_share(turn):
-    """Share of a mesh edge used up by each outline edge through its curvature: half the turn at both its ends."""
+    """Angle of each outline edge as a share of LARGEST_EDGE_TURN: half the turns at both its ends."""
     return 0.5 * (turn + np.roll(turn, -1)) / LARGEST_EDGE_TURN
 
 
@@ -141,12 +144,12 @@ def _turns(outline):
 
 
 def _checked_outline(outline, name):
-    """Counter-clockwise, without repeated points, lowest point at z = 0; raises Failure if that cannot be."""
+    """The outline counter-clockwise, without repeated points, lowest point at z = 0. Raises Failure if it is not valid."""
     if outline.ndim != 2 or outline.shape[1] != 2 or not np.isfinite(outline).all():
-        raise Failure(f"section {name}: needs two columns of finite numbers")
+        raise Failure(f"section {name}: must have two columns of finite numbers")
     outline = outline[np.linalg.norm(outline - np.roll(outline, -1, axis=0), axis=1) > 1e-9]
     if len(outline) < 3:
-        raise Failure(f"section {name}: a closed outline needs at least three different points")
+        raise Failure(f"section {name}: a closed outline must have at least three different points")
     if _turns(outline).sum() < 0:
         outline = outline[::-1]
     if _crosses_itself(outline):
@@ -155,7 +158,7 @@ def _checked_outline(outline, name):
 
 
 def _crosses_itself(outline):
-    """True if two edges that are not neighbours touch."""
+    """True if two edges that are not adjacent touch."""
     start, end = outline, np.roll(outline, -1, axis=0)
 
     def side(first, second, point):
@@ -167,7 +170,7 @@ def _crosses_itself(outline):
     n = len(outline)
     for shift in (-1, 0, 1):
         crossing[np.arange(n), (np.arange(n) + shift) % n] = False
-    # edges of one straight line lie on each other's sides with sign 0: they touch only if their boxes do
+    # Collinear edges have sign 0 on both sides. They touch only if their bounding boxes overlap.
     low, high = np.minimum(start, end), np.maximum(start, end)
     boxes = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=2)
     return bool((crossing & boxes).any())

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the mesh is cut along the rail: fine under the load, coarser with the distance from it."""
+"""Stations of the mesh along the rail: close under the load, wider with the distance from it."""
 import numpy as np
 
-FINEST_SHARE = 0.75   # length of the element under the load, over the mesh size of the section
-GROWTH = 0.15         # growth of that length with the distance from the load [m/m]
-COARSEST_SHARE = 6.0  # largest length of an element, over the mesh size
+FINEST_SHARE = 0.75   # length of the element under the load, divided by the mesh size of the section
+GROWTH = 0.15         # growth of this length with the distance from the load [m/m]
+COARSEST_SHARE = 6.0  # largest length of an element, divided by the mesh size
 
 
 def stations(length, size, required=()):
-    """Rising x [m] from 0 to `length` with every `required` one among them; x = 0 is the loaded section."""
+    """Increasing x [m] from 0 (loaded section) to `length`, including every `required` x."""
     marks = np.array([0.0, length] + [x for x in required if 0 < x < length])
     marks = np.unique(np.round(marks, 9))
     cuts = [np.zeros(1)]
@@ -21,7 +21,7 @@ def stations(length, size, required=()):
 
 
 def _effort(x, size):
-    """Number of elements from 0 to x when their length is min(finest + growth x, coarsest)."""
+    """Number of elements from 0 to x for the element length min(finest + growth x, coarsest)."""
     finest, coarsest = FINEST_SHARE * size, COARSEST_SHARE * size
     bend = (coarsest - finest) / GROWTH
     return np.log1p(GROWTH * np.minimum(x, bend) / finest) / GROWTH + np.maximum(x - bend, 0) / coarsest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The compliance table as the contact node reads it: YAML with the schema in its head."""
+"""Writes the compliance table for the contact node: YAML, with a description of its keys at the beginning."""
 import json
 import math
 
@@ -8,32 +8,32 @@ from .analysis import COMPLIANCES, estimated_error
 from .loads import REFERENCE_DEPTH
 
 HEAD = """\
-# Compliance of one rail's head under a wheel, as the contact node reads it (SI units, upright rail's own axes).
+# Compliance of one rail head under a wheel, read by the contact node (SI units, axes of the upright rail).
 #
 #   [lateral; roll] = [[lateral_lateral, lateral_roll], [lateral_roll, roll_roll]] [Y; M]
 #   vertical = -vertical_vertical Q
 #
-# Y [N] lateral force, outward (field side) positive; Q [N] vertical force, down positive; M [N m] moment of both about
-# the reference point, outward roll positive. The reference point lies on the rail's axis, reference_depth below the
-# crown; lateral [m] is positive outward, vertical [m] up, roll [rad] turns the crown outward. Small displacements.
+# Forces: Y [N] lateral, outward (field side) positive; Q [N] vertical, down positive; M [N m] moment of both about the
+# reference point, outward roll positive. The reference point is on the rail axis, reference_depth below the crown.
+# Displacements (small): lateral [m] outward positive, vertical [m] up positive, roll [rad] outward positive.
 #
-# Schema (every key below is required, no other is allowed, numbers are finite unless said):
+# Keys (all are required, no others are allowed, numbers are finite unless stated otherwise):
 #   name                 string
 #   reference_depth      [m], must be 0.014
-#   lateral_lateral      [m/N]        displacement of the reference point outward per Y
-#   lateral_roll         [rad/N]      roll per Y = [m/(N m)] displacement per M (Maxwell-Betti)
+#   lateral_lateral      [m/N]        outward displacement of the reference point per Y
+#   lateral_roll         [rad/N]      roll per Y = [m/(N m)] outward displacement per M (Maxwell-Betti)
 #   roll_roll            [rad/(N m)]  roll per M; the 2x2 matrix is positive definite
-#   vertical_vertical    [m/N]        displacement down per Q, > 0
-#   linear_range_lateral_to_vertical  largest |Y|/Q for which the table holds, > 0; .inf: no limit
-#   neighbours           list, may be empty, distances strictly rising: influence of a force on the same rail at
+#   vertical_vertical    [m/N]        downward displacement per Q, > 0
+#   linear_range_lateral_to_vertical  largest |Y|/Q for which the table is valid, > 0; .inf: no limit
+#   neighbours           list, may be empty, distances strictly increasing: influence of a force on the same rail at
 #                        `distance` [m] along it, by the same four compliances (any sign)
-#   provenance           map of how the numbers came about; for readers, not for the node
+#   provenance           map with the origin of the numbers; not used by the node
 """
 UNITS = {"lateral_lateral": "m/N", "lateral_roll": "rad/N", "roll_roll": "rad/(N m)", "vertical_vertical": "m/N"}
 
 
 def table_text(name, study, fine, coarse, command):
-    """The whole file from the solutions on the asked and on the coarser mesh."""
+    """Text of the file, from the solutions on the mesh of the given size (`fine`) and on the coarser mesh."""
     lines = [f"name: {name}", _number("reference_depth", REFERENCE_DEPTH, "m")]
     lines += _compliances(fine.compliance)
     lines += [_number("linear_range_lateral_to_vertical", study.linear_range, "-")]
@@ -47,7 +47,7 @@ def table_text(name, study, fine, coarse, command):
 
 
 def _number(key, value, unit, digits=4):
-    """`key: value  # [unit]`, the value with a point and a signed exponent so that YAML 1.1 takes it for a float."""
+    """Line `key: value  # [unit]`. The value has a point and a signed exponent, which YAML 1.1 requires for a float."""
     text = ".inf" if math.isinf(value) else f"{value:.{digits}e}"
     return f"{key}: {text}  # [{unit}]"
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Report of what happened in a bag of answers."""
+"""Report of the results in a bag."""

@@ -7,67 +7,71 @@ import numpy as np
 
 from ..command import finish, pyplot, writing
 from . import figures, page
-from .answers import full, read
+from .results import read, read_full
 
-WORST = 2  # instants of highest pressure that are shown
+WORST = 2  # number of instants with the highest pressures that are shown
 
 
 def _parser():
     parser = argparse.ArgumentParser(
-        description="Makes pictures and a page (report.html, self-contained) of a bag of answers, as contact_replay or "
-                    "rosbag record write it.")
-    parser.add_argument("bag", help="bag with answers")
-    parser.add_argument("--out", required=True, metavar="DIR", help="folder for page and pictures; made if it is not there")
-    parser.add_argument("--compare", metavar="BAG", help="answers of another run, such as one without rail bending")
-    parser.add_argument("--wheelset", metavar="NAME", help="namespace, if the bag holds more than one wheelset")
-    parser.add_argument("--at", type=float, nargs="+", default=[], metavar="S", help="instants whose pressure is shown [s]")
+        description="Writes pictures of the results in a bag, and a page that contains them (report.html). The bag is "
+                    "written by contact_replay or rosbag record.")
+    parser.add_argument("bag", help="bag with results")
+    parser.add_argument("--out", required=True, metavar="DIR", help="folder for page and pictures; created if missing")
+    parser.add_argument("--compare", metavar="BAG", help="results of another run, for example without rail bending")
+    parser.add_argument("--wheelset", metavar="NAME", help="namespace, if the bag contains several wheelsets")
+    parser.add_argument("--at", type=float, nargs="+", default=[], metavar="S",
+                        help="times [s]; the pressure of the nearest results is shown")
     return parser
 
 
-def chosen_answers(answers, instants):
-    """Indices of the answers whose pressure is shown, with a title each: those nearest the instants, and the worst."""
-    chosen = {int(np.argmin(np.abs(answers.stamp - t))): "" for t in instants}
-    pressure = answers.patches["max_pressure"]
+def chosen_results(results, instants):
+    """Results whose pressure is shown: those nearest to the instants [s], and those with the highest pressures.
+
+    @return title by index of the result
+    """
+    chosen = {int(np.argmin(np.abs(results.stamp - t))): "" for t in instants}
+    pressure = results.patches["max_pressure"]
     for patch in np.argsort(-pressure, kind="stable"):
         if sum(title != "" for title in chosen.values()) == WORST:
             break
-        index = int(answers.patches["answer"][patch])
-        # Neighbours in time show the same.
-        near = any(abs(answers.stamp[index] - answers.stamp[other]) < 0.05 * np.ptp(answers.stamp) for other in chosen
+        index = int(results.patches["result"][patch])
+        # Results close in time have similar pressures.
+        near = any(abs(results.stamp[index] - results.stamp[other]) < 0.05 * np.ptp(results.stamp) for other in chosen
                    if chosen[other])
         if not near:
             chosen[index] = "high pressure, "
-    return {index: f"{title}{answers.stamp[index]:.3f} s, y = {1e3 * answers.y[index]:.2f} mm"
+    return {index: f"{title}{results.stamp[index]:.3f} s, y = {1e3 * results.y[index]:.2f} mm"
             for index, title in sorted(chosen.items())}
 
 
 def make_report(options):
-    """Writes page and pictures; prints the page's path."""
-    pyplot()  # before any time is spent
-    answers, topic = read(options.bag, options.wheelset)
+    """Writes page and pictures; prints the path of the page."""
+    pyplot()  # reports a missing matplotlib before the work
+    results, topic = read(options.bag, options.wheelset)
     other = read(options.compare, options.wheelset)[0] if options.compare else None
     out = pathlib.Path(options.out)
     with writing(out):
         out.mkdir(parents=True, exist_ok=True)
-        _write(out, options, answers, topic, other)
+        _write(out, options, results, topic, other)
     print(out / "report.html")
 
 
-def _write(out, options, answers, topic, other):
-    pictures = [("Histories", [figures.histories(answers, other, out / "histories.png")])]
-    if len(answers.patches["answer"]):
-        pictures.append(("Where it runs", [figures.bands(answers, out / "bands.png")]))
-        titles = chosen_answers(answers, options.at)
+def _write(out, options, results, topic, other):
+    pictures = [("Histories", [figures.histories(results, other, out / "histories.png")])]
+    if len(results.patches["result"]):
+        pictures.append(("Contact positions on the profiles", [figures.bands(results, out / "bands.png")]))
+        titles = chosen_results(results, options.at)
         shown = [figures.pressure_maps(message, titles[index], out / f"pressure_{index}.png")
                  if any(patch.grid.nx for patch in message.patches) else
-                 f"{titles[index]}: no pressure, {message.status_text or 'the bag was made without grids'}"
-                 for index, message in full(options.bag, topic, titles).items()]
+                 f"{titles[index]}: no pressure ({message.status_text or 'the bag contains no grids'})"
+                 for index, message in read_full(options.bag, topic, titles).items()]
         pictures.append(("Pressure", shown))
-        pictures.append(("Estimated errors", [figures.quality(answers, out / "errors.png")]))
-    page.write(out / "report.html", f"{pathlib.Path(options.bag).name}, {topic}", answers, pictures,
+        pictures.append(("Estimated errors", [figures.quality(results, out / "errors.png")]))
+    page.write(out / "report.html", f"{pathlib.Path(options.bag).name}, {topic}", results, pictures,
                pathlib.Path(options.compare).name if options.compare else None)
 
 
 def main(arguments=None):
-    """Run the command; returns its exit status."""
+    """Runs the command and returns its exit status."""
     return finish("contact_report", make_report, _parser().parse_args(arguments))

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report's pictures."""
+"""Pictures of the report."""
 import numpy as np
 
 from ..command import pyplot
 from ..message_constants import SIDES, USABLE
-from .answers import RAIL_FIELDS, of_answers
+from .results import RAIL_FIELDS, per_result
 
 COLOURS = ("tab:blue", "tab:orange")
-MOST_POINTS = 4000  # of a history that are drawn; of more, the extremes of each piece
-SMALLEST = 1e-12  # estimated error that is drawn
+MAX_POINTS = 4000  # largest number of points drawn of a history; longer ones are thinned
+SMALLEST = 1e-12  # estimated errors below it are drawn as this value [-]
 
 
 def _save(figure, path):
@@ -18,10 +18,10 @@ def _save(figure, path):
 
 
 def _thinned(x, y):
-    """A history with as many points as a picture can show: lowest and highest of each piece."""
-    if len(x) <= MOST_POINTS:
+    """A history with at most MAX_POINTS points: the lowest and the highest one of each piece."""
+    if len(x) <= MAX_POINTS:
         return x, y
-    pieces = np.array_split(np.arange(len(x)), MOST_POINTS // 2)
+    pieces = np.array_split(np.arange(len(x)), MAX_POINTS // 2)
     chosen = set()
     for piece in pieces:
         known = piece[np.isfinite(y[piece])]
@@ -30,9 +30,9 @@ def _thinned(x, y):
     return x[chosen], y[chosen]
 
 
-def _rows(answers):
-    """Of the histories: label, and for each line its values, name and colour."""
-    patches = answers.patches
+def _rows(results):
+    """Rows of the histories: label of the axis, and values, name and colour of each line."""
+    patches = results.patches
     side = [np.flatnonzero(patches["side"] == s) for s in (0, 1)]
 
     def by_side(values, scale=1.0):
@@ -40,21 +40,21 @@ def _rows(answers):
 
     def rail(name, scale):
         column = RAIL_FIELDS.index(name)
-        return by_side([answers.rail[:, s, column] for s in (0, 1)], scale)
+        return by_side([results.rail[:, s, column] for s in (0, 1)], scale)
 
     def highest(name, scale, reduce="max"):
-        return by_side([of_answers(patches[name], answers, side[s], reduce) for s in (0, 1)], scale)
+        return by_side([per_result(patches[name], results, side[s], reduce) for s in (0, 1)], scale)
 
-    return [("y [mm]", [(1e3 * answers.y, None, "k")]), ("yaw [mrad]", [(1e3 * answers.yaw, None, "k")]),
+    return [("y [mm]", [(1e3 * results.y, None, "k")]), ("yaw [mrad]", [(1e3 * results.yaw, None, "k")]),
             ("Q [kN]", rail("vertical_force", 1e-3)), ("Y [kN], outward", rail("lateral_force", 1e-3)),
             ("rail lateral [mm],\noutward", rail("lateral", 1e3)), ("rail roll [mrad],\noutward", rail("roll", 1e3)),
             ("highest pressure\n[MPa]", highest("max_pressure", 1e-6)),
             ("contact area\n[mm²]", highest("area", 1e6, "sum")),
-            ("steepest contact\n[°]", highest("contact_angle", 180 / np.pi))]
+            ("largest contact\nangle [°]", highest("contact_angle", 180 / np.pi))]
 
 
-def _show_constant_as_constant(axis):
-    """Rounding errors are not drawn over the whole height."""
+def _limit_zoom(axis):
+    """Gives the axis a minimum range: the rounding errors of a constant would otherwise fill its height."""
     low, high = axis.get_ylim()
     least = max(0.02 * max(abs(low), abs(high)), 1e-3)
     if high - low < least:
@@ -62,65 +62,68 @@ def _show_constant_as_constant(axis):
     axis.ticklabel_format(axis="y", useOffset=False)
 
 
-def histories(answers, other, path):
-    """Everything over time; the other run, if given, dashed."""
-    rows = _rows(answers)
+def histories(results, other, path):
+    """Histories over time. The other run, if given, is drawn dashed."""
+    rows = _rows(results)
     others = _rows(other) if other else [(None, [])] * len(rows)
     figure, axes = pyplot().subplots(len(rows), 1, sharex=True, figsize=(10, 1.55 * len(rows)), constrained_layout=True)
     for axis, (label, lines), (_, other_lines) in zip(axes, rows, others):
         for values, name, colour in lines:
-            axis.plot(*_thinned(answers.stamp, values), color=colour, label=name, linewidth=1.1)
+            axis.plot(*_thinned(results.stamp, values), color=colour, label=name, linewidth=1.1)
         for values, name, colour in other_lines:
             axis.plot(*_thinned(other.stamp, values), "--", color=colour, linewidth=0.9,
                       label=f"{name}, other run" if name else "other run")
         axis.set_ylabel(label)
         axis.grid(alpha=0.3)
-        _show_constant_as_constant(axis)
-    refused = ~np.isin(answers.status, USABLE)
-    axes[0].plot(answers.stamp[refused], 1e3 * answers.y[refused], ".", color="tab:red", label="refused")
+        _limit_zoom(axis)
+    refused = ~np.isin(results.status, USABLE)
+    axes[0].plot(results.stamp[refused], 1e3 * results.y[refused], ".", color="tab:red", label="refusal")
     if refused.any():
         axes[0].legend(loc="upper right", fontsize="small")
     axes[2].legend(loc="upper right", fontsize="small", ncol=2)
     axes[-1].set_xlabel("time [s]")
-    axes[-1].set_xlim(answers.stamp[0], answers.stamp[-1])
+    axes[-1].set_xlim(results.stamp[0], results.stamp[-1])
     return _save(figure, path)
 
 
-def contact_points(answers, side):
-    """Where the patches of a side lie on the rail at rest and on the wheel; (n, 2) each, as seen on the left."""
-    patches = answers.patches
+def contact_points(results, side):
+    """Positions of the patches of a side on the undeflected rail and on the wheel.
+
+    @return two arrays (n, 2) of y, z [m] in the axes of the left side; positions on the right are mirrored
+    """
+    patches = results.patches
     chosen = patches["side"] == side
-    index, sign = patches["answer"][chosen], (1, -1)[side]
+    index, sign = patches["result"][chosen], (1, -1)[side]
     y, z = patches["y"][chosen], patches["z"][chosen]
-    lateral, vertical, tilt = (np.nan_to_num(answers.rail[index, side, column]) for column in (0, 1, 2))
+    lateral, vertical, tilt = (np.nan_to_num(results.rail[index, side, column]) for column in (0, 1, 2))
     on_rail = np.column_stack([sign * y - lateral, z - vertical])
-    if "reference" in answers.outlines:  # the point that a rail's roll turns it about
-        reference = answers.outlines["reference"][0]
+    if "reference" in results.outlines:  # centre of rotation of the rail roll
+        reference = results.outlines["reference"][0]
         dy, dz = (on_rail - reference).T
         on_rail = reference + np.column_stack([np.cos(tilt) * dy - np.sin(tilt) * dz,
                                                np.cos(tilt) * dz + np.sin(tilt) * dy])
-    # To the wheelset's axes, yaw left out: it moves the contact along the track, not across.
-    dy, dz, roll = y - answers.y[index], z - answers.z[index], answers.roll[index]
+    # To the axes of the wheelset. Yaw is neglected: it moves the contact along the track, not across it.
+    dy, dz, roll = y - results.y[index], z - results.z[index], results.roll[index]
     on_wheel = np.column_stack([sign * (np.cos(roll) * dy + np.sin(roll) * dz), np.cos(roll) * dz - np.sin(roll) * dy])
     return on_rail, on_wheel
 
 
-def bands(answers, path):
-    """Where it runs: contact positions on both profiles, coloured by the highest pressure."""
+def bands(results, path):
+    """Contact positions on both profiles, coloured by the highest pressure."""
     figure, axes = pyplot().subplots(2, 2, figsize=(11, 6.2), constrained_layout=True)
-    pressure = 1e-6 * answers.patches["max_pressure"]
+    pressure = 1e-6 * results.patches["max_pressure"]
     scale = pyplot().Normalize(0, pressure.max())
     for side in (0, 1):
-        chosen = answers.patches["side"] == side
-        for row, (kind, points) in enumerate(zip(("wheel", "rail"), contact_points(answers, side)[::-1])):
+        chosen = results.patches["side"] == side
+        for row, (kind, points) in enumerate(zip(("wheel", "rail"), contact_points(results, side)[::-1])):
             axis, sign = axes[row][side], (1, -1)[side]
-            if kind in answers.outlines:
-                axis.plot(sign * 1e3 * answers.outlines[kind][:, 0], 1e3 * answers.outlines[kind][:, 1], color="0.4")
+            if kind in results.outlines:
+                axis.plot(sign * 1e3 * results.outlines[kind][:, 0], 1e3 * results.outlines[kind][:, 1], color="0.4")
             colours = axis.scatter(sign * 1e3 * points[:, 0], 1e3 * points[:, 1], c=pressure[chosen], s=14, norm=scale,
                                    cmap="viridis", zorder=3)
             axis.set(title=f"{SIDES[side]} {kind}", aspect="equal", xlabel="y [mm]", ylabel="z [mm]")
             axis.grid(alpha=0.3)
-    # Left is at positive y: as seen in the direction of travel, the left side stands on the left.
+    # The left side is at positive y. With this direction of the axis it is drawn on the left, as seen in travel direction.
     for axis in axes.flat:
         axis.invert_xaxis()
     figure.colorbar(colours, ax=axes, label="highest pressure [MPa]", shrink=0.8)
@@ -128,7 +131,7 @@ def bands(answers, path):
 
 
 def pressure_maps(message, title, path):
-    """The pressure of every patch of one answer."""
+    """Pressure of every patch of one result."""
     patches = [p for p in message.patches if p.grid.nx]
     columns = min(4, len(patches))
     rows = -(-len(patches) // columns)
@@ -151,13 +154,13 @@ def pressure_maps(message, title, path):
     return _save(figure, path)
 
 
-def quality(answers, path):
-    """Estimated errors of the patches, by method."""
+def quality(results, path):
+    """Histogram of the estimated errors of the patches, by method."""
     figure, axis = pyplot().subplots(figsize=(7, 3), constrained_layout=True)
-    errors = np.maximum(answers.patches["error_estimate"], SMALLEST)
+    errors = np.maximum(results.patches["error_estimate"], SMALLEST)
     edges = np.geomspace(errors.min() / 1.1, errors.max() * 1.1, 40)
-    for method in sorted(set(answers.patches["method"])):
-        axis.hist(errors[answers.patches["method"] == method], bins=edges, alpha=0.6, label=method)
+    for method in sorted(set(results.patches["method"])):
+        axis.hist(errors[results.patches["method"] == method], bins=edges, alpha=0.6, label=method)
     axis.set(xscale="log", xlabel="estimated relative error of a patch", ylabel="patches")
     axis.legend(fontsize="small")
     return _save(figure, path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report's page: one HTML file that holds its pictures."""
+"""Page of the report: one HTML file that contains its pictures."""
 import base64
 import html
 
@@ -19,7 +19,7 @@ def _table(head, rows):
 
 
 def _shown(item, caption):
-    """A picture's file, or a sentence in its place."""
+    """HTML of an item: a picture (path), or a sentence (str) instead of a picture."""
     if isinstance(item, str):
         return f"<p>{html.escape(item)}</p>"
     return _image(item, caption)
@@ -30,53 +30,57 @@ def _image(path, caption):
     return f'<img alt="{html.escape(caption)}" src="data:image/png;base64,{data}">'
 
 
-def extremes(answers):
-    """Rows of the table of extreme values."""
+def extremes(results):
+    """Rows of the table of extreme values: quantity, value, stamp [s], y [mm]."""
     rows = []
     for name, unit, scale, digits in (("max_pressure", "MPa", 1e-6, 0), ("contact_angle", "°", 180 / np.pi, 1),
                                       ("normal_force", "kN", 1e-3, 1), ("approach", "µm", 1e6, 1)):
         for side in (0, 1):
-            values = np.where(answers.patches["side"] == side, answers.patches[name], -np.inf)
+            values = np.where(results.patches["side"] == side, results.patches[name], -np.inf)
             if len(values) and np.isfinite(values.max()):
                 worst = int(values.argmax())
-                answer = answers.patches["answer"][worst]
+                result = results.patches["result"][worst]
                 rows.append((f"{name} [{unit}], {SIDES[side]}", f"{scale * values[worst]:.{digits}f}",
-                             f"{answers.stamp[answer]:.3f}", f"{1e3 * answers.y[answer]:.2f}"))
+                             f"{results.stamp[result]:.3f}", f"{1e3 * results.y[result]:.2f}"))
     return rows
 
 
-def _statuses(answers):
-    counts = np.bincount(answers.status, minlength=len(STATUSES))
-    return [(STATUSES[s], n, f"{100 * n / len(answers.status):.2f} %") for s, n in enumerate(counts) if n]
+def _statuses(results):
+    counts = np.bincount(results.status, minlength=len(STATUSES))
+    return [(STATUSES[s], n, f"{100 * n / len(results.status):.2f} %") for s, n in enumerate(counts) if n]
 
 
-def _reasons(answers):
-    most = sorted(answers.reasons.items(), key=lambda item: -item[1][0])[:20]
+def _reasons(results):
+    most = sorted(results.reasons.items(), key=lambda item: -item[1][0])[:20]
     return [(f"{STATUSES[status]}: {text}", number) for (status, _), (number, text) in most]
 
 
-def _methods(answers):
-    methods = answers.patches["method"]
-    return [(m, int((methods == m).sum()), f"{100 * np.median(answers.patches['error_estimate'][methods == m]):.2f} %")
+def _methods(results):
+    methods = results.patches["method"]
+    return [(m, int((methods == m).sum()), f"{100 * np.median(results.patches['error_estimate'][methods == m]):.2f} %")
             for m in sorted(set(methods))]
 
 
-def write(path, title, answers, pictures, other_title=None):
-    """pictures: (heading, [paths, or sentences in their place])."""
-    usable = int(np.isin(answers.status, USABLE).sum())
+def write(path, title, results, pictures, other_title=None):
+    """Writes the page.
+
+    @param pictures list of (heading, items); an item is the path of a picture, or a sentence instead of it
+    """
+    usable = int(np.isin(results.status, USABLE).sum())
     parts = [f"<h1>{html.escape(title)}</h1>",
-             f"<p>{len(answers.status)} answers from {answers.stamp[0]:.3f} s to {answers.stamp[-1]:.3f} s, "
+             f"<p>{len(results.status)} results from {results.stamp[0]:.3f} s to {results.stamp[-1]:.3f} s, "
              f"{usable} of them usable.</p>"]
     if other_title:
         parts.append(f"<p>Dashed: {html.escape(other_title)}.</p>")
-    parts += [_table(("status", "answers", "share"), _statuses(answers))]
-    if answers.reasons:
-        parts += ["<h2>Refusals and remarks</h2>", _table(("reason, with the figures of the first", "answers"), _reasons(answers))]
-    parts += ["<h2>Extremes</h2>", _table(("quantity", "value", "at [s]", "y [mm]"), extremes(answers))]
+    parts += [_table(("status", "results", "share"), _statuses(results))]
+    if results.reasons:
+        head = "reason, with the numbers of the first result", "results"
+        parts += ["<h2>Refusals and remarks</h2>", _table(head, _reasons(results))]
+    parts += ["<h2>Extreme values</h2>", _table(("quantity", "value", "time [s]", "y [mm]"), extremes(results))]
     for heading, images in pictures:
         parts += [f"<h2>{html.escape(heading)}</h2>", *(_shown(image, heading) for image in images)]
-    parts += ["<h2>Methods</h2>", _table(("method", "patches", "median of the estimated error"), _methods(answers))]
-    if answers.parameters:
-        parts += ["<h2>Made with</h2>", f"<pre>{html.escape(answers.parameters)}</pre>"]
+    parts += ["<h2>Methods</h2>", _table(("method", "patches", "median of the estimated error"), _methods(results))]
+    if results.parameters:
+        parts += ["<h2>Parameters</h2>", f"<pre>{html.escape(results.parameters)}</pre>"]
     path.write_text(f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>'
                     f"<style>{STYLE}</style></head>\n<body>\n" + "\n".join(parts) + "\n</body></html>\n", encoding="utf-8")

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""States of a wheelset as tables of other programs and as bags."""
+"""Conversion of wheelset states between tables of other programs and bags."""

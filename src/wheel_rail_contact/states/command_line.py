@@ -7,13 +7,14 @@ from ..command import Failure, finish, writing
 from .state import read_bag, write_bag
 from .table import AXES, COLUMNS, UNITS, WHEEL_LOADS, read_table, write_table
 
-DESCRIPTION = """Makes a bag of a table of wheelset states, as a vehicle simulation exports it, or a table of a bag."""
-EPILOG = f"""The table is CSV (comma, semicolon or tab) with a line of names and units such as
+DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle simulation, to a bag, or a bag to a table."""
+EPILOG = f"""The table is CSV (comma, semicolon or tab). Its first line contains names and units, for example
   time [s], y [mm], yaw [mrad], Q_left [kN], Q_right [kN]
-Columns: time and y; and as they are known {', '.join(COLUMNS)}; or, in place of force_z and torque_x,
-{' and '.join(WHEEL_LOADS)}. Units: {'; '.join(', '.join(units) for units in UNITS.values())}.
-Lines that begin with # are left out. force_z and torque_x are the vehicle's force and moment on the axle centre, Q the
-wheel loads (down), Y the lateral forces on the rails (outward).
+Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')};
+{' and '.join(WHEEL_LOADS)} may replace force_z and torque_x.
+Units: {'; '.join(', '.join(units) for units in UNITS.values())}.
+Lines that begin with # are ignored. force_z and torque_x are the force and moment of the vehicle on the axle centre, Q_left
+and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward).
 Axes: rep103: x forward, y left, z up; railway: x forward, y right, z down (roll, yaw and forces accordingly)."""
 
 
@@ -22,30 +23,31 @@ def _parser():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("source", metavar="IN", help="table (.csv) or bag (.bag)")
     parser.add_argument("target", metavar="OUT", help="bag (.bag) or table (.csv); must not exist")
-    parser.add_argument("--axes", choices=AXES, default="rep103", help="axes of the table (%(default)s)")
-    parser.add_argument("--wheelset", default="", metavar="NAME", help="namespace of the topics (/)")
+    parser.add_argument("--axes", choices=AXES, default="rep103", help="axes of the table (default: %(default)s)")
+    parser.add_argument("--wheelset", default="", metavar="NAME", help="namespace of the topics (default: /)")
     parser.add_argument("--running-circles", type=float, default=1.5, metavar="M",
-                        help="distance of the running circles, for Q_left and Q_right [m] (%(default)s)")
-    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="added to the table's times [s] (0)")
+                        help="distance of the running circles, for Q_left and Q_right [m] (default: %(default)s)")
+    parser.add_argument("--start", type=float, default=0.0, metavar="S",
+                        help="added to the times of the table [s] (default: 0)")
     return parser
 
 
 def main(arguments=None):
-    """Run the command; returns its exit status."""
+    """Runs the command and returns its exit status."""
     parser = _parser()
     options = parser.parse_args(arguments)
     kinds = tuple(os.path.splitext(name)[1] for name in (options.source, options.target))
     if sorted(kinds) != [".bag", ".csv"]:
         parser.error("one of IN and OUT must be a .csv, the other a .bag")
     if not options.running_circles > 0:
-        parser.error("--running-circles must be above 0")
+        parser.error(f"--running-circles {options.running_circles}: must be above 0")
     return finish("contact_states", _convert, options, kinds[0] == ".csv")
 
 
 def _convert(options, from_table):
     wheelset = "/" + options.wheelset.strip("/") if options.wheelset.strip("/") else ""
     if os.path.exists(options.target):
-        raise Failure(f"{options.target}: exists already; it is not overwritten")
+        raise Failure(f"{options.target}: already exists and is not overwritten")
     if from_table:
         states = read_table(options.source, options.axes, options.running_circles, round(options.start * 1e9))
         _write(options.target, write_bag, states, wheelset)
@@ -56,7 +58,7 @@ def _convert(options, from_table):
 
 
 def _write(target, write, *arguments):
-    """Writes a file whole, or leaves nothing of it."""
+    """Writes a file. After a failure, no part of it is left."""
     try:
         with writing(target):
             write(target, *arguments)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""State of a wheelset at one instant, and how bags hold it."""
+"""State of a wheelset at one instant, and its messages in a bag."""
 import math
 from dataclasses import dataclass
 from typing import Optional
@@ -16,16 +16,16 @@ FRAME = "track"
 
 @dataclass
 class State:
-    """SI units, track axes (x forward, y left, z up). None: not known."""
+    """SI units, track axes (x forward, y left, z up). None: not given."""
     time_ns: int
-    x: float = 0.0
+    x: float = 0.0         # axle centre
     y: float = 0.0
-    z: float = 0.0         # axle centre
+    z: float = 0.0
     roll: float = 0.0
     yaw: float = 0.0
-    force_z: Optional[float] = None   # of the vehicle on the axle centre; negative presses down
+    force_z: Optional[float] = None   # of the vehicle on the axle centre, up positive: a load is negative
     torque_x: Optional[float] = None
-    left_lateral_force: Optional[float] = None   # Y on the rail, positive outward on either side
+    left_lateral_force: Optional[float] = None   # Y on the rail, outward positive on both sides
     right_lateral_force: Optional[float] = None
 
 
@@ -42,7 +42,7 @@ def _header(message, state):
 def _pose(state):
     message = _header(PoseStamped(), state)
     message.pose.position.x, message.pose.position.y, message.pose.position.z = state.x, state.y, state.z
-    # Rz(yaw) Rx(roll)
+    # rotation Rz(yaw) Rx(roll)
     cr, sr, cy, sy = (f(a / 2) for a in (state.roll, state.yaw) for f in (math.cos, math.sin))
     q = message.pose.orientation
     q.x, q.y, q.z, q.w = cy * sr, sy * sr, sy * cr, cy * cr
@@ -56,7 +56,7 @@ def _wrench(state, force_y=0.0, force_z=0.0, torque_x=0.0):
 
 
 def write_bag(path, states, wheelset=""):
-    """Writes states as contact_node and contact_replay read them. The same states give the same file."""
+    """Writes states to a bag for contact_node and contact_replay. The same states give the same bytes."""
     topics = f"{wheelset}/wheelset/"
     with rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2) as bag:
         for state in states:
@@ -71,7 +71,7 @@ def write_bag(path, states, wheelset=""):
 
 
 def read_bag(path, wheelset=""):
-    """The states of a bag in the order of their stamps; loads and forces belong to the pose of their stamp."""
+    """States of a bag in the order of their stamps. Loads and forces are assigned to the pose with the same stamp."""
     prefix = f"{wheelset}/wheelset/"
     states = {}
     others = []
@@ -91,7 +91,7 @@ def read_bag(path, wheelset=""):
 
 
 def _messages(path, prefix):
-    """Each message of a bag whose topic begins with the prefix, and what follows in its topic."""
+    """Yields each message whose topic begins with the prefix, preceded by the rest of its topic."""
     with rosbag.Bag(str(path)) as bag:
         names = {topic: "/" + topic.lstrip("/") for topic in bag.get_type_and_topic_info().topics}
         wanted = [topic for topic, name in names.items() if name.startswith(prefix)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""States of a wheelset as a table: one row for each instant, columns named with their units."""
+"""States of a wheelset as a table: one row per instant; the titles of the columns contain the units."""
 import csv
 import decimal
 import math
@@ -20,10 +20,10 @@ COLUMNS = {
     "x": ("x", "length", 1), "y": ("y", "length", -1), "z": ("z", "length", -1),
     "roll": ("roll", "angle", 1), "yaw": ("yaw", "angle", -1),
     "force_z": ("force_z", "force", -1), "torque_x": ("torque_x", "torque", 1),
-    # On the rail, outward: the same in any axes.
+    # On the rail, outward positive in both systems of axes.
     "Y_left": ("left_lateral_force", "force", 1), "Y_right": ("right_lateral_force", "force", 1),
 }
-WHEEL_LOADS = {"Q_left": "force", "Q_right": "force"}  # down, the same in any axes
+WHEEL_LOADS = {"Q_left": "force", "Q_right": "force"}  # down positive in both systems of axes
 REQUIRED = ("time", "y")
 AXES = ("rep103", "railway")
 TITLE = re.compile(r"\s*(\w+)\s*\[\s*([\w ]+?)\s*\]\s*")
@@ -34,19 +34,19 @@ def _delimiter(line):
 
 
 class _Column:
-    """A column of the table: where it stands, and the factor that makes SI of its unit."""
+    """A column of the table: its index, name and unit, and the factor from this unit to SI."""
 
     def __init__(self, index, title):
         match = TITLE.fullmatch(title)
         if not match:
-            raise Failure(f"column '{title.strip()}': must be a name with its unit, such as 'y [mm]'")
+            raise Failure(f"column '{title.strip()}': must be a name with its unit, for example 'y [mm]'")
         self.index, self.name, self.unit = index, match.group(1), match.group(2)
         kind = "time" if self.name == "time" else WHEEL_LOADS.get(self.name) or COLUMNS.get(self.name, (0, None))[1]
         if not kind:
             known = ", ".join(["time", *COLUMNS, *WHEEL_LOADS])
-            raise Failure(f"column '{self.name}': there is no such quantity; known are {known}")
+            raise Failure(f"column '{self.name}': unknown quantity; valid names are {known}")
         if self.unit not in UNITS[kind]:
-            raise Failure(f"column '{self.name}': unit '{self.unit}' is none of {', '.join(UNITS[kind])}")
+            raise Failure(f"column '{self.name}': unknown unit '{self.unit}'; valid units are {', '.join(UNITS[kind])}")
         self.factor = UNITS[kind][self.unit]
 
     def value(self, row):
@@ -65,8 +65,8 @@ class _Column:
         return int((decimal.Decimal(row[self.index].strip()) * scale).to_integral_value())
 
 
-def _turned(value):
-    """Along an axis the other way round; 0 stays 0."""
+def _reversed(value):
+    """Value along the opposite axis; 0 stays 0 and does not become -0."""
     return 0.0 - value
 
 
@@ -75,17 +75,17 @@ def _columns(titles):
     for index, title in enumerate(titles):
         column = _Column(index, title)
         if column.name in columns:
-            raise Failure(f"column '{column.name}' is there twice")
+            raise Failure(f"column '{column.name}' is given twice")
         columns[column.name] = column
     for name in REQUIRED:
         if name not in columns:
-            raise Failure(f"there is no column '{name}'")
+            raise Failure(f"column '{name}' is missing")
     if ("Q_left" in columns) != ("Q_right" in columns):
-        raise Failure("Q_left and Q_right come together")
+        raise Failure("Q_left and Q_right must be given together")
     if "Q_left" in columns and ("force_z" in columns or "torque_x" in columns):
         raise Failure("the load is given twice: by force_z and torque_x, or by Q_left and Q_right")
     if "torque_x" in columns and "force_z" not in columns:
-        raise Failure("torque_x needs force_z")
+        raise Failure("torque_x requires force_z")
     return columns
 
 
@@ -94,7 +94,7 @@ def _state(columns, row, axes, running_circles, start_ns):
     for name, (field, _, railway_sign) in COLUMNS.items():
         if name in columns:
             value = columns[name].value(row)
-            setattr(state, field, _turned(value) if axes == "railway" and railway_sign < 0 else value)
+            setattr(state, field, _reversed(value) if axes == "railway" and railway_sign < 0 else value)
     if "Q_left" in columns:
         left, right = (columns[name].value(row) for name in ("Q_left", "Q_right"))
         state.force_z = -(left + right)
@@ -103,7 +103,11 @@ def _state(columns, row, axes, running_circles, start_ns):
 
 
 def read_table(path, axes, running_circles, start_ns=0):
-    """The states of a table. running_circles: distance of the running circles [m], for Q_left and Q_right."""
+    """States of a table.
+
+    @param running_circles distance of the running circles [m], for Q_left and Q_right
+    @param start_ns added to the times [ns]
+    """
     with open(path, encoding="utf-8-sig", newline="") as file:
         lines = [(number, line) for number, line in enumerate(file, 1) if line.strip() and not line.startswith("#")]
     if not lines:
@@ -119,16 +123,16 @@ def read_table(path, axes, running_circles, start_ns=0):
         try:
             states.append(_state(columns, row, axes, running_circles, start_ns))
             if states[-1].time_ns <= 0:
-                raise Failure("time must be above 0, which ROS takes for unknown; --start 1 adds a second")
+                raise Failure("time must be above 0, which means unknown in ROS; --start 1 adds one second")
             if len(states) > 1 and states[-1].time_ns <= states[-2].time_ns:
-                raise Failure("time must rise")
+                raise Failure("time must increase")
         except Failure as error:
             raise Failure(f"{path}:{number}: {error}") from None
     return states
 
 
 def write_table(path, states, axes):
-    """Writes states in SI units, with the columns that any of them knows."""
+    """Writes states in SI units. A column is omitted if no state has a value for it."""
     si_unit = {kind: next(iter(units)) for kind, units in UNITS.items()}
     columns = {name: column for name, column in COLUMNS.items()
                if any(getattr(state, column[0]) is not None for state in states)}
@@ -141,6 +145,6 @@ def write_table(path, states, axes):
             for field, _, railway_sign in columns.values():
                 value = getattr(state, field)
                 if value is not None and axes == "railway" and railway_sign < 0:
-                    value = _turned(value)
+                    value = _reversed(value)
                 cells.append("" if value is None else repr(value))
             table.writerow(cells)

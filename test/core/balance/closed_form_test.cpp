@@ -39,7 +39,7 @@ double apart(const PatchResult& found, double max_pressure, double area, double 
 
 // What an arc differs from a parabola over 6 mm of half-width is (6 / 300)² / 4 = 1e-4 of its height; the cone's own
 // curvature across is left out by the exact figures, too. 0.1 %, or the tolerance if that is stricter.
-TEST(ClosedForm, isTakenBetweenRoundBodiesAndIsRight)
+TEST(ClosedForm, IsTakenBetweenRoundBodiesAndIsRight)
 {
   for (const double slope : {0.0, 0.05})
   {
@@ -62,7 +62,7 @@ TEST(ClosedForm, isTakenBetweenRoundBodiesAndIsRight)
   }
 }
 
-TEST(ClosedForm, isNotTakenOnTheTreadOfS1002)
+TEST(ClosedForm, IsNotTakenOnTheTreadOfS1002)
 {
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
   {
@@ -77,7 +77,7 @@ TEST(ClosedForm, isNotTakenOnTheTreadOfS1002)
 }
 
 // A rail that bends under the contact is solved together with it, which Hertz's closed form cannot.
-TEST(ClosedForm, isNotTakenOnRailsThatBend)
+TEST(ClosedForm, IsNotTakenOnRailsThatBend)
 {
   ContactModelConfig scene = round_bodies::scene(0.05);
   scene.rail_bending.model = RailBendingConfig::Model::compliance;
@@ -100,7 +100,7 @@ Profile hollowWheel()
 // On the rail head's crown of 300 mm a hollow tread moves its contact as far as itself, from the middle to the joint
 // with the arc of 80 mm. Round at the one end, not at the other. Each answer is within the tolerance of 1 %, by
 // whatever method, and 64 × 128 cells are within 0.2 %.
-TEST(ClosedForm, isLeftAtTheJointOfTwoArcs)
+TEST(ClosedForm, IsLeftAtTheDiscontinuityOfTwoArcs)
 {
   ContactModelConfig scene = manchesterScene();
   scene.wheel_profile = std::make_shared<Profile>(hollowWheel());
@@ -128,18 +128,18 @@ TEST(ClosedForm, isLeftAtTheJointOfTwoArcs)
 }
 
 // Setting out anew from a rough solution asks for the closed form at once, however lately it would not do.
-TEST(ClosedForm, isAskedForAtOnceAfterAJump)
+TEST(ClosedForm, IsAskedForAtOnceAfterAJump)
 {
-  const MethodLadder ladder{ContactModelConfig()};
+  const GridLevels levels{ContactModelConfig()};
   const Grid grid = problems::centredGrid(8, 24, 0.014, 0.014, true);
   const auto gap = [&](double beyond)
   { return problems::sampled(grid, [=](double x, double y) { return x * x + (y < 0 ? 1 : beyond) * y * y; }); };
-  const NormalProblem joint = problems::underLoad(gap(2), 5e4), round = problems::underLoad(gap(1), 5e4);
-  NormalSolution on_joint, on_round;
-  ladder.solver().solve(joint, false, on_joint);
-  ladder.solver().solve(round, false, on_round);
-  RungChoice choice(ladder, 0.01);
-  choice.tryClosedForm(joint, on_joint);
+  const NormalProblem discontinuity = problems::underLoad(gap(2), 5e4), round = problems::underLoad(gap(1), 5e4);
+  NormalSolution on_discontinuity, on_round;
+  levels.solver().solve(discontinuity, false, on_discontinuity);
+  levels.solver().solve(round, false, on_round);
+  GridLevelChoice choice(levels, 0.01);
+  choice.tryClosedForm(discontinuity, on_discontinuity);
   choice.tryClosedForm(round, on_round);
   EXPECT_FALSE(choice.leaveClosedForm()) << "asked again too soon";
   choice.start(ErrorEstimate());
@@ -149,7 +149,7 @@ TEST(ClosedForm, isAskedForAtOnceAfterAJump)
 
 // Between any two states the method may change. An answer from the last one and one from cold are each within the
 // tolerance of 1 %.
-TEST(ClosedForm, jumpsAreAnsweredAsFromCold)
+TEST(ClosedForm, JumpsAreEvaluatedAsFromCold)
 {
   constexpr unsigned long seed = 41;
   std::cout << "seed " << seed << ", 60 states\n";

@@ -48,8 +48,8 @@ std::vector<double> plainIteration(double y, int steps)
       wheel.learn();
     }
     const WheelForces force = wheel.forces();
-    deflection =
-        deflectionInTrack(config.rail_bending.table, {force.outward, force.vertical, force.moment}, config.track.rail_inclination);
+    deflection = deflectionInTrack(config.rail_bending.table, {force.outward, force.vertical, force.moment},
+                                   config.track.rail_inclination);
     lateral.push_back(deflection.lateral);
   }
   return lateral;
@@ -194,8 +194,8 @@ TEST(Coupling, LeavingItOutNeverCostsMoreThanTheTolerance)
 TEST(Coupling, WarmSweepTakesAHandfulOfSolutions)
 {
   const ContactModelConfig config = onPads(softPads());
-  const MethodLadder ladder(config);
-  WheelsetBalance balance(config, ladder);
+  const GridLevels levels(config);
+  WheelsetBalance balance(config, levels);
   std::vector<int> solutions;
   int before = 0;
   for (int k = 0; k <= 120; ++k)

@@ -58,7 +58,7 @@ ContactModelConfig onOneGrid()
   return config;
 }
 
-TEST(HotPath, counterSeesAnAllocation)
+TEST(HotPath, CounterSeesAnAllocation)
 {
   allocations = 0;
   counting = true;
@@ -67,18 +67,18 @@ TEST(HotPath, counterSeesAnAllocation)
   EXPECT_EQ(allocations, 1);
 }
 
-TEST(HotPath, stiffRailsAllocateNothing)
+TEST(HotPath, StiffRailsAllocateNothing)
 {
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid()), 0);
 }
 
-TEST(HotPath, aYawedWheelsetAllocatesNothing)
+TEST(HotPath, AYawedWheelsetAllocatesNothing)
 {
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid(), 0.005), 0);
 }
 
 // Grids without symmetry are prepared ahead, too: what is left at their first message is room for twice the cells.
-TEST(HotPath, firstYawedMessagesComputeNoCoefficients)
+TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)
 {
   WheelsetContact contact(onOneGrid());
   sweep(contact, 0);
@@ -90,7 +90,7 @@ TEST(HotPath, firstYawedMessagesComputeNoCoefficients)
   EXPECT_LE(allocations, 40);
 }
 
-TEST(HotPath, bendingRailsAllocateNothing)
+TEST(HotPath, BendingRailsAllocateNothing)
 {
   ContactModelConfig config = onOneGrid();
   config.rail_bending.model = RailBendingConfig::Model::compliance;

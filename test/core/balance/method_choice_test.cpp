@@ -30,8 +30,8 @@ double trueError(const WheelsetBalance& found, const WheelsetBalance& truth)
       if (pressure.force > 0 && fine_pressure.force > 0)
       {
         const double weight = wheel.problem().patches[k].weight;
-        const double approach = weight * (wheel.descent() - wheel.patches()[k].touch_gap);
-        const double fine_approach = weight * (fine.descent() - fine.patches()[k].touch_gap);
+        const double approach = weight * (wheel.penetration() - wheel.patches()[k].touch_gap);
+        const double fine_approach = weight * (fine.penetration() - fine.patches()[k].touch_gap);
         error = std::max(error, scenes::relativeErrors(pressure, approach, fine_pressure, fine_approach).largest());
       }
     }
@@ -48,46 +48,46 @@ double estimate(const WheelsetBalance& found)
 /// How often answers keep what they promise.
 struct Tally
 {
-  int answers = 0, met = 0, flagged = 0, held = 0;
+  int results = 0, met = 0, flagged = 0, held = 0;
 
   void count(double error, double estimated, double tolerance)
   {
-    ++answers;
+    ++results;
     met += error <= tolerance ? 1 : 0;
     flagged += error > tolerance && estimated > tolerance ? 1 : 0;
     held += error <= estimated ? 1 : 0;
   }
-  double share(int part) const { return static_cast<double>(part) / answers; }
+  double share(int part) const { return static_cast<double>(part) / results; }
 };
 
 /// Conjugate gradients on 128 × 320 cells: on smooth and jumping contacts alike within 0.05 % of grids finer still.
-MethodLadder truthLadder()
+GridLevels truthLevels()
 {
   ContactModelConfig config;
   config.contact.method = NormalMethod::conjugate_gradient;
   config.contact.cells_along = 128;
   config.contact.cells_across = 320;
   config.contact.tolerance = 1e-4;
-  return MethodLadder(config);
+  return GridLevels(config);
 }
 
-MethodLadder ladderFor(double tolerance)
+GridLevels levelsFor(double tolerance)
 {
   ContactModelConfig config;
   config.contact.tolerance = tolerance;
-  return MethodLadder(config);
+  return GridLevels(config);
 }
 
-TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
+TEST(MethodChoice, AutoMeetsItsToleranceOnFreshScenes)
 {
   constexpr unsigned long seed = 93;  // 1 to 4 and 91 were used to calibrate and to choose
   constexpr int count = 260;
   std::cout << "seed " << seed << ", " << count << " scenes at four tolerances\n";
-  const MethodLadder truth_ladder = truthLadder();
-  std::map<double, MethodLadder> ladders;  // by tolerance
+  const GridLevels truth_levels = truthLevels();
+  std::map<double, GridLevels> solver_cache;  // by tolerance
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
   {
-    ladders.emplace(tolerance, ladderFor(tolerance));
+    solver_cache.emplace(tolerance, levelsFor(tolerance));
   }
   scenes::Random seeds(seed);
   std::map<double, Tally> tallies;
@@ -97,15 +97,15 @@ TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
     const scenes::WheelsetScene scene = scenes::randomWheelsetScene(random);
     ContactModelConfig config = scene.config;
     config.contact.tolerance = 1e-4;
-    WheelsetBalance truth(config, truth_ladder);
+    WheelsetBalance truth(config, truth_levels);
     if (truth.solve(scene.state) != ContactStatus::ok)
     {
       continue;
     }
-    for (const auto& [tolerance, ladder] : ladders)
+    for (const auto& [tolerance, levels] : solver_cache)
     {
       config.contact.tolerance = tolerance;
-      WheelsetBalance balance(config, ladder);
+      WheelsetBalance balance(config, levels);
       ASSERT_EQ(balance.solve(scene.state), ContactStatus::ok) << "seed " << seed << ", scene " << i;
       const double error = trueError(balance, truth);
       if (error >= 0)
@@ -114,18 +114,18 @@ TEST(MethodChoice, autoMeetsItsToleranceOnFreshScenes)
       }
     }
   }
-  ASSERT_EQ(tallies.size(), ladders.size());
+  ASSERT_EQ(tallies.size(), solver_cache.size());
   for (const auto& [tolerance, tally] : tallies)
   {
-    std::cout << 100 * tolerance << " %: " << tally.answers << " answers, " << tally.met << " within it, "
+    std::cout << 100 * tolerance << " %: " << tally.results << " answers, " << tally.met << " within it, "
               << tally.flagged << " beyond it and flagged, " << tally.held << " within their estimate\n";
-    ASSERT_GE(tally.answers, 250);
+    ASSERT_GE(tally.results, 250);
     EXPECT_GE(tally.share(tally.met), 0.99) << "tolerance " << tolerance;
     EXPECT_GE(tally.share(tally.held), 0.95) << "tolerance " << tolerance;
   }
 }
 
-TEST(MethodChoice, answersSayWhenTheToleranceIsNotMet)
+TEST(MethodChoice, ResultsSayWhenTheToleranceIsNotMet)
 {
   ContactModelConfig config = manchesterScene();
   config.contact.tolerance = 3e-5;  // finer than the finest grid
@@ -144,7 +144,7 @@ TEST(MethodChoice, answersSayWhenTheToleranceIsNotMet)
   EXPECT_EQ(within.reason, "");
 }
 
-TEST(MethodChoice, aSteadySceneSettlesOnOneGrid)
+TEST(MethodChoice, ASteadySceneSettlesOnOneGrid)
 {
   ContactModelConfig config = manchesterScene();
   config.contact.tolerance = 0.003;
@@ -169,14 +169,14 @@ TEST(MethodChoice, aSteadySceneSettlesOnOneGrid)
 }
 
 /// Two solutions a message are due; without memory of the places where a grid failed there were 2.85.
-TEST(MethodChoice, aWheelsetThatComesBackTakesAFinerGridAtOnce)
+TEST(MethodChoice, AWheelsetThatComesBackTakesAFinerGridAtOnce)
 {
   constexpr int reach = 4;
   constexpr int ways = 64;
   ContactModelConfig config = manchesterScene();
   config.contact.tolerance = 0.01;
-  const MethodLadder ladder(config);
-  WheelsetBalance balance(config, ladder);
+  const GridLevels levels(config);
+  WheelsetBalance balance(config, levels);
   const auto solutions = [&balance]
   { return balance.wheel(Side::left).solutions() + balance.wheel(Side::right).solutions(); };
   int before = 0;

@@ -97,7 +97,7 @@ class MirrorSymmetryTest : public testing::Test
 
 // Mirror images go through the same arithmetic: bit-equal, from cold and along
 // a sweep, on rigid and on soft rails.
-TEST_F(MirrorSymmetryTest, MirroredStateHasTheMirroredAnswer)
+TEST_F(MirrorSymmetryTest, MirroredStateHasTheMirroredResult)
 {
   for (const bool soft : {false, true})
   {

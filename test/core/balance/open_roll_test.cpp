@@ -65,7 +65,7 @@ double difference(const PatchResult& one, const PatchResult& other)
 }
 }  // namespace
 
-TEST(OpenRoll, doesNotPartTreadAndFlange)
+TEST(OpenRoll, DoesNotPartTreadAndFlange)
 {
   // A tenth of tolerance would leave up to 3e-5 rad open for a single contact: 14 um sideways at the rail, which is as
   // much as the flank's own approach where it begins to carry.
@@ -75,10 +75,10 @@ TEST(OpenRoll, doesNotPartTreadAndFlange)
   for (int step = 0; step < 20; ++step)
   {
     const WheelsetState state = stateAt(10.595e-3 + 3e-6 * step, 25e3, 0.01);
-    const WheelsetResult &answer = loose.evaluate(state), &reference = strict.evaluate(state);
-    ASSERT_EQ(answer.status, ContactStatus::ok) << state.y << answer.reason;
+    const WheelsetResult &result = loose.evaluate(state), &reference = strict.evaluate(state);
+    ASSERT_EQ(result.status, ContactStatus::ok) << state.y << result.reason;
     ASSERT_EQ(reference.status, ContactStatus::ok) << state.y << reference.reason;
-    const auto patches = leftPatches(answer), exact = leftPatches(reference);
+    const auto patches = leftPatches(result), exact = leftPatches(reference);
     ASSERT_EQ(patches.size(), exact.size()) << state.y;
     two += patches.size() == 2 ? 1 : 0;
     for (std::size_t k = 0; k < patches.size(); ++k)

@@ -11,20 +11,20 @@ namespace
 {
 /// The left wheel pressed down at given roll: work of its vertical force from above the first touch, and the forces at
 /// the end.
-struct Descent
+struct Penetration
 {
   double work = 0;      ///< [N m]
   double vertical = 0;  ///< [N]
   double outward = 0;   ///< [N]
-  bool answered = true;
+  bool evaluated = true;
 };
 
-Descent pressDown(WheelsetContact& contact, double y, double roll, double z)
+Penetration pressDown(WheelsetContact& contact, double y, double roll, double z)
 {
   constexpr int steps = 160;
   constexpr double height = 1.2e-3;
   contact.reset();
-  Descent descent;
+  Penetration penetration;
   WheelsetState state;
   state.y = y;
   state.roll = roll;
@@ -32,13 +32,13 @@ Descent pressDown(WheelsetContact& contact, double y, double roll, double z)
   {
     state.z = z + height * (steps - i) / steps;
     const WheelsetResult& result = contact.evaluate(state);
-    descent.answered = descent.answered && isUsable(result.status);
-    const double before = descent.vertical;
-    descent.vertical = result.rail[0].vertical_force;
-    descent.outward = result.rail[0].lateral_force;
-    descent.work += 0.5 * (before + descent.vertical) * height / steps;
+    penetration.evaluated = penetration.evaluated && isUsable(result.status);
+    const double before = penetration.vertical;
+    penetration.vertical = result.rail[0].vertical_force;
+    penetration.outward = result.rail[0].lateral_force;
+    penetration.work += 0.5 * (before + penetration.vertical) * height / steps;
   }
-  return descent;
+  return penetration;
 }
 }  // namespace
 
@@ -64,10 +64,10 @@ TEST(OutwardForceTest, OutwardForceIsTheChangeOfTheVerticalForcesWork)
                           State{0.008, 0.008369437, 0.4659933}, State{0.010, 0.01119864, 0.4681301}})
   {
     constexpr double step = 2e-5;
-    const Descent here = pressDown(contact, at.y, at.roll, at.z);
-    const Descent outer = pressDown(contact, at.y + step, at.roll, at.z);
-    const Descent inner = pressDown(contact, at.y - step, at.roll, at.z);
-    ASSERT_TRUE(here.answered && outer.answered && inner.answered) << "at y " << at.y;
+    const Penetration here = pressDown(contact, at.y, at.roll, at.z);
+    const Penetration outer = pressDown(contact, at.y + step, at.roll, at.z);
+    const Penetration inner = pressDown(contact, at.y - step, at.roll, at.z);
+    ASSERT_TRUE(here.evaluated && outer.evaluated && inner.evaluated) << "at y " << at.y;
     const double change = (outer.work - inner.work) / (2 * step);
     EXPECT_NEAR(here.outward, change, 0.005 * change) << "at y " << at.y;
   }

@@ -126,7 +126,7 @@ TEST_F(PatchFrameTest, PressureKeepsOffTheBorderOfAFineGrid)
 // share along its own normal; the shares are found again by the contact search at the solved pose. The residual roll
 // left open and the descent for which the gap was built are worth 1 % of a descent, and neighbouring search stations
 // 0.1 um.
-TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOneDescent)
+TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOnePenetration)
 {
   scene_ = manchesterScene();
   WheelsetContact contact(scene_);
@@ -145,8 +145,8 @@ TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOneDescent)
     ++found;
     EXPECT_NEAR(wheelTotal(result, Side::left).vertical, 1e4, 1e-6 * 1e4);
     search.setWheel({*scene_.wheel_profile, scene_.wheelset, {result.y, result.z, result.yaw, result.roll}});
-    std::vector<OverlapZone> zones;
-    search.overlapZones(0, zones);
+    std::vector<OverlapInterval> intervals;
+    search.overlapIntervals(0, intervals);
     for (const PatchResult& patch : result.patches)
     {
       if (patch.side != Side::left)
@@ -154,10 +154,10 @@ TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOneDescent)
         continue;
       }
       const auto nearest =
-          std::min_element(zones.begin(), zones.end(),
-                           [&](const OverlapZone& a, const OverlapZone& b)
+          std::min_element(intervals.begin(), intervals.end(),
+                           [&](const OverlapInterval& a, const OverlapInterval& b)
                            { return std::abs(a.contact.y - patch.pose.y) < std::abs(b.contact.y - patch.pose.y); });
-      ASSERT_NE(nearest, zones.end());
+      ASSERT_NE(nearest, intervals.end());
       const double overlap = -nearest->contact.separation / std::hypot(1, nearest->contact.slope);
       EXPECT_NEAR(patch.approach, overlap, 0.01 * overlap + 1e-7) << "y " << y;
     }

@@ -109,8 +109,8 @@ TEST_F(RailBendingTest, WhatOthersDoAddsToTheRailsOwnDeflection)
     for (std::size_t side = 0; side < 2; ++side)
     {
       const RailResult& rail = result.rail[side];
-      const RailDeflection own =
-          deflectionInTrack(softPads(), {rail.lateral_force, rail.vertical_force, rail.moment}, scene_.track.rail_inclination);
+      const RailDeflection own = deflectionInTrack(softPads(), {rail.lateral_force, rail.vertical_force, rail.moment},
+                                                   scene_.track.rail_inclination);
       EXPECT_NEAR(rail.deflection.lateral - own.lateral, state.rail_offset[side].lateral, 2e-9);
       EXPECT_NEAR(rail.deflection.vertical - own.vertical, state.rail_offset[side].vertical, 2e-9);
       EXPECT_NEAR(rail.deflection.roll - own.roll, state.rail_offset[side].roll, 2e-8);
@@ -146,8 +146,8 @@ TEST_F(RailBendingTest, DeflectionIsTheTableTimesTheForces)
       EXPECT_NEAR(axial, -table.vertical_vertical * axial_force, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(square, table.lateral_lateral * square_force + table.lateral_roll * moment, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(moment, momentOf(result, side, straight.deflected(moved)), 1) << "y " << y;
-      const RailDeflection due =
-          deflectionInTrack(table, {rail.lateral_force, rail.vertical_force, rail.moment}, scene_.track.rail_inclination);
+      const RailDeflection due = deflectionInTrack(table, {rail.lateral_force, rail.vertical_force, rail.moment},
+                                                   scene_.track.rail_inclination);
       EXPECT_NEAR(moved.lateral, due.lateral, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(moved.vertical, due.vertical, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(0.1 * moved.roll, 0.1 * due.roll, 2e-6 * size) << "y " << y;

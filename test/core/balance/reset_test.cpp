@@ -77,7 +77,7 @@ TEST(ResetTest, AFailureWithHeightGivenOnBendingRailsLeavesNothing)
   EXPECT_FALSE(isUsable(used.evaluate(lost).status));
   used.reset();
   WheelsetContact fresh(scene);
-  const WheelsetResult& answer = used.evaluate(given);
-  ASSERT_TRUE(isUsable(answer.status)) << answer.reason;
-  expectSameBits(answer, fresh.evaluate(given));
+  const WheelsetResult& result = used.evaluate(given);
+  ASSERT_TRUE(isUsable(result.status)) << result.reason;
+  expectSameBits(result, fresh.evaluate(given));
 }

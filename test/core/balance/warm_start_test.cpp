@@ -40,9 +40,9 @@ void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
 }
 
 /// Where a patch carries pressure across the track [m].
-struct LoadedStretch
+struct LoadedInterval
 {
-  explicit LoadedStretch(const PatchResult& patch)
+  explicit LoadedInterval(const PatchResult& patch)
   {
     for (int j = 0; j < patch.grid.ny; ++j)
     {
@@ -59,7 +59,7 @@ struct LoadedStretch
 
 bool liesBeside(const PatchResult& one, const PatchResult& other)
 {
-  const LoadedStretch a(one), b(other);
+  const LoadedInterval a(one), b(other);
   return a.end < b.begin || b.end < a.begin;
 }
 
@@ -107,7 +107,7 @@ class WarmStartTest : public testing::Test
 }  // namespace
 
 // Steps of 0.05 to 0.1 mm, both ways: each answer is within the tolerance, so two of them within twice of it.
-TEST_F(WarmStartTest, WarmAnswersEqualColdAnswersWithinTheTolerance)
+TEST_F(WarmStartTest, WarmResultsEqualColdResultsWithinTheTolerance)
 {
   for (const double amplitude : {3e-3, 6e-3})
   {
@@ -174,7 +174,7 @@ TEST_F(WarmStartTest, SteadySceneIsSteady)
 }
 
 // An unusable message in between must not disturb what follows.
-TEST_F(WarmStartTest, GoodAnswerFollowsABadMessage)
+TEST_F(WarmStartTest, GoodResultFollowsABadMessage)
 {
   WheelsetContact contact(scene_);
   WheelsetContact undisturbed(scene_);

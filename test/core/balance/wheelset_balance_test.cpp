@@ -118,10 +118,10 @@ TEST_F(WheelsetBalanceTest, UnloadedWheelLiftsOffAndTheOtherCarriesAll)
   WheelsetContact contact(scene_);
   for (const double sign : {1.0, -1.0})
   {
-    for (const double excess : {1.0, 1.5})
+    for (const double bias : {1.0, 1.5})
     {
       WheelsetState state = stateAt(1e-3, 5e4);
-      state.torque_x = sign * excess * 1e5 * scene_.wheelset.halfBase();
+      state.torque_x = sign * bias * 1e5 * scene_.wheelset.halfBase();
       const Side carrying = sign > 0 ? Side::right : Side::left;
       const Side lifted = sign > 0 ? Side::left : Side::right;
       const WheelsetResult& result = contact.evaluate(state);
@@ -181,7 +181,7 @@ TEST_F(WheelsetBalanceTest, WheelsetComesDownAgainAfterLiftOff)
 }
 
 // A body of linear material: between 10 N and 1 MN the pressure grows without a break.
-TEST_F(WheelsetBalanceTest, LightAndHeavyLoadsAreAnswered)
+TEST_F(WheelsetBalanceTest, LightAndHeavyLoadsAreEvaluated)
 {
   WheelsetContact contact(scene_);
   for (const double y : {0.0, 3e-3})

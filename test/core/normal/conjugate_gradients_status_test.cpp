@@ -32,7 +32,7 @@ NormalSolution solvedTo(double residual, int max_products)
   return solved(hertzCase(2, 16, 32, true).problem, options);
 }
 
-TEST(ConjugateGradients, patchThatStaysApartCarriesNothing)
+TEST(ConjugateGradients, PatchThatStaysApartCarriesNothing)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.patches.push_back(problem.patches[0]);
@@ -46,7 +46,7 @@ TEST(ConjugateGradients, patchThatStaysApartCarriesNothing)
   EXPECT_NEAR(solution.patches[0].force, problem.value, 1e-9 * problem.value);
 }
 
-TEST(ConjugateGradients, flagsABoxThatCutsThePatch)
+TEST(ConjugateGradients, FlagsABoxThatCutsThePatch)
 {
   for (const bool symmetric : {true, false})
   {
@@ -56,7 +56,7 @@ TEST(ConjugateGradients, flagsABoxThatCutsThePatch)
   }
 }
 
-TEST(ConjugateGradients, nothingTouchesAtASmallApproach)
+TEST(ConjugateGradients, NothingTouchesAtASmallApproach)
 {
   auto hertz = hertzCase(2, 16, 32, true);
   hertz.problem.control = NormalProblem::Control::approach;
@@ -68,7 +68,7 @@ TEST(ConjugateGradients, nothingTouchesAtASmallApproach)
   EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
 }
 
-TEST(ConjugateGradients, tellsAnInvalidProblem)
+TEST(ConjugateGradients, TellsAnInvalidProblem)
 {
   const auto status = [](auto spoil)
   {
@@ -89,7 +89,7 @@ TEST(ConjugateGradients, tellsAnInvalidProblem)
   EXPECT_EQ(status([&](NormalProblem& p) { p.value = nan; }), SolveStatus::invalid_problem);
 }
 
-TEST(ConjugateGradients, saysWhenItWasStoppedTooEarly)
+TEST(ConjugateGradients, SaysWhenItWasStoppedTooEarly)
 {
   const NormalSolution solution = solvedTo(1e-9, 3);
   EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
@@ -97,7 +97,7 @@ TEST(ConjugateGradients, saysWhenItWasStoppedTooEarly)
 }
 
 // Rounding leaves a residual of some 1e-16, which no product makes smaller.
-TEST(ConjugateGradients, saysWhenTheResidualStopsFalling)
+TEST(ConjugateGradients, SaysWhenTheResidualStopsFalling)
 {
   const NormalSolution solution = solvedTo(1e-18, 100000);
   EXPECT_EQ(solution.status, SolveStatus::stalled);
@@ -106,7 +106,7 @@ TEST(ConjugateGradients, saysWhenTheResidualStopsFalling)
 }
 
 // A support that comes towards what presses on it, farther than the half-spaces give way.
-TEST(ConjugateGradients, refusesAMatrixWithANegativeDirection)
+TEST(ConjugateGradients, RefusesAMatrixWithANegativeDirection)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   PatchGap& patch = problem.patches[0];
@@ -115,14 +115,14 @@ TEST(ConjugateGradients, refusesAMatrixWithANegativeDirection)
   {
     patch.opening(j, 0) = patch.grid.y(j);
   }
-  problem.support.yields = true;
+  problem.support.compliant = true;
   problem.support.compliance(0, 0) = -1;
   const NormalSolution solution = solved(problem);
   EXPECT_EQ(solution.status, SolveStatus::indefinite);
   EXPECT_FALSE(isUsable(solution.status));
 }
 
-TEST(ConjugateGradients, refusesOptionsByName)
+TEST(ConjugateGradients, RefusesOptionsByName)
 {
   const auto message = [](double residual, int max_products) -> std::string
   {
@@ -144,7 +144,7 @@ TEST(ConjugateGradients, refusesOptionsByName)
   EXPECT_EQ(message(1e-4, 0), "max_products = 0: must be positive");
 }
 
-TEST(ContactModulus, isTheCombinationOfBothBodies)
+TEST(ContactModulus, IsTheCombinationOfBothBodies)
 {
   Material steel, rubber;
   rubber.young = 1e7;

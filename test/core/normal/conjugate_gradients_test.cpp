@@ -50,7 +50,7 @@ class HertzContact : public testing::TestWithParam<double>
 {
 };
 
-TEST_P(HertzContact, maxPressureAndApproachWithinATenthOfAPercent)
+TEST_P(HertzContact, MaxPressureAndApproachWithinATenthOfAPercent)
 {
   for (const bool symmetric : {true, false})
   {
@@ -66,7 +66,7 @@ TEST_P(HertzContact, maxPressureAndApproachWithinATenthOfAPercent)
 
 INSTANTIATE_TEST_SUITE_P(Curvatures, HertzContact, testing::Values(1.0, 2.0, 5.0, 10.0, 0.2));
 
-TEST(ConjugateGradients, agreesWithTheDenseOracle)
+TEST(ConjugateGradients, AgreesWithTheDenseOracle)
 {
   constexpr unsigned seed = 11;
   std::mt19937_64 random(seed);
@@ -88,12 +88,14 @@ TEST(ConjugateGradients, agreesWithTheDenseOracle)
   }
 }
 
-TEST(ConjugateGradients, agreesWithTheDenseOracleOn32By32Cells)
+TEST(ConjugateGradients, AgreesWithTheDenseOracleOn32By32Cells)
 {
   const auto rail = [](double x, double y)
   {
-    const double joint = y - 2e-3;  // a rail's curvature jumps from 1/300 to 1/80 per mm beside the contact's middle
-    return x * x / 0.92 + 0.5 * y * y * (1 / 0.3 - 2.0) + (joint > 0 ? 0.5 * joint * joint * (1 / 0.08 - 1 / 0.3) : 0);
+    const double discontinuity =
+        y - 2e-3;  // a rail's curvature jumps from 1/300 to 1/80 per mm beside the contact's middle
+    return x * x / 0.92 + 0.5 * y * y * (1 / 0.3 - 2.0) +
+           (discontinuity > 0 ? 0.5 * discontinuity * discontinuity * (1 / 0.08 - 1 / 0.3) : 0);
   };
   const Grid grid = problems::centredGrid(32, 32, 0.016, 0.022, false);
   const NormalProblem problem = problems::underLoad(problems::sampled(grid, rail), 1e5);
@@ -106,7 +108,7 @@ TEST(ConjugateGradients, agreesWithTheDenseOracleOn32By32Cells)
   EXPECT_NEAR(solution.approach / exact.approach, 1, 1e-9);
 }
 
-TEST(ConjugateGradients, meetsTheContactConditionsToTheStatedResidual)
+TEST(ConjugateGradients, MeetsTheContactConditionsToTheStatedResidual)
 {
   constexpr unsigned seed = 12;
   std::mt19937_64 random(seed);
@@ -142,7 +144,7 @@ TEST(ConjugateGradients, meetsTheContactConditionsToTheStatedResidual)
   }
 }
 
-TEST(ConjugateGradients, needsFewProducts)
+TEST(ConjugateGradients, NeedsFewProducts)
 {
   // A cold start takes 3 to 7 products on these, a start from the neighbouring position 2 to 5.
   ConjugateGradients solver;
@@ -157,7 +159,7 @@ TEST(ConjugateGradients, needsFewProducts)
   }
 }
 
-TEST(ConjugateGradients, symmetricGridGivesTheFullGridsAnswer)
+TEST(ConjugateGradients, SymmetricGridGivesTheFullGridsResult)
 {
   ConjugateGradients solver = strictSolver();
   NormalSolution full, half;
@@ -173,7 +175,7 @@ TEST(ConjugateGradients, symmetricGridGivesTheFullGridsAnswer)
   EXPECT_NEAR(largest / half.patches[0].max_pressure, 1, 1e-7);
 }
 
-TEST(ConjugateGradients, mirroredGapGivesTheMirroredPressure)
+TEST(ConjugateGradients, MirroredGapGivesTheMirroredPressure)
 {
   constexpr unsigned seed = 13;
   std::mt19937_64 random(seed);
@@ -193,7 +195,7 @@ TEST(ConjugateGradients, mirroredGapGivesTheMirroredPressure)
   }
 }
 
-TEST(ConjugateGradients, warmStartGivesTheColdAnswer)
+TEST(ConjugateGradients, WarmStartGivesTheColdResult)
 {
   constexpr unsigned seed = 14;
   std::mt19937_64 random(seed);
@@ -225,7 +227,7 @@ TEST(ConjugateGradients, warmStartGivesTheColdAnswer)
   }
 }
 
-TEST(ConjugateGradients, startsAfreshFromAPressureThatWasChanged)
+TEST(ConjugateGradients, StartsAfreshFromAPressureThatWasChanged)
 {
   ConjugateGradients solver;
   const auto hertz = hertzCase(2, 16, 32, true);
@@ -244,7 +246,7 @@ TEST(ConjugateGradients, startsAfreshFromAPressureThatWasChanged)
   EXPECT_EQ(solution.status, SolveStatus::converged);
 }
 
-TEST(ConjugateGradients, loadsOnOneToEightCells)
+TEST(ConjugateGradients, LoadsOnOneToEightCells)
 {
   ConjugateGradients solver = strictSolver();
   int fewest = 1000;
@@ -264,7 +266,7 @@ TEST(ConjugateGradients, loadsOnOneToEightCells)
   EXPECT_LE(fewest, 2);
 }
 
-TEST(ConjugateGradients, approachAndLoadAreTwoWaysToTheSameContact)
+TEST(ConjugateGradients, ApproachAndLoadAreTwoWaysToTheSameContact)
 {
   ConjugateGradients solver = strictSolver();
   auto hertz = hertzCase(4, 16, 32, true);
@@ -277,7 +279,7 @@ TEST(ConjugateGradients, approachAndLoadAreTwoWaysToTheSameContact)
   EXPECT_DOUBLE_EQ(by_approach.approach, by_load.approach);
 }
 
-TEST(ConjugateGradients, gapsOffsetMovesTheApproachOnly)
+TEST(ConjugateGradients, GapsOffsetMovesTheApproachOnly)
 {
   ConjugateGradients solver = strictSolver();
   auto hertz = hertzCase(4, 16, 32, true);

@@ -36,7 +36,7 @@ Eigen::ArrayXXd askewPressure(std::mt19937& random)
   return pressure;
 }
 
-TEST(ContactEdge, areaIsTheSameFromWhereverOneLooks)
+TEST(ContactEdge, AreaIsTheSameFromWhereverOneLooks)
 {
   constexpr unsigned seed = 5;
   constexpr double aspect = 2.3, tolerance = 1e-5;  // sums of single precision, in cells
@@ -54,7 +54,7 @@ TEST(ContactEdge, areaIsTheSameFromWhereverOneLooks)
   }
 }
 
-TEST(ContactEdge, areaOfAStoredHalfIsHalfOfTheWhole)
+TEST(ContactEdge, AreaOfAStoredHalfIsHalfOfTheWhole)
 {
   constexpr unsigned seed = 6;
   std::cout << "seed " << seed << "\n";
@@ -77,7 +77,7 @@ int islandsOf(const Eigen::ArrayXXd& pressure, bool mirrored = false)
   return polygon.islands();
 }
 
-TEST(ContactEdge, twoIslandsHaveTwiceTheAreaOfOne)
+TEST(ContactEdge, TwoIslandsHaveTwiceTheAreaOfOne)
 {
   constexpr unsigned seed = 8;
   std::cout << "seed " << seed << "\n";
@@ -98,7 +98,7 @@ TEST(ContactEdge, twoIslandsHaveTwiceTheAreaOfOne)
   }
 }
 
-TEST(ContactEdge, aRingIsAnIslandLessAHole)
+TEST(ContactEdge, ARingIsAnIslandLessAHole)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
   pressure.block(2, 3, 8, 9) = 1;
@@ -112,7 +112,7 @@ TEST(ContactEdge, aRingIsAnIslandLessAHole)
 
 // A cell barely loaded beside a much higher island, over an empty one: without a limit on what shows at a crossing the
 // area would be off by the ratio of the two.
-TEST(ContactEdge, anIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
+TEST(ContactEdge, AnIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
   pressure.block(4, 6, 4, 4) = 1;
@@ -122,7 +122,7 @@ TEST(ContactEdge, anIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
 }
 
 // Every cell of a line lies at the edge, and the next line is empty.
-TEST(ContactEdge, stripesOfSingleColumnsKeepTheirArea)
+TEST(ContactEdge, StripesOfSingleColumnsKeepTheirArea)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 40);
   for (int j = 2; j < 38; j += 2)
@@ -136,12 +136,12 @@ TEST(ContactEdge, stripesOfSingleColumnsKeepTheirArea)
   EXPECT_LE(polygon.cells(1), 2 * chords);
 }
 
-TEST(ContactEdge, noPressureHasNoArea)
+TEST(ContactEdge, NoPressureHasNoArea)
 {
   EXPECT_EQ(areaOf(Eigen::ArrayXXd::Zero(12, 16), 1), 0);
 }
 
-TEST(ContactEdge, eachLineIsCrossedWhereItsPressureBeginsAndEnds)
+TEST(ContactEdge, EachLineIsCrossedWhereItsPressureBeginsAndEnds)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
   pressure.block(4, 6, 3, 5) = 1;

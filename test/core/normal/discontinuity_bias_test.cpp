@@ -16,11 +16,11 @@ namespace
 constexpr double modulus = 1.14e11;  // steel on steel [Pa]
 
 /// A bowl along and across, whose curvature across jumps by `jump` times itself at y = `joint`.
-scenes::Gap jointed(double joint, double jump)
+scenes::Gap discontinuous(double discontinuity, double jump)
 {
   return [=](double x, double y)
   {
-    const double beyond = std::max(y - joint, 0.0);
+    const double beyond = std::max(y - discontinuity, 0.0);
     return x * x + 4 * (y * y + jump * beyond * beyond);
   };
 }
@@ -48,44 +48,44 @@ PatchPressure solve(const NormalProblem& problem)
   return solution.patches[0];
 }
 
-JointSums sumsOf(const NormalProblem& problem, const PatchPressure& patch)
+DiscontinuitySums sumsOf(const NormalProblem& problem, const PatchPressure& patch)
 {
   EdgePolygon polygon;
   polygon.frame(patch.pressure, patch.grid.symmetric);
   EXPECT_GT(polygon.cells(patch.grid.dx / patch.grid.dy), 0);
-  return sumAtJoints({polygon, problem.patches[0], problem.modulus, patch.max_pressure});
+  return sumAtDiscontinuities({polygon, problem.patches[0], problem.modulus, patch.max_pressure});
 }
 
-TEST(JointExcess, smoothGapsHaveNone)
+TEST(DiscontinuityBias, SmoothGapsHaveNone)
 {
-  const NormalProblem problem = problemOf(jointed(0, 0), {16, 32});
+  const NormalProblem problem = problemOf(discontinuous(0, 0), {16, 32});
   const PatchPressure patch = solve(problem);
   EXPECT_EQ(sumsOf(problem, patch).sizes, 0);
-  EXPECT_EQ(patch.moved_at_joints, 0);
+  EXPECT_EQ(patch.moved_at_discontinuities, 0);
 }
 
 // No side of it is outward to its ends along, which lie on a line beside which nothing is loaded.
-TEST(JointExcess, aSingleColumnIsTheSameFromEitherSide)
+TEST(DiscontinuityBias, ASingleColumnIsTheSameFromEitherSide)
 {
-  NormalProblem problem = problemOf(jointed(0.05e-3, 3), {16, 32});
+  NormalProblem problem = problemOf(discontinuous(0.05e-3, 3), {16, 32});
   PatchGap& gap = problem.patches[0];
   PatchPressure patch;
   patch.grid = gap.grid;
   patch.pressure.setZero(gap.gap.rows(), gap.gap.cols());
   patch.pressure.block(4, 15, 8, 1) = 1e9;
   patch.max_pressure = 1e9;
-  const JointSums sums = sumsOf(problem, patch);
+  const DiscontinuitySums sums = sumsOf(problem, patch);
   EXPECT_GT(sums.sizes, 0.01);
   gap.gap = gap.gap.rowwise().reverse().eval();
   patch.pressure = patch.pressure.rowwise().reverse().eval();
-  EXPECT_NEAR(sumsOf(problem, patch).excess, sums.excess, 1e-5);
+  EXPECT_NEAR(sumsOf(problem, patch).bias, sums.bias, 1e-5);
 }
 
-TEST(JointExcess, isTheSameFromWhereverOneLooks)
+TEST(DiscontinuityBias, IsTheSameFromWhereverOneLooks)
 {
-  const NormalProblem problem = problemOf(jointed(1.6e-3, -1.1), {16, 32});
+  const NormalProblem problem = problemOf(discontinuous(1.6e-3, -1.1), {16, 32});
   const PatchPressure patch = solve(problem);
-  const JointSums sums = sumsOf(problem, patch);
+  const DiscontinuitySums sums = sumsOf(problem, patch);
   EXPECT_GT(sums.sizes, 0.1);
   constexpr double tolerance = 1e-4;  // sums of single precision, in cells
   const auto look = [&](auto turn)
@@ -94,17 +94,17 @@ TEST(JointExcess, isTheSameFromWhereverOneLooks)
     PatchPressure seen = patch;
     turned.patches[0].gap = turn(problem.patches[0].gap);
     seen.pressure = turn(patch.pressure);
-    const JointSums there = sumsOf(turned, seen);
-    EXPECT_NEAR(there.excess, sums.excess, tolerance);
+    const DiscontinuitySums there = sumsOf(turned, seen);
+    EXPECT_NEAR(there.bias, sums.bias, tolerance);
     EXPECT_NEAR(there.sizes, sums.sizes, tolerance);
   };
   look([](const Eigen::ArrayXXd& a) -> Eigen::ArrayXXd { return a.colwise().reverse(); });
   look([](const Eigen::ArrayXXd& a) -> Eigen::ArrayXXd { return a.rowwise().reverse(); });
 
-  const NormalProblem half = problemOf(jointed(1.6e-3, -1.1), {16, 32}, true);
+  const NormalProblem half = problemOf(discontinuous(1.6e-3, -1.1), {16, 32}, true);
   const PatchPressure stored = solve(half);
-  EXPECT_NEAR(2 * sumsOf(half, stored).excess, sums.excess, 1e-3);
-  EXPECT_NEAR(stored.moved_at_joints / patch.moved_at_joints, 1, 1e-3);
+  EXPECT_NEAR(2 * sumsOf(half, stored).bias, sums.bias, 1e-3);
+  EXPECT_NEAR(stored.moved_at_discontinuities / patch.moved_at_discontinuities, 1, 1e-3);
 }
 
 /// Errors of areas with what is known of joints and without it, sizes in the mean [cells].
@@ -117,7 +117,7 @@ class AreaErrors
     const PatchPressure coarse = solve(problem), fine = solve(problemOf(gap, {96, 192}));
     const double error = (coarse.area - fine.area) / coarse.grid.cellArea();
     with_ += std::abs(error);
-    without_ += std::abs(error + sumsOf(problem, coarse).excess);
+    without_ += std::abs(error + sumsOf(problem, coarse).bias);
     ++count_;
   }
   double with() const { return with_ / count_; }
@@ -134,14 +134,14 @@ class AreaErrors
 };
 
 // Joints from well inside to beyond the edge, jumps to more curvature and to less.
-TEST(JointExcess, areaIsNearerToThatOnFineCells)
+TEST(DiscontinuityBias, AreaIsNearerToThatOnFineCells)
 {
   AreaErrors errors;
   for (const double jump : {-0.9, -0.5, 1.0, 3.0})
   {
-    for (double joint = 0.8e-3; joint < 2.5e-3; joint += 0.15e-3)
+    for (double discontinuity = 0.8e-3; discontinuity < 2.5e-3; discontinuity += 0.15e-3)
     {
-      errors.add(jointed(joint, jump), {12, 24});
+      errors.add(discontinuous(discontinuity, jump), {12, 24});
     }
   }
   errors.print("joints");
@@ -149,7 +149,7 @@ TEST(JointExcess, areaIsNearerToThatOnFineCells)
 }
 
 // A curvature that grows shows steps as well.
-TEST(JointExcess, areaIsNearerWhereCurvatureGrowsSmoothly)
+TEST(DiscontinuityBias, AreaIsNearerWhereCurvatureGrowsSmoothly)
 {
   AreaErrors errors;
   for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 24}})

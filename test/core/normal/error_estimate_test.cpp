@@ -71,27 +71,27 @@ void expectCalibrated(const std::vector<ErrorSample>& samples)
   EXPECT_LE(median, 4);
 }
 
-TEST(ErrorEstimate, holdsOnFreshScenesSolvedOnGrids)
+TEST(ErrorEstimate, HoldsOnFreshScenesSolvedOnGrids)
 {
   expectCalibrated(freshSamples(Method::grid, 260, 211));
 }
 
-TEST(ErrorEstimate, holdsOnFreshScenesSolvedByHertz)
+TEST(ErrorEstimate, HoldsOnFreshScenesSolvedByHertz)
 {
   expectCalibrated(freshSamples(Method::hertz, 180, 12));
 }
 
-TEST(ErrorEstimate, holdsOnFreshScenesSolvedByKikPiotrowski)
+TEST(ErrorEstimate, HoldsOnFreshScenesSolvedByKikPiotrowski)
 {
   expectCalibrated(freshSamples(Method::kik_piotrowski, 180, 13));
 }
 
-TEST(ErrorEstimate, holdsOnFreshScenesSolvedBySeidelAsRepaired)
+TEST(ErrorEstimate, HoldsOnFreshScenesSolvedBySeidelAsRepaired)
 {
   expectCalibrated(freshGapSamples(Method::seidel, 480, 14));
 }
 
-TEST(ErrorEstimate, holdsOnFreshScenesSolvedBySeidelAsPrinted)
+TEST(ErrorEstimate, HoldsOnFreshScenesSolvedBySeidelAsPrinted)
 {
   // Its point forces leave more than the mesh does; about a third of the scenes is refused for cells too long.
   expectCalibrated(freshGapSamples(Method::seidel_printed, 240, 16));
@@ -112,7 +112,7 @@ NormalProblem paraboloid(const GridSize& size, double along, double across)
   return problem;
 }
 
-TEST(ErrorEstimate, fallsWithTheCells)
+TEST(ErrorEstimate, FallsWithTheCells)
 {
   ConjugateGradients solver;
   NormalSolution solution;
@@ -129,7 +129,7 @@ TEST(ErrorEstimate, fallsWithTheCells)
   }
 }
 
-TEST(ErrorEstimate, isTheSameWithAndWithoutSymmetry)
+TEST(ErrorEstimate, IsTheSameWithAndWithoutSymmetry)
 {
   NormalProblem half = paraboloid({16, 32}, 1.1, 2.0), whole = half;
   PatchGap& patch = whole.patches[0];
@@ -170,7 +170,7 @@ PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
 
 // A wheel of 0.46 m on a crown that a shoulder joins, wherever that is among the cells; of five places one may be off
 // by a quarter more than estimated.
-TEST(ErrorEstimate, holdsAtACurvatureJumpUnderTheCrest)
+TEST(ErrorEstimate, HoldsAtACurvatureJumpUnderThePeak)
 {
   for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 56}})
   {
@@ -184,9 +184,10 @@ TEST(ErrorEstimate, holdsAtACurvatureJumpUnderTheCrest)
     int held = 0;
     for (const double shift : {0.0, 0.2, 0.4, 0.6, 0.8})
     {
-      const double joint = shift * grid.dy;
-      const PeakError error = peakError(problem, [joint](double x, double y)
-                                        { return x * x / 0.92 + (y - joint) * (y - joint) / (y > joint ? 0.1 : 0.8); });
+      const double discontinuity = shift * grid.dy;
+      const PeakError error = peakError(
+          problem, [discontinuity](double x, double y)
+          { return x * x / 0.92 + (y - discontinuity) * (y - discontinuity) / (y > discontinuity ? 0.1 : 0.8); });
       std::cout << size.along << " x " << size.across << ": true " << error.truth << ", estimated " << error.estimate
                 << "\n";
       held += error.truth <= error.estimate ? 1 : 0;
@@ -212,7 +213,7 @@ std::vector<ErrorSample> patchesOf(Profile (*rail)(), double y, double wheel_loa
 
 // In the first, the highest cell lies on the wide one of two lobes and the true maximum on the narrow one, where the
 // rail's 300 mm meet its 80 mm. In the second, a patch of 0.5 mm lies over a step of 43 nm in the benchmark's rail.
-TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
+TEST(ErrorEstimate, CountsLowerPeaksThatFinerCellsRaise)
 {
   const std::vector<ErrorSample> lobes = patchesOf(rail60E1, 0.000035, 40000, {8, 16});
   const std::vector<ErrorSample> step = patchesOf(railUic60Manchester, 0.004237, 1e5, {24, 56});
@@ -230,7 +231,7 @@ TEST(ErrorEstimate, countsLowerCrestsThatFinerCellsRaise)
 }
 
 // Pressure at a step of the gap has no highest value; on cells it grows as they shrink.
-TEST(ErrorEstimate, countsTheSpikeAtAStep)
+TEST(ErrorEstimate, CountsTheSpikeAtAStep)
 {
   for (const double place : {0.45, 0.55, 0.65, 0.75})
   {
@@ -247,26 +248,26 @@ TEST(ErrorEstimate, countsTheSpikeAtAStep)
 
 // Under a light load at y = 0.6 mm, where the rail's curvature jumps, a tail hangs on the pressure: 3 mm across the
 // track, and down to a tenth of a millimetre along. On cells it is two cells long everywhere.
-TEST(ErrorEstimate, countsATailNarrowerThanTheCells)
+TEST(ErrorEstimate, CountsATailNarrowerThanTheCells)
 {
   for (const GridSize& size : {GridSize{10, 24}, GridSize{16, 48}, GridSize{24, 96}})
   {
-    double largest = 0, of_tails = 0;
+    double largest = 0, of_narrow_ends = 0;
     for (const ErrorSample& sample : patchesOf(railUic60Manchester, 0.000634, 6100, size))
     {
       std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << ", of tails "
-                << sample.estimate.tails << "\n";
+                << sample.estimate.narrow_ends << "\n";
       EXPECT_LE(sample.error.area, sample.estimate.area);
-      EXPECT_LE(sample.estimate.tails, sample.estimate.area);
+      EXPECT_LE(sample.estimate.narrow_ends, sample.estimate.area);
       largest = std::max(largest, sample.error.area);
-      of_tails = std::max(of_tails, sample.estimate.tails / sample.estimate.area);
+      of_narrow_ends = std::max(of_narrow_ends, sample.estimate.narrow_ends / sample.estimate.area);
     }
     EXPECT_GT(largest, 0.004);
-    EXPECT_GT(of_tails, 0.5);
+    EXPECT_GT(of_narrow_ends, 0.5);
   }
 }
 
-TEST(ErrorEstimate, isZeroForAPatchWithoutPressure)
+TEST(ErrorEstimate, IsZeroForAPatchWithoutPressure)
 {
   NormalProblem problem = paraboloid({16, 32}, 1.1, 2.0);
   problem.patches.push_back(problem.patches[0]);

@@ -325,9 +325,9 @@ class WheelsetSampler
     {
       settled.contact.tolerance = settledTolerance(size);
     }
-    const MethodLadder& ladder = ladderFor(method_, size);
-    WheelsetBalance balance(settled, ladder);
-    WheelsetBalance truth(strict, ladderFor(Method::grid, true_size));
+    const GridLevels& levels = levelsFor(method_, size);
+    WheelsetBalance balance(settled, levels);
+    WheelsetBalance truth(strict, levelsFor(Method::grid, true_size));
     if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
     {
       return false;
@@ -337,16 +337,16 @@ class WheelsetSampler
     for (const Side side : {Side::left, Side::right})
     {
       strict_.solve(truth.wheel(side).problem(), false, true_);
-      alike = add(ladder.solver(), balance.wheel(side), truth.wheel(side), samples) && alike;
+      alike = add(levels.solver(), balance.wheel(side), truth.wheel(side), samples) && alike;
     }
     return alike && samples.size() > before;
   }
 
   /// A method's solver on a grid, kept.
-  const MethodLadder& ladderFor(Method method, const GridSize& size)
+  const GridLevels& levelsFor(Method method, const GridSize& size)
   {
-    std::unique_ptr<MethodLadder>& ladder = ladders_[{static_cast<int>(method), size.along, size.across}];
-    if (!ladder)
+    std::unique_ptr<GridLevels>& levels = solvers_[{static_cast<int>(method), size.along, size.across}];
+    if (!levels)
     {
       ContactModelConfig config;
       config.contact.method = method == Method::grid    ? NormalMethod::conjugate_gradient
@@ -355,9 +355,9 @@ class WheelsetSampler
       config.contact.cells_along = size.along;
       config.contact.cells_across = size.across;
       config.contact.tolerance = settledTolerance(size);
-      ladder = std::make_unique<MethodLadder>(config);
+      levels = std::make_unique<GridLevels>(config);
     }
-    return *ladder;
+    return *levels;
   }
 
  private:
@@ -373,8 +373,8 @@ class WheelsetSampler
     {
       const PatchPressure &pressure = found.solution().patches[k], &fine = true_.patches[k];
       const double weight = found.problem().patches[k].weight;
-      const double approach = weight * (found.descent() - found.patches()[k].touch_gap);
-      const double fine_approach = weight * (truth.descent() - truth.patches()[k].touch_gap);
+      const double approach = weight * (found.penetration() - found.patches()[k].touch_gap);
+      const double fine_approach = weight * (truth.penetration() - truth.patches()[k].touch_gap);
       if (pressure.force > 0 && fine.force > 0)
       {
         ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
@@ -386,7 +386,7 @@ class WheelsetSampler
   }
 
   Method method_;
-  std::map<std::array<int, 3>, std::unique_ptr<MethodLadder>> ladders_;
+  std::map<std::array<int, 3>, std::unique_ptr<GridLevels>> solvers_;
   ConjugateGradients strict_{strictOptions()};
   NormalSolution true_;
 };

@@ -58,8 +58,8 @@ class ArcCurve
 {
  public:
   /// `curvature[i]` holds up to `joint[i]` (rising), the last one beyond them all.
-  ArcCurve(std::vector<double> joint, std::vector<double> curvature)
-      : joint_(std::move(joint)), curvature_(std::move(curvature))
+  ArcCurve(std::vector<double> discontinuity, std::vector<double> curvature)
+      : discontinuity_(std::move(discontinuity)), curvature_(std::move(curvature))
   {
   }
   double operator()(double y) const { return y >= 0 ? walk(y, 1) : walk(-y, -1); }
@@ -67,7 +67,7 @@ class ArcCurve
  private:
   double curvatureAt(double y) const
   {
-    const auto piece = std::upper_bound(joint_.begin(), joint_.end(), y) - joint_.begin();
+    const auto piece = std::upper_bound(discontinuity_.begin(), discontinuity_.end(), y) - discontinuity_.begin();
     return curvature_[static_cast<std::size_t>(piece)];
   }
   double walk(double distance, double side) const
@@ -76,9 +76,9 @@ class ArcCurve
     while (at < distance)
     {
       double next = distance;
-      for (const double joint : joint_)
+      for (const double discontinuity : discontinuity_)
       {
-        next = side * joint > at ? std::min(next, side * joint) : next;
+        next = side * discontinuity > at ? std::min(next, side * discontinuity) : next;
       }
       const double length = next - at, second = curvatureAt(0.5 * side * (at + next));
       value += slope * length + 0.5 * second * length * length;
@@ -87,29 +87,29 @@ class ArcCurve
     }
     return value;
   }
-  std::vector<double> joint_, curvature_;
+  std::vector<double> discontinuity_, curvature_;
 };
 
 /// Rail head of arcs 300, 80 and 13 mm under a wheel with a curvature jump of its own.
-inline Gap jointGap(Random& random)
+inline Gap discontinuityGap(Random& random)
 {
-  const double contact = uniform(random, 0, 0.030), wheel_joint = uniform(random, -6e-3, 6e-3);
+  const double contact = uniform(random, 0, 0.030), wheel_discontinuity = uniform(random, -6e-3, 6e-3);
   const double wheel = oneIn(random, 3) ? -1 / uniform(random, 0.310, 2) : uniform(random, -1 / 0.400, 1 / 0.350);
   const double wheel_beyond = oneIn(random, 2) ? uniform(random, -1 / 0.090, 1 / 0.100) : wheel;
-  std::vector<double> joints{-0.01023 - contact, 0.01023 - contact, 0.02603 - contact, wheel_joint};
-  std::sort(joints.begin(), joints.end());
+  std::vector<double> discontinuities{-0.01023 - contact, 0.01023 - contact, 0.02603 - contact, wheel_discontinuity};
+  std::sort(discontinuities.begin(), discontinuities.end());
   std::vector<double> curvatures;
-  for (std::size_t i = 0; i <= joints.size(); ++i)
+  for (std::size_t i = 0; i <= discontinuities.size(); ++i)
   {
-    const double y = i == joints.size() ? joints.back() + 1e-3
-                     : i == 0           ? joints[0] - 1e-3
-                                        : 0.5 * (joints[i - 1] + joints[i]);
+    const double y = i == discontinuities.size() ? discontinuities.back() + 1e-3
+                     : i == 0                    ? discontinuities[0] - 1e-3
+                                                 : 0.5 * (discontinuities[i - 1] + discontinuities[i]);
     const double from_crown = std::abs(contact + y);
     const double rail = from_crown < 0.01023 ? 1 / 0.300 : from_crown < 0.02603 ? 1 / 0.080 : 1 / 0.013;
-    curvatures.push_back(std::max(rail + (y > wheel_joint ? wheel_beyond : wheel), 0.3));
+    curvatures.push_back(std::max(rail + (y > wheel_discontinuity ? wheel_beyond : wheel), 0.3));
   }
   const double along = 0.5 / uniform(random, 0.3, 0.6);
-  const ArcCurve curve(joints, curvatures);
+  const ArcCurve curve(discontinuities, curvatures);
   return [=](double x, double y) { return along * x * x + curve(y); };
 }
 
@@ -183,7 +183,7 @@ inline GapScene randomGapScene(Random& random)
     Gap (*make)(Random&);
   };
   static constexpr std::array<Kind, 5> kinds{{{"Hertz", hertzGap},
-                                              {"curvature jumps", jointGap},
+                                              {"curvature jumps", discontinuityGap},
                                               {"two lobes", lobesGap},
                                               {"nearly conformal", conformalGap},
                                               {"rough", roughGap}}};
@@ -218,12 +218,12 @@ inline GapScene randomBowlScene(Random& random)
   const bool even = !oneIn(random, 3);
   std::array<double, 4> share{};
   std::generate(share.begin(), share.end(), [&] { return height * uniform(random, -1, 1); });
-  const double joint = uniform(random, -1, 1), turn = even ? 0 : uniform(random, -0.5, 0.5);
+  const double discontinuity = uniform(random, -1, 1), turn = even ? 0 : uniform(random, -0.5, 0.5);
   const auto gap = [=](double x, double y)
   {
     const double turned_x = std::cos(turn) * x + std::sin(turn) * y, turned_y = std::cos(turn) * y - std::sin(turn) * x;
     const double u = turned_x / contact.semi_axis_x, v = turned_y / contact.semi_axis_y,
-                 over = std::max(v - joint, 0.0);
+                 over = std::max(v - discontinuity, 0.0);
     const double other =
         share[0] * v * v * v + share[1] * v * v * v * v + share[2] * u * u * v + share[3] * over * over;
     return along * turned_x * turned_x + across * turned_y * turned_y + other;

@@ -31,7 +31,7 @@ auto turnedBowl(const GapCurvature& curvature, double angle, double x0, double y
   };
 }
 
-TEST(HertzSolver, isExactOnBowls)
+TEST(HertzSolver, IsExactOnBowls)
 {
   for (const double ratio : {0.05, 1.0, 3.0, 40.0})
   {
@@ -54,7 +54,7 @@ TEST(HertzSolver, isExactOnBowls)
   }
 }
 
-TEST(HertzSolver, fillsTheGridWithTheEllipsoidsMeans)
+TEST(HertzSolver, FillsTheGridWithTheEllipsoidsMeans)
 {
   const auto hertz = hertzCase(3, 16, 32, true, 1.1, 0.5);
   HertzSolver solver;
@@ -78,7 +78,7 @@ TEST(HertzSolver, fillsTheGridWithTheEllipsoidsMeans)
   EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure);
 }
 
-TEST(HertzSolver, pressuresOnAnyGridCarryTheForce)
+TEST(HertzSolver, PressuresOnAnyGridCarryTheForce)
 {
   // Ellipses of 11 mm by 1.7 mm: on some thousand cells, cut off by the border, and hidden between the centres of four.
   struct Cells
@@ -112,7 +112,7 @@ TEST(HertzSolver, pressuresOnAnyGridCarryTheForce)
   }
 }
 
-TEST(HertzSolver, findsPrincipalDirectionsAndThePlaceBetweenCells)
+TEST(HertzSolver, FindsPrincipalDirectionsAndThePlaceBetweenCells)
 {
   for (const double angle : {-1.2, -0.4, 0.0, 0.3, 0.7, 1.5})
   {
@@ -143,7 +143,7 @@ TEST(HertzSolver, findsPrincipalDirectionsAndThePlaceBetweenCells)
   }
 }
 
-TEST(HertzSolver, patchesShareTheLoadAtOneApproach)
+TEST(HertzSolver, PatchesShareTheLoadAtOneApproach)
 {
   NormalProblem problem = hertzCase(1, 16, 16, true).problem;
   problem.patches.push_back(hertzCase(6, 16, 32, true).problem.patches[0]);
@@ -171,7 +171,7 @@ TEST(HertzSolver, patchesShareTheLoadAtOneApproach)
   EXPECT_NEAR(same.patches[1].force / solution.patches[1].force, 1, 1e-12);
 }
 
-TEST(HertzSolver, refusesAGapThatIsNoBowl)
+TEST(HertzSolver, RefusesAGapThatIsNoBowl)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   HertzSolver solver;
@@ -184,13 +184,13 @@ TEST(HertzSolver, refusesAGapThatIsNoBowl)
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
-TEST(HertzSolver, tellsWhatItWouldLeaveInAContactSolvedOnAGrid)
+TEST(HertzSolver, TellsWhatItWouldLeaveInAContactSolvedOnAGrid)
 {
   // Arcs that meet under the crest, 10 % apart in curvature: the estimate needs no more of a solution than its
   // approach, which differs by less than a tenth.
   const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
-  const auto joint = [](double x, double y) { return x * x + (y < 0 ? 1 : 1.1) * y * y; };
-  const NormalProblem problem = underLoad(sampled(grid, joint), 5e4);
+  const auto discontinuity = [](double x, double y) { return x * x + (y < 0 ? 1 : 1.1) * y * y; };
+  const NormalProblem problem = underLoad(sampled(grid, discontinuity), 5e4);
   HertzSolver hertz;
   ConjugateGradients conjugate_gradients;
   NormalSolution own, on_grid;
@@ -209,7 +209,7 @@ TEST(HertzSolver, tellsWhatItWouldLeaveInAContactSolvedOnAGrid)
   EXPECT_TRUE(std::isinf(errorsOf(hertz, saddle, on_grid)[0].largest()));
 }
 
-TEST(HertzSolver, tellsAProblemThatItRefuses)
+TEST(HertzSolver, TellsAProblemThatItRefuses)
 {
   const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
   const PatchGap bowl = sampled(grid, [](double x, double y) { return x * x + y * y; });
@@ -224,7 +224,7 @@ TEST(HertzSolver, tellsAProblemThatItRefuses)
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
-TEST(HertzSolver, tellsWhereTheGridCutsTheEllipse)
+TEST(HertzSolver, TellsWhereTheGridCutsTheEllipse)
 {
   HertzSolver solver;
   NormalSolution solution;
@@ -240,7 +240,7 @@ TEST(HertzSolver, tellsWhereTheGridCutsTheEllipse)
   EXPECT_TRUE(solution.patches[0].touches_border);
 }
 
-TEST(HertzSolver, hasNoContactAboveTheFirstTouch)
+TEST(HertzSolver, HasNoContactAboveTheFirstTouch)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.control = NormalProblem::Control::approach;
@@ -254,7 +254,7 @@ TEST(HertzSolver, hasNoContactAboveTheFirstTouch)
   EXPECT_FALSE(solution.patches[0].touches_border);
 }
 
-TEST(HertzSolver, refusesInvalidProblems)
+TEST(HertzSolver, RefusesInvalidProblems)
 {
   HertzSolver solver;
   NormalSolution solution;

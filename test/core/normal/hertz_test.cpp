@@ -12,7 +12,7 @@ namespace
 {
 constexpr double modulus = 1.14e11, force = 1e5;
 
-TEST(Hertz, sphereHasItsClosedForm)
+TEST(Hertz, SphereHasItsClosedForm)
 {
   const double radius = 0.46;
   const HertzContact contact = hertzForForce({0.5 / radius, 0.5 / radius}, modulus, force);
@@ -25,7 +25,7 @@ TEST(Hertz, sphereHasItsClosedForm)
   EXPECT_NEAR(contact.max_pressure / (1.5 * force / (std::acos(-1.0) * a * a)), 1, 1e-12);
 }
 
-TEST(Hertz, ellipsesObeyJohnsonsEquations)
+TEST(Hertz, EllipsesObeyJohnsonsEquations)
 {
   for (const double ratio : {1.0001, 1.1, 2.0, 5.0, 10.0, 1e3, 1e6})
   {
@@ -44,7 +44,7 @@ TEST(Hertz, ellipsesObeyJohnsonsEquations)
   }
 }
 
-TEST(Hertz, forceAndApproachInvertEachOther)
+TEST(Hertz, ForceAndApproachInvertEachOther)
 {
   for (const double ratio : {0.01, 0.5, 1.0, 30.0})
   {
@@ -56,7 +56,7 @@ TEST(Hertz, forceAndApproachInvertEachOther)
   }
 }
 
-TEST(Hertz, hasNoAnswerWithoutPositiveCurvature)
+TEST(Hertz, HasNoResultWithoutPositiveCurvature)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(hertzForForce({1, 0}, modulus, force).status, SolveStatus::invalid_problem);

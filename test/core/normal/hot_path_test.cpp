@@ -94,7 +94,7 @@ long allocationsAfterTheFirst(Solver& solver, const std::vector<NormalProblem>& 
   return allocations - before;
 }
 
-TEST(HotPath, theCounterCounts)
+TEST(HotPath, TheCounterCounts)
 {
   const long before = allocations;
   const Eigen::ArrayXXd array = Eigen::ArrayXXd::Zero(8, 8);
@@ -102,7 +102,7 @@ TEST(HotPath, theCounterCounts)
   EXPECT_GE(allocations - before, 2) << array.sum() + *number;
 }
 
-TEST(HotPath, conjugateGradientsAllocateNothingAfterTheFirstSolve)
+TEST(HotPath, ConjugateGradientsAllocateNothingAfterTheFirstSolve)
 {
   ConjugateGradients solver;
   solver.prepare(16, 32);
@@ -110,7 +110,7 @@ TEST(HotPath, conjugateGradientsAllocateNothingAfterTheFirstSolve)
   EXPECT_EQ(allocationsAfterTheFirst(solver, messages()), 0);
 }
 
-TEST(HotPath, conjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
+TEST(HotPath, ConjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
 {
   // Curvatures across from a third to eight times those along; whole grids, as with yaw.
   std::vector<NormalProblem> problems;
@@ -118,7 +118,7 @@ TEST(HotPath, conjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
   {
     NormalProblem problem = hertzCase(std::exp2(k / 8.0), 12, 20, false, 1.2).problem;
     Grid& grid = problem.patches[0].grid;
-    grid.dx = aspect_ladder::aspect(aspect_ladder::nearestRung(grid.dx / grid.dy)) * grid.dy;
+    grid.dx = aspect_ladder::aspect(aspect_ladder::nearestAspect(grid.dx / grid.dy)) * grid.dy;
     problems.push_back(std::move(problem));
   }
   ConjugateGradients solver;
@@ -126,13 +126,13 @@ TEST(HotPath, conjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
   EXPECT_EQ(allocationsAfterTheFirst(solver, problems), 0);
 }
 
-TEST(HotPath, seidelAllocatesNothingAfterTheFirstSolve)
+TEST(HotPath, SeidelAllocatesNothingAfterTheFirstSolve)
 {
   Seidel repaired;
   EXPECT_EQ(allocationsAfterTheFirst(repaired, messages()), 0);
 }
 
-TEST(HotPath, closedFormsAllocateNothingAfterTheFirstSolve)
+TEST(HotPath, ClosedFormsAllocateNothingAfterTheFirstSolve)
 {
   HertzSolver hertz;
   EXPECT_EQ(allocationsAfterTheFirst(hertz, messages()), 0);
@@ -140,7 +140,7 @@ TEST(HotPath, closedFormsAllocateNothingAfterTheFirstSolve)
   EXPECT_EQ(allocationsAfterTheFirst(kik_piotrowski, messages()), 0);
 }
 
-TEST(HotPath, errorEstimatesAllocateNothing)
+TEST(HotPath, ErrorEstimatesAllocateNothing)
 {
   ConjugateGradients grid;
   HertzSolver hertz;

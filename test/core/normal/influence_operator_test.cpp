@@ -82,7 +82,7 @@ class InfluenceOperatorProduct : public testing::TestWithParam<std::tuple<std::p
 {
 };
 
-TEST_P(InfluenceOperatorProduct, equalsTheSumOverAllCells)
+TEST_P(InfluenceOperatorProduct, EqualsTheSumOverAllCells)
 {
   const auto& [size, aspect, symmetric] = GetParam();
   OperatorShape shape;
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Odd, InfluenceOperatorProduct,
                          testing::Combine(testing::Values(std::pair{5, 7}, std::pair{7, 65}, std::pair{16, 3}),
                                           testing::Values(0.3, 1.0, 5.0), testing::Values(false)));
 
-TEST(InfluenceOperator, largeProductEqualsTheSumAtSomeCells)
+TEST(InfluenceOperator, LargeProductEqualsTheSumAtSomeCells)
 {
   OperatorShape shape;
   shape.nx = 256;
@@ -137,7 +137,7 @@ TEST(InfluenceOperator, largeProductEqualsTheSumAtSomeCells)
   }
 }
 
-TEST(InfluenceOperator, repeatsItselfToTheLastBit)
+TEST(InfluenceOperator, RepeatsItselfToTheLastBit)
 {
   OperatorShape shape;
   shape.nx = 16;
@@ -150,7 +150,7 @@ TEST(InfluenceOperator, repeatsItselfToTheLastBit)
   EXPECT_EQ(once, second.product(pressure));
 }
 
-TEST(InfluenceOperator, preconditionerIsSymmetricAndNearTheInverse)
+TEST(InfluenceOperator, PreconditionerIsSymmetricAndNearTheInverse)
 {
   OperatorShape shape;
   shape.nx = 8;
@@ -165,7 +165,7 @@ TEST(InfluenceOperator, preconditionerIsSymmetricAndNearTheInverse)
   EXPECT_NEAR(near_one, 1, 0.3);
 }
 
-TEST(InfluenceOperator, refusesShapesWithTheOptionInTheMessage)
+TEST(InfluenceOperator, RefusesShapesWithTheOptionInTheMessage)
 {
   const auto message = [](int nx, int ny, double aspect, bool symmetric) -> std::string
   {
@@ -189,7 +189,7 @@ TEST(InfluenceOperator, refusesShapesWithTheOptionInTheMessage)
   EXPECT_EQ(message(4, 8, -1, false), "aspect = -1.000000: must be positive and finite");
 }
 
-TEST(AspectLadder, cellsCoverTheBoxWithLittleWaste)
+TEST(AspectLadder, CellsCoverTheBoxWithLittleWaste)
 {
   constexpr unsigned seed = 3;
   std::mt19937_64 random(seed);
@@ -201,16 +201,16 @@ TEST(AspectLadder, cellsCoverTheBoxWithLittleWaste)
     EXPECT_GE(32 * cell.dy, width * (1 - 1e-12)) << "seed " << seed;
     // Half a step of the ladder, 2^(1/16).
     EXPECT_LE(16 * cell.dx * 32 * cell.dy, 1.0443 * length * width) << "seed " << seed;
-    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, aspect_ladder::aspect(aspect_ladder::nearestRung(cell.dx / cell.dy)));
+    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, aspect_ladder::aspect(aspect_ladder::nearestAspect(cell.dx / cell.dy)));
   }
 }
 
-TEST(OperatorCache, keepsTheLadderAndAFewOthers)
+TEST(OperatorCache, KeepsTheLadderAndAFewOthers)
 {
   OperatorCache cache;
-  const auto rung = cache.find(4, 8, true, 2);
-  EXPECT_EQ(cache.find(4, 8, true, 2 * (1 + 1e-12)), rung) << "rounding of dx/dy";
-  EXPECT_NE(cache.find(4, 8, false, 2), rung);
+  const auto level = cache.find(4, 8, true, 2);
+  EXPECT_EQ(cache.find(4, 8, true, 2 * (1 + 1e-12)), level) << "rounding of dx/dy";
+  EXPECT_NE(cache.find(4, 8, false, 2), level);
   const auto other = cache.find(4, 8, true, 1.9);
   EXPECT_EQ(cache.find(4, 8, true, 1.9), other);
   for (int k = 0; k < 20; ++k)
@@ -218,7 +218,7 @@ TEST(OperatorCache, keepsTheLadderAndAFewOthers)
     cache.find(4, 8, true, 1.5 + 0.001 * k);
   }
   EXPECT_NE(cache.find(4, 8, true, 1.9), other) << "forgotten after 20 others";
-  EXPECT_EQ(cache.find(4, 8, true, 2), rung);
+  EXPECT_EQ(cache.find(4, 8, true, 2), level);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

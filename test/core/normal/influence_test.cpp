@@ -36,7 +36,7 @@ double byQuadrature(double x, double y, double dx, double dy)
   return 0.25 * dx * dy / (parts * parts) * sum;
 }
 
-TEST(Influence, rectangleEqualsQuadratureOfTheKernel)
+TEST(Influence, RectangleEqualsQuadratureOfTheKernel)
 {
   for (const double aspect : {0.2, 1.0, 4.0, 20.0})
   {
@@ -51,7 +51,7 @@ TEST(Influence, rectangleEqualsQuadratureOfTheKernel)
   }
 }
 
-TEST(Influence, ownCellOfASquareIsLovesValue)
+TEST(Influence, OwnCellOfASquareIsLovesValue)
 {
   const double h = 2.5e-4;
   const double love = 4 * h * std::log(1 + std::sqrt(2.0));
@@ -59,7 +59,7 @@ TEST(Influence, ownCellOfASquareIsLovesValue)
   EXPECT_NEAR(pointInfluence(0, 0, h, h), love, 1e-15 * love) << "the paper's own coefficient, with the h it lacks";
 }
 
-TEST(Influence, closedFormAndQuadratureMeetWithoutAStep)
+TEST(Influence, ClosedFormAndQuadratureMeetWithoutAStep)
 {
   for (const double aspect : {1.0, 7.0})
   {
@@ -69,7 +69,7 @@ TEST(Influence, closedFormAndQuadratureMeetWithoutAStep)
   }
 }
 
-TEST(Influence, pointForceIsFourPercentLowAtTheNextSquare)
+TEST(Influence, PointForceIsFourPercentLowAtTheNextSquare)
 {
   EXPECT_NEAR(pointInfluence(1, 0, 1, 1) / rectangleInfluence(1, 0, 1, 1), 0.963, 0.002);
   EXPECT_NEAR(pointInfluence(20, 0, 1, 1) / rectangleInfluence(20, 0, 1, 1), 1, 2e-4);
@@ -83,7 +83,7 @@ double smallestEigenvalue(double aspect, Kernel kernel)
          matrix(0, 0);
 }
 
-TEST(Influence, rectangleMatrixIsPositiveDefiniteOnCellsOfAnyShape)
+TEST(Influence, RectangleMatrixIsPositiveDefiniteOnCellsOfAnyShape)
 {
   for (const double aspect : {0.1, 0.5, 1.0, 3.0, 10.0, 30.0})
   {
@@ -91,7 +91,7 @@ TEST(Influence, rectangleMatrixIsPositiveDefiniteOnCellsOfAnyShape)
   }
 }
 
-TEST(Influence, pointForceMatrixIsIndefiniteOnCellsLongerThan4p70Widths)
+TEST(Influence, PointForceMatrixIsIndefiniteOnCellsLongerThan4p70Widths)
 {
   EXPECT_NEAR(smallestEigenvalue(1, Kernel::point_force), 0.543, 0.02);
   EXPECT_GT(smallestEigenvalue(4.6, Kernel::point_force), 0);

@@ -54,7 +54,7 @@ Deviation fromConjugateGradients(const NormalProblem& problem)
 
 /// Deviations from Hertz on ellipses a/b = 1, 5 and 1/5 belong to the method. A prototype had -6, -3 and 9 % (rms) on
 /// the circle; on 5:1 it had -14, -1 and 31 %, which is this method without its shape correction.
-TEST(KikPiotrowski, hasItsKnownBiasOnEllipses)
+TEST(KikPiotrowski, HasItsKnownBiasOnEllipses)
 {
   struct Case
   {
@@ -80,7 +80,7 @@ TEST(KikPiotrowski, hasItsKnownBiasOnEllipses)
   }
 }
 
-TEST(KikPiotrowski, givesEllipsesHertzsRatio)
+TEST(KikPiotrowski, GivesEllipsesHertzsRatio)
 {
   for (const double ratio : {0.1, 0.5, 1.0, 4.0, 30.0})
   {
@@ -97,7 +97,7 @@ TEST(KikPiotrowski, givesEllipsesHertzsRatio)
   }
 }
 
-TEST(KikPiotrowski, pressureCarriesTheLoad)
+TEST(KikPiotrowski, PressureCarriesTheLoad)
 {
   for (const bool symmetric : {true, false})
   {
@@ -111,7 +111,7 @@ TEST(KikPiotrowski, pressureCarriesTheLoad)
   }
 }
 
-TEST(KikPiotrowski, besideAWallMirroredGapsGiveMirroredPressures)
+TEST(KikPiotrowski, BesideAWallMirroredGapsGiveMirroredPressures)
 {
   // A ridge with a slope on one side and, on the other, a step up to a plane that does not open along x.
   const double width = std::ldexp(1.0, -11);  // so that the deepest column lies in its strip to the last digit
@@ -133,7 +133,7 @@ TEST(KikPiotrowski, besideAWallMirroredGapsGiveMirroredPressures)
   EXPECT_LT((reversed - solution.patches[0].pressure).abs().maxCoeff(), 1e-9 * solution.patches[0].max_pressure);
 }
 
-TEST(KikPiotrowski, loadGrowsLikeHertzsOnEllipses)
+TEST(KikPiotrowski, LoadGrowsLikeHertzsOnEllipses)
 {
   NormalProblem problem = hertzCase(3, 32, 64, true, 1.3).problem;
   const double one = solved(problem).approach;
@@ -142,7 +142,7 @@ TEST(KikPiotrowski, loadGrowsLikeHertzsOnEllipses)
   EXPECT_NEAR(solved(problem).approach / one, std::pow(0.5, 2.0 / 3.0), 2e-4);
 }
 
-TEST(KikPiotrowski, alongAndAcrossAreAlikeOnEllipses)
+TEST(KikPiotrowski, AlongAndAcrossAreAlikeOnEllipses)
 {
   const NormalSolution flat = solved(hertzCase(6, 64, 256, true, 1.4).problem);
   NormalProblem turned = hertzCase(6, 64, 256, true, 1.4).problem;
@@ -157,7 +157,7 @@ TEST(KikPiotrowski, alongAndAcrossAreAlikeOnEllipses)
   EXPECT_NEAR(flat.patches[0].area / steep.patches[0].area, 1, 1e-3);
 }
 
-TEST(KikPiotrowski, dependsLittleOnTheBox)
+TEST(KikPiotrowski, DependsLittleOnTheBox)
 {
   // The overlap of a 10:1 ellipse is wider than its contact, and than a close box.
   const double close = solved(hertzCase(0.03, 32, 64, true, 1.05).problem).patches[0].max_pressure;
@@ -167,20 +167,20 @@ TEST(KikPiotrowski, dependsLittleOnTheBox)
 
 /// Rail head with its joint of 300 mm and 80 mm under the middle of the contact: a prototype of the method was 18 % low
 /// in pressure, 3 % in approach, rms 18 %.
-TEST(KikPiotrowski, missesPressureAtACurvatureJump)
+TEST(KikPiotrowski, MissesPressureAtACurvatureJump)
 {
-  const auto joint = [](double x, double y)
+  const auto discontinuity = [](double x, double y)
   { return wheel * x * x + 0.5 * (y < 1e-3 ? 1 / 0.3 - 1 / 0.9 : 1 / 0.08 - 1 / 0.9) * (y - 1e-3) * (y - 1e-3); };
   Grid grid = centredGrid(48, 64, 0.018, 0.014, true);
   grid.y0 -= 1.5e-3;
-  const Deviation found = fromConjugateGradients(underLoad(sampled(grid, joint), 1e5));
+  const Deviation found = fromConjugateGradients(underLoad(sampled(grid, discontinuity), 1e5));
   EXPECT_LT(found.max_pressure, -0.05);
   EXPECT_GT(found.max_pressure, -0.30);
   EXPECT_LT(std::abs(found.approach), 0.08);
   EXPECT_LT(found.rms, 0.3);
 }
 
-TEST(KikPiotrowski, patchesShareTheLoadAtOneApproach)
+TEST(KikPiotrowski, PatchesShareTheLoadAtOneApproach)
 {
   NormalProblem problem = hertzCase(1, 16, 16, true, 1.3).problem;
   problem.patches.push_back(hertzCase(6, 16, 32, true, 1.3).problem.patches[0]);
@@ -197,7 +197,7 @@ TEST(KikPiotrowski, patchesShareTheLoadAtOneApproach)
   EXPECT_NEAR(solved(second).patches[0].force / both.patches[1].force, 1, 1e-9);
 }
 
-TEST(KikPiotrowski, followsSkewedStrips)
+TEST(KikPiotrowski, FollowsSkewedStrips)
 {
   // Columns lowest at x = 0.3 y: the strips' middles follow.
   const Grid grid = centredGrid(48, 48, 0.024, 0.024, false);
@@ -212,7 +212,7 @@ TEST(KikPiotrowski, followsSkewedStrips)
   }
 }
 
-TEST(KikPiotrowski, refusesStripsThatDoNotOpenAlongX)
+TEST(KikPiotrowski, RefusesStripsThatDoNotOpenAlongX)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   KikPiotrowski solver;
@@ -224,7 +224,7 @@ TEST(KikPiotrowski, refusesStripsThatDoNotOpenAlongX)
 }
 
 // A box beside the deepest place: the gap falls towards the edge and would go on falling.
-TEST(KikPiotrowski, answersWhereTheGridCutsTheDeepestPlaceOff)
+TEST(KikPiotrowski, ResultsWhereTheGridCutsTheDeepestPlaceOff)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   for (const double side : {-1.0, 1.0})
@@ -238,7 +238,7 @@ TEST(KikPiotrowski, answersWhereTheGridCutsTheDeepestPlaceOff)
   }
 }
 
-TEST(KikPiotrowski, hasNoContactAboveTheFirstTouch)
+TEST(KikPiotrowski, HasNoContactAboveTheFirstTouch)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.control = NormalProblem::Control::approach;

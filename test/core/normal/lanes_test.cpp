@@ -35,7 +35,7 @@ class Lanes : public testing::TestWithParam<const LaneKernels*>
   std::mt19937_64 random_{31};
 };
 
-TEST_P(Lanes, productEqualsThePlainSum)
+TEST_P(Lanes, ProductEqualsThePlainSum)
 {
   for (const int columns : {1, 3, 4, 9})
   {
@@ -78,7 +78,7 @@ TEST_P(Lanes, productEqualsThePlainSum)
   }
 }
 
-TEST_P(Lanes, foldAndUnfoldAreTransposed)
+TEST_P(Lanes, FoldAndUnfoldAreTransposed)
 {
   LaneBuffer in = field(-1, 1), other = field(-1, 1), folded = field(0, 0), unfolded = field(0, 0), sign = field(0, 0);
   for (int i = 0; i < 8; ++i)
@@ -93,7 +93,7 @@ TEST_P(Lanes, foldAndUnfoldAreTransposed)
   EXPECT_NEAR(kernels_.dot(64, folded.data(), other.data()), kernels_.dot(64, in.data(), unfolded.data()), 1e-13);
 }
 
-TEST_P(Lanes, solverLoopsEqualPlainLoops)
+TEST_P(Lanes, SolverLoopsEqualPlainLoops)
 {
   LaneBuffer p = field(0, 1), u = field(0, 1), gap = field(-1, 1), s = field(-1, 1), q = field(-1, 1), z = field(-1, 1);
   LaneBuffer r = field(0, 0), trial = field(0, 0);
@@ -125,7 +125,7 @@ TEST_P(Lanes, solverLoopsEqualPlainLoops)
   EXPECT_NEAR(masked.z_q, z_q, 1e-13);
 }
 
-TEST_P(Lanes, stepsStayWithinTheBounds)
+TEST_P(Lanes, StepsStayWithinTheBounds)
 {
   LaneBuffer p = field(0, 1), z = field(-3, 3), last = field(-1, 1), r = field(-1, 1), trial = field(0, 0);
   TrialStep step;

@@ -53,7 +53,7 @@ Errors worstErrors(int nx, int ny)
 }
 
 // Tolerances: the worst case found, rounded up.
-TEST(Measures, areaIsASeventiethAsWrongAsCountedCells)
+TEST(Measures, AreaIsASeventiethAsWrongAsCountedCells)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
   EXPECT_LT(coarse.area, 0.003);
@@ -117,13 +117,13 @@ void expectUnbiased(double PatchPressure::*found, double HertzContact::*exact, c
 
 // Tolerances: what 98 % of 1400 contacts of another seed stay below: crossings found too far out made the mean 0.1 % on
 // 24 × 56 cells.
-TEST(Measures, areaOfHertzContactsHasNoBias)
+TEST(Measures, AreaOfHertzContactsHasNoBias)
 {
   expectUnbiased(&PatchPressure::area, &HertzContact::area, {{12, 32, 9.1e-4}, {24, 56, 3.5e-4}, {40, 80, 2.3e-4}});
 }
 
 // Likewise; what cells hold too much made the mean 0.026 % on 24 × 56 cells.
-TEST(Measures, maxPressureOfHertzContactsHasNoBias)
+TEST(Measures, MaxPressureOfHertzContactsHasNoBias)
 {
   expectUnbiased(&PatchPressure::max_pressure, &HertzContact::max_pressure,
                  {{12, 32, 4.8e-4}, {24, 56, 1.1e-4}, {40, 80, 3.5e-5}});
@@ -131,7 +131,7 @@ TEST(Measures, maxPressureOfHertzContactsHasNoBias)
 
 // Largest less smallest error: how far the edge reaches beyond the outermost loaded rows and columns made it three
 // times that.
-TEST(Measures, areaHardlyDependsOnWhereItsTipsLie)
+TEST(Measures, AreaHardlyDependsOnWhereItsTipsLie)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-6;
@@ -156,7 +156,7 @@ TEST(Measures, areaHardlyDependsOnWhereItsTipsLie)
   }
 }
 
-TEST(Measures, areaOfAHalfIsThatOfTheWhole)
+TEST(Measures, AreaOfAHalfIsThatOfTheWhole)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-9;
@@ -167,7 +167,7 @@ TEST(Measures, areaOfAHalfIsThatOfTheWhole)
   EXPECT_NEAR(half.patches[0].area / whole.patches[0].area, 1, 1e-6);
 }
 
-TEST(Measures, maxPressureBetweenTheCellsBeatsTheHighestCell)
+TEST(Measures, MaxPressureBetweenTheCellsBeatsTheHighestCell)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
   EXPECT_LT(coarse.max_pressure, 0.00076);
@@ -177,14 +177,14 @@ TEST(Measures, maxPressureBetweenTheCellsBeatsTheHighestCell)
   EXPECT_LT(fine.max_pressure, 0.08 * fine.highest_cell);
 }
 
-TEST(Measures, approachConvergesFasterThanTheCells)
+TEST(Measures, ApproachConvergesFasterThanTheCells)
 {
   EXPECT_LT(worstErrors(8, 16).approach, 0.005);
   EXPECT_LT(worstErrors(16, 32).approach, 0.0015);
   EXPECT_LT(worstErrors(32, 64).approach, 0.0004);
 }
 
-TEST(Measures, areaOfTwoLobesIsThatOfFourTimesFinerCells)
+TEST(Measures, AreaOfTwoLobesIsThatOfFourTimesFinerCells)
 {
   const auto lobes = [](double x, double y)
   { return x * x / 0.92 + std::min((y + 5e-3) * (y + 5e-3) / 0.2, (y - 5e-3) * (y - 5e-3) / 0.12 + 2e-6); };
@@ -200,7 +200,7 @@ TEST(Measures, areaOfTwoLobesIsThatOfFourTimesFinerCells)
   EXPECT_NEAR(area(1) / area(4), 1, 0.01);
 }
 
-TEST(Measures, forceIsThePressureTimesTheArea)
+TEST(Measures, ForceIsThePressureTimesTheArea)
 {
   const auto hertz = hertzCase(2, 16, 32, true);
   NormalSolution solution;

@@ -65,7 +65,7 @@ double lobes(double x, double y)
 
 // Tolerances: the largest error found (0.51 and 0.78 %, 0.13 and 0.14 %; of the highest cell 4.0 and 4.7 %, 0.89 and
 // 0.93 %), rounded up.
-TEST(CrestPressure, besideAJointIsNearThatOfEightTimesFinerCells)
+TEST(PeakPressure, BesideADiscontinuityIsNearThatOfEightTimesFinerCells)
 {
   struct Limit
   {
@@ -86,7 +86,7 @@ TEST(CrestPressure, besideAJointIsNearThatOfEightTimesFinerCells)
 }
 
 // A crest may be no cell's: of two equal cells beside it each is lower.
-TEST(CrestPressure, liesBetweenTwoEqualCells)
+TEST(PeakPressure, LiesBetweenTwoEqualCells)
 {
   const auto hertz = problems::hertzCase(2, 16, 32, true);
   ConjugateGradientsOptions options;
@@ -97,7 +97,7 @@ TEST(CrestPressure, liesBetweenTwoEqualCells)
   const Eigen::ArrayXXd& p = solution.patches[0].pressure;
   ASSERT_NEAR(p(0, 15) / p(0, 16), 1, 1e-9);
   const double raised =
-      crestPressure(hertz.problem.patches[0], hertz.problem.modulus, {hertz.problem.patches[0].grid, p, 0, 15});
+      peakPressure(hertz.problem.patches[0], hertz.problem.modulus, {hertz.problem.patches[0].grid, p, 0, 15});
   EXPECT_NEAR(raised / hertz.exact.max_pressure, 1, 5e-4);
   EXPECT_GT(std::abs(p(0, 15) / hertz.exact.max_pressure - 1), 1e-3);
 }
@@ -118,18 +118,18 @@ struct Row
     pressure.row(0) = Eigen::Map<const Eigen::RowVectorXd>(pressures.data(), columns).array();
   }
   CellsAround cell(int column) const { return {gap.grid, pressure, 0, column}; }
-  double at(int column) const { return crestPressure(gap, modulus, cell(column)); }
+  double at(int column) const { return peakPressure(gap, modulus, cell(column)); }
   bool waves(int column) const { return areWaves(gapSteps(cell(column), gap, modulus)); }
 };
 
-TEST(CrestPressure, besideAnUnloadedCellOrTheBorderIsTheCellsOwn)
+TEST(PeakPressure, BesideAnUnloadedCellOrTheBorderIsTheCellsOwn)
 {
   EXPECT_EQ(Row({0, 0, 0, 0}, {0, 1e9, 8e8, 0}).at(1), 1e9);
   EXPECT_EQ(Row({0, 0, 0, 0}, {1e9, 8e8, 0, 0}).at(0), 1e9);
   EXPECT_EQ(Row({0, 0, 0, 0}, {0, 0, 8e8, 1e9}).at(3), 1e9);
 }
 
-TEST(CrestPressure, ofWavesIsThatOfTheParabolas)
+TEST(PeakPressure, OfWavesIsThatOfTheParabolas)
 {
   std::vector<double> waves, pressures;
   for (int j = 0; j < 24; ++j)
@@ -138,10 +138,10 @@ TEST(CrestPressure, ofWavesIsThatOfTheParabolas)
     pressures.push_back(1e9 * (1 - 0.3 * std::cos(2 * pi * j / 5.0)));
   }
   const Row row(waves, pressures);
-  Eigen::Index crest = 0;
-  row.pressure.row(0).segment(6, 12).maxCoeff(&crest);
-  crest += 6;
-  const int column = static_cast<int>(crest);
+  Eigen::Index peak = 0;
+  row.pressure.row(0).segment(6, 12).maxCoeff(&peak);
+  peak += 6;
+  const int column = static_cast<int>(peak);
   EXPECT_TRUE(row.waves(column));
   EXPECT_EQ(row.at(column), row.cell(column).parabolas());
   const Row flat(std::vector<double>(24, 0.0), pressures);
@@ -154,10 +154,10 @@ double highest(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& press
 {
   Eigen::Index row = 0, column = 0;
   pressure.maxCoeff(&row, &column);
-  return crestPressure(gap, modulus, {gap.grid, pressure, row, column});
+  return peakPressure(gap, modulus, {gap.grid, pressure, row, column});
 }
 
-TEST(CrestPressure, isTheSameFromWhereverOneLooks)
+TEST(PeakPressure, IsTheSameFromWhereverOneLooks)
 {
   const auto askew = [](double x, double y) { return shoulder(x + 2e-4 + 0.05 * y, y - 1e-4); };
   const NormalProblem problem =
@@ -176,7 +176,7 @@ TEST(CrestPressure, isTheSameFromWhereverOneLooks)
 
 // In proportion to how the pressure bends from cell to cell, about an eightieth of it: so it goes with the square of
 // the cells. (Found: 0.0127 to 0.0148 of the bend.)
-TEST(CrestPressure, takesOffAShareOfTheBend)
+TEST(PeakPressure, TakesOffAShareOfTheBend)
 {
   for (const int cells : {16, 32, 64, 128})
   {
@@ -186,15 +186,15 @@ TEST(CrestPressure, takesOffAShareOfTheBend)
     const Eigen::ArrayXXd& pressure = solution.patches[0].pressure;
     Eigen::Index row = 0, column = 0;
     pressure.maxCoeff(&row, &column);
-    const CellsAround crest(hertz.problem.patches[0].grid, pressure, row, column);
-    const double off = crest.parabolas() / solution.patches[0].max_pressure - 1;
-    EXPECT_GT(off, 0.012 * crest.bend()) << cells;
-    EXPECT_LT(off, 0.0155 * crest.bend()) << cells;
+    const CellsAround peak(hertz.problem.patches[0].grid, pressure, row, column);
+    const double off = peak.parabolas() / solution.patches[0].max_pressure - 1;
+    EXPECT_GT(off, 0.012 * peak.bend()) << cells;
+    EXPECT_LT(off, 0.0155 * peak.bend()) << cells;
   }
 }
 
 // Where the grid ends the pressure need not: its border is no edge.
-TEST(CrestPressure, isThatOfTheParabolasWhereTheBorderCutsThePressure)
+TEST(PeakPressure, IsThatOfTheParabolasWhereTheBorderCutsThePressure)
 {
   const auto hertz = problems::hertzCase(2, 16, 32, false);
   NormalSolution solution;
@@ -204,20 +204,20 @@ TEST(CrestPressure, isThatOfTheParabolasWhereTheBorderCutsThePressure)
   gap.gap = Eigen::ArrayXXd(gap.gap.middleRows(4, 12));
   Eigen::Index row = 0, column = 0;
   cut.maxCoeff(&row, &column);
-  const CellsAround crest(gap.grid, cut, row, column);
-  ASSERT_TRUE(crest.isCutAlong());
-  EXPECT_EQ(crestPressure(gap, hertz.problem.modulus, crest), crest.parabolas());
+  const CellsAround peak(gap.grid, cut, row, column);
+  ASSERT_TRUE(peak.isCutAlong());
+  EXPECT_EQ(peakPressure(gap, hertz.problem.modulus, peak), peak.parabolas());
 }
 
 // Beside a crest much higher than the one looked at: what shows there has to have a limit.
-TEST(CrestPressure, besideAMuchHigherOneIsNearItsOwnCells)
+TEST(PeakPressure, BesideAMuchHigherOneIsNearItsOwnCells)
 {
   const std::vector<double> flat(16, 0.0);
   const Row row(flat, {0, 3e8, 6e8, 1e9, 6e8, 3e40, 6e45, 3e40, 1e8, 0, 0, 0, 0, 0, 0, 0});
   EXPECT_NEAR(row.at(3) / 1e9, 1, 0.1);
 }
 
-TEST(CrestPressure, ofAHalfIsThatOfTheWhole)
+TEST(PeakPressure, OfAHalfIsThatOfTheWhole)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-9;

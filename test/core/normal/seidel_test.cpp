@@ -34,7 +34,7 @@ NormalSolution exactly(const NormalProblem& problem)
   return solution;
 }
 
-TEST(Seidel, repairedFormAgreesWithConjugateGradients)
+TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
 {
   constexpr unsigned seed = 21;
   std::mt19937_64 random(seed);
@@ -63,7 +63,7 @@ TEST(Seidel, repairedFormAgreesWithConjugateGradients)
   }
 }
 
-TEST(Seidel, repairedFormMakesUseOfAnEarlierSolution)
+TEST(Seidel, RepairedFormMakesUseOfAnEarlierSolution)
 {
   Seidel seidel;
   NormalSolution solution;
@@ -74,7 +74,7 @@ TEST(Seidel, repairedFormMakesUseOfAnEarlierSolution)
   EXPECT_LT(solution.iterations, cold);
 }
 
-TEST(Seidel, printedFormIsHalfAPercentOffInApproachOnSquareCells)
+TEST(Seidel, PrintedFormIsHalfAPercentOffInApproachOnSquareCells)
 {
   // Point forces are 4 % low at the next cell; on 16 × 16 cells that leaves the approach 0.5 % low, on 32 × 32 half of
   // it.
@@ -95,7 +95,7 @@ TEST(Seidel, printedFormIsHalfAPercentOffInApproachOnSquareCells)
   EXPECT_LT(error, 0.003);
 }
 
-TEST(Seidel, printedFormAppliesTheApproachInSteps)
+TEST(Seidel, PrintedFormAppliesTheApproachInSteps)
 {
   auto hertz = hertzCase(1, 16, 16, true);
   const NormalSolution by_load = exactly(hertz.problem);
@@ -108,7 +108,7 @@ TEST(Seidel, printedFormAppliesTheApproachInSteps)
   EXPECT_NEAR(solution.patches[0].force / 1e5, 1, 0.01);
 }
 
-TEST(Seidel, printedFormTurnsToStripesOnLongCells)
+TEST(Seidel, PrintedFormTurnsToStripesOnLongCells)
 {
   // Beyond an aspect of 4.70 the matrix of point forces is indefinite; the pressure becomes striped and twice as high,
   // while the approach stays within 3 % (2.2 % found). The iteration as printed would call this converged.
@@ -143,7 +143,7 @@ TEST(Seidel, printedFormTurnsToStripesOnLongCells)
   }
 }
 
-TEST(Seidel, printedFormIsRefusedWhereItComesToRestInStripes)
+TEST(Seidel, PrintedFormIsRefusedWhereItComesToRestInStripes)
 {
   // Cells ten times as long as wide: a cell acts more on its neighbour across than on itself. No sweep gains energy as
   // a whole, yet the maximum is off by far.
@@ -157,7 +157,7 @@ TEST(Seidel, printedFormIsRefusedWhereItComesToRestInStripes)
 
 // The printed stopping rule looks at the change of the pressure alone. The residual does not, and the estimate counts
 // it.
-TEST(Seidel, printedFormThatStopsTooEarlyIsToldByItsResidualAndItsEstimate)
+TEST(Seidel, PrintedFormThatStopsTooEarlyIsToldByItsResidualAndItsEstimate)
 {
   const auto hertz = hertzCase(1, 48, 48, true);
   SeidelOptions options;
@@ -182,7 +182,7 @@ TEST(Seidel, printedFormThatStopsTooEarlyIsToldByItsResidualAndItsEstimate)
   EXPECT_GT(estimate, 0.1);
 }
 
-TEST(Seidel, tellsWhyItEnds)
+TEST(Seidel, TellsWhyItEnds)
 {
   auto hertz = hertzCase(1, 16, 16, true);
   SeidelOptions options;
@@ -207,7 +207,7 @@ TEST(Seidel, tellsWhyItEnds)
   }
 }
 
-TEST(Seidel, refusesOptionsByName)
+TEST(Seidel, RefusesOptionsByName)
 {
   SeidelOptions options;
   options.load_steps = 0;

@@ -44,7 +44,7 @@ NormalProblem randomSupportedProblem(std::mt19937_64& random, int patches)
   const double softness = problems::uniform(random, 0.1, 3) * depth / force;
   Eigen::Matrix3d root;
   root << 1, 0.2, 0.3, 0, 0.5, 0.1, 0, 0, 0.7;
-  problem.support.yields = true;
+  problem.support.compliant = true;
   problem.support.compliance = softness * root.transpose() * root;
   problem.support.placed = 0.1 * softness * force * Eigen::Vector3d(1, -1, 0.5);
   return problem;
@@ -74,12 +74,12 @@ NormalProblem held(NormalProblem problem, const Eigen::Vector3d& coordinates)
   return problem;
 }
 
-class YieldingSupport : public testing::TestWithParam<int>
+class CompliantSupport : public testing::TestWithParam<int>
 {
 };
 }  // namespace
 
-TEST_P(YieldingSupport, standsWhereItsForcesPutIt)
+TEST_P(CompliantSupport, StandsWhereItsForcesPutIt)
 {
   std::mt19937_64 random(5);
   for (int scene = 0; scene < 40; ++scene)
@@ -94,7 +94,7 @@ TEST_P(YieldingSupport, standsWhereItsForcesPutIt)
 
 // The residual of either solution is 1e-9 of the depth. At an approach given, a pressure answers a change of gap at
 // most in proportion to the depth over the smallest change that one cell of the edge makes; 1e-6 covers that here.
-TEST_P(YieldingSupport, pressesAsIfHeldThere)
+TEST_P(CompliantSupport, PressesAsIfHeldThere)
 {
   std::mt19937_64 random(6);
   for (int scene = 0; scene < 40; ++scene)
@@ -117,7 +117,7 @@ TEST_P(YieldingSupport, pressesAsIfHeldThere)
   }
 }
 
-TEST_P(YieldingSupport, startsFromItsOwnAnswer)
+TEST_P(CompliantSupport, StartsFromItsOwnResult)
 {
   std::mt19937_64 random(7);
   for (int scene = 0; scene < 20; ++scene)
@@ -132,9 +132,9 @@ TEST_P(YieldingSupport, startsFromItsOwnAnswer)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Patches, YieldingSupport, testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Patches, CompliantSupport, testing::Values(1, 2));
 
-TEST(YieldingSupportCase, withoutComplianceIsHeld)
+TEST(CompliantSupportCase, WithoutComplianceIsHeld)
 {
   std::mt19937_64 random(8);
   NormalProblem problem = randomSupportedProblem(random, 1);
@@ -145,7 +145,7 @@ TEST(YieldingSupportCase, withoutComplianceIsHeld)
   EXPECT_EQ(solution.support.norm(), 0);
 }
 
-TEST(YieldingSupportCase, ofTheWrongShapeIsAnInvalidProblem)
+TEST(CompliantSupportCase, OfTheWrongShapeIsAnInvalidProblem)
 {
   std::mt19937_64 random(9);
   NormalProblem problem = randomSupportedProblem(random, 1);
@@ -162,7 +162,7 @@ TEST(Support, ThatSpringsBackFromTheContactIsLeftAlone)
   problem.value = 40e-6;
   problem.patches[0].opening.setZero(problem.patches[0].grid.ny, 3);
   problem.patches[0].opening.col(0).setConstant(-1);
-  problem.support.yields = true;
+  problem.support.compliant = true;
   problem.support.compliance(0, 0) = 1e-8;
   for (const double placed : {1e-3, 41e-6})
   {

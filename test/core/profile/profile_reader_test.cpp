@@ -47,7 +47,7 @@ std::string csv(const std::vector<Point>& points)
   return "y_m,z_m\n" + lines(points, ",");
 }
 
-TEST(LoadProfile, knowsTheStandardProfilesAndTheirKind)
+TEST(LoadProfile, KnowsTheStandardProfilesAndTheirKind)
 {
   EXPECT_EQ(loadProfile("S1002", ProfileKind::wheel).name(), "S1002");
   EXPECT_EQ(loadProfile("60E1", ProfileKind::rail).name(), "60E1");
@@ -57,7 +57,7 @@ TEST(LoadProfile, knowsTheStandardProfilesAndTheirKind)
   EXPECT_THROW(loadProfile("UIC60_manchester", ProfileKind::wheel), std::invalid_argument);
 }
 
-TEST(LoadProfile, readsFilesByTheirExtension)
+TEST(LoadProfile, ReadsFilesByTheirExtension)
 {
   const Folder folder;
   const std::string path = folder.write("head.CSV", csv(pointsOf(rail60E1())));
@@ -68,7 +68,7 @@ TEST(LoadProfile, readsFilesByTheirExtension)
   expectRefused(folder.path("missing.ban"), ProfileKind::wheel, 0, "not that of a wheel");
 }
 
-TEST(CsvProfile, hasTheUnitItStates)
+TEST(CsvProfile, HasTheUnitItStates)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(s1002Wheel());
@@ -87,7 +87,7 @@ TEST(CsvProfile, hasTheUnitItStates)
   }
 }
 
-TEST(CsvProfile, needsAUnitAndTwoNumbersALine)
+TEST(CsvProfile, NeedsAUnitAndTwoNumbersALine)
 {
   const Folder folder;
   const std::string points = lines(pointsOf(rail60E1()), ",");
@@ -108,7 +108,7 @@ TEST(CsvProfile, needsAUnitAndTwoNumbersALine)
   refused("y_m,z_m\n0;0\n", 2, "number of columns is 1");
 }
 
-TEST(ProfileFiles, mustBeTextOfAProfilesSize)
+TEST(ProfileFiles, MustBeTextOfAProfilesSize)
 {
   const Folder folder;
   const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
@@ -133,7 +133,7 @@ TEST(ProfileFiles, mustBeTextOfAProfilesSize)
   expectRefused(folder.path("folder.csv"), ProfileKind::rail, 0, "no such file");
 }
 
-TEST(ProfileFiles, mustHoldAPlausibleProfile)
+TEST(ProfileFiles, MustHoldAPlausibleProfile)
 {
   const Folder folder;
   const auto refused = [&](const std::vector<Point>& points, std::size_t line, const std::string& reason,
@@ -189,7 +189,7 @@ TEST(ProfileFiles, mustHoldAPlausibleProfile)
   refused(circle, 0, "closed outline");
 }
 
-TEST(ProfileFiles, coincidingPointsAreOneAndTheEndsStay)
+TEST(ProfileFiles, CoincidingPointsAreOneAndTheEndsStay)
 {
   const Folder folder;
   const std::vector<Point> rail = pointsOf(rail60E1());
@@ -199,13 +199,13 @@ TEST(ProfileFiles, coincidingPointsAreOneAndTheEndsStay)
     points.insert(points.end(), {p, p, {p.y + 1e-9, p.z}});
   }
   const Profile read = readProfile(folder.write("double.csv", csv(points)), ProfileKind::rail);
-  EXPECT_EQ(read.joints().size(), rail.size());
+  EXPECT_EQ(read.discontinuities().size(), rail.size());
   EXPECT_LT(deviation(read, rail), 2e-9);
   EXPECT_NEAR(read.at(0.0).y, points.front().y, 1e-12);
   EXPECT_NEAR(read.at(read.length()).y, points.back().y, 1e-12);
 }
 
-TEST(ProfileFiles, areSmoothedForAGivenNoise)
+TEST(ProfileFiles, AreSmoothedForAGivenNoise)
 {
   const Folder folder;
   const std::string path = folder.write("head.csv", csv(pointsOf(rail60E1())));
@@ -230,7 +230,7 @@ Point miniProfRail(const Point& p)
   return {-p.y * 1e3, p.z * 1e3};
 }
 
-TEST(MiniProfProfile, wheelHasItsOriginOnTheRunningCircle)
+TEST(MiniProfProfile, WheelHasItsOriginOnTheRunningCircle)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(s1002Wheel());
@@ -256,7 +256,7 @@ TEST(MiniProfProfile, wheelHasItsOriginOnTheRunningCircle)
             1e-11);
 }
 
-TEST(MiniProfProfile, wheelMustReachAcrossItsRunningCircle)
+TEST(MiniProfProfile, WheelMustReachAcrossItsRunningCircle)
 {
   const Folder folder;
   const std::string points = lines(changed(pointsOf(s1002Wheel()), miniProfWheel), " ");
@@ -267,7 +267,7 @@ TEST(MiniProfProfile, wheelMustReachAcrossItsRunningCircle)
   refused("Xoffset=-70\n" + points, "X = 70 mm");
 }
 
-TEST(MiniProfProfile, railHasItsGaugeSideAtPositiveX)
+TEST(MiniProfProfile, RailHasItsGaugeSideAtPositiveX)
 {
   const Folder folder;
   std::vector<Point> points = pointsOf(rail60E1());
@@ -284,7 +284,7 @@ TEST(MiniProfProfile, railHasItsGaugeSideAtPositiveX)
   EXPECT_NEAR(rail.at(0.0).z, points.front().z, 1e-12);
 }
 
-TEST(MiniProfProfile, isSmoothedUnlessItsNoiseIsStated)
+TEST(MiniProfProfile, IsSmoothedUnlessItsNoiseIsStated)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(rail60E1());
@@ -294,7 +294,7 @@ TEST(MiniProfProfile, isSmoothedUnlessItsNoiseIsStated)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::rail, 0.0), points), 1e-12);
 }
 
-TEST(MiniProfProfile, oldFilesWithFreeTextAreRead)
+TEST(MiniProfProfile, OldFilesWithFreeTextAreRead)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(s1002Wheel());
@@ -303,7 +303,7 @@ TEST(MiniProfProfile, oldFilesWithFreeTextAreRead)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, 0.0), points), 1e-12);
 }
 
-TEST(MiniProfProfile, leavesOutWhereTwoStrokesOverlap)
+TEST(MiniProfProfile, LeavesOutWhereTwoStrokesOverlap)
 {
   const Folder folder;
   const std::vector<Point> rail = pointsOf(rail60E1());
@@ -314,7 +314,7 @@ TEST(MiniProfProfile, leavesOutWhereTwoStrokesOverlap)
   EXPECT_LT(deviation(read, rail), 1e-12);
 }
 
-TEST(MiniProfProfile, refusesWhatIsDamaged)
+TEST(MiniProfProfile, RefusesWhatIsDamaged)
 {
   const Folder folder;
   const std::vector<Point> rail = changed(pointsOf(rail60E1()), miniProfRail);

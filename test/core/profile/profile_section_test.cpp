@@ -35,7 +35,7 @@ void expectDerivatives(const Profile& profile, double u)
   EXPECT_NEAR(here.ddz, (after.dz - before.dz) / (2 * step), 1e-3);
 }
 
-TEST(ProfileSection, lineIsStraight)
+TEST(ProfileSection, LineIsStraight)
 {
   const Profile line = single(LineSection{0.01, -0.02, 0.6, 0.8}, 0.05);
   const CurvePoint end = line.at(0.05);
@@ -46,7 +46,7 @@ TEST(ProfileSection, lineIsStraight)
   expectDerivatives(line, 0.02);
 }
 
-TEST(ProfileSection, arcKeepsRadiusAndUnitSpeed)
+TEST(ProfileSection, ArcKeepsRadiusAndUnitSpeed)
 {
   for (const double turn : {1.0, -1.0})
   {
@@ -62,14 +62,14 @@ TEST(ProfileSection, arcKeepsRadiusAndUnitSpeed)
   }
 }
 
-TEST(ProfileSection, arcHasInfiniteSlopeWhereItIsVertical)
+TEST(ProfileSection, ArcHasInfiniteSlopeWhereItIsVertical)
 {
   const Profile arc = single(ArcSection{0.0, 0.0, 0.02, pi, 1.0}, 0.01);
   EXPECT_GT(std::abs(arc.at(0.0).slope()), 1e15);
   EXPECT_NEAR(arc.at(0.0).curvature(), 50.0, 1e-12);
 }
 
-TEST(ProfileSection, polynomialMatchesItsDerivativesInClosedForm)
+TEST(ProfileSection, PolynomialMatchesItsDerivativesInClosedForm)
 {
   // z = 2 - 3 y + 50 y^2 + 4000 y^3, from y = -0.01
   const Profile curve = single(PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03);
@@ -85,7 +85,7 @@ TEST(ProfileSection, polynomialMatchesItsDerivativesInClosedForm)
   }
 }
 
-TEST(ProfileSection, cubicMatchesItsDerivativesInClosedForm)
+TEST(ProfileSection, CubicMatchesItsDerivativesInClosedForm)
 {
   const Profile curve = single(CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.01);
   const double t = 0.004;
@@ -97,7 +97,7 @@ TEST(ProfileSection, cubicMatchesItsDerivativesInClosedForm)
   expectDerivatives(curve, t);
 }
 
-TEST(Profile, endSectionsContinueByTheirOwnLaw)
+TEST(Profile, EndSectionsContinueByTheirOwnLaw)
 {
   const Profile profile("two",
                         {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {ArcSection{0.01, 0.02, 0.02, -pi / 2, 1.0}, 0.01}});
@@ -106,17 +106,17 @@ TEST(Profile, endSectionsContinueByTheirOwnLaw)
   EXPECT_NEAR(profile.at(0.01 + pi * 0.02).z, 0.04, 1e-16);
 }
 
-TEST(Profile, sectionAfterAJointIsTakenAtTheJoint)
+TEST(Profile, SectionAfterADiscontinuityIsTakenAtTheDiscontinuity)
 {
   const Profile profile("step", {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {LineSection{0.01, 0.5, 1.0, 0.0}, 0.01}});
   EXPECT_EQ(profile.at(std::nextafter(0.01, 0.0)).z, 0.0);
   EXPECT_EQ(profile.at(0.01).z, 0.5);
   EXPECT_EQ(profile.at(profile.length()).z, 0.5);
-  ASSERT_EQ(profile.joints().size(), 3U);
-  EXPECT_DOUBLE_EQ(profile.joints()[1], 0.01);
+  ASSERT_EQ(profile.discontinuities().size(), 3U);
+  EXPECT_DOUBLE_EQ(profile.discontinuities()[1], 0.01);
 }
 
-TEST(Profile, findsTheSectionWhateverTheLengths)
+TEST(Profile, FindsTheSectionWhateverTheLengths)
 {
   // Every section is a line at the height of its number, so that the height tells which one was taken. Lengths over
   // eight orders of magnitude put many sections into one bucket.
@@ -130,31 +130,32 @@ TEST(Profile, findsTheSectionWhateverTheLengths)
     sections.push_back({LineSection{0.0, static_cast<double>(i), 1.0, 0.0}, std::pow(10.0, exponent(generator))});
   }
   const Profile profile("lines", sections);
-  const std::vector<double>& joints = profile.joints();
+  const std::vector<double>& discontinuities = profile.discontinuities();
   std::uniform_real_distribution<double> anywhere(0.0, profile.length());
-  for (std::size_t i = 0; i + 1 < joints.size(); ++i)
+  for (std::size_t i = 0; i + 1 < discontinuities.size(); ++i)
   {
-    EXPECT_EQ(profile.at(joints[i]).z, static_cast<double>(i));
-    EXPECT_EQ(profile.at(std::nextafter(joints[i + 1], 0.0)).z, static_cast<double>(i));
+    EXPECT_EQ(profile.at(discontinuities[i]).z, static_cast<double>(i));
+    EXPECT_EQ(profile.at(std::nextafter(discontinuities[i + 1], 0.0)).z, static_cast<double>(i));
     const double u = anywhere(generator);
-    const auto section = std::upper_bound(joints.begin(), joints.end(), u) - joints.begin() - 1;
+    const auto section =
+        std::upper_bound(discontinuities.begin(), discontinuities.end(), u) - discontinuities.begin() - 1;
     EXPECT_EQ(profile.at(u).z, static_cast<double>(section));
   }
 }
 
 // The sections are of every law, and the places go to and fro over joints and beyond both ends.
-TEST(ProfileCursor, readsWhatTheProfileTells)
+TEST(ProfileCursor, ReadsWhatTheProfileTells)
 {
   const Profile profile("all", {{LineSection{0.0, 0.0, 0.6, 0.8}, 0.01},
                                 {ArcSection{0.003, -0.004, 0.013, 0.7, -1.0}, 0.02},
                                 {PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03},
                                 {CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.005}});
-  const std::vector<double>& joints = profile.joints();
+  const std::vector<double>& discontinuities = profile.discontinuities();
   const unsigned seed = 20261125;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> anywhere(-0.01, profile.length() + 0.01);
-  std::vector<double> places(joints);
+  std::vector<double> places(discontinuities);
   for (int i = 0; i < 200; ++i)
   {
     places.push_back(anywhere(generator));
@@ -172,15 +173,15 @@ TEST(ProfileCursor, readsWhatTheProfileTells)
       EXPECT_EQ(cursor.expansionAt(u).point.*value, told.*value) << "at " << u;
     }
     double reach = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k + 1 < joints.size(); ++k)
+    for (std::size_t k = 1; k + 1 < discontinuities.size(); ++k)
     {
-      reach = std::min(reach, std::abs(u - joints[k]));
+      reach = std::min(reach, std::abs(u - discontinuities[k]));
     }
     EXPECT_EQ(cursor.reach(), reach) << "at " << u;
   }
 }
 
-TEST(ProfileCursor, thirdDerivativesAreThoseOfTheSecond)
+TEST(ProfileCursor, ThirdDerivativesAreThoseOfTheSecond)
 {
   const double step = 1e-5;
   for (const SectionLaw& law :
@@ -199,7 +200,7 @@ TEST(ProfileCursor, thirdDerivativesAreThoseOfTheSecond)
   }
 }
 
-TEST(Profile, refusesSectionsThatAreNone)
+TEST(Profile, RefusesSectionsThatAreNone)
 {
   const LineSection line{0.0, 0.0, 1.0, 0.0};
   const double infinity = std::numeric_limits<double>::infinity();

@@ -87,7 +87,7 @@ class SimpackProfile : public testing::Test
   std::vector<Point> listed_;  ///< Simpack's axes [mm]
 };
 
-TEST_F(SimpackProfile, railIsReadWithZDown)
+TEST_F(SimpackProfile, RailIsReadWithZDown)
 {
   const Profile profile = read([](const Point& p) { return p; }, {});
   EXPECT_EQ(profile.name(), "rail.prr");
@@ -95,7 +95,7 @@ TEST_F(SimpackProfile, railIsReadWithZDown)
   EXPECT_LT(profile.at(0.0).y, 0.0);
 }
 
-TEST_F(SimpackProfile, wheelListedAsInTheBenchmarkFileIsMirroredAndInverted)
+TEST_F(SimpackProfile, WheelListedAsInTheBenchmarkFileIsMirroredAndInverted)
 {
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
   const std::vector<Point> listed = changed(wheel, [](const Point& p) { return Point{-p.y * 1e3, -p.z * 1e3}; });
@@ -104,7 +104,7 @@ TEST_F(SimpackProfile, wheelListedAsInTheBenchmarkFileIsMirroredAndInverted)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel), wheel), 1e-12);
 }
 
-TEST_F(SimpackProfile, everyEditIsHonoured)
+TEST_F(SimpackProfile, EveryEditIsHonoured)
 {
   const double c = std::cos(0.02);
   const double s = std::sin(0.02);
@@ -142,7 +142,7 @@ TEST_F(SimpackProfile, everyEditIsHonoured)
             1e-12);
 }
 
-TEST_F(SimpackProfile, editsAreMadeInSimpacksOrder)
+TEST_F(SimpackProfile, EditsAreMadeInSimpacksOrder)
 {
   // Shift, then rotation, then mirror: undone in the opposite order here.
   const double c = std::cos(-0.3);
@@ -169,10 +169,10 @@ TEST_F(SimpackProfile, editsAreMadeInSimpacksOrder)
 
   // The least distance counts before all other edits, in the file's unit.
   const Profile thin = read([](const Point& p) { return p; }, {{"point.dist.min", "0.6"}});
-  EXPECT_NEAR(static_cast<double>(rail_.size()) / static_cast<double>(thin.joints().size()), 3.0, 0.05);
+  EXPECT_NEAR(static_cast<double>(rail_.size()) / static_cast<double>(thin.discontinuities().size()), 3.0, 0.05);
 }
 
-TEST_F(SimpackProfile, weightsAndSmoothingAreHonoured)
+TEST_F(SimpackProfile, WeightsAndSmoothingAreHonoured)
 {
   std::ostringstream weighted;
   weighted << std::setprecision(12);
@@ -198,7 +198,7 @@ TEST_F(SimpackProfile, weightsAndSmoothingAreHonoured)
   EXPECT_LT(deviation(smooth, rail_), 50e-6);
 }
 
-TEST_F(SimpackProfile, inclinedRailOfTheBenchmarkLiesWhereItWas)
+TEST_F(SimpackProfile, InclinedRailOfTheBenchmarkLiesWhereItWas)
 {
   // As the benchmark stores its rail: turned by 1:40, crown at (-7.4917, 0.0937) mm.
   const double c = std::cos(std::atan(1.0 / 40));
@@ -213,7 +213,7 @@ TEST_F(SimpackProfile, inclinedRailOfTheBenchmarkLiesWhereItWas)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::rail), inclined), 1e-12);
 }
 
-TEST_F(SimpackProfile, refusesTheOtherKind)
+TEST_F(SimpackProfile, RefusesTheOtherKind)
 {
   const std::string wheel = lines(changed(pointsOf(s1002Wheel()), toSimpack), " ");
   expectRefused(simpack(ProfileKind::wheel, wheel), "profile of a wheel where a rail is wanted", true);
@@ -222,7 +222,7 @@ TEST_F(SimpackProfile, refusesTheOtherKind)
   expectRefused(simpack(ProfileKind::rail, wheel), "not a rail", false);
 }
 
-TEST_F(SimpackProfile, refusesWhatIsCutOff)
+TEST_F(SimpackProfile, RefusesWhatIsCutOff)
 {
   const std::string whole = simpack(ProfileKind::rail, lines(listed_, " "));
   expectRefused(whole.substr(0, whole.find("point.end")), "before point.end: cut off", true);
@@ -232,7 +232,7 @@ TEST_F(SimpackProfile, refusesWhatIsCutOff)
   expectRefused(whole.substr(0, whole.find("point.end") - 30) + "\n", "cut off", true);
 }
 
-TEST_F(SimpackProfile, refusesWhatIsDamaged)
+TEST_F(SimpackProfile, RefusesWhatIsDamaged)
 {
   const std::string points = lines(listed_, " ");
   const auto with = [&](const Edits& edits) { return simpack(ProfileKind::rail, points, edits); };

@@ -44,7 +44,7 @@ double height(const Profile& profile, double y, double z)
 }
 
 /// Joint of two sections, from the flange back to the field side.
-struct Joint
+struct Discontinuity
 {
   double y;            ///< [mm]
   double step;         ///< of z at the joint [mm]
@@ -69,11 +69,12 @@ double difference(const Profile& profile, double u, const Value& value)
 
 void expectDerivativesByDifferences(const Profile& profile)
 {
-  for (std::size_t k = 0; k + 1 < profile.joints().size(); ++k)
+  for (std::size_t k = 0; k + 1 < profile.discontinuities().size(); ++k)
   {
     for (const double share : {0.1, 0.37, 0.5, 0.83})
     {
-      const double u = profile.joints()[k] + share * (profile.joints()[k + 1] - profile.joints()[k]);
+      const double u =
+          profile.discontinuities()[k] + share * (profile.discontinuities()[k + 1] - profile.discontinuities()[k]);
       SCOPED_TRACE(u);
       const CurvePoint here = profile.at(u);
       // Truncation of the differences is h⁴ / 30 times the fifth (sixth) derivative, at most 1e10 1/m⁴ (5e12 1/m⁵), in
@@ -86,17 +87,17 @@ void expectDerivativesByDifferences(const Profile& profile)
   }
 }
 
-TEST(S1002, runsFromFlangeBackToFieldSideThroughTheRunningCircle)
+TEST(S1002, RunsFromFlangeBackToFieldSideThroughTheRunningCircle)
 {
   const Profile wheel = s1002Wheel();
   EXPECT_EQ(wheel.name(), "S1002");
   EXPECT_DOUBLE_EQ(wheel.at(0.0).y, -70.0 * mm);
   EXPECT_NEAR(wheel.at(wheel.length()).y, 60.0 * mm, 1e-16);
   EXPECT_NEAR(atY(wheel, 0.0).z, 0.0, 1e-17);
-  EXPECT_EQ(wheel.joints().size(), 9U);
+  EXPECT_EQ(wheel.discontinuities().size(), 9U);
 }
 
-TEST(S1002, hasTheFlangeOfEn13715)
+TEST(S1002, HasTheFlangeOfEn13715)
 {
   const Profile wheel = s1002Wheel();
   // Flange height 28 mm: tip at y = -55 mm. The tip's arc is horizontal there.
@@ -116,7 +117,7 @@ TEST(S1002, hasTheFlangeOfEn13715)
   EXPECT_NEAR(std::atan(atY(wheel, -39.0 * mm).slope()) * 180.0 / 3.14159265358979323846, 70.0, 1e-6);
 }
 
-TEST(S1002, treadHasTheStandardsPolynomials)
+TEST(S1002, TreadHasTheStandardsPolynomials)
 {
   const Profile wheel = s1002Wheel();
   EXPECT_NEAR(atY(wheel, 0.0).slope(), 3.358537058e-2, 1e-15);
@@ -130,39 +131,40 @@ TEST(S1002, treadHasTheStandardsPolynomials)
   EXPECT_NEAR(atY(wheel, 50.0 * mm).z, -(1.364323640 - 0.066666667 * 50.0) * mm, 1e-17);
 }
 
-TEST(S1002, jointsKeepTheStepsAndCurvaturesOfTheStandardsNumbers)
+TEST(S1002, DiscontinuitiesKeepTheStepsAndCurvaturesOfTheStandardsNumbers)
 {
   // Both follow from the standard's numbers alone; computed in rational arithmetic for the polynomials, and as
   // R² / (R² - (y - yc)²)^(3/2) for the arcs.
-  const Joint joints[] = {{-62.764705882, 4.08e-10, 0.110060, 0.188019},
-                          {-49.662510381, -6.39e-8, 0.115992, 0.069595},
-                          {-39.764473993, 2.96e-8, 1.249726, 0.0},
-                          {-38.426669071, 2.04e-9, 0.0, -1.922656},
-                          {-35.0, 1.1833e-4, -0.1923071, -0.1923058},
-                          {-26.0, -3.6548e-5, -0.0210329, -0.0210335},
-                          {32.15796, 2.84e-10, 0.004172, 0.0}};
+  const Discontinuity discontinuities[] = {{-62.764705882, 4.08e-10, 0.110060, 0.188019},
+                                           {-49.662510381, -6.39e-8, 0.115992, 0.069595},
+                                           {-39.764473993, 2.96e-8, 1.249726, 0.0},
+                                           {-38.426669071, 2.04e-9, 0.0, -1.922656},
+                                           {-35.0, 1.1833e-4, -0.1923071, -0.1923058},
+                                           {-26.0, -3.6548e-5, -0.0210329, -0.0210335},
+                                           {32.15796, 2.84e-10, 0.004172, 0.0}};
   const Profile wheel = s1002Wheel();
   for (std::size_t k = 0; k < 7; ++k)
   {
-    SCOPED_TRACE(joints[k].y);
-    const double u = wheel.joints()[k + 1];
+    SCOPED_TRACE(discontinuities[k].y);
+    const double u = wheel.discontinuities()[k + 1];
     const CurvePoint before = wheel.at(std::nextafter(u, 0.0));
     const CurvePoint after = wheel.at(u);
-    EXPECT_NEAR(after.y, joints[k].y * mm, 1e-16);
-    EXPECT_NEAR(before.y, joints[k].y * mm, 1e-16);
+    EXPECT_NEAR(after.y, discontinuities[k].y * mm, 1e-16);
+    EXPECT_NEAR(before.y, discontinuities[k].y * mm, 1e-16);
     // Rounding of the polynomials' terms, up to 160 mm each, is 1e-16 m.
-    EXPECT_NEAR(after.z - before.z, joints[k].step * mm, 0.005 * std::abs(joints[k].step) * mm + 1e-15);
+    EXPECT_NEAR(after.z - before.z, discontinuities[k].step * mm,
+                0.005 * std::abs(discontinuities[k].step) * mm + 1e-15);
     EXPECT_NEAR(std::atan(after.slope()), std::atan(before.slope()), 5e-6);
-    EXPECT_NEAR(secondDerivative(before), joints[k].bend_before / mm, 6e-4);
-    EXPECT_NEAR(secondDerivative(after), joints[k].bend_after / mm, 6e-4);
+    EXPECT_NEAR(secondDerivative(before), discontinuities[k].bend_before / mm, 6e-4);
+    EXPECT_NEAR(secondDerivative(after), discontinuities[k].bend_after / mm, 6e-4);
   }
 }
 
-TEST(S1002, derivativesAgreeWithDifferences)
+TEST(S1002, DerivativesAgreeWithDifferences)
 {
   expectDerivativesByDifferences(s1002Wheel());
 }
-TEST(S1002, liesOnThePointsOfTheManchesterBenchmark)
+TEST(S1002, LiesOnThePointsOfTheManchesterBenchmark)
 {
   // Points of MBench_S1002_v3.prw (Manchester contact benchmark, Simpack format; y mirrored, z down), in mm. They are
   // given to 1e-6 mm near the flange, so 2e-6 mm is their rounding and that of the standard's numbers.
@@ -199,11 +201,11 @@ std::vector<double> halfWidths(const Profile& rail, double depth)
 void expectRailHead(const Profile& rail, double corner_step)
 {
   const double bends[] = {0.0, -1.0 / 13, -1.0 / 80, -1.0 / 300, -1.0 / 80, -1.0 / 13, 0.0};
-  ASSERT_EQ(rail.joints().size(), 8U);
+  ASSERT_EQ(rail.discontinuities().size(), 8U);
   for (std::size_t k = 0; k < 7; ++k)
   {
-    const double start = rail.joints()[k];
-    const double end = rail.joints()[k + 1];
+    const double start = rail.discontinuities()[k];
+    const double end = rail.discontinuities()[k + 1];
     for (const double share : {0.0, 0.3, 0.7})
     {
       EXPECT_NEAR(rail.at(start + share * (end - start)).curvature(), bends[k] / mm, 1e-10);
@@ -227,19 +229,19 @@ void expectRailHead(const Profile& rail, double corner_step)
   EXPECT_NEAR(rail.at(0.0).slope(), 20.0, 1e-12);
 }
 
-TEST(Rail60E1, isTheHeadOfEn13674)
+TEST(Rail60E1, IsTheHeadOfEn13674)
 {
   const Profile rail = rail60E1();
   EXPECT_EQ(rail.name(), "60E1");
   expectRailHead(rail, 0.0);
-  const std::vector<double>& joints = rail.joints();
+  const std::vector<double>& discontinuities = rail.discontinuities();
   // Widths of the standard's drawing, 20.456 and 52.053 mm; depths from the arcs' tangency.
-  EXPECT_NEAR(rail.at(joints[4]).y, 20.456 / 2 * mm, 1e-16);
-  EXPECT_NEAR(rail.at(joints[4]).z, -0.174404 * mm, 1e-9);
-  EXPECT_NEAR(rail.at(joints[5]).y, 52.053 / 2 * mm, 1e-16);
-  EXPECT_NEAR(rail.at(joints[5]).z, -2.302524 * mm, 1e-9);
-  EXPECT_NEAR(rail.at(joints[6]).y, 35.999811 * mm, 1e-9);
-  EXPECT_NEAR(rail.at(joints[6]).z, -14.299958 * mm, 1e-9);
+  EXPECT_NEAR(rail.at(discontinuities[4]).y, 20.456 / 2 * mm, 1e-16);
+  EXPECT_NEAR(rail.at(discontinuities[4]).z, -0.174404 * mm, 1e-9);
+  EXPECT_NEAR(rail.at(discontinuities[5]).y, 52.053 / 2 * mm, 1e-16);
+  EXPECT_NEAR(rail.at(discontinuities[5]).z, -2.302524 * mm, 1e-9);
+  EXPECT_NEAR(rail.at(discontinuities[6]).y, 35.999811 * mm, 1e-9);
+  EXPECT_NEAR(rail.at(discontinuities[6]).z, -14.299958 * mm, 1e-9);
   for (const double half_width : halfWidths(rail, 14.3 * mm))
   {
     EXPECT_NEAR(half_width, 35.9998 * mm, 0.00005 * mm);
@@ -247,7 +249,7 @@ TEST(Rail60E1, isTheHeadOfEn13674)
   expectDerivativesByDifferences(rail);
 }
 
-TEST(RailUic60Manchester, isTheBenchmarksHead)
+TEST(RailUic60Manchester, IsTheBenchmarksHead)
 {
   const Profile rail = railUic60Manchester();
   EXPECT_EQ(rail.name(), "UIC60_manchester");
@@ -257,10 +259,10 @@ TEST(RailUic60Manchester, isTheBenchmarksHead)
   const double step = 67.0 - std::hypot(corner_yc - 7.7, shoulder_zc - 14.908972);
   EXPECT_NEAR(step, 4.4e-5, 1e-6);
   expectRailHead(rail, step * mm);
-  const std::vector<double>& joints = rail.joints();
-  EXPECT_NEAR(rail.at(joints[4]).y, 10.5 * mm, 1e-16);
-  EXPECT_NEAR(rail.at(joints[4]).z, -0.183806 * mm, 1e-9);
-  EXPECT_NEAR(rail.at(joints[6]).y, 36.0 * mm, 1e-16);
+  const std::vector<double>& discontinuities = rail.discontinuities();
+  EXPECT_NEAR(rail.at(discontinuities[4]).y, 10.5 * mm, 1e-16);
+  EXPECT_NEAR(rail.at(discontinuities[4]).z, -0.183806 * mm, 1e-9);
+  EXPECT_NEAR(rail.at(discontinuities[6]).y, 36.0 * mm, 1e-16);
   for (const double half_width : halfWidths(rail, 14.3 * mm))
   {
     EXPECT_NEAR(half_width, 36.0020 * mm, 0.00005 * mm);
@@ -268,7 +270,7 @@ TEST(RailUic60Manchester, isTheBenchmarksHead)
   expectDerivativesByDifferences(rail);
 }
 
-TEST(RailUic60Manchester, differsFromEn13674AtTheGaugeCorner)
+TEST(RailUic60Manchester, DiffersFromEn13674AtTheGaugeCorner)
 {
   const Profile other = railUic60Manchester();
   const Profile rail = rail60E1();
@@ -284,7 +286,7 @@ TEST(RailUic60Manchester, differsFromEn13674AtTheGaugeCorner)
   EXPECT_NEAR(largest, 0.040 * mm, 0.002 * mm);
 }
 
-TEST(RailUic60Manchester, liesOnThePointsOfTheManchesterBenchmark)
+TEST(RailUic60Manchester, LiesOnThePointsOfTheManchesterBenchmark)
 {
   // Points of MBench_UIC60_v3.prr (Manchester contact benchmark, Simpack format; z down), in mm: inclined 1:40 with the
   // crown at (-7.4917, 0.0937). That place is given to 4 digits and 6e-6 mm off the crown that fits the points best.

@@ -65,14 +65,14 @@ Deviation compare(const Profile& truth, const Profile& curve, double y_from, dou
   return deviation;
 }
 
-TEST(InterpolatingSpline, passesThroughThePointsAndIsSmoothThere)
+TEST(InterpolatingSpline, PassesThroughThePointsAndIsSmoothThere)
 {
   const std::vector<SampledPoint> points = sample(rail60E1(), 0.7 * mm, 0.0);
   const Profile curve("spline", interpolatingSpline(points));
-  ASSERT_EQ(curve.joints().size(), points.size());
+  ASSERT_EQ(curve.discontinuities().size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const double u = curve.joints()[i];
+    const double u = curve.discontinuities()[i];
     const CurvePoint after = curve.at(u);
     EXPECT_NEAR(after.y, points[i].y, 1e-16);
     EXPECT_NEAR(after.z, points[i].z, 1e-16);
@@ -84,7 +84,7 @@ TEST(InterpolatingSpline, passesThroughThePointsAndIsSmoothThere)
   }
 }
 
-TEST(InterpolatingSpline, keepsAStraightLineStraight)
+TEST(InterpolatingSpline, KeepsAStraightLineStraight)
 {
   const std::vector<SampledPoint> points = {{0.0, 0.0}, {0.003, 0.004}, {0.006, 0.008}, {0.0066, 0.0088}, {0.03, 0.04}};
   const Profile curve("line", interpolatingSpline(points));
@@ -97,7 +97,7 @@ TEST(InterpolatingSpline, keepsAStraightLineStraight)
   }
 }
 
-TEST(InterpolatingSpline, givesStandardProfilesBack)
+TEST(InterpolatingSpline, GivesStandardProfilesBack)
 {
   // Between the jumps of curvature, 2 mm (eight points) from them, the spline's error of fourth order is 1e-7 mm.
   const Profile rail = rail60E1();
@@ -120,7 +120,7 @@ TEST(InterpolatingSpline, givesStandardProfilesBack)
   EXPECT_LT(compare(wheel, wheel_spline, -60.0 * mm, 58.0 * mm).value, 2e-4 * mm);
 }
 
-TEST(InterpolatingSpline, convergesWithTheFourthPowerOfTheSpacing)
+TEST(InterpolatingSpline, ConvergesWithTheFourthPowerOfTheSpacing)
 {
   // On a circle, away from the ends: largest deviation from the radius. The leading term of the error is h^4 / R^3.
   const double radius = 13.0 * mm;
@@ -138,7 +138,7 @@ TEST(InterpolatingSpline, convergesWithTheFourthPowerOfTheSpacing)
   EXPECT_NEAR(error(0.4 * mm) / error(0.2 * mm), 16.0, 1.0);
 }
 
-TEST(SmoothingSpline, keepsShapeAndCurvatureOfNoisyProfiles)
+TEST(SmoothingSpline, KeepsShapeAndCurvatureOfNoisyProfiles)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
   struct Range
@@ -172,7 +172,7 @@ TEST(SmoothingSpline, keepsShapeAndCurvatureOfNoisyProfiles)
   }
 }
 
-TEST(SmoothingSpline, curvatureIsFarBetterThanThatOfTheInterpolatingSpline)
+TEST(SmoothingSpline, CurvatureIsFarBetterThanThatOfTheInterpolatingSpline)
 {
   const Profile rail = rail60E1();
   const std::vector<SampledPoint> points = sample(rail, 0.25 * mm, 5e-6);
@@ -182,7 +182,7 @@ TEST(SmoothingSpline, curvatureIsFarBetterThanThatOfTheInterpolatingSpline)
             100.0 * compare(rail, near, -9.0 * mm, 9.0 * mm).curvature);
 }
 
-TEST(SmoothingSpline, deviatesByTheNoiseFromThePoints)
+TEST(SmoothingSpline, DeviatesByTheNoiseFromThePoints)
 {
   const double noise = 4e-6;
   const std::vector<SampledPoint> points = sample(s1002Wheel(), 0.3 * mm, noise);
@@ -197,7 +197,7 @@ TEST(SmoothingSpline, deviatesByTheNoiseFromThePoints)
   EXPECT_NEAR(std::sqrt(sum / static_cast<double>(points.size())), noise, 1e-5 * noise);
 }
 
-TEST(SmoothingSpline, turnsAndMovesWithThePoints)
+TEST(SmoothingSpline, TurnsAndMovesWithThePoints)
 {
   const std::vector<SampledPoint> points = sample(rail60E1(), 0.3 * mm, 3e-6);
   const double c = std::cos(0.3);
@@ -220,7 +220,7 @@ TEST(SmoothingSpline, turnsAndMovesWithThePoints)
   }
 }
 
-TEST(SmoothingSpline, pointsOfLittleWeightHaveLittleInfluence)
+TEST(SmoothingSpline, PointsOfLittleWeightHaveLittleInfluence)
 {
   std::vector<SampledPoint> points = sample(rail60E1(), 0.25 * mm, 0.0);
   SampledPoint& outlier = points[points.size() / 2];
@@ -232,7 +232,7 @@ TEST(SmoothingSpline, pointsOfLittleWeightHaveLittleInfluence)
   EXPECT_LT(compare(rail60E1(), relieved, -3.0 * mm, 3.0 * mm).value, 1e-6);
 }
 
-TEST(Splines, refuseMisuse)
+TEST(Splines, RefuseMisuse)
 {
   const std::vector<SampledPoint> good = {{0.0, 0.0}, {0.01, 0.001}, {0.02, 0.0}, {0.03, -0.001}};
   EXPECT_NO_THROW(interpolatingSpline(good));

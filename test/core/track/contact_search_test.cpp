@@ -44,7 +44,7 @@ struct Scene
 };
 
 /// A stretch of the brute force below a level.
-struct DenseStretch
+struct DenseInterval
 {
   double begin, end;    ///< [m]
   std::size_t station;  ///< of the lowest separation
@@ -59,24 +59,24 @@ double stationError(const DenseSeparation& dense, std::size_t station)
   return 0.5 * (flank ? sharpest : std::pow(2, 1.5) / 0.013) * 0.125e-3 * 0.125e-3;
 }
 
-std::vector<DenseStretch> stretchesBelow(const DenseSeparation& dense, double level)
+std::vector<DenseInterval> intervalsBelow(const DenseSeparation& dense, double level)
 {
-  std::vector<DenseStretch> found;
+  std::vector<DenseInterval> found;
   for (std::size_t k = 0; k < dense.size(); ++k)
   {
     if (dense.at(k) < level)
     {
-      DenseStretch stretch{dense.y(k), 0, k, dense.at(k)};
+      DenseInterval interval{dense.y(k), 0, k, dense.at(k)};
       for (; k < dense.size() && dense.at(k) < level; ++k)
       {
-        stretch.end = dense.y(k);
-        if (dense.at(k) < stretch.lowest)
+        interval.end = dense.y(k);
+        if (dense.at(k) < interval.lowest)
         {
-          stretch.lowest = dense.at(k);
-          stretch.station = k;
+          interval.lowest = dense.at(k);
+          interval.station = k;
         }
       }
-      found.push_back(stretch);
+      found.push_back(interval);
     }
   }
   return found;
@@ -96,10 +96,10 @@ class ContactSearchTest : public testing::Test
     search_.setRail(scene.rail);
     search_.setWheel(scene.wheel);
   }
-  std::vector<OverlapZone> zones(double separation)
+  std::vector<OverlapInterval> intervals(double separation)
   {
-    std::vector<OverlapZone> found;
-    search_.overlapZones(separation, found);
+    std::vector<OverlapInterval> found;
+    search_.overlapIntervals(separation, found);
     return found;
   }
 
@@ -183,25 +183,26 @@ TEST_F(ContactSearchTest, OverlappingStretchesAreThoseOfBruteForce)
     for (const double depth : {1e-5, 5e-5, 2e-4, 1e-3})
     {
       const double level = lowest + depth;
-      const std::vector<DenseStretch> expected = stretchesBelow(dense, level);
-      const std::vector<OverlapZone> found = zones(level);
-      for (const DenseStretch& stretch : expected)
+      const std::vector<DenseInterval> expected = intervalsBelow(dense, level);
+      const std::vector<OverlapInterval> found = intervals(level);
+      for (const DenseInterval& interval : expected)
       {
-        const double place = dense.y(stretch.station);
-        const bool held = std::any_of(
-            found.begin(), found.end(),
-            [&](const OverlapZone& zone)
-            { return place > scene.rail.at(zone.u_begin).y - 2e-5 && place < scene.rail.at(zone.u_end).y + 2e-5; });
-        EXPECT_TRUE(held || level - stretch.lowest < stationError(dense, stretch.station))
-            << "missed " << stretch.begin << " to " << stretch.end << " of depth " << level - stretch.lowest;
+        const double place = dense.y(interval.station);
+        const bool held = std::any_of(found.begin(), found.end(),
+                                      [&](const OverlapInterval& candidate) {
+                                        return place > scene.rail.at(candidate.u_begin).y - 2e-5 &&
+                                               place < scene.rail.at(candidate.u_end).y + 2e-5;
+                                      });
+        EXPECT_TRUE(held || level - interval.lowest < stationError(dense, interval.station))
+            << "missed " << interval.begin << " to " << interval.end << " of depth " << level - interval.lowest;
       }
-      for (const OverlapZone& zone : found)
+      for (const OverlapInterval& interval : found)
       {
-        if (zone.contact.slope < 1)
+        if (interval.contact.slope < 1)
         {
-          EXPECT_LT(dense.near(zone.contact.y), level + dense_error) << "nothing there";
-          EXPECT_NEAR(dense.near(scene.rail.at(zone.u_begin).y), level, depth);
-          EXPECT_NEAR(dense.near(scene.rail.at(zone.u_end).y), level, depth);
+          EXPECT_LT(dense.near(interval.contact.y), level + dense_error) << "nothing there";
+          EXPECT_NEAR(dense.near(scene.rail.at(interval.u_begin).y), level, depth);
+          EXPECT_NEAR(dense.near(scene.rail.at(interval.u_end).y), level, depth);
         }
       }
     }
@@ -222,7 +223,8 @@ TEST_F(ContactSearchTest, EachStretchEndsWhereItsNeighbourBegins)
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
     SCOPED_TRACE(scene.description);
-    const std::vector<OverlapZone> found = zones(contact.separation + (i < 1000 ? 6e-3 : 2e-4) * std::abs(unit()));
+    const std::vector<OverlapInterval> found =
+        intervals(contact.separation + (i < 1000 ? 6e-3 : 2e-4) * std::abs(unit()));
     for (std::size_t k = 0; k < found.size(); ++k)
     {
       EXPECT_LE(found[k].u_begin, found[k].u_end);
@@ -253,13 +255,13 @@ TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoStretches)
     SCOPED_TRACE(scene.description);
     const DenseSeparation dense(scene.wheel, scene.rail);
     const double level = dense.at(dense.lowest()) + 4e-5;
-    const std::vector<DenseStretch> expected = stretchesBelow(dense, level);
+    const std::vector<DenseInterval> expected = intervalsBelow(dense, level);
     if (expected.size() != 2 || level - std::max(expected[0].lowest, expected[1].lowest) < 1e-6)
     {
       continue;
     }
     ++with_two;
-    const std::vector<OverlapZone> found = zones(level);
+    const std::vector<OverlapInterval> found = intervals(level);
     ASSERT_EQ(found.size(), 2U) << "y " << y;
     EXPECT_LT(found[0].u_end, found[1].u_begin);
     EXPECT_GT(std::atan(found[0].contact.slope) - std::atan(found[1].contact.slope), ContactSearch::merge_angle);
@@ -283,20 +285,20 @@ TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
     look(scene);
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
-    OverlapZone before;
+    OverlapInterval before;
     double first_width = 0;
     for (double depth = 2e-4; depth < 4e-3; depth *= 1.3)
     {
-      const OverlapZone zone = search_.zoneAround(contact, contact.separation + depth);
-      EXPECT_LT(zone.u_begin, contact.rail_u);
-      EXPECT_GT(zone.u_end, contact.rail_u);
+      const OverlapInterval interval = search_.intervalAround(contact, contact.separation + depth);
+      EXPECT_LT(interval.u_begin, contact.rail_u);
+      EXPECT_GT(interval.u_end, contact.rail_u);
       if (before.u_end > 0)
       {
-        EXPECT_LE(zone.u_begin, before.u_begin + 2.5e-4);
-        EXPECT_GE(zone.u_end, before.u_end - 2.5e-4);
+        EXPECT_LE(interval.u_begin, before.u_begin + 2.5e-4);
+        EXPECT_GE(interval.u_end, before.u_end - 2.5e-4);
       }
-      first_width = first_width > 0 ? first_width : zone.u_end - zone.u_begin;
-      before = zone;
+      first_width = first_width > 0 ? first_width : interval.u_end - interval.u_begin;
+      before = interval;
     }
     EXPECT_GT(before.u_end - before.u_begin, 1.5 * first_width);
   }
@@ -307,8 +309,8 @@ TEST_F(ContactSearchTest, NothingOverlapsAboveTheFirstTouch)
   look({config_, Side::left, {0, 0.46, 0, 0}, {}});
   InitialContact contact;
   ASSERT_TRUE(search_.nearest(contact));
-  EXPECT_TRUE(zones(contact.separation - 1e-9).empty());
-  EXPECT_FALSE(zones(contact.separation + 2e-4).empty());
+  EXPECT_TRUE(intervals(contact.separation - 1e-9).empty());
+  EXPECT_FALSE(intervals(contact.separation + 2e-4).empty());
 }
 
 TEST_F(ContactSearchTest, WheelBesideTheRailHasNoContact)
@@ -318,7 +320,7 @@ TEST_F(ContactSearchTest, WheelBesideTheRailHasNoContact)
     look({config_, Side::left, {y, 0.46, 0, 0}, {}});
     InitialContact contact;
     EXPECT_FALSE(search_.nearest(contact));
-    EXPECT_TRUE(zones(1.0).empty());
+    EXPECT_TRUE(intervals(1.0).empty());
   }
 }
 
@@ -328,7 +330,7 @@ TEST_F(ContactSearchTest, StretchCutOffByAProfilesEndIsMarked)
   look({config_, Side::left, {-0.05, 0.46, 0, 0}, {}});
   InitialContact contact;
   ASSERT_TRUE(search_.nearest(contact));
-  const std::vector<OverlapZone> found = zones(contact.separation + 5e-3);
+  const std::vector<OverlapInterval> found = intervals(contact.separation + 5e-3);
   ASSERT_FALSE(found.empty());
   EXPECT_TRUE(found.front().at_profile_end || found.back().at_profile_end);
 }

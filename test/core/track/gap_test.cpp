@@ -237,13 +237,14 @@ TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
 // Where S1002's parameter changes from arc length to y its points jump by a third of any way along it. A search that
 // told places beside a crest by the derivatives on one side, and others by the profile, went back and forth between
 // them.
-TEST_F(GapTest, NoColumnIsLostAtAJointOfTheWheelsParameter)
+TEST_F(GapTest, NoColumnIsLostAtADiscontinuityOfTheWheelsParameter)
 {
   const Profile& profile = *config_.wheel_profile;
   const auto changes = [&](double u) { return std::abs(profile.at(u + 1e-9).dy - profile.at(u - 1e-9).dy) > 0.1; };
-  const auto joint = std::find_if(profile.joints().begin() + 1, profile.joints().end() - 1, changes);
-  ASSERT_NE(joint, profile.joints().end() - 1);
-  const double wheel_u = *joint + 1e-4;
+  const auto discontinuity =
+      std::find_if(profile.discontinuities().begin() + 1, profile.discontinuities().end() - 1, changes);
+  ASSERT_NE(discontinuity, profile.discontinuities().end() - 1);
+  const double wheel_u = *discontinuity + 1e-4;
   for (const double yaw : {0.0, 0.01, -0.01, 0.02})
   {
     touchAt(wheel_u, yaw);

@@ -203,13 +203,14 @@ TEST_F(PlacementTest, SectionsDerivativeIsThatOfNeighbouringSections)
     const PlacedWheel wheel(profile, scene_.wheelset, random_());
     const double u = random_.within(0.001, profile.length() - 0.001);
     const double x = random_.within(-0.05, 0.05);
-    const bool near_joint = std::any_of(profile.joints().begin(), profile.joints().end(),
-                                        [&](double joint) { return std::abs(u - joint) < 2 * step; });
+    const bool near_discontinuity =
+        std::any_of(profile.discontinuities().begin(), profile.discontinuities().end(),
+                    [&](double discontinuity) { return std::abs(u - discontinuity) < 2 * step; });
     PlanePoint here, before, after;
     ASSERT_TRUE(wheel.section(profile.at(u), x, here));
     ASSERT_TRUE(wheel.section(profile.at(u - step), x, before));
     ASSERT_TRUE(wheel.section(profile.at(u + step), x, after));
-    if (!near_joint)
+    if (!near_discontinuity)
     {
       EXPECT_NEAR(here.dy, (after.y - before.y) / (2 * step), 1e-7);
       EXPECT_NEAR(here.dz, (after.z - before.z) / (2 * step), 1e-7);

@@ -52,13 +52,13 @@ std::shared_ptr<const Profile> StationsTest::wavyRail()
   const Profile base = rail60E1();
   const double height = 4e-3 * std::abs(unit());
   const double length = 1e-2 + 5e-3 * unit();
-  const double lean = unit();
+  const double tilt = unit();
   std::vector<SampledPoint> points;
   for (double u = 0; u < base.length(); u += spacing)
   {
     const CurvePoint p = base.at(u);
     const double wave = height * std::sin(2 * std::acos(-1.0) * u / length);
-    points.push_back({p.y + lean * wave, p.z + wave});
+    points.push_back({p.y + tilt * wave, p.z + wave});
   }
   return std::make_shared<Profile>("wavy", interpolatingSpline(points));
 }

@@ -22,40 +22,40 @@ WheelsetContact askBadly(ContactClient& client, const Tamper& tamper)
   auto pose = ContactClient::pose(0, stamp);
   auto load = ContactClient::load(-200e3, stamp);
   tamper(pose, load);
-  const auto answer = client.ask(pose, load);
+  const auto result = client.ask(pose, load);
   const auto good = client.ask(0.001);
   EXPECT_TRUE(good && good->status == WheelsetContact::OK) << "the node does not answer good input any more";
-  return answer.value_or(WheelsetContact());
+  return result.value_or(WheelsetContact());
 }
 
 using Pose = geometry_msgs::PoseStamped;
 using Load = geometry_msgs::WrenchStamped;
 
-void expectRefused(const WheelsetContact& answer, int status, const std::string& reason)
+void expectRefused(const WheelsetContact& result, int status, const std::string& reason)
 {
-  EXPECT_EQ(answer.status, status);
-  EXPECT_NE(answer.status_text.find(reason), std::string::npos) << answer.status_text;
-  EXPECT_TRUE(answer.patches.empty());
+  EXPECT_EQ(result.status, status);
+  EXPECT_NE(result.status_text.find(reason), std::string::npos) << result.status_text;
+  EXPECT_TRUE(result.patches.empty());
 }
 }  // namespace
 
-// Figures of the reference code CONTACT for the Manchester contact benchmark, 100 kN per wheel, y = 0, inclination 1:40: 982.1
-// MPa, 192.0 mm², axle at 459.743 mm. Bounds: 1.5 % and 2 % are the agreement asked of the whole chain at tolerance
-// 0.003.
-TEST(LiveNode, AnswersTheManchesterStateWithItsStamp)
+// Figures of the reference code CONTACT for the Manchester contact benchmark, 100 kN per wheel, y = 0, inclination
+// 1:40: 982.1 MPa, 192.0 mm², axle at 459.743 mm. Bounds: 1.5 % and 2 % are the agreement asked of the whole chain at
+// tolerance 0.003.
+TEST(LiveNode, ResultsTheManchesterStateWithItsStamp)
 {
   ContactClient client;
   const ros::Time stamp = ContactClient::nextStamp();
-  const auto answer = client.ask(ContactClient::pose(0, stamp), ContactClient::load(-200e3, stamp));
-  ASSERT_TRUE(answer);
-  EXPECT_EQ(answer->header.stamp, stamp);
-  EXPECT_EQ(answer->header.frame_id, "track");
-  EXPECT_EQ(answer->status, WheelsetContact::OK);
-  EXPECT_EQ(answer->status_text, "");
-  EXPECT_NEAR(answer->wheelset.position.z, 0.459743, 3e-6);
-  EXPECT_NEAR(answer->left_rail.vertical_force, 100e3, 100);
-  ASSERT_EQ(answer->patches.size(), 2U);
-  for (const ContactPatch& patch : answer->patches)
+  const auto result = client.ask(ContactClient::pose(0, stamp), ContactClient::load(-200e3, stamp));
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->header.stamp, stamp);
+  EXPECT_EQ(result->header.frame_id, "track");
+  EXPECT_EQ(result->status, WheelsetContact::OK);
+  EXPECT_EQ(result->status_text, "");
+  EXPECT_NEAR(result->wheelset.position.z, 0.459743, 3e-6);
+  EXPECT_NEAR(result->left_rail.vertical_force, 100e3, 100);
+  ASSERT_EQ(result->patches.size(), 2U);
+  for (const ContactPatch& patch : result->patches)
   {
     EXPECT_NEAR(patch.max_pressure, 982.1e6, 0.015 * 982.1e6);
     EXPECT_NEAR(patch.area, 192.0e-6, 0.02 * 192.0e-6);
@@ -67,12 +67,12 @@ TEST(LiveNode, AnswersTheManchesterStateWithItsStamp)
     }
     EXPECT_NEAR(force, patch.normal_force, 1e-4 * patch.normal_force);
   }
-  EXPECT_EQ(answer->patches[0].side, ContactPatch::LEFT);
-  EXPECT_EQ(answer->patches[1].side, ContactPatch::RIGHT);
-  EXPECT_GT(answer->solve_time, 0);
+  EXPECT_EQ(result->patches[0].side, ContactPatch::LEFT);
+  EXPECT_EQ(result->patches[1].side, ContactPatch::RIGHT);
+  EXPECT_GT(result->solve_time, 0);
 }
 
-TEST(LiveNode, AnswersEveryPairOfASweepInOrder)
+TEST(LiveNode, ResultsEveryPairOfASweepInOrder)
 {
   ContactClient client;
   constexpr int count = 100;
@@ -83,13 +83,13 @@ TEST(LiveNode, AnswersEveryPairOfASweepInOrder)
     client.send(ContactClient::pose(-5e-5 * i, stamps.back()));
     client.send(ContactClient::load(-200e3, stamps.back()));
   }
-  ASSERT_TRUE(client.waitForAnswers(count));
+  ASSERT_TRUE(client.waitForResults(count));
   for (int i = 0; i < count; ++i)
   {
-    const auto& answer = client.answers()[static_cast<std::size_t>(i)];
-    EXPECT_EQ(answer.header.stamp, stamps[static_cast<std::size_t>(i)]);
-    EXPECT_EQ(answer.status, WheelsetContact::OK) << answer.status_text;
-    EXPECT_DOUBLE_EQ(answer.wheelset.position.y, -5e-5 * i);
+    const auto& result = client.results()[static_cast<std::size_t>(i)];
+    EXPECT_EQ(result.header.stamp, stamps[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(result.status, WheelsetContact::OK) << result.status_text;
+    EXPECT_DOUBLE_EQ(result.wheelset.position.y, -5e-5 * i);
   }
 }
 
@@ -107,15 +107,15 @@ TEST(LiveNode, RefusesNumbersThatAreNone)
   expectRefused(askBadly(client, [](Pose&, Load& load) { load.wrench.torque.x = -infinity; }), invalid, "torque");
 }
 
-TEST(LiveNode, AnswerToAnUnreadableInputHoldsNoPose)
+TEST(LiveNode, ResultToAnUnreadableInputHoldsNoPose)
 {
   ContactClient client;
-  const auto answer = askBadly(client, [](Pose& pose, Load&) { pose.pose.position.x = not_a_number; });
+  const auto result = askBadly(client, [](Pose& pose, Load&) { pose.pose.position.x = not_a_number; });
   geometry_msgs::Pose nowhere;
   nowhere.orientation.w = 1;
-  EXPECT_EQ(answer.wheelset, nowhere);
-  EXPECT_EQ(answer.left_rail, RailDeflection());
-  EXPECT_EQ(answer.right_rail, RailDeflection());
+  EXPECT_EQ(result.wheelset, nowhere);
+  EXPECT_EQ(result.left_rail, RailDeflection());
+  EXPECT_EQ(result.right_rail, RailDeflection());
 }
 
 TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
@@ -146,13 +146,13 @@ TEST(LiveNode, RefusesFramesThatDoNotLeadToTheTrack)
                 WheelsetContact::INVALID_INPUT, "wheelset");
 }
 
-TEST(LiveNode, WheelThatLiftsOffIsAnAnswer)
+TEST(LiveNode, WheelThatLiftsOffIsAnResult)
 {
   ContactClient client;
-  const auto answer = askBadly(client, [](Pose&, Load& load) { load.wrench.torque.x = 160e3; });
-  EXPECT_EQ(answer.status, WheelsetContact::LIFT_OFF);
-  EXPECT_NE(answer.status_text, "");
-  for (const ContactPatch& patch : answer.patches)
+  const auto result = askBadly(client, [](Pose&, Load& load) { load.wrench.torque.x = 160e3; });
+  EXPECT_EQ(result.status, WheelsetContact::LIFT_OFF);
+  EXPECT_NE(result.status_text, "");
+  for (const ContactPatch& patch : result.patches)
   {
     EXPECT_EQ(patch.side, ContactPatch::RIGHT);
   }
@@ -180,7 +180,7 @@ TEST(LiveNode, MarkersComeWhenSomeoneLooks)
   }
 }
 
-TEST(LiveNode, LastAnswerBeforeAPauseIsDrawn)
+TEST(LiveNode, LastResultBeforeAPauseIsDrawn)
 {
   ContactClient client;
   ros::NodeHandle nh;

@@ -23,7 +23,7 @@ ContactClient::ContactClient(const std::string& inputs, const std::string& node)
   if (!node.empty())
   {
     subscriber_ = nh_.subscribe<WheelsetContact>(
-        node + "/contact", queue_size, [this](const WheelsetContact::ConstPtr& m) { answers_.push_back(*m); });
+        node + "/contact", queue_size, [this](const WheelsetContact::ConstPtr& m) { results_.push_back(*m); });
     ready = ready && spinUntil([this] { return subscriber_.getNumPublishers() > 0; });
   }
   if (!ready)
@@ -63,14 +63,14 @@ geometry_msgs::WrenchStamped ContactClient::load(double fz, const ros::Time& sta
 std::optional<WheelsetContact> ContactClient::ask(const geometry_msgs::PoseStamped& pose,
                                                   const geometry_msgs::WrenchStamped& load)
 {
-  const std::size_t before = answers_.size();
+  const std::size_t before = results_.size();
   send(pose);
   send(load);
-  if (!waitForAnswers(before + 1))
+  if (!waitForResults(before + 1))
   {
     return std::nullopt;
   }
-  return answers_.back();
+  return results_.back();
 }
 
 std::optional<WheelsetContact> ContactClient::ask(double y)
@@ -79,9 +79,9 @@ std::optional<WheelsetContact> ContactClient::ask(double y)
   return ask(pose(y, stamp), load(-200e3, stamp));
 }
 
-bool ContactClient::waitForAnswers(std::size_t count)
+bool ContactClient::waitForResults(std::size_t count)
 {
-  return spinUntil([this, count] { return answers_.size() >= count; });
+  return spinUntil([this, count] { return results_.size() >= count; });
 }
 
 Report nextReport(const std::string& node)

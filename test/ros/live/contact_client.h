@@ -37,11 +37,11 @@ class ContactClient
   std::optional<WheelsetContact> ask(double y);
 
   /// Waits until there are at least `count` answers in all. @return false if they did not come in time.
-  bool waitForAnswers(std::size_t count);
-  const std::vector<WheelsetContact>& answers() const { return answers_; }
+  bool waitForResults(std::size_t count);
+  const std::vector<WheelsetContact>& results() const { return results_; }
 
  private:
-  std::vector<WheelsetContact> answers_;
+  std::vector<WheelsetContact> results_;
   ros::NodeHandle nh_;
   ros::Publisher pose_publisher_, load_publisher_;
   ros::Subscriber subscriber_;

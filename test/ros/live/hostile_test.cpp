@@ -71,8 +71,8 @@ class Hostile : public testing::Test
     EXPECT_TRUE(settled()) << change("answers") << " answers, " << change("inputs dropped: overload")
                            << " inputs dropped, " << droppedMessages() << " messages dropped, " << waiting()
                            << " waiting, of " << sent_;
-    spinUntil([&] { return client_.answers().size() >= change("answers"); });
-    EXPECT_EQ(client_.answers().size(), change("answers"));
+    spinUntil([&] { return client_.results().size() >= change("answers"); });
+    EXPECT_EQ(client_.results().size(), change("answers"));
   }
 
   std::uint64_t droppedMessages() const
@@ -121,15 +121,15 @@ bool isFinite(const geometry_msgs::Pose& pose)
 }
 
 /// True if no number of an answer is nonsense.
-bool isFinite(const WheelsetContact& answer)
+bool isFinite(const WheelsetContact& result)
 {
-  bool finite = isFinite(answer.wheelset) && std::isfinite(answer.solve_time);
-  for (const RailDeflection& rail : {answer.left_rail, answer.right_rail})
+  bool finite = isFinite(result.wheelset) && std::isfinite(result.solve_time);
+  for (const RailDeflection& rail : {result.left_rail, result.right_rail})
   {
     finite = finite && std::isfinite(rail.lateral + rail.vertical + rail.roll + rail.lateral_force +
                                      rail.vertical_force + rail.moment);
   }
-  for (const ContactPatch& patch : answer.patches)
+  for (const ContactPatch& patch : result.patches)
   {
     finite = finite && isFinite(patch.pose) &&
              std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force + patch.contact_angle +
@@ -166,11 +166,11 @@ TEST_F(Hostile, EveryNumberOfAPairMayBeNonsense)
       auto& t = load.wrench.torque;
       *std::array<double*, fields>{
           &p.x, &p.y, &p.z, &o.x, &o.y, &o.z, &o.w, &f.x, &f.y, &f.z, &t.x, &t.y, &t.z}[field] = value;
-      const auto answer = client_.ask(pose, load);
+      const auto result = client_.ask(pose, load);
       sent_ += 2;
-      ASSERT_TRUE(answer) << "field " << field << " = " << value;
-      EXPECT_TRUE(isFinite(*answer)) << "field " << field << " = " << value << "\n" << answer->status_text;
-      EXPECT_TRUE(std::isfinite(value) || answer->status == WheelsetContact::INVALID_INPUT)
+      ASSERT_TRUE(result) << "field " << field << " = " << value;
+      EXPECT_TRUE(isFinite(*result)) << "field " << field << " = " << value << "\n" << result->status_text;
+      EXPECT_TRUE(std::isfinite(value) || result->status == WheelsetContact::INVALID_INPUT)
           << "field " << field << " = " << value;
     }
   }
@@ -189,11 +189,11 @@ TEST_F(Hostile, NamesOfFramesMayBeHugeEmptyOrBinary)
       Pose pose = ContactClient::pose(0, stamp);
       Load load = ContactClient::load(-200e3, stamp);
       (of_load ? load.header : pose.header).frame_id = name;
-      const auto answer = client_.ask(pose, load);
+      const auto result = client_.ask(pose, load);
       sent_ += 2;
-      ASSERT_TRUE(answer) << name.substr(0, 20);
-      EXPECT_LT(answer->status_text.size(), 1000U);
-      EXPECT_EQ(answer->status == WheelsetContact::OK, of_load && name.empty()) << name.substr(0, 20);
+      ASSERT_TRUE(result) << name.substr(0, 20);
+      EXPECT_LT(result->status_text.size(), 1000U);
+      EXPECT_EQ(result->status == WheelsetContact::OK, of_load && name.empty()) << name.substr(0, 20);
     }
   }
   expectAccount();
@@ -204,11 +204,11 @@ TEST_F(Hostile, StampsMayBeZeroAndGoBackwards)
   for (const double stamp : {5000.0, 0.0, 10.003, 10.002, 10.001, 1e-9, 4e9})
   {
     const ros::Time time(stamp);
-    const auto answer = client_.ask(ContactClient::pose(0, time), ContactClient::load(-200e3, time));
+    const auto result = client_.ask(ContactClient::pose(0, time), ContactClient::load(-200e3, time));
     sent_ += 2;
-    ASSERT_TRUE(answer) << stamp;
-    EXPECT_EQ(answer->header.stamp, time);
-    EXPECT_EQ(answer->status, WheelsetContact::OK) << answer->status_text;
+    ASSERT_TRUE(result) << stamp;
+    EXPECT_EQ(result->header.stamp, time);
+    EXPECT_EQ(result->status, WheelsetContact::OK) << result->status_text;
   }
   sendPair(0, ros::Time(4e9));  // again
   expectAccount();
@@ -243,7 +243,7 @@ TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
   EXPECT_EQ(number(after_, "messages waiting for a partner"), 0U);
 }
 
-TEST_F(Hostile, FloodIsAnsweredFromItsNewestPairsAndTheRestIsCounted)
+TEST_F(Hostile, FloodIsEvaluatedFromItsNewestPairsAndTheRestIsCounted)
 {
   constexpr int pairs = 20000;          // a second of 20 kHz, as fast as they go
   const double places[] = {0, 0.0065};  // [m], so far apart that each answer is found anew
@@ -257,8 +257,8 @@ TEST_F(Hostile, FloodIsAnsweredFromItsNewestPairsAndTheRestIsCounted)
   }
   expectAccount();
   EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
-  ASSERT_FALSE(client_.answers().empty());
-  EXPECT_EQ(client_.answers().back().header.stamp, last) << "the newest pair is answered";
+  ASSERT_FALSE(client_.results().empty());
+  EXPECT_EQ(client_.results().back().header.stamp, last) << "the newest pair is answered";
   EXPECT_LT(memory("VmHWM") - before, 100);
   EXPECT_TRUE(client_.ask(0.001)) << "the node goes on";
 }

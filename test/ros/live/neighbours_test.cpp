@@ -28,7 +28,7 @@ class LiveNeighbours : public testing::Test
     const auto load = ContactClient::load(-200e3, stamp);
     const auto behind = behind_.ask(pose, load), alone = alone_.ask(pose, load);
     EXPECT_TRUE(behind && alone);
-    alone_answer_ = alone ? fromMessage(*alone) : core::WheelsetResult();
+    alone_result_ = alone ? fromMessage(*alone) : core::WheelsetResult();
     return behind ? fromMessage(*behind) : core::WheelsetResult();
   }
 
@@ -45,7 +45,7 @@ class LiveNeighbours : public testing::Test
   ContactClient front_{"/front", "/front/contact_node"};
   ContactClient behind_{"/behind", "/behind/contact_node"};
   ContactClient alone_{"/alone", "/alone/contact_node"};
-  core::WheelsetResult alone_answer_;
+  core::WheelsetResult alone_result_;
 };
 
 void expectSameRails(const core::WheelsetResult& a, const core::WheelsetResult& b)
@@ -64,7 +64,7 @@ void expectSameRails(const core::WheelsetResult& a, const core::WheelsetResult& 
 // answer fit the table to rounding; 1e-6 of the greatest influence is left for it.
 TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
 {
-  expectSameRails(askBehind(1e-3, ContactClient::nextStamp()), alone_answer_);
+  expectSameRails(askBehind(1e-3, ContactClient::nextStamp()), alone_result_);
 
   const auto front = front_.ask(6.5e-3);
   ASSERT_TRUE(front);
@@ -89,7 +89,7 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
     EXPECT_NEAR(found.lateral, wanted.lateral, 1e-9);
     EXPECT_NEAR(found.vertical, wanted.vertical, 1e-9);
     EXPECT_NEAR(found.roll, wanted.roll, 1e-8);
-    const core::RailDeflection nobody = offsetOf(alone_answer_.rail[side]);
+    const core::RailDeflection nobody = offsetOf(alone_result_.rail[side]);
     EXPECT_NEAR(nobody.lateral, 0, 1e-9);
     EXPECT_NEAR(nobody.vertical, 0, 1e-9);
     EXPECT_NEAR(nobody.roll, 0, 1e-8);
@@ -101,7 +101,7 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
   const std::string lacking = "answers that lack a neighbour's forces";
   const int lacked = std::stoi(nextReport("/behind/contact_node").values[lacking]);
   EXPECT_GE(lacked, 1) << "the first one";
-  expectSameRails(askBehind(1e-3, front->header.stamp + ros::Duration(1.5)), alone_answer_);
+  expectSameRails(askBehind(1e-3, front->header.stamp + ros::Duration(1.5)), alone_result_);
   EXPECT_EQ(std::stoi(nextReport("/behind/contact_node").values[lacking]), lacked + 1);
   EXPECT_EQ(nextReport("/alone/contact_node").values[lacking], "0");
 }

@@ -5,7 +5,7 @@
 
 using namespace wheel_rail_contact;
 
-TEST(LiveNodelet, AnswersTheSameAsTheNodeToTheLastBit)
+TEST(LiveNodelet, ResultsTheSameAsTheNodeToTheLastBit)
 {
   ContactClient node("/", "/contact_node");
   ContactClient nodelet("/", "/contact_nodelet");
@@ -21,14 +21,14 @@ TEST(LiveNodelet, AnswersTheSameAsTheNodeToTheLastBit)
     node.send(pose);
     node.send(ContactClient::load(-200e3, stamp));
   }
-  ASSERT_TRUE(node.waitForAnswers(count));
-  ASSERT_TRUE(nodelet.waitForAnswers(count));
+  ASSERT_TRUE(node.waitForResults(count));
+  ASSERT_TRUE(nodelet.waitForResults(count));
   for (std::size_t i = 0; i < count; ++i)
   {
-    WheelsetContact a = node.answers()[i], b = nodelet.answers()[i];
+    WheelsetContact a = node.results()[i], b = nodelet.results()[i];
     a.solve_time = b.solve_time = 0;
     a.header.seq = b.header.seq = 0;
     EXPECT_EQ(a, b) << "answer " << i;
   }
-  EXPECT_EQ(node.answers()[20].status, WheelsetContact::NO_TRANSFORM);
+  EXPECT_EQ(node.results()[20].status, WheelsetContact::NO_TRANSFORM);
 }

@@ -25,15 +25,15 @@ class Simulation
   WheelsetContact ask(double left, double right)
   {
     const ros::Time stamp = ContactClient::nextStamp();
-    const std::size_t before = client_.answers().size();
+    const std::size_t before = client_.results().size();
     client_.send(ContactClient::pose(0, stamp));
     client_.send(ContactClient::load(-200e3, stamp));
     left_.publish(force(left, stamp));
     spinUntil([] { return false; }, 0.1);
-    EXPECT_EQ(client_.answers().size(), before) << "answered without the right rail's force";
+    EXPECT_EQ(client_.results().size(), before) << "answered without the right rail's force";
     right_.publish(force(right, stamp));
-    EXPECT_TRUE(client_.waitForAnswers(before + 1));
-    return client_.answers().size() > before ? client_.answers().back() : WheelsetContact();
+    EXPECT_TRUE(client_.waitForResults(before + 1));
+    return client_.results().size() > before ? client_.results().back() : WheelsetContact();
   }
 
  private:
@@ -96,8 +96,8 @@ TEST(LiveNode, RailForceBeyondTheTablesRangeIsToldWithFigures)
 TEST(LiveNode, RailForceThatIsNoneIsRefused)
 {
   Simulation simulation;
-  const auto answer = simulation.ask(0, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(answer.status, WheelsetContact::INVALID_INPUT);
-  EXPECT_NE(answer.status_text.find("right rail force"), std::string::npos) << answer.status_text;
+  const auto result = simulation.ask(0, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(result.status, WheelsetContact::INVALID_INPUT);
+  EXPECT_NE(result.status_text.find("right rail force"), std::string::npos) << result.status_text;
   EXPECT_EQ(simulation.ask(0, 0).status, WheelsetContact::OK);
 }

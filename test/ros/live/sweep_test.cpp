@@ -13,10 +13,10 @@ namespace
 constexpr std::size_t pairs = 201;
 const ros::Time first(1, 0);
 
-double force(const WheelsetContact& answer, std::uint8_t side)
+double force(const WheelsetContact& result, std::uint8_t side)
 {
   double vertical = 0;
-  for (const ContactPatch& patch : answer.patches)
+  for (const ContactPatch& patch : result.patches)
   {
     if (patch.side == side)
     {
@@ -27,22 +27,22 @@ double force(const WheelsetContact& answer, std::uint8_t side)
 }
 }  // namespace
 
-TEST(LiveSweep, EveryPairOfTheRecordingIsAnsweredAndBothWheelsCarryTheirLoad)
+TEST(LiveSweep, EveryPairOfTheRecordingIsEvaluatedAndBothWheelsCarryTheirLoad)
 {
   ros::NodeHandle nh;
-  std::vector<WheelsetContact> answers;
-  const auto receive = [&](const WheelsetContact::ConstPtr& answer) { answers.push_back(*answer); };
+  std::vector<WheelsetContact> results;
+  const auto receive = [&](const WheelsetContact::ConstPtr& result) { results.push_back(*result); };
   const auto subscriber = nh.subscribe<WheelsetContact>("/contact_node/contact", 1000, receive);
-  ASSERT_TRUE(spinUntil([&] { return answers.size() >= pairs; }, 100)) << answers.size() << " answers";
+  ASSERT_TRUE(spinUntil([&] { return results.size() >= pairs; }, 100)) << results.size() << " answers";
   for (std::size_t i = 0; i < pairs; ++i)
   {
-    const WheelsetContact& answer = answers[i];
-    SCOPED_TRACE("y = " + std::to_string(answer.wheelset.position.y));
-    EXPECT_EQ(answer.header.stamp, first + ros::Duration().fromNSec(20000000 * static_cast<std::int64_t>(i)));
-    EXPECT_EQ(answer.status, WheelsetContact::OK) << answer.status_text;
+    const WheelsetContact& result = results[i];
+    SCOPED_TRACE("y = " + std::to_string(result.wheelset.position.y));
+    EXPECT_EQ(result.header.stamp, first + ros::Duration().fromNSec(20000000 * static_cast<std::int64_t>(i)));
+    EXPECT_EQ(result.status, WheelsetContact::OK) << result.status_text;
     // The normal's mean direction over a patch is that of its plane to within 1 % of the load.
-    EXPECT_NEAR(force(answer, ContactPatch::LEFT), 100e3, 1e3);
-    EXPECT_NEAR(force(answer, ContactPatch::RIGHT), 100e3, 1e3);
+    EXPECT_NEAR(force(result, ContactPatch::LEFT), 100e3, 1e3);
+    EXPECT_NEAR(force(result, ContactPatch::RIGHT), 100e3, 1e3);
   }
   // Pushed to the right until the flange carries, and back: the way back repeats the way there. Where contact jumps
   // from tread to flange (y = -6.3 to -6.5 mm) answers may say that they miss their tolerance of 0.3 %: there a wheel's
@@ -50,12 +50,12 @@ TEST(LiveSweep, EveryPairOfTheRecordingIsAnsweredAndBothWheelsCarryTheirLoad)
   std::size_t above_tolerance = 0;
   for (std::size_t i = 0; i < pairs / 2; ++i)
   {
-    const WheelsetContact &there = answers[i], &back = answers[pairs - 1 - i];
+    const WheelsetContact &there = results[i], &back = results[pairs - 1 - i];
     const bool within = there.status_text.empty() && back.status_text.empty();
     EXPECT_NEAR(there.wheelset.position.z, back.wheelset.position.z, within ? 5e-6 : 20e-6)
         << "y = " << there.wheelset.position.y;
     above_tolerance += within ? 0 : 1;
   }
   EXPECT_LE(above_tolerance, pairs / 20);
-  EXPECT_GT(answers[pairs / 2].right_rail.lateral_force, 50e3);
+  EXPECT_GT(results[pairs / 2].right_rail.lateral_force, 50e3);
 }

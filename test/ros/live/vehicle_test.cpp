@@ -19,7 +19,7 @@ double lateral(std::size_t wheelset, std::size_t pair)
 }
 }  // namespace
 
-TEST(LiveVehicle, EachOfFourWheelsetsGetsItsOwnAnswersInOrder)
+TEST(LiveVehicle, EachOfFourWheelsetsGetsItsOwnResultsInOrder)
 {
   std::deque<ContactClient> clients;
   for (const std::string& wheelset : wheelsets)
@@ -38,14 +38,14 @@ TEST(LiveVehicle, EachOfFourWheelsetsGetsItsOwnAnswersInOrder)
   for (std::size_t i = 0; i < clients.size(); ++i)
   {
     SCOPED_TRACE(wheelsets[i]);
-    ASSERT_TRUE(clients[i].waitForAnswers(pairs)) << clients[i].answers().size() << " answers";
+    ASSERT_TRUE(clients[i].waitForResults(pairs)) << clients[i].results().size() << " answers";
     for (std::size_t pair = 0; pair < pairs; ++pair)
     {
-      const WheelsetContact& answer = clients[i].answers()[pair];
-      EXPECT_EQ(answer.status, WheelsetContact::OK) << answer.status_text;
-      EXPECT_EQ(answer.wheelset.position.y, lateral(i, pair));
-      ASSERT_FALSE(answer.patches.empty());
-      EXPECT_EQ(answer.patches[0].method == "hertz", wheelsets[i] == "/rear");
+      const WheelsetContact& result = clients[i].results()[pair];
+      EXPECT_EQ(result.status, WheelsetContact::OK) << result.status_text;
+      EXPECT_EQ(result.wheelset.position.y, lateral(i, pair));
+      ASSERT_FALSE(result.patches.empty());
+      EXPECT_EQ(result.patches[0].method == "hertz", wheelsets[i] == "/rear");
     }
   }
 }

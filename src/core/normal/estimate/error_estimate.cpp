@@ -29,11 +29,11 @@ constexpr double oval = 1.6;
 constexpr double usual_move = 0.2;
 
 /// Columns loaded on at most `narrow_cells` cells are narrower than the cells tell. The tips of an oval have a few;
-/// more of them are a tail, of which each may be off by `tail_cells` cells. Taken from tails of scenes at hand:
+/// more of them are a tail, of which each may be off by `narrow_end_cells` cells. Taken from tails of scenes at hand:
 /// normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
 constexpr int narrow_cells = 2;
 constexpr int narrow_tips = 4;
-constexpr double tail_cells = 1.5;
+constexpr double narrow_end_cells = 1.5;
 
 /// What the area of a handful of cells may be off by, times the cells it is worth squared. Six of them are off by
 /// more than 10 %; of 33 the weighted terms say more than this.
@@ -47,30 +47,30 @@ constexpr double lobe_growth = 1;
 constexpr double largest_jump = 4;
 
 /// The highest cell of a column that neither neighbouring one exceeds.
-struct Crest
+struct Peak
 {
   Index row = 0, column = 0;
   Index first = 0, last = -1;  ///< outermost loaded columns of its row
 };
 
-Crest crestAt(const Eigen::ArrayXXd& pressure, Index row, Index column)
+Peak peakAt(const Eigen::ArrayXXd& pressure, Index row, Index column)
 {
-  Crest crest{row, column, 0, pressure.cols() - 1};
-  while (!(pressure(row, crest.first) > 0))
+  Peak peak{row, column, 0, pressure.cols() - 1};
+  while (!(pressure(row, peak.first) > 0))
   {
-    ++crest.first;
+    ++peak.first;
   }
-  while (!(pressure(row, crest.last) > 0))
+  while (!(pressure(row, peak.last) > 0))
   {
-    --crest.last;
+    --peak.last;
   }
-  return crest;
+  return peak;
 }
 
 /// Where the pressure lies on its grid. Counts are of the whole grid, symmetric or not.
 struct Loaded
 {
-  Crest crest;                   ///< the highest
+  Peak peak;                     ///< the highest
   double along = 0, across = 0;  ///< loaded cells in its column and in its row
   double thin_columns = 0;       ///< sum over loaded columns of 1 / loaded cells
   int narrow_columns = 0;        ///< of at most narrow_cells loaded cells
@@ -94,7 +94,7 @@ Loaded findLoaded(const Grid& grid, const Eigen::ArrayXXd& pressure)
     loaded.narrow_columns += cells > 0 && cells <= narrow_cells ? 1 : 0;
   }
   pressure.col(column).maxCoeff(&row);
-  loaded.crest = crestAt(pressure, row, column);
+  loaded.peak = peakAt(pressure, row, column);
   loaded.along = static_cast<double>((grid.symmetric ? 2 : 1) * (pressure.col(column) > 0).count());
   loaded.across = static_cast<double>((pressure.row(row) > 0).count());
   return loaded;
@@ -103,21 +103,21 @@ Loaded findLoaded(const Grid& grid, const Eigen::ArrayXXd& pressure)
 /// How the gap's second differences across change along the crest's row [m].
 struct Bending
 {
-  double jumps_at_crest = 0;  ///< sum of jumps over (distance from the crest + 1/2)²
-  double variation = 0;       ///< largest less smallest, over the mean [-]
+  double jumps_at_peak = 0;  ///< sum of jumps over (distance from the crest + 1/2)²
+  double variation = 0;      ///< largest less smallest, over the mean [-]
 };
 
-Bending gapBending(const Eigen::ArrayXXd& gap, const Crest& crest)
+Bending gapBending(const Eigen::ArrayXXd& gap, const Peak& peak)
 {
-  const auto line = gap.row(crest.row);
-  const Index first = std::max<Index>(crest.first - 1, 1), last = std::min(crest.last + 1, gap.cols() - 2);
+  const auto line = gap.row(peak.row);
+  const Index first = std::max<Index>(peak.first - 1, 1), last = std::min(peak.last + 1, gap.cols() - 2);
   Bending bending;
   double low = INFINITY, high = -INFINITY, sum = 0, before = 0;
   int count = 0;
   for (Index j = first; j <= last; ++j)
   {
     const double second = line[j + 1] - 2 * line[j] + line[j - 1];
-    if (j >= crest.first && j <= crest.last)
+    if (j >= peak.first && j <= peak.last)
     {
       low = std::min(low, second);
       high = std::max(high, second);
@@ -126,8 +126,8 @@ Bending gapBending(const Eigen::ArrayXXd& gap, const Crest& crest)
     }
     const double jump = j > first ? std::abs(second - before) : 0;
     const double place = static_cast<double>(j) - 0.5;
-    const double distance = std::abs(place - static_cast<double>(crest.column)) + 0.5;
-    bending.jumps_at_crest += jump / (distance * distance);
+    const double distance = std::abs(place - static_cast<double>(peak.column)) + 0.5;
+    bending.jumps_at_peak += jump / (distance * distance);
     before = second;
   }
   bending.variation = count > 0 && sum != 0 ? (high - low) * count / std::abs(sum) : 0;
@@ -136,38 +136,37 @@ Bending gapBending(const Eigen::ArrayXXd& gap, const Crest& crest)
 
 /// Terms of the pressure at a crest, whose row's gap jumps by `jumps` about it (see Bending); `residual` is over the
 /// patch's own approach.
-std::array<double, 5> crestTerms(const PatchGap& gap, double modulus, const CellsAround& crest, double jumps,
-                                 double residual)
+std::array<double, 5> peakTerms(const PatchGap& gap, double modulus, const CellsAround& peak, double jumps,
+                                double residual)
 {
-  const double bend = crest.bend(), jump = std::min(modulus * jumps / (gap.grid.dy * crest.top()), largest_jump);
-  const bool unclear = !crest.isInside() || areWaves(gapSteps(crest, gap, modulus));
+  const double bend = peak.bend(), jump = std::min(modulus * jumps / (gap.grid.dy * peak.top()), largest_jump);
+  const bool unclear = !peak.isInside() || areWaves(gapSteps(peak, gap, modulus));
   // The second grows with the bend's square until crests are as sharp as the cells, and no faster than errors there.
   return {bend, bend * bend / (1 + bend), std::pow(jump, 4), unclear ? bend : 0, residual};
 }
 
 /// By how much a lower crest may overtop the highest one by its own error, over the maximum [-].
-double byLowerCrest(const PatchGap& gap, const PatchPressure& pressure, double modulus, const CellsAround& crest)
+double byLowerPeak(const PatchGap& gap, const PatchPressure& pressure, double modulus, const CellsAround& peak)
 {
-  const Bending bending = gapBending(gap.gap, crestAt(pressure.pressure, crest.row(), crest.column()));
-  const double own =
-      weighted(gridErrorWeights().max_pressure, crestTerms(gap, modulus, crest, bending.jumps_at_crest, 0));
-  const double growth = crest.isInside() ? own : std::max(own, lobe_growth);
-  return (1 + growth) * crestPressure(gap, modulus, crest) / pressure.max_pressure - 1;
+  const Bending bending = gapBending(gap.gap, peakAt(pressure.pressure, peak.row(), peak.column()));
+  const double own = weighted(gridErrorWeights().max_pressure, peakTerms(gap, modulus, peak, bending.jumps_at_peak, 0));
+  const double growth = peak.isInside() ? own : std::max(own, lobe_growth);
+  return (1 + growth) * peakPressure(gap, modulus, peak) / pressure.max_pressure - 1;
 }
 
 /// The most by which any crest but the one in column `highest` may overtop the highest one, over the maximum [-]; 0 if
 /// none may. The narrower of two lobes grows with finer cells.
-double byLowerCrests(const PatchGap& gap, const PatchPressure& pressure, double modulus, Index highest)
+double byLowerPeaks(const PatchGap& gap, const PatchPressure& pressure, double modulus, Index highest)
 {
   double most = 0;
-  visitCrests(gap.grid, pressure.pressure,
-              [&](const CellsAround& crest, bool rises)
-              {
-                if (rises && crest.column() != highest)
-                {
-                  most = std::max(most, byLowerCrest(gap, pressure, modulus, crest));
-                }
-              });
+  visitPeaks(gap.grid, pressure.pressure,
+             [&](const CellsAround& peak, bool rises)
+             {
+               if (rises && peak.column() != highest)
+               {
+                 most = std::max(most, byLowerPeak(gap, pressure, modulus, peak));
+               }
+             });
   return most;
 }
 
@@ -185,18 +184,18 @@ double stepAfter(const Eigen::ArrayXXd& gap, Index row, Index j)
 /// over that [-]; 0 if it stays below. Beside a step h a half-space's pressure is E* h / (2 pi distance)
 /// (Johnson 1985, eq. 2.25b, inverted by Hilbert's transform): it has no highest value, and on cells about E* h / (pi
 /// dy) is added.
-double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Crest& crest)
+double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double finer = 4;
   const double spike = finer * modulus / (std::acos(-1.0) * gap.grid.dy);
-  const auto p = pressure.pressure.row(crest.row);
+  const auto p = pressure.pressure.row(peak.row);
   double highest = 0;
-  for (Index j = std::max<Index>(crest.first, 2); j < std::min(crest.last, gap.gap.cols() - 3); ++j)
+  for (Index j = std::max<Index>(peak.first, 2); j < std::min(peak.last, gap.gap.cols() - 3); ++j)
   {
-    const double step = stepAfter(gap.gap, crest.row, j);
+    const double step = stepAfter(gap.gap, peak.row, j);
     highest = step > 0 ? std::max(highest, std::max(p[j], p[j + 1]) + spike * step) : highest;
   }
-  return std::max(highest / p[crest.column] - 1, 0.0);
+  return std::max(highest / p[peak.column] - 1, 0.0);
 }
 
 /// By how much the pressure may overtop the highest one on cells fine enough for the gap's features that are narrower
@@ -204,22 +203,22 @@ double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulu
 /// (Johnson 1985, eq. 13.2), and adds as much about its column. Waves all over the patch, of which columns show slopes
 /// by chance, may stand at the crest between columns: there slopes up to three times their mean are assumed, as far as
 /// any column shows them.
-double byUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Crest& crest)
+double byUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double over_mean = 3;
   if (gap.unseen_slope.size() == 0)
   {
     return 0;
   }
-  const auto p = pressure.pressure.row(crest.row);
+  const auto p = pressure.pressure.row(peak.row);
   double highest = 0;
-  for (Index j = crest.first; j <= crest.last; ++j)
+  for (Index j = peak.first; j <= peak.last; ++j)
   {
     const double slope = gap.unseen_slope[j];
-    const double beside = std::max(p[std::max(j - 1, crest.first)], p[std::min(j + 1, crest.last)]);
+    const double beside = std::max(p[std::max(j - 1, peak.first)], p[std::min(j + 1, peak.last)]);
     highest = slope > 0 ? std::max(highest, std::max(p[j], beside) + 0.5 * modulus * slope) : highest;
   }
-  const auto slopes = gap.unseen_slope.segment(crest.first, crest.last - crest.first + 1);
+  const auto slopes = gap.unseen_slope.segment(peak.first, peak.last - peak.first + 1);
   const double anywhere = 0.5 * modulus * std::min(slopes.maxCoeff(), over_mean * slopes.mean());
   return std::max(anywhere, highest - pressure.max_pressure) / pressure.max_pressure;
 }
@@ -263,7 +262,7 @@ ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors)
 ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other)
 {
   return {std::max(one.max_pressure, other.max_pressure), std::max(one.area, other.area),
-          std::max(one.approach, other.approach), std::max(one.tails, other.tails),
+          std::max(one.approach, other.approach), std::max(one.narrow_ends, other.narrow_ends),
           std::max(one.residual, other.residual)};
 }
 
@@ -279,20 +278,21 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   const Grid& grid = gap.grid;
   const Eigen::ArrayXXd& p = pressure.pressure;
   const Loaded loaded = findLoaded(grid, p);
-  const Bending bending = gapBending(gap.gap, loaded.crest);
+  const Bending bending = gapBending(gap.gap, loaded.peak);
 
   const double per_cell = grid.dx * grid.dy / pressure.area;
   const double variation = bending.variation / (loaded.across * loaded.across);
   ErrorTerms terms;
   terms.overtopping =
-      std::max({byLowerCrests(gap, pressure, modulus, loaded.crest.column),
-                bySteps(gap, pressure, modulus, loaded.crest), byUnseenSlopes(gap, pressure, modulus, loaded.crest)});
+      std::max({byLowerPeaks(gap, pressure, modulus, loaded.peak.column), bySteps(gap, pressure, modulus, loaded.peak),
+                byUnseenSlopes(gap, pressure, modulus, loaded.peak)});
   terms.max_pressure =
-      crestTerms(gap, modulus, {grid, p, loaded.crest.row, loaded.crest.column}, bending.jumps_at_crest, residual);
-  terms.tail = std::max(tail_cells * std::max(loaded.narrow_columns - narrow_tips, 0), handful * per_cell) * per_cell;
+      peakTerms(gap, modulus, {grid, p, loaded.peak.row, loaded.peak.column}, bending.jumps_at_peak, residual);
+  terms.narrow_end =
+      std::max(narrow_end_cells * std::max(loaded.narrow_columns - narrow_tips, 0), handful * per_cell) * per_cell;
   const double aspect = 1 + long_cells * std::abs(std::log(grid.dx / grid.dy));
   const double beyond_oval = std::max(loaded.thin_columns * loaded.along / loaded.across - oval, 0.0);
-  const double moved = std::max(pressure.moved_at_joints / pressure.area - usual_move * per_cell, 0.0);
+  const double moved = std::max(pressure.moved_at_discontinuities / pressure.area - usual_move * per_cell, 0.0);
   terms.area = {aspect * per_cell, beyond_oval * per_cell, moved, variation, residual};
   terms.approach = {1 / (loaded.along * loaded.along), residual};
   const double unseen = (loaded.along >= grid.nx ? unseen_edge : 1) * (loaded.across >= grid.ny ? unseen_edge : 1);

@@ -40,7 +40,7 @@ struct ErrorTerms
   std::array<double, 5> area{};
   /// Of area, without a weight, the least that it may be off: by a tail of the pressure that is narrower than the cells
   /// tell, one and a half cells for each of its columns but the few of an oval; or for want of cells, 6 / cells².
-  double tail = 0;
+  double narrow_end = 0;
   /// Of approach: 1 / (cells along)² · residual.
   std::array<double, 2> approach{};
 };

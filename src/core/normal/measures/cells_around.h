@@ -87,7 +87,7 @@ class CellsAround
 /// Calls `visit(crest, rises)` for the highest cell of each loaded column that neither neighbouring column exceeds;
 /// `rises` if it exceeds the column before: of columns that are equally high only the first does.
 template <typename Visit>
-void visitCrests(const Grid& grid, const Eigen::ArrayXXd& pressure, Visit visit)
+void visitPeaks(const Grid& grid, const Eigen::ArrayXXd& pressure, Visit visit)
 {
   double before = 0, here = pressure.col(0).maxCoeff();
   for (Eigen::Index j = 0; j < pressure.cols(); ++j)

@@ -138,7 +138,7 @@ void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 
 double EdgePolygon::cells(double aspect)
 {
-  const EdgeExcess& known = edgeExcess();
+  const EdgeBias& known = edgeBias();
   const double polygon = chords(), images = mirrored_ ? 2 : 1;
   inputs_.clear();
   if (crossings_.empty())
@@ -146,13 +146,13 @@ double EdgePolygon::cells(double aspect)
     return 0;
   }
   const double longer = std::log(aspect);
-  double excess = known.of(images * polygon, islands_) / images;
+  double bias = known.of(images * polygon, islands_) / images;
   for (const EdgeCrossing& crossing : crossings_)
   {
     inputs_.push_back(edgeInputs(crossing, longer));
-    excess += static_cast<double>(known.crossing(inputs_.back()));
+    bias += static_cast<double>(known.crossing(inputs_.back()));
   }
-  return std::max(polygon - excess, kLeastShare * polygon);
+  return std::max(polygon - bias, kLeastShare * polygon);
 }
 
 EdgePolygon::Cell EdgePolygon::loadedCell(const EdgeCrossing& crossing) const

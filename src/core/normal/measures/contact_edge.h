@@ -10,7 +10,7 @@
 namespace wheel_rail_contact::core
 {
 /// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres, less what it is
-/// known to be off (EdgeExcess).
+/// known to be off (EdgeBias).
 ///
 /// Chords between the crossings cut a closed curve short by half a cell and more, all the more the farther its tips
 /// reach out beyond the outermost loaded row or column; where the edge runs askew to a line or bends, its crossing is

@@ -29,7 +29,7 @@ int outwardAcross(const EdgeCrossing& crossing)
 }
 }  // namespace
 
-JointColumns::JointColumns(const EdgeOf& edge) : first(edge.gap.gap.cols())
+DiscontinuityColumns::DiscontinuityColumns(const EdgeOf& edge) : first(edge.gap.gap.cols())
 {
   // Under yaw another row's joints are a little aside, and its steps may be larger.
   constexpr Index aside = 1;
@@ -73,17 +73,17 @@ bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeI
   return any;
 }
 
-float JointExcess::at(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps) const
+float DiscontinuityBias::at(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps) const
 {
-  using Ramps = Eigen::Array<float, ramps, 1>;
+  using Units = Eigen::Array<float, units, 1>;
   const Crossing& sum = crossing.along ? along : across;
   const auto slopes = sum.slopes();
-  Ramps without = slopes.col(0) * shown[0];
+  Units without = slopes.col(0) * shown[0];
   for (int k = 1; k < edge_inputs; ++k)
   {
     without += slopes.col(k) * shown[k];
   }
-  Ramps with = without;
+  Units with = without;
   for (int k = 0; k < edge_steps; ++k)
   {
     with += slopes.col(edge_inputs + k) * steps[k];
@@ -91,17 +91,17 @@ float JointExcess::at(const EdgeCrossing& crossing, const EdgeInputs& shown, con
   return (sum.linear().tail<edge_steps>() * steps).sum() + (sum.heights() * (with.max(0.0F) - without.max(0.0F))).sum();
 }
 
-JointSums sumAtJoints(const EdgeOf& edge)
+DiscontinuitySums sumAtDiscontinuities(const EdgeOf& edge)
 {
-  const JointExcess& known = jointExcess();
-  JointSums sums;
-  visitEdgeJoints(edge,
-                  [&](const EdgeCrossing& crossing, const EdgeInputs& inputs, const EdgeSteps& steps)
-                  {
-                    const auto excess = static_cast<double>(known.at(crossing, inputs, steps));
-                    sums.excess += excess;
-                    sums.sizes += std::abs(excess);
-                  });
+  const DiscontinuityBias& known = discontinuityBias();
+  DiscontinuitySums sums;
+  visitEdgeDiscontinuities(edge,
+                           [&](const EdgeCrossing& crossing, const EdgeInputs& inputs, const EdgeSteps& steps)
+                           {
+                             const auto bias = static_cast<double>(known.at(crossing, inputs, steps));
+                             sums.bias += bias;
+                             sums.sizes += std::abs(bias);
+                           });
   return sums;
 }
 }  // namespace wheel_rail_contact::core

@@ -28,11 +28,11 @@ struct EdgeOf
 };
 
 /// Columns about which the gap's curvature may jump, by its middle row; none if `first` is above `last`.
-struct JointColumns
+struct DiscontinuityColumns
 {
   Eigen::Index first, last = -1;
 
-  explicit JointColumns(const EdgeOf& edge);
+  explicit DiscontinuityColumns(const EdgeOf& edge);
 };
 
 /// Steps at a crossing where `inputs` show; false if all of them are smooth, and where neither side is outward.
@@ -40,9 +40,9 @@ bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeI
 
 /// Calls `visit(crossing, inputs, steps)` for the crossings at which the gap's curvature jumps.
 template <typename Visit>
-void visitEdgeJoints(const EdgeOf& edge, Visit visit)
+void visitEdgeDiscontinuities(const EdgeOf& edge, Visit visit)
 {
-  const JointColumns columns(edge);
+  const DiscontinuityColumns columns(edge);
   EdgeSteps steps;
   for (std::size_t k = 0; k < edge.polygon.crossings().size() && columns.first <= columns.last; ++k)
   {
@@ -56,13 +56,13 @@ void visitEdgeJoints(const EdgeOf& edge, Visit visit)
   }
 }
 
-/// What a polygon through the edge's crossings, less its EdgeExcess, is too large by where the gap's curvature jumps:
+/// What a polygon through the edge's crossings, less its EdgeBias, is too large by where the gap's curvature jumps:
 /// ramps of what shows at a crossing and of the steps there, less the same ramps without steps, so that it goes with
 /// them.
-struct JointExcess
+struct DiscontinuityBias
 {
-  static constexpr int ramps = 8, inputs = edge_inputs + edge_steps;
-  using Crossing = RampSum<inputs, ramps>;
+  static constexpr int units = 8, inputs = edge_inputs + edge_steps;
+  using Crossing = ReluNetwork<inputs, units>;
   static constexpr int numbers = 2 * Crossing::numbers;
 
   Crossing along, across;  ///< for lines of cells along x and along y [cells]
@@ -71,14 +71,14 @@ struct JointExcess
   float at(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps) const;
 };
 
-/// The weights in use. Fitted by test/calibration/fit_joint_excess.cpp.
-const JointExcess& jointExcess();
+/// The weights in use. Fitted by test/calibration/fit_discontinuity_bias.cpp.
+const DiscontinuityBias& discontinuityBias();
 
 /// Sums over all crossings, of a mirrored pressure those of the stored half [cells].
-struct JointSums
+struct DiscontinuitySums
 {
-  double excess = 0;  ///< of the polygon
-  double sizes = 0;   ///< of what it is made of
+  double bias = 0;   ///< of the polygon
+  double sizes = 0;  ///< of what it is made of
 };
-JointSums sumAtJoints(const EdgeOf& edge);
+DiscontinuitySums sumAtDiscontinuities(const EdgeOf& edge);
 }  // namespace wheel_rail_contact::core

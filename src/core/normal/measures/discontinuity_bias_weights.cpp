@@ -7,9 +7,9 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// As test/calibration/fit_joint_excess.cpp prints them: along, across.
+/// As test/calibration/fit_discontinuity_bias.cpp prints them: along, across.
 // clang-format off
-constexpr std::array<double, JointExcess::numbers> fitted{
+constexpr std::array<double, DiscontinuityBias::numbers> fitted{
     0.3342, -0.01587, 0.2171, -0.02907, -0.7441, 0.07427, 0.8776, 1.414, 0.1392, -0.6416, -0.6746, 0.3144,
     -0.3803, 0.1383, 0.6822, -0.07073, -0.618, -0.09891, -0.5699, -0.1954, -0.4894, -0.09663, -0.04966, 0.1357,
     0.1213, 0.627, -0.6049, 0.4348, -0.1586, 0.3757, 0.2341, 0.2465, -0.0574, 0.7248, 0.05744, 0.2,
@@ -41,16 +41,16 @@ constexpr std::array<double, JointExcess::numbers> fitted{
 // clang-format on
 }  // namespace
 
-const JointExcess& jointExcess()
+const DiscontinuityBias& discontinuityBias()
 {
-  static const JointExcess excess = []
+  static const DiscontinuityBias bias = []
   {
-    const Eigen::Map<const Eigen::Array<double, JointExcess::numbers, 1>> numbers(fitted.data());
-    JointExcess unpacked;
-    unpacked.along.all = numbers.head<JointExcess::Crossing::numbers>().cast<float>();
-    unpacked.across.all = numbers.tail<JointExcess::Crossing::numbers>().cast<float>();
+    const Eigen::Map<const Eigen::Array<double, DiscontinuityBias::numbers, 1>> numbers(fitted.data());
+    DiscontinuityBias unpacked;
+    unpacked.along.all = numbers.head<DiscontinuityBias::Crossing::numbers>().cast<float>();
+    unpacked.across.all = numbers.tail<DiscontinuityBias::Crossing::numbers>().cast<float>();
     return unpacked;
   }();
-  return excess;
+  return bias;
 }
 }  // namespace wheel_rail_contact::core

@@ -57,7 +57,7 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer)
   return inputs;
 }
 
-double EdgeExcess::of(double polygon, int islands) const
+double EdgeBias::of(double polygon, int islands) const
 {
   const double each = polygon / std::max(islands, 1);
   return islands * (static_cast<double>(island) + static_cast<double>(few_cells) / std::max(each, 1.0));

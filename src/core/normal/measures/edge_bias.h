@@ -31,10 +31,10 @@ EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer);
 
 /// What a polygon through the edge's crossings (EdgePolygon) is too large by: at each crossing by what shows there, and
 /// for each island of the contact.
-struct EdgeExcess
+struct EdgeBias
 {
-  static constexpr int ramps = 16;
-  using Crossing = RampSum<edge_inputs, ramps>;
+  static constexpr int units = 16;
+  using Crossing = ReluNetwork<edge_inputs, units>;
   static constexpr int numbers = Crossing::numbers + 2;  ///< all of the below
 
   Crossing crossing;    ///< for every crossing [cells]
@@ -45,6 +45,6 @@ struct EdgeExcess
   double of(double polygon, int islands) const;
 };
 
-/// The weights in use. Fitted by test/calibration/fit_edge_excess.cpp.
-const EdgeExcess& edgeExcess();
+/// The weights in use. Fitted by test/calibration/fit_edge_bias.cpp.
+const EdgeBias& edgeBias();
 }  // namespace wheel_rail_contact::core

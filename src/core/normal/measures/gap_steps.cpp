@@ -80,14 +80,14 @@ bool areWave(const Jump& one, const Jump& other)
 }
 }  // namespace
 
-GapSteps gapSteps(const CellsAround& crest, const PatchGap& gap, double modulus)
+GapSteps gapSteps(const CellsAround& peak, const PatchGap& gap, double modulus)
 {
-  const SecondDifference second(gap, modulus, crest.top());
+  const SecondDifference second(gap, modulus, peak.top());
   GapSteps steps{};
   double before = NAN;
   for (Index offset = -steps_reach; offset <= steps_reach; ++offset)
   {
-    const double here = crest.p(0, offset) > 0 ? second.at(crest.row(), crest.column() + offset) : NAN;
+    const double here = peak.p(0, offset) > 0 ? second.at(peak.row(), peak.column() + offset) : NAN;
     const double step = here - before;
     if (offset > -steps_reach && !std::isnan(step))
     {

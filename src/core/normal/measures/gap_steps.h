@@ -14,7 +14,7 @@ constexpr int steps_reach = 6;  ///< columns looked at to either side of a crest
 /// ends.
 using GapSteps = std::array<double, static_cast<std::size_t>(2 * steps_reach)>;
 
-GapSteps gapSteps(const CellsAround& crest, const PatchGap& gap, double modulus);
+GapSteps gapSteps(const CellsAround& peak, const PatchGap& gap, double modulus);
 
 /// The curvature jumps to and fro within a few cells, as on rough profiles: then nothing is known of its jumps.
 bool areWaves(const GapSteps& steps);

@@ -11,9 +11,9 @@ namespace
 using Eigen::Index;
 
 /// Where the pressure ends from the crest on in the `outward` direction (+1 or -1) along.
-EdgeInputs tipInputs(const CellsAround& crest, Index outward, double longer)
+EdgeInputs tipInputs(const CellsAround& peak, Index outward, double longer)
 {
-  const Index tip = crest.tip(outward);
+  const Index tip = peak.tip(outward);
   // Three lines side by side, each from the empty cell inward.
   constexpr int line = 4;
   std::array<double, static_cast<std::size_t>(3 * line)> cells;
@@ -21,32 +21,32 @@ EdgeInputs tipInputs(const CellsAround& crest, Index outward, double longer)
   {
     for (int side = 0; side < 3; ++side)
     {
-      cells[static_cast<std::size_t>(side * line + k)] = crest.p(tip + (1 - k) * outward, side - 1);
+      cells[static_cast<std::size_t>(side * line + k)] = peak.p(tip + (1 - k) * outward, side - 1);
     }
   }
   return edgeInputs({cells.data() + line + 1, -1, line, true}, longer);
 }
 
-CrestInputs::Side sideInputs(const CellsAround& crest, const GapSteps& steps, int direction)
+PeakInputs::Side sideInputs(const CellsAround& peak, const GapSteps& steps, int direction)
 {
-  CrestInputs::Side inputs;
+  PeakInputs::Side inputs;
   Index k = 0;
-  for (int offset = -crest_reach; offset <= crest_reach; ++offset)
+  for (int offset = -peak_reach; offset <= peak_reach; ++offset)
   {
     if (offset != 0)
     {
-      inputs[k++] = static_cast<float>(1 - std::min(crest.p(0, direction * offset), 1.0));
+      inputs[k++] = static_cast<float>(1 - std::min(peak.p(0, direction * offset), 1.0));
     }
   }
   double squares = 0;
-  for (int offset = -crest_reach; offset < crest_reach; ++offset)
+  for (int offset = -peak_reach; offset < peak_reach; ++offset)
   {
     const int from = direction > 0 ? offset : -1 - offset;
     const double step = std::clamp(steps[static_cast<std::size_t>(from + steps_reach)], -largest_step, largest_step);
     inputs[k++] = static_cast<float>(direction * step);
     squares += step * step;
   }
-  const double before = crest.p(-1, 0), after = crest.p(1, 0);
+  const double before = peak.p(-1, 0), after = peak.p(1, 0);
   inputs[k++] = static_cast<float>(1 - 0.5 * (before + after));
   inputs[k++] = static_cast<float>(0.5 * std::abs(before - after));
   inputs[k++] = static_cast<float>(std::sqrt(squares));
@@ -54,19 +54,19 @@ CrestInputs::Side sideInputs(const CellsAround& crest, const GapSteps& steps, in
 }
 }  // namespace
 
-CrestInputs::CrestInputs(const CellsAround& crest, const GapSteps& steps, double longer)
-    : tips{tipInputs(crest, -1, longer), tipInputs(crest, 1, longer)},
-      sides{sideInputs(crest, steps, 1), sideInputs(crest, steps, -1)},
-      along(crest.bendAlong())
+PeakInputs::PeakInputs(const CellsAround& peak, const GapSteps& steps, double longer)
+    : tips{tipInputs(peak, -1, longer), tipInputs(peak, 1, longer)},
+      sides{sideInputs(peak, steps, 1), sideInputs(peak, steps, -1)},
+      along(peak.bendAlong())
 {
 }
 
-bool showsExcess(const CellsAround& crest, const GapSteps& steps)
+bool showsBias(const CellsAround& peak, const GapSteps& steps)
 {
-  return crest.isInside() && !areWaves(steps) && !crest.isCutAlong();
+  return peak.isInside() && !areWaves(steps) && !peak.isCutAlong();
 }
 
-double CrestExcess::of(const CrestInputs& inputs) const
+double PeakBias::of(const PeakInputs& inputs) const
 {
   const float from_tips = tip(inputs.tips[0]) + tip(inputs.tips[1]);
   return inputs.along * static_cast<double>(from_tips) +

@@ -7,9 +7,9 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// As test/calibration/fit_crest_excess.cpp prints them: tip, side.
+/// As test/calibration/fit_peak_bias.cpp prints them: tip, side.
 // clang-format off
-constexpr std::array<double, CrestExcess::numbers> fitted{
+constexpr std::array<double, PeakBias::numbers> fitted{
     0.3848, 0.005758, -0.3478, -0.3372, -0.02053, -0.1462, 0.9373, 0.0719, 0.1971, -0.1463, -0.2607, 0.08396,
     -0.3971, -0.005732, 0.0643, -0.4704, -1.114, -0.01716, 0.2995, -0.6817, -1.051, -0.4116, -0.2241, -0.1639,
     0.8123, 0.1703, -1.038, -0.8112, -4.166, 0.008834, -0.4412, -0.3924, -0.09922, 0.6794, -0.4751, 0.1046,
@@ -53,16 +53,16 @@ constexpr std::array<double, CrestExcess::numbers> fitted{
 // clang-format on
 }  // namespace
 
-const CrestExcess& crestExcess()
+const PeakBias& peakBias()
 {
-  static const CrestExcess excess = []
+  static const PeakBias bias = []
   {
-    const Eigen::Map<const Eigen::Array<double, CrestExcess::numbers, 1>> numbers(fitted.data());
-    CrestExcess unpacked;
-    unpacked.tip.all = numbers.head<CrestExcess::Tip::numbers>().cast<float>();
-    unpacked.side.all = numbers.tail<CrestExcess::Side::numbers>().cast<float>();
+    const Eigen::Map<const Eigen::Array<double, PeakBias::numbers, 1>> numbers(fitted.data());
+    PeakBias unpacked;
+    unpacked.tip.all = numbers.head<PeakBias::Tip::numbers>().cast<float>();
+    unpacked.side.all = numbers.tail<PeakBias::Side::numbers>().cast<float>();
     return unpacked;
   }();
-  return excess;
+  return bias;
 }
 }  // namespace wheel_rail_contact::core

@@ -15,19 +15,19 @@ namespace
 constexpr double most_of_bend = 0.1;
 }  // namespace
 
-double crestPressure(const PatchGap& gap, double modulus, const CellsAround& crest)
+double peakPressure(const PatchGap& gap, double modulus, const CellsAround& peak)
 {
-  if (!crest.isInside())
+  if (!peak.isInside())
   {
-    return crest.top();
+    return peak.top();
   }
-  const GapSteps steps = gapSteps(crest, gap, modulus);
-  if (!showsExcess(crest, steps))
+  const GapSteps steps = gapSteps(peak, gap, modulus);
+  if (!showsBias(peak, steps))
   {
-    return crest.parabolas();
+    return peak.parabolas();
   }
-  const double most = most_of_bend * crest.bend();
-  const double excess = crestExcess().of(CrestInputs(crest, steps, std::log(gap.grid.dx / gap.grid.dy)));
-  return crest.parabolas() / (1 + std::clamp(excess, -most, most));
+  const double most = most_of_bend * peak.bend();
+  const double bias = peakBias().of(PeakInputs(peak, steps, std::log(gap.grid.dx / gap.grid.dy)));
+  return peak.parabolas() / (1 + std::clamp(bias, -most, most));
 }
 }  // namespace wheel_rail_contact::core

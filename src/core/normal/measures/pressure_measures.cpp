@@ -11,7 +11,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 /// Share of the area that joints change at most; on 4500 gaps with joints it was up to 0.09.
-constexpr double most_at_joints = 0.15;
+constexpr double most_at_discontinuities = 0.15;
 }  // namespace
 
 void PressureMeasures::measure(const PatchGap& gap, double modulus, PatchPressure& patch)
@@ -21,15 +21,15 @@ void PressureMeasures::measure(const PatchGap& gap, double modulus, PatchPressur
   patch.force = p.sum() * grid.cellArea();
 
   patch.max_pressure = 0;
-  visitCrests(grid, p,
-              [&](const CellsAround& crest, bool)
-              { patch.max_pressure = std::max(patch.max_pressure, crestPressure(gap, modulus, crest)); });
+  visitPeaks(grid, p,
+             [&](const CellsAround& peak, bool)
+             { patch.max_pressure = std::max(patch.max_pressure, peakPressure(gap, modulus, peak)); });
 
   polygon_.frame(p, grid.symmetric);
-  const double smooth = polygon_.cells(grid.dx / grid.dy), most = most_at_joints * smooth;
-  const JointSums joints = sumAtJoints({polygon_, gap, modulus, patch.max_pressure});
-  patch.area = (smooth - std::clamp(joints.excess, -most, most)) * grid.cellArea();
-  patch.moved_at_joints = joints.sizes * grid.cellArea();
+  const double smooth = polygon_.cells(grid.dx / grid.dy), most = most_at_discontinuities * smooth;
+  const DiscontinuitySums discontinuities = sumAtDiscontinuities({polygon_, gap, modulus, patch.max_pressure});
+  patch.area = (smooth - std::clamp(discontinuities.bias, -most, most)) * grid.cellArea();
+  patch.moved_at_discontinuities = discontinuities.sizes * grid.cellArea();
 
   const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);
   patch.touches_border = ends || p.col(0).maxCoeff() > 0 || p.col(p.cols() - 1).maxCoeff() > 0;

@@ -11,15 +11,15 @@ namespace wheel_rail_contact::core
 class PressureMeasures
 {
  public:
-  /// Fills force, max_pressure, area, moved_at_joints and touches_border of `patch` from its grid and pressure, which
-  /// solves `gap` with E* = `modulus` [Pa].
+  /// Fills force, max_pressure, area, moved_at_discontinuities and touches_border of `patch` from its grid and
+  /// pressure, which solves `gap` with E* = `modulus` [Pa].
   ///
-  /// max_pressure: the largest crestPressure() of each column's highest cell that no neighbouring column's exceeds. A
+  /// max_pressure: the largest peakPressure() of each column's highest cell that no neighbouring column's exceeds. A
   /// crest between two cells, as at a joint of the profiles, may be higher than one that a cell meets.
   ///
   /// area: the polygon through the points where the edge of the contact crosses the lines of cell centres, less
   /// what it is known to be off, see contact_edge.h, and what jumps of the gap's curvature add to that, see
-  /// joint_excess.h.
+  /// discontinuity_bias.h.
   void measure(const PatchGap& gap, double modulus, PatchPressure& patch);
 
  private:

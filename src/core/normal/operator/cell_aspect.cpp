@@ -10,27 +10,27 @@ namespace aspect_ladder
 {
 namespace
 {
-constexpr double kRungsPerOctave = 8;
+constexpr double kAspectsPerOctave = 8;
 }
 
-double aspect(int rung)
+double aspect(int level)
 {
-  return std::exp2(rung / kRungsPerOctave);
+  return std::exp2(level / kAspectsPerOctave);
 }
 
-int nearestRung(double dx_over_dy)
+int nearestAspect(double dx_over_dy)
 {
   const double clamped = std::clamp(dx_over_dy, aspect(kLowest), aspect(kHighest));
-  return static_cast<int>(std::lround(kRungsPerOctave * std::log2(clamped)));
+  return static_cast<int>(std::lround(kAspectsPerOctave * std::log2(clamped)));
 }
 
 Cell coveringCell(double length, double width, int nx, int ny)
 {
   const double dx = length / nx, dy = width / ny;
-  const double on_ladder = aspect(nearestRung(dx / dy));
+  const double rounded_aspect = aspect(nearestAspect(dx / dy));
   Cell cell;
-  cell.dy = std::max(dy, dx / on_ladder);
-  cell.dx = cell.dy * on_ladder;
+  cell.dy = std::max(dy, dx / rounded_aspect);
+  cell.dx = cell.dy * rounded_aspect;
   return cell;
 }
 }  // namespace aspect_ladder

@@ -11,10 +11,10 @@ constexpr int kLowest = -24;  ///< rung of aspect 1/8
 constexpr int kHighest = 40;  ///< rung of aspect 32
 
 /// Aspect dx/dy of a rung [-].
-double aspect(int rung);
+double aspect(int level);
 
-/// Rung nearest to `dx_over_dy` (> 0) in the logarithm, within the ladder.
-int nearestRung(double dx_over_dy);
+/// GridLevel nearest to `dx_over_dy` (> 0) in the logarithm, within the ladder.
+int nearestAspect(double dx_over_dy);
 
 /// Cell of a grid nx × ny with its aspect on the ladder.
 struct Cell

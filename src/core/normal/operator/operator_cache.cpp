@@ -25,10 +25,10 @@ using Shared = std::shared_ptr<const InfluenceOperator>;
 class SharedOperators
 {
  public:
-  Shared find(int nx, int ny, bool symmetric, int rung)
+  Shared find(int nx, int ny, bool symmetric, int level)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return at({nx, ny, symmetric, rung});
+    return at({nx, ny, symmetric, level});
   }
 
  private:
@@ -39,9 +39,9 @@ class SharedOperators
     Shared& found = operators_[key];
     if (!found)
     {
-      const auto [nx, ny, symmetric, rung] = key;
-      const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, rung}) : anyOf(nx, ny);
-      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect_ladder::aspect(rung), symmetric},
+      const auto [nx, ny, symmetric, level] = key;
+      const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, level}) : anyOf(nx, ny);
+      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect_ladder::aspect(level), symmetric},
                                                   whole.get());
     }
     return found;
@@ -67,14 +67,14 @@ SharedOperators& sharedOperators()
 }
 
 /// A number for the rung of an aspect; false if the aspect lies on none.
-bool onLadder(double aspect, int& rung)
+bool roundedAspect(double aspect, int& level)
 {
   if (!(aspect > 0))
   {
     return false;
   }
-  rung = aspect_ladder::nearestRung(aspect);
-  return std::abs(aspect_ladder::aspect(rung) - aspect) <= kSameAspect * aspect;
+  level = aspect_ladder::nearestAspect(aspect);
+  return std::abs(aspect_ladder::aspect(level) - aspect) <= kSameAspect * aspect;
 }
 }  // namespace
 
@@ -98,13 +98,13 @@ OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
 void OperatorCache::prepare(int nx, int ny)
 {
   const double square = static_cast<double>(ny) / nx;
-  const int last = aspect_ladder::nearestRung(longest * square);
-  for (int rung = aspect_ladder::nearestRung(square / widest); rung <= last; ++rung)
+  const int last = aspect_ladder::nearestAspect(longest * square);
+  for (int level = aspect_ladder::nearestAspect(square / widest); level <= last; ++level)
   {
-    find(nx, ny, false, aspect_ladder::aspect(rung));
+    find(nx, ny, false, aspect_ladder::aspect(level));
     if (nx % 2 == 0)
     {
-      find(nx, ny, true, aspect_ladder::aspect(rung));
+      find(nx, ny, true, aspect_ladder::aspect(level));
     }
   }
 }
@@ -118,11 +118,11 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
   if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + kSameAspect))
   {
     Entry added;
-    int rung = 0;
-    added.on_ladder = onLadder(aspect, rung);
-    if (added.on_ladder)
+    int level = 0;
+    added.rounded_aspect = roundedAspect(aspect, level);
+    if (added.rounded_aspect)
     {
-      added.influence = sharedOperators().find(nx, ny, symmetric, rung);
+      added.influence = sharedOperators().find(nx, ny, symmetric, level);
     }
     else
     {
@@ -139,15 +139,16 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
 
 void OperatorCache::forgetOldest(Family& family)
 {
-  const auto others =
-      std::count_if(family.entries.begin(), family.entries.end(), [](const Entry& entry) { return !entry.on_ladder; });
+  const auto others = std::count_if(family.entries.begin(), family.entries.end(),
+                                    [](const Entry& entry) { return !entry.rounded_aspect; });
   if (others <= kOthersKept)
   {
     return;
   }
-  const auto oldest = std::min_element(family.entries.begin(), family.entries.end(),
-                                       [](const Entry& a, const Entry& b)
-                                       { return a.on_ladder != b.on_ladder ? b.on_ladder : a.last_use < b.last_use; });
+  const auto oldest =
+      std::min_element(family.entries.begin(), family.entries.end(),
+                       [](const Entry& a, const Entry& b)
+                       { return a.rounded_aspect != b.rounded_aspect ? b.rounded_aspect : a.last_use < b.last_use; });
   family.entries.erase(oldest);
 }
 }  // namespace wheel_rail_contact::core

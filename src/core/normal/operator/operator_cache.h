@@ -31,7 +31,7 @@ class OperatorCache
   struct Entry
   {
     std::shared_ptr<const InfluenceOperator> influence;
-    bool on_ladder = false;
+    bool rounded_aspect = false;
     unsigned long last_use = 0;
   };
   struct Family

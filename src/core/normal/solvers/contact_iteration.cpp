@@ -72,12 +72,12 @@ bool ContactIteration::start(const NormalSolution* earlier)
   {
     return false;
   }
-  yieldTo(p_, u_);
+  deflectTo(p_, u_);
   if (!load_controlled_)
   {
     fitToApproach();
   }
-  if (support_.yields())
+  if (support_.compliant())
   {
     support_.open(-support_.placed(), u_);
   }
@@ -97,7 +97,7 @@ SolveStatus ContactIteration::iterate()
       return SolveStatus::stalled;
     }
     multiply(s_, q_);
-    yieldTo(s_, q_);
+    deflectTo(s_, q_);
     double length = 0;
     if (!stepLength(slope, length))
     {
@@ -136,9 +136,9 @@ void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
 }
 
 /// Adds to a displacement what the support's way under the pressure opens.
-void ContactIteration::yieldTo(const LaneBuffer& pressure, LaneBuffer& displacement)
+void ContactIteration::deflectTo(const LaneBuffer& pressure, LaneBuffer& displacement)
 {
-  if (support_.yields())
+  if (support_.compliant())
   {
     support_.open(support_.coordinates(patches_, pressure), displacement);
   }
@@ -146,7 +146,7 @@ void ContactIteration::yieldTo(const LaneBuffer& pressure, LaneBuffer& displacem
 
 void ContactIteration::end()
 {
-  if (support_.yields())
+  if (support_.compliant())
   {
     support_coordinates_ = support_.coordinates(patches_, p_);
     support_.open(support_.placed() - support_coordinates_, u_);
@@ -156,7 +156,7 @@ void ContactIteration::end()
 /// Scales the first pressure to the least energy at the given approach.
 void ContactIteration::fitToApproach()
 {
-  double work = support_.yields() ? support_.placed().dot(support_.force(patches_, p_)) : 0;
+  double work = support_.compliant() ? support_.placed().dot(support_.force(patches_, p_)) : 0;
   double stored = 0;
   for (const PatchLayout& patch : patches_)
   {
@@ -194,9 +194,9 @@ void ContactIteration::advance(double length)
 }
 
 /// Share of the approach that the support's way from its place makes up, by the work of the load on both.
-double ContactIteration::yielded() const
+double ContactIteration::deflected() const
 {
-  if (!support_.yields())
+  if (!support_.compliant())
   {
     return 0;
   }
@@ -207,7 +207,7 @@ double ContactIteration::yielded() const
 
 void ContactIteration::updateResidual()
 {
-  const double elastic_approach = approach_ - yielded();
+  const double elastic_approach = approach_ - deflected();
   double worst = 0, depth = 0;
   for (const PatchLayout& patch : patches_)
   {

@@ -42,10 +42,10 @@ class ContactIteration
  private:
   bool goOn(SolveStatus& status);
   void multiply(const LaneBuffer& in, LaneBuffer& out);
-  void yieldTo(const LaneBuffer& pressure, LaneBuffer& displacement);
+  void deflectTo(const LaneBuffer& pressure, LaneBuffer& displacement);
   void fitToApproach();
   void advance(double length);
-  double yielded() const;
+  double deflected() const;
   void updateResidual();
   double aim();
   TrialStep precondition();

@@ -77,7 +77,7 @@ class Sections
     const double second = 1 / (contact.semi_axis_y * contact.semi_axis_y);
     const double xx = cosine * cosine * first + sine * sine * second;
     const double xy = cosine * sine * (first - second);
-    lean_ = -xy / xx;
+    tilt_ = -xy / xx;
     reach_ = 1 / std::sqrt(xx);
     half_x_ = std::hypot(cosine * contact.semi_axis_x, sine * contact.semi_axis_y);
     half_y_ = std::hypot(sine * contact.semi_axis_x, cosine * contact.semi_axis_y);
@@ -86,13 +86,13 @@ class Sections
   double halfX() const { return half_x_; }  ///< the ellipse's extent along x from its centre [m]
   double halfY() const { return half_y_; }  ///< likewise, along y [m]
 
-  double middle(double y) const { return lean_ * y; }  ///< x of a section's middle, from the ellipse's centre [m]
+  double middle(double y) const { return tilt_ * y; }  ///< x of a section's middle, from the ellipse's centre [m]
   /// Half-length of the section at y, which lies within the extent, from the ellipse's centre [m].
   double halfLength(double y) const { return reach_ * std::sqrt(std::max(1 - y * y / (half_y_ * half_y_), 0.0)); }
   double longest() const { return reach_; }  ///< half-length of the section through the centre [m]
 
  private:
-  double lean_ = 0, reach_ = 0, half_x_ = 0, half_y_ = 0;
+  double tilt_ = 0, reach_ = 0, half_x_ = 0, half_y_ = 0;
 };
 
 /// Integral of sqrt(1 - t²) from the left end of a section to t, in its half-lengths.
@@ -241,7 +241,7 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
     patch.force = contact.force;
     patch.max_pressure = contact.max_pressure;
     patch.area = contact.area;
-    patch.moved_at_joints = 0;
+    patch.moved_at_discontinuities = 0;
     layPressure(minimum, contact, patch);
     touches = touches || own > 0;
   }

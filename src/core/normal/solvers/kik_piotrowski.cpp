@@ -148,7 +148,7 @@ void KikPiotrowski::solve(const NormalProblem& problem, bool /*warm*/, NormalSol
     fillPressure(grid, workshop_->gaps[k], area, patch.pressure);
     patch.force = area.force;
     patch.area = area.area;
-    patch.moved_at_joints = 0;
+    patch.moved_at_discontinuities = 0;
     patch.max_pressure = std::max(area.pressure, patch.pressure.maxCoeff());
     const Eigen::ArrayXXd& p = patch.pressure;
     const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);

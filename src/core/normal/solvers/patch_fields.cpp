@@ -42,7 +42,7 @@ bool isValid(const NormalProblem& problem)
                std::isfinite(problem.value) && (!load || problem.value > 0);
   for (const PatchGap& patch : problem.patches)
   {
-    const bool opens = !problem.support.yields || patch.opening.rows() == patch.grid.ny;
+    const bool opens = !problem.support.compliant || patch.opening.rows() == patch.grid.ny;
     valid = valid && opens && isValid(patch);
   }
   return valid;

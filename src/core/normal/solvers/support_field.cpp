@@ -9,7 +9,7 @@ void SupportField::begin(const NormalProblem& problem, const std::vector<PatchLa
 {
   support_ = problem.support;
   length_ = length;
-  for (Eigen::Index m = 0; m < 3 && yields(); ++m)
+  for (Eigen::Index m = 0; m < 3 && compliant(); ++m)
   {
     LaneBuffer& field = openings_[static_cast<std::size_t>(m)];
     field.resize(length);

@@ -15,7 +15,7 @@ class SupportField
   /// `length`: of the arrays that hold the patches.
   void begin(const NormalProblem& problem, const std::vector<PatchLayout>& patches, int length);
 
-  bool yields() const { return support_.yields; }
+  bool compliant() const { return support_.compliant; }
   const Eigen::Matrix3d& compliance() const { return support_.compliance; }
   const Eigen::Vector3d& placed() const { return support_.placed; }
 

@@ -11,12 +11,12 @@
 namespace wheel_rail_contact::core::chart
 {
 /// Solvers by choice, each made once: preparing one costs more than many solutions.
-class Ladders
+class SolverCache
 {
  public:
-  const MethodLadder& find(const Choice& choice);
+  const GridLevels& find(const Choice& choice);
 
  private:
-  std::map<std::tuple<NormalMethod, int, int, double>, std::unique_ptr<MethodLadder>> ladders_;
+  std::map<std::tuple<NormalMethod, int, int, double>, std::unique_ptr<GridLevels>> solvers_;
 };
 }  // namespace wheel_rail_contact::core::chart

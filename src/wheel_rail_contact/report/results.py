@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads the results in a bag into arrays. Pressure grids are read only for selected results."""
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+import rosbag
+from wheel_rail_contact.msg import WheelsetContact
+
+from ..command import Failure
+from ..message_constants import USABLE
+
+
+@dataclass
+class Results:
+    """SI units, track axes. Histories have one value per result, patches one value per patch of a usable result."""
+    stamp: np.ndarray = None
+    status: np.ndarray = None
+    y: np.ndarray = None
+    z: np.ndarray = None
+    roll: np.ndarray = None
+    yaw: np.ndarray = None
+    rail: np.ndarray = None        # (result, side, RAIL_FIELDS)
+    patches: dict = None           # name -> array; `result` is the index of the result to which the patch belongs
+    reasons: dict = field(default_factory=dict)    # (status, text without numbers) -> [count, first text]
+    outlines: dict = field(default_factory=dict)   # "rail", "wheel", "reference" of the left side -> (n, 2) y, z; may be empty
+    parameters: str = ""
+
+
+PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
+OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> field of the header
+RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force")
+
+
+def _message(raw):
+    """A message from its bytes, with grids as numpy arrays."""
+    return WheelsetContact().deserialize_numpy(raw[1], np)
+
+
+def find_topic(bag, wheelset):
+    """The topic of the results, as it is written in the bag."""
+    types, infos = bag.get_type_and_topic_info()
+    if types.get(WheelsetContact._type, WheelsetContact._md5sum) != WheelsetContact._md5sum:
+        raise Failure("the results are from another version of wheel_rail_contact; replay the states again")
+    topics = [t for t, info in infos.items() if info.msg_type == WheelsetContact._type]
+    if wheelset is not None:
+        topics = [t for t in topics if t.lstrip("/").startswith((wheelset.strip("/") + "/").lstrip("/"))]
+    if len(topics) != 1:
+        raise Failure(f"{len(topics)} topics with results: {' '.join(sorted(topics)) or 'none'}"
+                      + (" (select one with --wheelset)" if len(topics) > 1 else ""))
+    return topics[0]
+
+
+def read(path, wheelset=None):
+    """All results of a bag without their grids, and their topic."""
+    try:
+        with rosbag.Bag(str(path)) as bag:
+            topic = find_topic(bag, wheelset)
+            results = _collect(_message(raw) for _, raw, _ in bag.read_messages(topics=[topic], raw=True))
+            _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
+    except rosbag.ROSBagException as error:
+        raise Failure(f"{path}: {error}") from None
+    results.outlines = {kind: np.array(_text(header[name]).split(), float).reshape(-1, 2)
+                        for kind, name in OUTLINES.items() if name in header}
+    results.parameters = _text(header.get("contact_replay", ""))
+    return results, topic
+
+
+def _text(value):
+    """A field of a connection header as text: rosbag returns fields that are unknown to it as bytes."""
+    return value.decode() if isinstance(value, bytes) else value
+
+
+def _collect(stream):
+    histories, rails, patches, names = [], [], [], []
+    results = Results()
+    for index, message in enumerate(stream):
+        p, q = message.wheelset.position, message.wheelset.orientation
+        histories.append((message.header.stamp.to_sec(), message.status, p.y, p.z, 2 * np.arctan2(q.x, q.w),
+                          2 * np.arctan2(q.z, q.w)))
+        rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
+        if message.status not in USABLE or message.status_text:
+            key = (message.status, re.sub(r"\d+(\.\d+)?", "", message.status_text).replace("-", ""))
+            results.reasons.setdefault(key, [0, message.status_text])[0] += 1
+        for patch in message.patches:
+            o = patch.pose
+            patches.append((index, patch.side, o.position.y, o.position.z, *(getattr(patch, f) for f in PATCH_FIELDS)))
+            names.append(patch.method)
+    if not histories:
+        raise Failure("the bag contains no results")
+    results.stamp, status, results.y, results.z, results.roll, results.yaw = np.array(histories, float).T
+    results.status = status.astype(int)
+    results.rail = np.array(rails, float)
+    results.rail[~np.isin(results.status, USABLE)] = np.nan
+    table = np.array(patches, float).reshape(-1, 4 + len(PATCH_FIELDS)).T
+    results.patches = dict(zip(("result", "side", "y", "z", *PATCH_FIELDS), table))
+    for name in ("result", "side"):
+        results.patches[name] = results.patches[name].astype(int)
+    results.patches["method"] = np.array(names, dtype=object)
+    return results
+
+
+def per_result(values, results, index, reduce):
+    """One value per result, from the values of its patches.
+
+    @param values one per patch
+    @param index the patches to include
+    @param reduce "max" or "sum"
+    @return NaN for a result without such a patch
+    """
+    operation, start = {"max": (np.fmax, np.nan), "sum": (np.add, 0.0)}[reduce]
+    reduced = np.full(len(results.stamp), np.nan)
+    chosen = results.patches["result"][index]
+    reduced[chosen] = start
+    operation.at(reduced, chosen, values[index])
+    return reduced
+
+
+def read_full(path, topic, wanted):
+    """Messages with grids of the results with the indices `wanted`, as a dictionary by index."""
+    with rosbag.Bag(str(path)) as bag:
+        stored = enumerate(bag.read_messages(topics=[topic], raw=True))
+        return {index: _message(raw) for index, (_, raw, _) in stored if index in wanted}
