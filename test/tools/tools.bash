@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by the checks: source and build folders, and what every check needs.
+# Sourced by the checks. Arguments: source and build folders. Provides functions that several checks use.
 set -euo pipefail
 source_dir=$(cd "$1" && pwd)
 mkdir -p "$2"
 build_dir=$(cd "$2" && pwd)
 cd "$source_dir"
 
-# Ends as skipped unless the command is there and, if a version is given, is that version.
+# require COMMAND [VERSION]: exits as skipped if the command is not installed or has another version.
 require()
 {
   local command=$1 version=${2:-}
@@ -16,7 +16,7 @@ require()
     exit 77
   fi
   if [[ -n $version ]] && ! "$command" --version | grep --quiet "version $version\."; then
-    echo "skipped: needs $command $version, found: $("$command" --version | head --lines=1)"
+    echo "skipped: requires $command $version, found: $("$command" --version | head --lines=1)"
     exit 77
   fi
 }
@@ -26,7 +26,7 @@ cpp_files()
   find include src test -name '*.h' -print0 -o -name '*.cpp' -print0 | sort --zero-terminated
 }
 
-# Files whose first line names the given interpreter, and those with the given suffix.
+# files_for INTERPRETER SUFFIX: files with this suffix, and files whose first line contains the interpreter.
 files_for()
 {
   local interpreter=$1 suffix=$2
@@ -38,14 +38,14 @@ files_for()
     done
 }
 
-# A list of paths separated by colons, without those in the build folder.
+# without_build_dir PATHS: a list of paths separated by colons, without those in the build folder.
 without_build_dir()
 {
   tr ':' '\n' <<< "$1" | grep --invert-match --fixed-strings "$build_dir" | paste --serial --delimiters=: || true
 }
 
-# A folder for the check, gone with it. Not in the build folder: that lies inside the package, where roslaunch and rosrun
-# would find what is copied or linked there.
+# Creates a temporary folder, which is removed when the check ends. It is not in the build folder, because this is inside the
+# package: roslaunch and rosrun would find copies and links in it.
 make_scratch_dir()
 {
   scratch_dir=$(mktemp --directory)
