@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures every method on every grid over the scenes of the chart, and writes what it finds to standard output: comma
-// separated values under a line of names, SI units; lines that begin with # tell of build and progress. Called by
-// contact_chart, which draws them.
+// Measures every method on every grid in the scenes of the chart. Writes the results to standard output:
+// comma-separated values under a header line, in SI units. Lines that begin with # contain information on the build and
+// the progress. Called by contact_chart, which draws the results.
 //
 //   contact_chart_runner [--quick]
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins the parts of a replay that contact_replay answered with --from and --to. Called by contact_campaign.
+// Joins the results of consecutive parts of a bag (contact_replay with --from and --to). contact_campaign calls it.
 //
 //   contact_join [--lz4] OUT.bag PART.bag...
 #include <exception>

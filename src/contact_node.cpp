@@ -17,16 +17,17 @@ namespace
 {
 using wheel_rail_contact::ContactServer;
 
-constexpr std::chrono::milliseconds patience(500);  ///< with the evaluation in hand, when the node ends
+constexpr std::chrono::milliseconds end_timeout(500);  ///< for the current evaluation when the node ends
 
-/// Ends the server; if its evaluation takes too long, the process, for nobody waits for that answer any more.
+/// Ends the server. If the current evaluation exceeds the timeout, ends the process instead: its result would not be
+/// published.
 void end(std::unique_ptr<ContactServer> server)
 {
   std::promise<void> ended;
   std::thread guard(
       [&ended]
       {
-        if (ended.get_future().wait_for(patience) == std::future_status::timeout)
+        if (ended.get_future().wait_for(end_timeout) == std::future_status::timeout)
         {
           std::_Exit(EXIT_SUCCESS);
         }
@@ -50,7 +51,7 @@ int main(int argc, char** argv)
   }
   catch (const std::exception& error)
   {
-    std::cerr << "contact_node: " << error.what() << '\n';  // the ROS log is gone with the last node handle
+    std::cerr << "contact_node: " << error.what() << '\n';  // the ROS log has ended with the last node handle
     return EXIT_FAILURE;
   }
 }

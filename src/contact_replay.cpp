@@ -13,9 +13,9 @@ enum ExitStatus
 {
   done = 0,
   failed = 1,
-  misused = 2,
+  wrong_arguments = 2,
   input_damaged = 3,
-  broken_off = 130
+  ended_by_signal = 130
 };
 
 std::atomic<bool> interrupted{false};
@@ -23,12 +23,12 @@ std::atomic<bool> interrupted{false};
 void interrupt(int signal)
 {
   interrupted = true;
-  std::signal(signal, SIG_DFL);  // the second one ends the program at once
+  std::signal(signal, SIG_DFL);  // a second signal ends the program immediately
 }
 
 ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
 {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is told like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is then reported like a full disk
   wheel_rail_contact::Replay replay(options);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
@@ -36,8 +36,8 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   replay.printSummary(std::cout);
   if (interrupted)
   {
-    std::cerr << "contact_replay: broken off; the same command with --resume goes on\n";
-    return broken_off;
+    std::cerr << "contact_replay: interrupted; the same command with --resume continues\n";
+    return ended_by_signal;
   }
   for (const std::string& fault : replay.faults())
   {
@@ -45,7 +45,7 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   }
   if (replay.results() == 0 && options.span.isWhole())
   {
-    std::cerr << "contact_replay: " << options.input << ": there was no pair to answer\n";
+    std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load\n";
     return failed;
   }
   return replay.faults().empty() ? done : input_damaged;
@@ -67,7 +67,7 @@ int main(int argc, char** argv)
   catch (const std::invalid_argument& error)
   {
     std::cerr << "contact_replay: " << error.what() << "\n(contact_replay --help)\n";
-    return misused;
+    return wrong_arguments;
   }
   catch (const std::exception& error)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The calculations behind the command paper_study, which finds the files and draws the pictures:
+// The calculations of the command paper_study. The command finds the files and draws the pictures.
 //   paper_study_runner OUT CONFIG.yaml TABLE.yaml...
 #include <csignal>
 #include <exception>
@@ -41,7 +41,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: paper_study_runner OUT CONFIG.yaml TABLE.yaml...\n";
     return 2;
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is told like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // at the file size limit, writing fails with an error as on a full disk
   try
   {
     run(argv[1], argv[2], {argv + 3, argv + argc});

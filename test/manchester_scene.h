@@ -8,8 +8,8 @@
 
 namespace wheel_rail_contact::core
 {
-/// The Manchester contact benchmark (Shackleton and Iwnicki 2008, Vehicle System Dynamics 46): S1002 on UIC60, rails
-/// inclined 1:40, gauge 1435 mm, flange backs 1360 mm apart, rolling radius 460 mm.
+/// Model of the Manchester contact benchmark (Shackleton and Iwnicki 2008, Vehicle System Dynamics 46): S1002 on UIC60,
+/// rail inclination 1:40, gauge 1435 mm, back-to-back distance 1360 mm, rolling radius 460 mm.
 inline ContactModelConfig manchesterScene()
 {
   ContactModelConfig config;
@@ -18,14 +18,14 @@ inline ContactModelConfig manchesterScene()
   return config;
 }
 
-/// Rail on pads of 40 kN/mm (lateral) and 100 kN/mm (vertical) every 0.6 m; source as in config/rails/pads_40_100.yaml.
+/// Rail on pads of 40 kN/mm (lateral) and 100 kN/mm (vertical) every 0.6 m. Source: see config/rails/pads_40_100.yaml.
 inline ComplianceTable softPads()
 {
   return {60.5e-9, 303e-9, 2.63e-6, 5.6e-9};
 }
 
-/// Pads of 10 kN/mm (lateral) and 25 kN/mm (vertical); source as in config/rails/pads_10_25.yaml. Setting the rail to
-/// the contact's forces and the contact to the rail in turn swings between tread and flange there.
+/// Rail on pads of 10 kN/mm (lateral) and 25 kN/mm (vertical). Source: see config/rails/pads_10_25.yaml. On this rail,
+/// a simple iteration between rail deflection and contact oscillates between tread and flange.
 inline ComplianceTable verySoftPads()
 {
   return {135.8e-9, 612e-9, 4.60e-6, 14.5e-9};

@@ -15,15 +15,15 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr int lz4_block_size = 6;               ///< 1 MiB, roslz4_blockSizeFromIndex()
-constexpr std::size_t bz2_step = 1 << 20;       ///< [B] of content to begin with
-constexpr std::size_t lz4_largest_ratio = 255;  ///< content to data: a byte of data stands for so many at most
+constexpr std::size_t bz2_step = 1 << 20;       ///< first size of the buffer [B]
+constexpr std::size_t lz4_largest_ratio = 255;  ///< upper limit of content size to data size
 
 [[noreturn]] void refuseDamaged()
 {
   throw BagError("compressed data is damaged");
 }
 
-/// The room grows with the content, so that a size that is only claimed takes no memory.
+/// Decompresses bz2 data. The buffer grows with the content, because the size in a damaged header may be far too large.
 std::string unpackedBz2(std::string data, std::size_t size)
 {
   std::string content;
@@ -42,7 +42,7 @@ std::string unpackedBz2(std::string data, std::size_t size)
     stream.next_out = &content[done];
     stream.avail_out = static_cast<unsigned int>(content.size() - done);
     state = BZ2_bzDecompress(&stream);
-    if (state == BZ_OK && stream.avail_out > 0)  // the data ends before the content
+    if (state == BZ_OK && stream.avail_out > 0)  // the data is truncated
     {
       state = BZ_UNEXPECTED_EOF;
     }
@@ -78,7 +78,7 @@ std::string decompressed(const std::string& compression, std::string data, std::
 {
   if (size > largest_record)
   {
-    throw BagError("a chunk claims to hold more than 256 MiB");
+    throw BagError("its header gives a size above 256 MiB");
   }
   if (compression == "none")
   {
@@ -103,15 +103,15 @@ std::string compressed(const std::string& compression, std::string content)
   }
   if (compression != "lz4")
   {
-    throw BagError("cannot compress by '" + compression + "'");
+    throw BagError("cannot compress with '" + compression + "'");
   }
-  // Room for data that cannot be made smaller: block and frame headers.
+  // Incompressible data becomes larger by the headers of blocks and frame.
   std::string data(content.size() + content.size() / 100 + 1024, '\0');
   auto length = static_cast<unsigned int>(data.size());
   if (roslz4_buffToBuffCompress(content.data(), static_cast<unsigned int>(content.size()), data.data(), &length,
                                 lz4_block_size) != ROSLZ4_OK)
   {
-    throw BagError("lz4 cannot compress a chunk");
+    throw BagError("lz4 failed to compress a chunk");
   }
   data.resize(length);
   return data;

@@ -11,7 +11,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t pair_length = 8;  ///< (conn, number of messages) in a chunk info record
+constexpr std::size_t pair_length = 8;  ///< (conn, number of messages) in a chunk info record [B]
 
 bool isWanted(const BagContents& contents, std::uint32_t connection, const TopicFilter& wanted)
 {
@@ -19,7 +19,7 @@ bool isWanted(const BagContents& contents, std::uint32_t connection, const Topic
   return found != contents.connections.end() && wanted(found->second.topic);
 }
 
-/// Those of a connection that the bag does not describe are nobody's.
+/// Adds to the number of messages of a connection. Messages of a connection without a record are not counted.
 void countMessages(BagContents& contents, std::uint32_t connection, std::uint64_t count)
 {
   if (contents.connections.count(connection) > 0)
@@ -50,7 +50,8 @@ void addChunkInfo(const BagFields& header, std::string_view data, const TopicFil
   }
 }
 
-/// @throw BagError if the index is not whole.
+/// Reads the index section.
+/// @throw BagError if it is missing or incomplete.
 BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, const BagSpan& span)
 {
   if (file.indexSection() == 0)
@@ -75,14 +76,14 @@ BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, con
   const BagFields& header = file.recordAt(bag_magic.size()).header;
   if (contents.connections.size() != header.number<std::uint32_t>("conn_count"))
   {
-    throw BagError("its index is not whole");
+    throw BagError("the index is incomplete");
   }
   const auto earlier = [](const BagChunk& a, const BagChunk& b) { return a.position < b.position; };
   std::sort(contents.chunks.begin(), contents.chunks.end(), earlier);
   return contents;
 }
 
-/// Looks through a bag without index from its beginning to its end.
+/// Reads a bag without index from beginning to end.
 class Scan
 {
  public:
@@ -102,14 +103,14 @@ class Scan
     catch (const BagError&)
     {
       contents_.fault +=
-          "; nothing can be read from byte " + std::to_string(position) + " of " + std::to_string(file_.size()) + " on";
+          "; it is unreadable from byte " + std::to_string(position) + " of " + std::to_string(file_.size()) + " on";
     }
     finishChunk();
     return std::move(contents_);
   }
 
  private:
-  /// @return where the next record begins
+  /// Processes the record at a position. @return position of the next record
   std::uint64_t take(std::uint64_t position)
   {
     const BagFile::Place record = file_.recordAt(position);
@@ -153,7 +154,7 @@ class Scan
     const std::string data = file_.dataOf(record);
     if (contents_.connections.count(connection) == 0 && !damaged_)
     {
-      tryToLookThrough(false);
+      tryToScanChunk(false);
     }
     holds_wanted_ = holds_wanted_ || isWanted(contents_, connection, wanted_);
     std::uint64_t count = 0;
@@ -167,12 +168,12 @@ class Scan
     indexed_ = indexed_ || count > 0;
   }
 
-  /// Ends at the end of the file.
+  /// Takes all records from a position to the end of the file as an unclosed chunk. @return the end of the file
   std::uint64_t takeLoose(std::uint64_t position)
   {
     if (file_.size() - position > largest_record)
     {
-      contents_.fault += "; of the chunk that was not closed only the first 256 MiB are read";
+      contents_.fault += "; only the first 256 MiB are read of the chunk that was not closed";
     }
     chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), true};
     in_chunk_ = true;
@@ -184,7 +185,7 @@ class Scan
   {
     if (in_chunk_ && !indexed_)
     {
-      tryToLookThrough(true);
+      tryToScanChunk(true);
     }
     if (in_chunk_ && holds_wanted_ && !damaged_)
     {
@@ -193,12 +194,12 @@ class Scan
     in_chunk_ = indexed_ = holds_wanted_ = damaged_ = false;
   }
 
-  /// A damaged chunk is left out; those after it are not lost with it.
-  void tryToLookThrough(bool with_messages)
+  /// Scans the current chunk. If it is damaged, it is skipped and reported; the following chunks are still read.
+  void tryToScanChunk(bool with_messages)
   {
     try
     {
-      lookThrough(chunk_, with_messages);
+      scanChunk(chunk_, with_messages);
     }
     catch (const BagError& error)
     {
@@ -207,8 +208,9 @@ class Scan
     }
   }
 
-  /// Learns the chunk's connections, and where no index told it the times and numbers of its messages.
-  void lookThrough(BagChunk& chunk, bool with_messages)
+  /// Reads the connections of a chunk.
+  /// @param with_messages true: also reads the times and numbers of its messages, if the chunk has no index records
+  void scanChunk(BagChunk& chunk, bool with_messages)
   {
     forEachRecord(chunkRecords(file_, chunk),
                   [&](const BagRecord& record)
@@ -230,14 +232,14 @@ class Scan
   const BagFile& file_;
   const TopicFilter& wanted_;
   BagContents contents_;
-  BagChunk chunk_;             ///< the one whose index is being read
-  bool in_chunk_ = false;      ///< `chunk_` means something
-  bool indexed_ = false;       ///< an index has told its times
-  bool holds_wanted_ = false;  ///< it holds messages that are asked for
+  BagChunk chunk_;             ///< chunk to which the current index records belong
+  bool in_chunk_ = false;      ///< `chunk_` is valid
+  bool indexed_ = false;       ///< its index records contain messages
+  bool holds_wanted_ = false;  ///< it contains messages of wanted topics
   bool damaged_ = false;       ///< it cannot be read
 };
 
-/// The beginning of `bytes` that consists of whole records of the kinds that stand in chunks.
+/// The complete message and connection records at the beginning of `bytes`.
 std::string wholeRecords(std::string bytes)
 {
   std::size_t length = 0;
@@ -253,7 +255,7 @@ std::string wholeRecords(std::string bytes)
       length += record.length;
     }
   }
-  catch (const BagError&)  // the rest is not whole
+  catch (const BagError&)  // the remaining bytes are not a complete record
   {
   }
   bytes.resize(length);

@@ -14,56 +14,58 @@
 
 namespace wheel_rail_contact
 {
-/// Who published what on which topic.
+/// Connection of a bag: one publisher on one topic.
 struct BagConnection
 {
-  std::string topic;  ///< as the publisher named it
-  BagFields header;   ///< type, md5sum, message_definition, and what else the publisher said
+  std::string topic;  ///< name of the topic in the bag
+  BagFields header;   ///< type, md5sum, message_definition and further fields of the publisher
 };
 
-/// A stretch of recording times: `from` belongs to it, `to` does not [ns].
+/// Span of recording times, from `from` (inclusive) to `to` (exclusive).
 struct BagSpan
 {
   std::uint64_t from = 0;                                        ///< [ns]
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< [ns]
 
-  /// True if nothing lies outside.
+  /// True if the span contains all recording times.
   bool isWhole() const { return from == 0 && to == std::numeric_limits<std::uint64_t>::max(); }
 };
 
-/// Part of a bag that is read in one go.
+/// Part of a bag that is read at once: a chunk, or the loose records of an unclosed chunk.
 struct BagChunk
 {
-  std::uint64_t position = 0;  ///< of its record, or of the first of its loose records
-  std::uint64_t start = 0;     ///< earliest time of its messages [ns]
-  bool loose = false;          ///< records up to the end of the file that no chunk was closed around
+  std::uint64_t position = 0;  ///< of the chunk record, or of the first loose record [B]
+  std::uint64_t start = 0;     ///< earliest recording time of its messages [ns]
+  bool loose = false;          ///< true: loose records, up to the end of the file
 };
 
-/// What is in a bag, without its messages.
+/// Contents of a bag without the messages.
 struct BagContents
 {
   std::map<std::uint32_t, BagConnection> connections;  ///< by number
-  std::map<std::uint32_t, std::uint64_t> messages;     ///< by connection, in the chunks that touch the span
-  /// Those with messages asked for, in the order of the file; none that ends before the span, as far as an index tells.
+  /// Number of messages by connection. With an index, only chunks that overlap the span count.
+  std::map<std::uint32_t, std::uint64_t> messages;
+  /// Chunks with messages of wanted topics, in the order of the file. With an index, chunks that end before the span
+  /// are left out.
   std::vector<BagChunk> chunks;
-  std::string fault;  ///< why the bag is not whole; empty if it is
+  std::string fault;  ///< reason why the bag is incomplete; empty if it is complete
 };
 
-/// True for the topics whose messages are asked for.
+/// Predicate: true for the topics whose messages are wanted.
 using TopicFilter = std::function<bool(const std::string& topic)>;
 
-/// Reads a bag's index; where there is none (the recorder crashed, the file was cut off), looks through the whole file.
-/// Memory: 24 B for each chunk.
+/// Reads the index of a bag. If there is none (crashed recorder, truncated file), reads the whole file.
+/// Memory: 24 B per chunk.
 BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span = {});
 
-/// The chunk's records as they stand there; of loose records all that are whole.
+/// Bytes of the records in a chunk, decompressed. Of loose records only the complete ones are returned.
 /// @throw BagError if the data is damaged.
 std::string chunkRecords(const BagFile& file, const BagChunk& chunk);
 
-/// Greatest number of a bag's connections: what has more is damaged, and shall not fill the memory.
+/// Largest number of connections of a bag. The limit protects the memory from damaged bags.
 inline constexpr std::size_t most_connections = 1 << 16;
 
-/// Adds the connection that a connection record describes, unless one of its number is there already.
-/// @throw BagError if the record is damaged, or there are too many.
+/// Adds the connection of a connection record, unless `contents` already has a connection of this number.
+/// @throw BagError if the record is damaged, or if there are more than most_connections.
 void addConnection(const BagFields& record_header, std::string_view data, BagContents& contents);
 }  // namespace wheel_rail_contact

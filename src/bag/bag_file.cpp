@@ -12,7 +12,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t longest_header = 1 << 20;  ///< [B] what claims to be longer is damaged
+constexpr std::uint32_t longest_header = 1 << 20;  ///< a record with a longer header is damaged [B]
 }
 
 BagFile::BagFile(const std::string& path) : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
@@ -43,16 +43,16 @@ void BagFile::readBagHeader()
 {
   if (size_ < bag_magic.size() || bytes(0, bag_magic.size()) != bag_magic)
   {
-    throw BagError(path_ + ": no bag of version 2.0 (older ones: rosbag fix)");
+    throw BagError(path_ + ": not a bag of version 2.0 (older versions: rosbag fix)");
   }
   const Place header = recordAt(bag_magic.size());
   if (header.header.op() != BagOp::bag_header)
   {
-    throw BagError(path_ + ": the bag's first record is not its header");
+    throw BagError(path_ + ": the first record is not a bag header");
   }
   if (header.header.has("encryptor") && !header.header.text("encryptor").empty())
   {
-    throw BagError(path_ + ": the bag is encrypted (rosbag decrypt)");
+    throw BagError(path_ + ": the bag is encrypted (decrypt it with rosbag decrypt)");
   }
   first_record_ = header.end();
   index_section_ = header.header.number<std::uint64_t>("index_pos");
@@ -62,11 +62,11 @@ std::string BagFile::bytes(std::uint64_t position, std::uint64_t length) const
 {
   if (position > size_ || length > size_ - position)
   {
-    throw BagError(path_ + ": the file ends in the middle of a record");
+    throw BagError(path_ + ": the file ends within a record");
   }
   if (length > largest_record)
   {
-    throw BagError(path_ + ": " + std::to_string(length >> 20U) + " MiB in one piece, more than 256 MiB");
+    throw BagError(path_ + ": " + std::to_string(length >> 20U) + " MiB in one record, more than 256 MiB");
   }
   std::string result(length, '\0');
   std::uint64_t done = 0;
@@ -79,7 +79,8 @@ std::string BagFile::bytes(std::uint64_t position, std::uint64_t length) const
     }
     if (got <= 0)
     {
-      throw BagError(path_ + ": " + (got == 0 ? "the file was cut off" : std::generic_category().message(errno)));
+      throw BagError(path_ + ": " +
+                     (got == 0 ? "the file was truncated while it was read" : std::generic_category().message(errno)));
     }
     done += static_cast<std::uint64_t>(got);
   }
@@ -91,7 +92,7 @@ BagFile::Place BagFile::recordAt(std::uint64_t position) const
   const auto header_length = numberAt<std::uint32_t>(bytes(position, sizeof(std::uint32_t)));
   if (header_length > longest_header)
   {
-    throw BagError(path_ + ": no record at byte " + std::to_string(position));
+    throw BagError(path_ + ": no valid record at byte " + std::to_string(position));
   }
   const std::string header = bytes(position + sizeof(std::uint32_t), header_length + sizeof(std::uint32_t));
   Place place;

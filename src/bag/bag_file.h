@@ -8,41 +8,43 @@
 
 namespace wheel_rail_contact
 {
-/// A bag open for reading, record by record.
+/// A bag file (rosbag format 2.0), opened for reading record by record.
 class BagFile
 {
  public:
-  /// @throw BagError if the file cannot be read or is no bag of version 2.0.
+  /// @throw BagError if the file cannot be read, is not a bag of version 2.0 or is encrypted.
   explicit BagFile(const std::string& path);
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
-  /// As given.
+  /// Path passed to the constructor.
   const std::string& path() const { return path_; }
-  /// Of the file [B].
+  /// Size of the file [B].
   std::uint64_t size() const { return size_; }
 
-  /// @throw BagError if they go beyond the end of the file, or are more than largest_record.
+  /// Bytes of the file. Position and length in bytes.
+  /// @throw BagError if they extend beyond the end of the file, or if `length` exceeds largest_record.
   std::string bytes(std::uint64_t position, std::uint64_t length) const;
 
-  /// A record's header, and where its data stands.
+  /// Header of a record and position of its data.
   struct Place
   {
-    BagFields header;          ///< its fields
-    std::uint64_t data = 0;    ///< position in the file [B]
-    std::uint64_t length = 0;  ///< of the data [B]
-    /// Where the next record begins [B].
+    BagFields header;          ///< fields of the record
+    std::uint64_t data = 0;    ///< position of the data in the file [B]
+    std::uint64_t length = 0;  ///< length of the data [B]
+    /// Position of the next record [B].
     std::uint64_t end() const { return data + length; }
   };
-  /// @throw BagError if there is no header of a record here; the data may go beyond the end of the file.
+  /// Reads the header of the record at a position [B]. Its data may extend beyond the end of the file.
+  /// @throw BagError if there is no valid header.
   Place recordAt(std::uint64_t position) const;
-  /// A record's data. @throw BagError if they go beyond the end of the file, or are more than largest_record.
+  /// Data of a record. @throw BagError as bytes().
   std::string dataOf(const Place& place) const { return bytes(place.data, place.length); }
 
-  /// Where the record after the bag header begins.
+  /// Position of the record after the bag header [B].
   std::uint64_t firstRecord() const { return first_record_; }
-  /// Where the index section begins; 0 if the bag was not closed.
+  /// Position of the index section [B]; 0 if the bag was not closed.
   std::uint64_t indexSection() const { return index_section_; }
 
  private:

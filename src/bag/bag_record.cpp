@@ -9,14 +9,14 @@ namespace
 {
 constexpr std::uint64_t second = 1000000000;  ///< [ns]
 
-/// Takes a length and so many bytes off the beginning of `bytes`.
+/// Removes a length and that number of bytes from the beginning of `bytes`. @return the bytes after the length
 std::string_view takeCounted(std::string_view& bytes)
 {
   const auto length = numberAt<std::uint32_t>(bytes);
   bytes.remove_prefix(sizeof(length));
   if (bytes.size() < length)
   {
-    throw BagError("a record is cut off");
+    throw BagError("a record is truncated");
   }
   const std::string_view taken = bytes.substr(0, length);
   bytes.remove_prefix(length);

@@ -10,51 +10,51 @@
 
 namespace wheel_rail_contact
 {
-/// Something is wrong with a bag.
+/// A bag cannot be read or written.
 class BagError : public std::runtime_error
 {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Records of the rosbag format 2.0: <length><header><length><data>, where a header is a list of <length>name=value.
-// Lengths are 4 bytes; numbers stand least significant byte first, as on every machine that ROS 1 runs on.
+// Records of the rosbag format 2.0: <length><header><length><data>. A header is a list of <length>name=value. Lengths
+// have 4 bytes. Numbers are little-endian, as on every machine on which ROS 1 runs, and are therefore copied unchanged.
 
-/// Kinds of records, the header field `op`.
+/// Record types: values of the header field `op`. Comments: header fields | data.
 enum class BagOp : std::uint8_t
 {
-  message = 2,     ///< conn, time | the message as published
-  bag_header = 3,  ///< index_pos, conn_count, chunk_count | blanks
-  index = 4,       ///< ver, conn, count | (time, offset) of each message of one connection in the chunk before
+  message = 2,     ///< conn, time | serialised message
+  bag_header = 3,  ///< index_pos, conn_count, chunk_count | spaces
+  index = 4,       ///< ver, conn, count | (time, offset) of each message of one connection in the preceding chunk
   chunk = 5,       ///< compression, size | connection and message records
   chunk_info = 6,  ///< ver, chunk_pos, start_time, end_time, count | (conn, number of messages) of each connection
-  connection = 7   ///< conn, topic | the connection's own header: topic, type, md5sum, message_definition, ...
+  connection = 7   ///< conn, topic | header of the connection: topic, type, md5sum, message_definition, ...
 };
 
-/// What every bag of version 2.0 begins with.
+/// First bytes of every bag of version 2.0.
 inline constexpr std::string_view bag_magic = "#ROSBAG V2.0\n";
-/// Length of the bag header record with its blanks.
+/// Length of the bag header record, including the spaces [B].
 inline constexpr std::size_t bag_header_length = 4096;
-/// The longest record that is read, and the largest chunk as it is unpacked: what claims to be larger is taken for
-/// damage that shall not fill the memory [B]. `rosbag record` makes chunks of 0.75 MiB unless told otherwise.
+/// Largest record that is read, and largest decompressed chunk [B]. Larger ones are regarded as damaged, to limit the
+/// memory. `rosbag record` makes chunks of 0.75 MiB by default.
 inline constexpr std::uint64_t largest_record = 1 << 28;
-/// Length of one entry of an index record: time, offset.
+/// Length of one entry (time, offset) of an index record [B].
 inline constexpr std::size_t index_entry_length = 12;
 
-/// The number whose bytes stand at the beginning of `bytes`. @throw BagError if there are too few.
+/// Number at the beginning of `bytes`. @throw BagError if there are too few bytes.
 template <typename Number>
 Number numberAt(std::string_view bytes)
 {
   Number number = 0;
   if (bytes.size() < sizeof(number))
   {
-    throw BagError("a number is cut off");
+    throw BagError("a number is truncated");
   }
   std::memcpy(&number, bytes.data(), sizeof(number));
   return number;
 }
 
-/// The bytes of a number.
+/// Bytes of a number.
 template <typename Number>
 std::string bytesOf(Number number)
 {
@@ -63,57 +63,59 @@ std::string bytesOf(Number number)
   return bytes;
 }
 
-/// Time as bags write it (seconds and nanoseconds, 4 bytes each) from and to nanoseconds.
+/// Time [ns] at the beginning of `bytes`, in the format of bags: seconds and nanoseconds, 4 bytes each.
+/// @throw BagError if there are too few bytes.
 std::uint64_t timeAt(std::string_view bytes);
-/// The bytes of a time.
+/// Bytes of a time [ns] in the format of bags.
 std::string timeBytes(std::uint64_t nanoseconds);
 
-/// Fields of a header by name.
+/// Header of a record: fields by name.
 class BagFields
 {
  public:
   BagFields() = default;
-  /// @throw BagError if the bytes are no list of fields.
+  /// Parses a header. @throw BagError if the bytes are not a list of fields.
   explicit BagFields(std::string_view bytes);
 
-  /// True if there is a field of this name.
+  /// True if the header has a field of this name.
   bool has(const std::string& name) const { return fields_.count(name) > 0; }
-  /// @throw BagError if there is none of the name.
+  /// Bytes of a field. @throw BagError if it is missing.
   const std::string& text(const std::string& name) const;
-  /// A field as a little-endian number. @throw BagError if there is none, or it is too short.
+  /// Field as a little-endian number. @throw BagError if it is missing or too short.
   template <typename Number>
   Number number(const std::string& name) const
   {
     return numberAt<Number>(text(name));
   }
-  /// A field as a time [ns]. @throw BagError likewise.
+  /// Field as a time [ns]. @throw BagError if it is missing or too short.
   std::uint64_t time(const std::string& name) const { return timeAt(text(name)); }
-  /// What kind of record this header begins.
+  /// Type of the record. @throw BagError if the field `op` is missing.
   BagOp op() const { return static_cast<BagOp>(number<std::uint8_t>("op")); }
 
-  /// Sets a field's bytes.
+  /// Sets a field.
   BagFields& set(const std::string& name, std::string value);
-  /// Sets the kind of record.
+  /// Sets the type of the record.
   BagFields& set(BagOp op) { return set("op", bytesOf(static_cast<std::uint8_t>(op))); }
-  /// As a header, in alphabetical order.
+  /// Bytes of the header; fields in alphabetical order.
   std::string bytes() const;
 
  private:
   std::map<std::string, std::string> fields_;
 };
 
-/// A record that stands in memory.
+/// A record in memory.
 struct BagRecord
 {
-  BagFields header;        ///< its fields
-  std::string_view data;   ///< within the bytes it was read from
-  std::size_t length = 0;  ///< of the whole record in bytes
+  BagFields header;        ///< fields of the record
+  std::string_view data;   ///< points into the bytes from which the record was read
+  std::size_t length = 0;  ///< of the whole record [B]
 };
 
-/// The record at the beginning of `bytes`. @throw BagError if it is cut off or none.
+/// Record at the beginning of `bytes`. @throw BagError if it is truncated or invalid.
 BagRecord recordAt(std::string_view bytes);
 
-/// Calls `action` with each record of a chunk. @throw BagError where one is cut off or none, after those before it.
+/// Calls `action` with each record of a chunk.
+/// @throw BagError at the first truncated or invalid record, after the calls for the records before it.
 template <typename Action>
 void forEachRecord(std::string_view bytes, const Action& action)
 {
@@ -125,7 +127,7 @@ void forEachRecord(std::string_view bytes, const Action& action)
   }
 }
 
-/// Calls `action` with each message's time [ns] in the data of an index record.
+/// Calls `action` with the recording time [ns] of each message in the data of an index record.
 template <typename Action>
 void forEachIndexTime(std::string_view entries, const Action& action)
 {

@@ -8,8 +8,8 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t most_faults = 20;           ///< that are told one by one
-constexpr std::size_t most_open_bytes = 1 << 27;  ///< [B] of chunks that overlap in time
+constexpr std::size_t most_faults = 20;           ///< reported individually
+constexpr std::size_t most_open_bytes = 1 << 27;  ///< limit for chunks that overlap in time [B]
 }  // namespace
 
 bool BagStream::Later::operator()(const std::unique_ptr<OpenChunk>& a, const std::unique_ptr<OpenChunk>& b) const
@@ -51,7 +51,7 @@ std::optional<BagMessage> BagStream::next()
   return BagMessage{entry.connection, &contents_.connections.at(entry.connection), entry.time, entry.data};
 }
 
-/// Opens the chunks that may hold the next message.
+/// Opens the chunks that may contain the next message.
 void BagStream::openDueChunks()
 {
   const auto& chunks = contents_.chunks;
@@ -94,7 +94,7 @@ void BagStream::open(const BagChunk& chunk)
   }
 }
 
-/// In the order of the chunk; keeps the messages before any damage.
+/// Lists the wanted messages of a chunk in their order in the chunk. Messages before a damaged record are kept.
 void BagStream::listMessages(OpenChunk& chunk)
 {
   forEachRecord(chunk.records,
@@ -126,7 +126,7 @@ void BagStream::report(const std::string& fault)
   }
   else if (faults_.size() == most_faults)
   {
-    faults_.emplace_back("and more");
+    faults_.emplace_back("further faults are not listed");
   }
 }
 }  // namespace wheel_rail_contact

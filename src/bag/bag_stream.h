@@ -11,34 +11,35 @@
 
 namespace wheel_rail_contact
 {
-/// A message of a bag as it was published.
+/// A serialised message of a bag.
 struct BagMessage
 {
   std::uint32_t connection_id = 0;            ///< number of the connection
-  const BagConnection* connection = nullptr;  ///< that of BagContents
-  std::uint64_t time = 0;                     ///< at which it was recorded [ns]
-  std::string_view data;                      ///< valid until the next message is asked for
+  const BagConnection* connection = nullptr;  ///< in BagContents::connections
+  std::uint64_t time = 0;                     ///< recording time [ns]
+  std::string_view data;                      ///< valid until the next call of BagStream::next()
 };
 
-/// Delivers the messages of a bag in the order of their recording times, as `rosbag play` does; messages of equal time
-/// in the order of the file. Keeps only those chunks in memory that overlap in time, so that a bag may have any length.
-/// What cannot be read is left out and reported.
+/// Delivers the messages of a bag in the order of their recording times, as `rosbag play` does. Messages with equal
+/// times are delivered in the order of the file. Only chunks that overlap in time are in memory, so a bag may have any
+/// length. Unreadable parts are skipped and reported.
 class BagStream
 {
  public:
-  /// @param span messages before it are passed over; those after it are delivered
-  /// @throw BagError if the file cannot be read or is no bag, not for damage further on.
+  /// @param span messages before it are skipped; messages after it are delivered
+  /// @throw BagError if the file cannot be read or is not a bag. Damage further on causes no exception.
   BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span = {});
 
-  /// As far as it could be read.
+  /// Contents of the bag, as far as readable.
   const BagContents& contents() const { return contents_; }
-  /// Of the bag [B].
+  /// Size of the bag [B].
   std::uint64_t fileSize() const { return file_.size(); }
 
-  /// The next message, nothing at the end.
+  /// The next message; empty at the end.
+  /// @throw BagError if more than 128 MiB of chunks overlap in time.
   std::optional<BagMessage> next();
 
-  /// What could not be read so far, in sentences; empty if everything was.
+  /// Parts that could not be read so far, as text; empty if everything was read.
   const std::vector<std::string>& faults() const { return faults_; }
 
  private:
@@ -52,7 +53,7 @@ class BagStream
   {
     std::uint64_t position = 0;
     std::string records;
-    std::vector<Entry> entries;  ///< by time
+    std::vector<Entry> entries;  ///< in the order of time
     std::size_t next = 0;
   };
   struct Later
@@ -67,11 +68,11 @@ class BagStream
   void report(const std::string& fault);
 
   TopicFilter wanted_;
-  std::uint64_t from_;  ///< [ns]
+  std::uint64_t from_;  ///< beginning of the span [ns]
   BagFile file_;
-  BagContents contents_;  ///< chunks by start
+  BagContents contents_;  ///< chunks in the order of their start
   std::size_t next_chunk_ = 0;
-  std::vector<std::unique_ptr<OpenChunk>> open_;  ///< heap, earliest next message first
+  std::vector<std::unique_ptr<OpenChunk>> open_;  ///< heap; the chunk with the earliest next message is first
   std::vector<std::string> faults_;
 };
 }  // namespace wheel_rail_contact

@@ -19,7 +19,7 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr std::uint32_t version = 1;  ///< of index and chunk info records
-constexpr int permissions = 0666;     ///< less the umask
+constexpr int permissions = 0666;     ///< reduced by the umask
 
 std::string chunkInfoRecord(std::uint64_t position, std::uint64_t start, std::uint64_t end,
                             const std::map<std::uint32_t, std::uint32_t>& counts)
@@ -56,20 +56,20 @@ BagWriter::BagWriter(const std::string& path, std::string compression)
   writeBagHeader();
 }
 
-BagWriter::BagWriter(const std::string& path, std::string compression, const BagRemains& remains)
+BagWriter::BagWriter(const std::string& path, std::string compression, const BagResumePoint& resume_point)
     : path_(path),
       compression_(std::move(compression)),
       descriptor_(open(path.c_str(), O_WRONLY | O_CLOEXEC)),
-      already_there_(remains.messages),
+      already_there_(resume_point.messages),
       position_(bag_magic.size()),
-      chunk_infos_(remains.chunk_infos),
-      chunks_(remains.chunks)
+      chunk_infos_(resume_point.chunk_infos),
+      chunks_(resume_point.chunks)
 {
   if (descriptor_ < 0)
   {
     fail();
   }
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || ftruncate(descriptor_, static_cast<off_t>(remains.end)) != 0)
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || ftruncate(descriptor_, static_cast<off_t>(resume_point.end)) != 0)
   {
     const int reason = errno;
     ::close(descriptor_);
@@ -78,7 +78,7 @@ BagWriter::BagWriter(const std::string& path, std::string compression, const Bag
   }
   lseek(descriptor_, static_cast<off_t>(position_), SEEK_SET);
   writeBagHeader();
-  position_ = remains.end;
+  position_ = resume_point.end;
   lseek(descriptor_, static_cast<off_t>(position_), SEEK_SET);
 }
 
@@ -113,7 +113,7 @@ void BagWriter::put(std::string_view bytes)
   }
 }
 
-/// Says that the bag is not closed as long as there is no index section.
+/// Writes the bag header. Before the index section exists, its position and the counts are 0: the bag is not closed.
 void BagWriter::writeBagHeader()
 {
   const auto written = std::count_if(connections_.begin(), connections_.end(),
@@ -164,7 +164,7 @@ void BagWriter::write(std::uint32_t connection, std::uint64_t time, std::string_
   }
 }
 
-/// In one piece, so that a program that is killed leaves as few halves as can be.
+/// Writes the chunk and its index records at once. A killed process then rarely leaves an incomplete chunk.
 void BagWriter::finishChunk()
 {
   if (on_chunk_)
@@ -224,7 +224,7 @@ void BagWriter::close()
 
 namespace
 {
-/// A chunk of an unfinished bag with its index records.
+/// A chunk of an unfinished bag, with the content of its index records.
 struct FoundChunk
 {
   std::uint64_t position = 0, size = 0;
@@ -242,22 +242,22 @@ struct FoundChunk
                      });
   }
 
-  void addTo(BagRemains& remains) const
+  void addTo(BagResumePoint& resume_point) const
   {
-    remains.chunk_infos += chunkInfoRecord(position, start, end, counts);
-    ++remains.chunks;
+    resume_point.chunk_infos += chunkInfoRecord(position, start, end, counts);
+    ++resume_point.chunks;
     for (const auto& entry : counts)
     {
-      remains.messages += entry.second;
+      resume_point.messages += entry.second;
     }
   }
 };
 }  // namespace
 
-BagRemains remainsOf(const BagFile& file)
+BagResumePoint resumePointOf(const BagFile& file)
 {
-  BagRemains remains;
-  remains.end = file.firstRecord();
+  BagResumePoint resume_point;
+  resume_point.end = file.firstRecord();
   FoundChunk chunk;
   try
   {
@@ -268,12 +268,12 @@ BagRemains remainsOf(const BagFile& file)
       {
         chunk.addIndex(record.header, file.dataOf(record));
       }
-      else  // the chunk before is whole
+      else  // the preceding chunk is complete
       {
         if (chunk.size >= BagWriter::full_chunk)
         {
-          chunk.addTo(remains);
-          remains.end = position;
+          chunk.addTo(resume_point);
+          resume_point.end = position;
         }
         if (record.header.op() != BagOp::chunk)
         {
@@ -286,9 +286,9 @@ BagRemains remainsOf(const BagFile& file)
       position = record.end();
     }
   }
-  catch (const BagError&)  // cut off here
+  catch (const BagError&)  // truncated here
   {
   }
-  return remains;
+  return resume_point;
 }
 }  // namespace wheel_rail_contact

@@ -10,15 +10,15 @@ namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-constexpr int settling = 4 * longest_reach;       ///< messages before any is timed, if there is time
-constexpr int settling_automatic = 3 * settling;  ///< the same for auto, which tries coarser grids
-constexpr double settling_time = 0.1;             ///< at most [s]
-constexpr double fast = 5e-3;         ///< mean of an answer up to which groups are timed without a look at them [s]
-constexpr double visit_time = 1e-3;   ///< [s]
-constexpr double enough_time = 0.05;  ///< after so much, few answers will do [s]
+constexpr int warm_up = 4 * longest_reach;      ///< untimed messages at the start, within warm_up_time
+constexpr int warm_up_automatic = 3 * warm_up;  ///< the same for auto, which first tries coarser grids
+constexpr double warm_up_time = 0.1;            ///< [s]
+constexpr double fast = 5e-3;         ///< mean time of a result up to which timing and inspection are separate [s]
+constexpr double visit_time = 1e-3;   ///< time of one visit [s]
+constexpr double enough_time = 0.05;  ///< time after which few results are sufficient [s]
 constexpr std::size_t few = 3;
 
-/// CPU time of this thread [s]: what else runs on the machine does not count.
+/// CPU time of this thread [s], independent of other processes.
 double now()
 {
   timespec t{};
@@ -26,7 +26,7 @@ double now()
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// True outcomes at all places of the way.
+/// Reference solutions at all positions.
 class Truths
 {
  public:
@@ -48,20 +48,20 @@ class Truths
 class Runner
 {
  public:
-  Runner(Entry& entry, std::unique_ptr<MethodRun> contender, const Truths& truths)
-      : entry_(entry), run_(std::move(contender)), truths_(truths)
+  Runner(Entry& entry, std::unique_ptr<MethodRun> run, const Truths& truths)
+      : entry_(entry), run_(std::move(run)), truths_(truths)
   {
   }
 
-  /// The first answer, cold, and some more. Returns the longest time of those: a method that refuses the scene at once
-  /// may labour on one beside it.
-  double settle()
+  /// Evaluates the first result from a cold start, and some more. Returns the longest time of a result: a method that
+  /// fails at once on the scene may take long at the next position.
+  double warmUp()
   {
     const double start = now();
-    double longest = timeOf(1, [this](int) { run_->result(0); });
+    double longest = timeOf(1, [this](int) { run_->solve(0); });
     int results = 1;
-    const int messages = entry_.choice.isAutomatic() ? settling_automatic : settling;
-    for (int i = 0; i < messages && now() - start < settling_time; ++i)
+    const int messages = entry_.choice.isAutomatic() ? warm_up_automatic : warm_up;
+    for (int i = 0; i < messages && now() - start < warm_up_time; ++i)
     {
       longest = std::max(longest, timeOf(1, [this](int) { next(); }));
       ++results;
@@ -70,39 +70,41 @@ class Runner
     return longest;
   }
 
-  /// The whole way to and fro.
+  /// Warm results at all positions, to and fro.
   void visitWarm()
   {
-    visit(entry_.warm, way(), [this](int) { return next(); });
+    visit(entry_.warm, period(), [this](int) { return next(); });
   }
 
+  /// Cold results at the position of the scene.
   void visitCold()
   {
     visit(entry_.cold, slow_ ? 1 : 4,
           [this](int)
           {
-            run_->forget();
-            run_->result(0);
+            run_->reset();
+            run_->solve(0);
             return 0;
           });
   }
 
  private:
-  /// Messages to and fro.
-  int way() const { return 4 * truths_.reach(); }
+  /// Number of messages of one cycle to and fro.
+  int period() const { return 4 * truths_.reach(); }
 
-  /// Answers the next message of the way. Returns its offset: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
+  /// Solves the next message. Returns its offset: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
   int next()
   {
     const int reach = truths_.reach();
-    const int along = (++messages_ + reach) % way();
+    const int along = (++messages_ + reach) % period();
     const int offset = along <= 2 * reach ? along - reach : 3 * reach - along;
-    run_->result(offset);
+    run_->solve(offset);
     return offset;
   }
 
-  /// Times groups of messages (`message(i)` returns its offset). A group before them only fills the caches; the answers
-  /// of one after them are inspected, of slow contenders those that are timed, to which that is nothing.
+  /// Times groups of messages; `message(i)` returns the offset. A group before them only fills the caches. The results
+  /// of one group after them are inspected. Slow methods are inspected during timing, because the inspection takes
+  /// little time in comparison.
   template <typename Message>
   void visit(Series& series, int group, Message message)
   {
@@ -137,10 +139,10 @@ class Runner
     return (now() - start) / group;
   }
 
-  /// Looks at the last answer. The first place without one that can be compared decides.
+  /// Inspects the last result. The first position without a comparable result determines the status.
   void inspect(Series& series, int offset)
   {
-    if (series.status != Series::Status::evaluated)
+    if (series.status != Series::Status::solved)
     {
       return;
     }
@@ -155,7 +157,7 @@ class Runner
     else if (!compare(series.outcome, truth, errors))
     {
       series.status = Series::Status::other_patches;
-      series.reason = std::to_string(series.outcome.patches.size()) + " patches, the truth has " +
+      series.reason = std::to_string(series.outcome.patches.size()) + " patches, the reference solution has " +
                       std::to_string(truth.patches.size());
     }
     else
@@ -168,11 +170,11 @@ class Runner
   Entry& entry_;
   std::unique_ptr<MethodRun> run_;
   const Truths& truths_;
-  int messages_ = 0;  ///< of the way so far
+  int messages_ = 0;  ///< messages so far
   bool slow_ = false;
 };
 
-/// The truths' own error: their largest difference from those on a coarser grid [-].
+/// Error of the reference solutions: their largest difference from those on a coarser grid [-].
 double errorOf(const Truths& truths, const Truths& coarser, const std::string& scene)
 {
   Errors largest;
@@ -182,15 +184,16 @@ double errorOf(const Truths& truths, const Truths& coarser, const std::string& s
     Errors own;
     if (!truth.usable || !compare(coarser.at(offset), truth, own))
     {
-      throw std::runtime_error("no truth for " + scene + ", " + std::to_string(offset) +
-                               " steps beside it: " + truth.reason + " " + coarser.at(offset).reason);
+      throw std::runtime_error("no reference solution for " + scene + ", " + std::to_string(offset) +
+                               " steps from it: " + truth.reason + " " + coarser.at(offset).reason);
     }
     largest = larger(largest, own);
   }
   return largest.largest();
 }
 
-/// Time that a sweep method will take on a grid, from what it took on the one before: every cell acts on every other.
+/// Expected time of a sweep method on a grid, from its time on the previous one. It increases with the square of the
+/// number of cells.
 double expectedTime(const GridSize& before, double time, const GridSize& grid)
 {
   const double ratio = static_cast<double>(grid.along * grid.across) / (before.along * before.across);
@@ -206,8 +209,8 @@ Entry notRun(const Choice& choice, double expected)
   return {choice, series, series};
 }
 
-/// Sets up all contenders that will not take too long.
-std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, const Truths& truths, Result& result)
+/// Creates the runs of all methods whose expected time is not too long.
+std::vector<std::unique_ptr<Runner>> makeRunners(Scene& scene, const Plan& plan, const Truths& truths, Result& result)
 {
   std::vector<std::unique_ptr<Runner>> runners;
   const Entry* before = nullptr;
@@ -224,8 +227,8 @@ std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, cons
         continue;
       }
     }
-    runners.push_back(std::make_unique<Runner>(entry, scene.contender(choice), truths));
-    before_time = runners.back()->settle();
+    runners.push_back(std::make_unique<Runner>(entry, scene.makeRun(choice), truths));
+    before_time = runners.back()->warmUp();
     before = &entry;
   }
   return runners;
@@ -235,7 +238,7 @@ std::vector<std::unique_ptr<Runner>> setOut(Scene& scene, const Plan& plan, cons
 double Series::estimate() const
 {
   const auto less = [](const Result& one, const Result& other) { return one.error < other.error; };
-  const auto worst = std::max_element(results.rbegin(), results.rend(), less);  // the last one of equals
+  const auto worst = std::max_element(results.rbegin(), results.rend(), less);  // the last of equal ones
   return worst != results.rend() ? worst->estimate : 0;
 }
 
@@ -243,8 +246,8 @@ const char* toString(Series::Status status)
 {
   switch (status)
   {
-    case Series::Status::evaluated:
-      return "answered";
+    case Series::Status::solved:
+      return "solved";
     case Series::Status::refused:
       return "refused";
     case Series::Status::other_patches:
@@ -270,7 +273,7 @@ Result compare(Scene& scene, const std::vector<Choice>& choices, const Plan& pla
   {
     result.entries.push_back({choice, {}, {}});
   }
-  const auto runners = setOut(scene, plan, truths, result);
+  const auto runners = makeRunners(scene, plan, truths, result);
   progress();
   for (const auto visit : {&Runner::visitWarm, &Runner::visitCold})
   {

@@ -10,41 +10,41 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// How much is measured.
+/// Extent of the measurement.
 struct Plan
 {
-  int rounds = 3;              ///< in each of which every contender has its turn
-  double slowest = 0.05;       ///< what is expected to take longer is not run [s an answer]
-  GridSize truth{256, 512};    ///< errors are against conjugate gradients on this grid
-  GridSize coarser{128, 256};  ///< the truth's own error is its difference from this one
-  int reach = longest_reach;   ///< steps that messages go to either side of the scene, 1 to longest_reach
+  int rounds = 3;              ///< number of rounds; each round runs every method once
+  double slowest = 0.05;       ///< methods with a longer expected time are not run [s per result]
+  GridSize truth{256, 512};    ///< grid of the reference solution, by conjugate gradients
+  GridSize coarser{128, 256};  ///< the error of the reference solution is its difference from this grid
+  int reach = longest_reach;   ///< steps of the messages to either side of the scene, 1 to longest_reach
 };
 
-/// What was measured of one contender, all from cold or all from the answer before.
+/// Measurements of one method, either all from a cold start or all from the previous result.
 struct Series
 {
   enum class Status
   {
-    evaluated,
-    refused,        ///< the method or the chain gave a reason instead of an answer, at one of the places at least
-    other_patches,  ///< an answer has not the patches of the truth: no error can be given
-    not_run         ///< expected to take too long
+    solved,
+    refused,        ///< no result, but a reason, at one or more positions
+    other_patches,  ///< a result has other patches than the reference solution: its error is not defined
+    not_run         ///< the expected time is too long
   };
-  /// What is off of one answer that was looked at.
+  /// Error of one inspected result.
   struct Result
   {
     double error;     ///< largest of its Errors [-]
-    double estimate;  ///< its own [-]
+    double estimate;  ///< its own error estimate [-]
   };
 
-  Status status = Status::evaluated;
-  std::string reason;           ///< empty if answered
-  std::vector<double> times;    ///< of an answer or a refusal [s], CPU time of the thread; of not_run: as expected
-  std::vector<Result> results;  ///< at all of the places that were timed
-  Errors errors;                ///< largest seen of them
-  Outcome outcome;              ///< last seen
+  Status status = Status::solved;
+  std::string reason;           ///< empty if solved
+  std::vector<double> times;    ///< CPU time of the thread per result or failure [s]; with not_run the expected time
+  std::vector<Result> results;  ///< at all timed positions
+  Errors errors;                ///< largest errors of these results
+  Outcome outcome;              ///< last result
 
-  /// The answer's own, where its error was largest [-]; 0 without answers.
+  /// Error estimate of the result with the largest error [-]; 0 without results.
   double estimate() const;
 };
 
@@ -59,15 +59,17 @@ struct Entry
 struct Result
 {
   std::vector<Entry> entries;
-  double truth_error = 0;  ///< the truth's own [-]
+  double truth_error = 0;  ///< error of the reference solution [-]
 };
 
-/// Runs all contenders on a scene, in turns, so that a disturbance hits all alike. From cold: each answer after
-/// forgetting the one before. Warm: messages to and fro about the scene, one step apart; errors are those of all of
-/// them, each against the truth at its own place, for at a single place a coarse grid may be right by luck: how its
-/// cells lie on a narrow lobe of the pressure decides.
+/// Runs all methods on a scene, in turns, so that disturbances affect all of them alike.
+/// - Cold: each result after discarding the previous one.
+/// - Warm: messages to and fro about the scene, one step apart. Errors are determined for all of them, each against the
+///   reference solution at its own position. At a single position a coarse grid may be accurate by chance: the error
+///   depends on the position of its cells on a narrow pressure lobe.
+///
 /// @param progress  called `stepsOf(plan)` times
-/// @throw std::runtime_error if the scene has no truth
+/// @throw std::runtime_error if the scene has no reference solution
 Result compare(Scene& scene, const std::vector<Choice>& choices, const Plan& plan,
                const std::function<void()>& progress);
 

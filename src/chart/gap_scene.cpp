@@ -11,16 +11,16 @@ namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-constexpr double margin = 1.1;            ///< grid over pressure, as wheels have it, wherever the way leads
-constexpr double true_residual = 1e-6;    ///< of the truth's solution [-]
-constexpr GridSize boxing_grid{32, 128};  ///< on which the box is found
+constexpr double margin = 1.1;  ///< size of the grid over that of the pressure, as in the balance, at all positions [-]
+constexpr double true_residual = 1e-6;    ///< residual of the reference solution [-]
+constexpr GridSize boxing_grid{32, 128};  ///< grid on which the box is determined
 constexpr int boxings = 3;
 
 Grid covering(const Box& box, const GridSize& size)
 {
   const double width = box.y_end - box.y_begin;
   const double covered = margin * width + 2 * longest_reach * step;
-  const aspect_ladder::Cell cell = aspect_ladder::coveringCell(margin * box.length, covered, size.along, size.across);
+  const cell_aspect::Cell cell = cell_aspect::coveringCell(margin * box.length, covered, size.along, size.across);
   const double first = 0.5 * (box.y_begin + box.y_end - (size.across - 1) * cell.dy);
   return {size.along, size.across, cell.dx, cell.dy, first, true};
 }
@@ -55,8 +55,8 @@ Outcome gapOutcome(const GapScene& scene, const NormalProblem& problem, const No
   return outcome;
 }
 
-/// Answers like one wheel of the whole chain: from cold a rough solution chooses method and grid, each answer carries
-/// its error estimate, and the grid is kept, refined or coarsened by it.
+/// Solves like one wheel of the whole calculation. From a cold start, a rough solution chooses method and grid. Each
+/// result has an error estimate, by which the grid is kept, refined or coarsened.
 class GapRun : public MethodRun
 {
  public:
@@ -73,7 +73,7 @@ class GapRun : public MethodRun
     }
   }
 
-  void result(int offset) override
+  void solve(int offset) override
   {
     choice_.arrive(offset * step);
     if (!warm_ && levels_.count() > 1)
@@ -90,7 +90,7 @@ class GapRun : public MethodRun
     choice_.tryClosedForm(*problem_, solution_);
   }
 
-  void forget() override
+  void reset() override
   {
     warm_ = false;
     choice_ = GridLevelChoice(levels_, tolerance_);
@@ -146,10 +146,10 @@ class GapRun : public MethodRun
   double tolerance_;
   GridLevelChoice choice_;
   std::vector<Prepared> prepared_;
-  NormalSolver* solver_ = nullptr;  ///< of the last solution
+  NormalSolver* solver_ = nullptr;  ///< solver of the last solution
   const NormalProblem* problem_ = nullptr;
   NormalSolution solution_;
-  std::vector<ErrorEstimate> errors_;  ///< of each patch
+  std::vector<ErrorEstimate> errors_;  ///< one for each patch
   ErrorEstimate estimate_;             ///< largest of them
   bool warm_ = false;
 };
@@ -168,7 +168,7 @@ GapScene::GapScene(std::string name, std::string title, std::shared_ptr<SolverCa
   }
 }
 
-/// Lays the boxes over the pressure that is found in them.
+/// Lays the boxes around the pressure that is found in them.
 void GapScene::tighten()
 {
   const NormalProblem wide = problem(boxing_grid, 0);
@@ -209,7 +209,7 @@ Outcome GapScene::truth(const GridSize& grid, int offset)
   return gapOutcome(*this, fine, solveStrictly(fine));
 }
 
-std::unique_ptr<MethodRun> GapScene::contender(const Choice& choice)
+std::unique_ptr<MethodRun> GapScene::makeRun(const Choice& choice)
 {
   return std::make_unique<GapRun>(*this, solvers_->find(choice), contactConfig(choice).tolerance);
 }

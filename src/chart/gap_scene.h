@@ -13,23 +13,23 @@ namespace wheel_rail_contact::core::chart
 /// Gap at (x, y) [m], even in x.
 using Gap = std::function<double(double, double)>;
 
-/// Where the pressure of a patch lies.
+/// Region of the pressure of a patch.
 struct Box
 {
-  double length = 0;              ///< along, about x = 0 [m]
-  double y_begin = 0, y_end = 0;  ///< across [m]
+  double length = 0;              ///< along the track, about x = 0 [m]
+  double y_begin = 0, y_end = 0;  ///< across the track [m]
 };
 
 /// One patch of a scene.
 struct GapPatch
 {
   Gap gap;
-  Box box;                 ///< in which all of its pressure lies; need not be tight
+  Box box;                 ///< contains all of the pressure; need not be tight
   double first_touch = 0;  ///< least gap [m]
   double weight = 1;       ///< as in PatchGap
 };
 
-/// A contact given by its gap: the normal problem alone, on a grid laid closely over the pressure.
+/// A contact given by its gap: normal problem only, on a grid laid closely around the pressure.
 class GapScene : public Scene
 {
  public:
@@ -39,10 +39,10 @@ class GapScene : public Scene
 
   const char* kind() const override { return "normal"; }
   Outcome truth(const GridSize& grid, int offset) override;
-  std::unique_ptr<MethodRun> contender(const Choice& choice) override;
+  std::unique_ptr<MethodRun> makeRun(const Choice& choice) override;
 
   const std::vector<GapPatch>& patches() const { return patches_; }
-  /// The problem on a grid, the bodies moved by `offset` steps across the grid.
+  /// Normal problem on a grid, with the bodies displaced by `offset` steps across the grid.
   NormalProblem problem(const GridSize& size, int offset) const;
 
  private:
@@ -53,6 +53,6 @@ class GapScene : public Scene
   double load_;
 };
 
-/// Hertz 1:1 and 1:5, a curvature joint, two patches, merged lobes, nearly conformal.
+/// Hertz 1:1 and 1:5, a curvature discontinuity, two patches, merged lobes, nearly conformal arcs.
 std::vector<std::unique_ptr<Scene>> gapScenes();
 }  // namespace wheel_rail_contact::core::chart

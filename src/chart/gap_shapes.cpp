@@ -9,10 +9,11 @@ namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-constexpr double along = 0.5 / 0.46;  ///< coefficient of the gap along x under a wheel of 0.46 m [1/m]
+constexpr double along = 0.5 / 0.46;  ///< coefficient of the gap along x for a wheel of 0.46 m [1/m]
 constexpr double load = 100e3;        ///< [N]
 
-/// Half the curvature of an arc [1/m]: its gap against a straight line is this times the square of the distance.
+/// Half the curvature of an arc [1/m]. The distance of the arc from its tangent is this value times the square of the
+/// position.
 constexpr double arc(double radius)
 {
   return 0.5 / radius;
@@ -23,7 +24,7 @@ Gap paraboloid(double a, double b)
   return [=](double x, double y) { return a * x * x + b * y * y; };
 }
 
-/// The coefficient across for which the ellipse is `ratio` times as long as wide, by halving.
+/// Coefficient across the track for which the contact ellipse is `ratio` times as long as wide, by bisection.
 double acrossForRatio(double ratio)
 {
   double low = along, high = along * ratio * ratio;
@@ -36,13 +37,13 @@ double acrossForRatio(double ratio)
   return low;
 }
 
-/// The joint of two arcs of the rail's head (300 mm on the crown, 80 mm beside it) under a conical tread.
+/// Transition between two arcs of the rail head (300 mm on the crown, 80 mm beside it) under a conical tread.
 double discontinuity(double x, double y)
 {
   return along * x * x + arc(y < 0 ? 0.300 : 0.080) * y * y;
 }
 
-/// Two minima 8 mm apart, 10 µm below the saddle between them, pressed until they merge.
+/// Two minima 8 mm apart, 10 µm below the saddle between them, loaded until their contacts merge.
 double lobes(double x, double y)
 {
   constexpr double depth = 10e-6, half = 4e-3;
@@ -50,7 +51,7 @@ double lobes(double x, double y)
   return along * x * x + depth * well * well;
 }
 
-/// An arc of 13.0 mm in one of 13.2 mm; both end 12.5 mm beside the middle.
+/// An arc of 13.0 mm in one of 13.2 mm; both end 12.5 mm from the middle.
 double conformal(double x, double y)
 {
   constexpr double inner = 0.0130, outer = 0.0132, end = 0.0125;
@@ -70,8 +71,8 @@ std::vector<std::unique_ptr<Scene>> gapScenes()
 
   add("hertz_1_1", "Hertz, ellipse 1:1", {{paraboloid(along, along), wide, 0, 1}});
   add("hertz_1_5", "Hertz, ellipse 1:5", {{paraboloid(along, acrossForRatio(5)), wide, 0, 1}});
-  add("joint", "Curvature joint 300/80 mm", {{discontinuity, wide, 0, 1}});
-  // On the tread, and on a flange inclined by 35 degrees whose first touch comes 20 µm later.
+  add("discontinuity", "Curvature discontinuity 300/80 mm", {{discontinuity, wide, 0, 1}});
+  // One patch on the tread and one on a flange inclined by 35 degrees, whose first touch is at 20 µm.
   const Gap tread = paraboloid(along, arc(0.200)), flange = paraboloid(along, arc(0.020));
   const double later = 20e-6;
   add("two_patches", "Two patches",

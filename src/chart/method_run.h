@@ -11,17 +11,17 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// Way across the track from one message to the next [m].
+/// Lateral distance of consecutive messages [m].
 constexpr double step = 0.05e-3;
 
-/// Most steps from the scene to a message: 0.2 mm, over which a narrow lobe of the pressure meets a coarse grid's cells
-/// in all ways.
+/// Largest number of steps from the scene to a message: 0.2 mm. Over this distance a narrow pressure lobe takes all
+/// positions relative to the cells of a coarse grid.
 constexpr int longest_reach = 4;
 
-/// contact/tolerance that `auto` is asked for [-].
+/// Values of contact/tolerance for `auto` [-].
 constexpr std::array<double, 4> tolerances{0.1, 0.03, 0.01, 0.003};
 
-/// What is asked of a contender: a method on one grid, or `auto`.
+/// Setting to be compared: a method on one grid, or `auto` at one tolerance.
 struct Choice
 {
   NormalMethod method = NormalMethod::automatic;
@@ -32,26 +32,26 @@ struct Choice
   bool isSeidel() const { return method == NormalMethod::seidel || method == NormalMethod::seidel_printed; }
 };
 
-/// Every method on every grid of the ladder, coarse to fine, then auto at each of the tolerances.
+/// Every method on every grid level, from coarse to fine, then `auto` at each of the tolerances.
 std::vector<Choice> allChoices();
 
 ContactConfig contactConfig(const Choice& choice);
 
-/// A method at work on a scene.
+/// A method running on a scene.
 class MethodRun
 {
  public:
   virtual ~MethodRun() = default;
 
-  /// Answers the scene at the place `offset` steps across; starts from the last answer, if there is one.
-  virtual void result(int offset) = 0;
-  /// The next answer starts cold.
-  virtual void forget() = 0;
-  /// Of the last answer.
+  /// Solves the scene at the position `offset` steps across the track, starting from the last result if there is one.
+  virtual void solve(int offset) = 0;
+  /// The next result starts cold.
+  virtual void reset() = 0;
+  /// Outcome of the last result.
   virtual Outcome outcome() const = 0;
 };
 
-/// What the methods are compared on.
+/// A contact on which the methods are compared.
 class Scene
 {
  public:
@@ -60,13 +60,13 @@ class Scene
 
   const std::string& name() const { return name_; }
   const std::string& title() const { return title_; }
-  /// wheelset: the whole chain; normal: the normal problem alone.
+  /// "wheelset": whole calculation; "normal": normal problem only.
   virtual const char* kind() const = 0;
 
-  /// The answer at the place `offset` steps across, by conjugate gradients on a fine grid.
+  /// Reference solution at the position `offset` steps across the track: conjugate gradients on a fine grid.
   virtual Outcome truth(const GridSize& grid, int offset) = 0;
-  /// The contender starts cold. Of equal choices only the last one may be used.
-  virtual std::unique_ptr<MethodRun> contender(const Choice& choice) = 0;
+  /// Method run for a choice; it starts cold. Runs of equal choices share their solver: use only the latest one.
+  virtual std::unique_ptr<MethodRun> makeRun(const Choice& choice) = 0;
 
  private:
   std::string name_, title_;

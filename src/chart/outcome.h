@@ -9,23 +9,23 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// What the chart compares of one patch.
+/// Quantities of one patch that the chart compares.
 struct PatchOutcome
 {
-  int body = 0;             ///< wheel it belongs to
+  int body = 0;             ///< index of the wheel
   double max_pressure = 0;  ///< [Pa]
   double area = 0;          ///< [m²]
-  double approach = 0;      ///< from the patch's first touch on, along its normal [m]
+  double approach = 0;      ///< from the first touch of the patch, along its normal [m]
 };
 
-/// One answer to one scene.
+/// Result of one method on one scene.
 struct Outcome
 {
   bool usable = false;
-  std::string reason;   ///< why not, empty if usable
+  std::string reason;   ///< reason of a failure; empty if usable
   GridSize grid;        ///< finest of the patches
   std::string solver;   ///< method that solved that patch
-  double estimate = 0;  ///< of the relative error, largest of the patches [-]
+  double estimate = 0;  ///< estimated relative error, largest of the patches [-]
   std::vector<PatchOutcome> patches;
 };
 
@@ -37,14 +37,15 @@ struct Errors
   double largest() const;
 };
 
-/// False if the two do not hold the same patches.
+/// Errors of `found` relative to `truth`. @return false if their patches differ
 bool compare(const Outcome& found, const Outcome& truth, Errors& errors);
 
-/// The larger of each.
+/// Larger value of each error.
 Errors larger(const Errors& a, const Errors& b);
 
+/// Outcome of a wheelset result.
 Outcome outcomeOf(const WheelsetResult& result);
 
-/// The same from the balance itself, which takes finer grids than a user may ask for.
+/// Same from the balance itself, which accepts finer grids than WheelsetContact.
 Outcome outcomeOf(const WheelsetBalance& balance, ContactStatus status);
 }  // namespace wheel_rail_contact::core::chart

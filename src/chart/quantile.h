@@ -5,6 +5,8 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// What the share (0 to 1) of the values stays below, the nearest of them; not a number if there are none.
+/// Quantile of the values, without interpolation.
+/// @param share  0 to 1
+/// @return NaN if there are no values
 double quantile(std::vector<double> values, double share);
 }  // namespace wheel_rail_contact::core::chart

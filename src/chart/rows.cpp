@@ -11,7 +11,7 @@ void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choi
               const Series& series)
 {
   const bool run = series.status != Series::Status::not_run;
-  const bool known = series.status == Series::Status::evaluated;
+  const bool known = series.status == Series::Status::solved;
   const GridSize& grid = choice.isAutomatic() ? series.outcome.grid : choice.grid;
   std::fprintf(out, R"(%s,"%s",%s,%s,%d,%d,%g,%s,%s,"%s",)", scene.name().c_str(), scene.title().c_str(), scene.kind(),
                toString(choice.method), grid.along, grid.across, choice.tolerance, start, toString(series.status),

@@ -7,7 +7,7 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// Writes the names of the columns.
+/// Writes the header line of the table.
 void writeHeader(std::FILE* out);
 
 /// Writes two rows, cold and warm, for every choice.

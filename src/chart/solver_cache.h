@@ -10,7 +10,7 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// Solvers by choice, each made once: preparing one costs more than many solutions.
+/// Solvers by choice. Each is created once, because preparing a solver costs more than many solutions.
 class SolverCache
 {
  public:

@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core::chart
 namespace
 {
 constexpr double axle_load = 200e3;    ///< [N]
-constexpr double true_balance = 1e-4;  ///< tolerance of the truth, to which planes and roll are settled [-]
+constexpr double true_balance = 1e-4;  ///< tolerance of planes and roll in the reference solution [-]
 
 WheelsetState beside(WheelsetState state, int offset)
 {
@@ -26,8 +26,8 @@ class WheelsetRun : public MethodRun
     wheelset_.reset();
   }
 
-  void result(int offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
-  void forget() override { wheelset_.reset(); }
+  void solve(int offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
+  void reset() override { wheelset_.reset(); }
   Outcome outcome() const override { return outcomeOf(*result_); }
 
  private:
@@ -36,8 +36,8 @@ class WheelsetRun : public MethodRun
   const WheelsetResult* result_ = nullptr;
 };
 
-/// Shackleton and Iwnicki 2008 (Vehicle System Dynamics 46): S1002 on UIC60, rails inclined 1:40, gauge 1435 mm,
-/// flange backs 1360 mm apart, rolling radius 460 mm.
+/// Shackleton and Iwnicki 2008 (Vehicle System Dynamics 46): S1002 on UIC60, rail inclination 1:40, gauge 1435 mm,
+/// back-to-back distance 1360 mm, rolling radius 460 mm.
 ContactModelConfig manchester()
 {
   ContactModelConfig config;
@@ -46,7 +46,7 @@ ContactModelConfig manchester()
   return config;
 }
 
-/// The same wheelset with both rails bent outward as in Golubenko et al. 2011 (TEKA XI, 78–84).
+/// The same wheelset with both rails displaced outward as in Golubenko et al. 2011 (TEKA XI, 78–84).
 ContactModelConfig paper()
 {
   ContactModelConfig config = manchester();
@@ -55,7 +55,7 @@ ContactModelConfig paper()
   return config;
 }
 
-/// Under the axle load, at y of the axle's centre, to the left [m].
+/// State under the axle load, with the axle centre at y, to the left positive [m].
 WheelsetState loadedAt(double y)
 {
   WheelsetState state;
@@ -92,7 +92,7 @@ Outcome WheelsetScene::truth(const GridSize& grid, int offset)
   return outcomeOf(balance, balance.solve(beside(state_, offset)));
 }
 
-std::unique_ptr<MethodRun> WheelsetScene::contender(const Choice& choice)
+std::unique_ptr<MethodRun> WheelsetScene::makeRun(const Choice& choice)
 {
   return std::make_unique<WheelsetRun>(pool_->find(choice), state_);
 }

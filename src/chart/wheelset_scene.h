@@ -11,7 +11,7 @@
 
 namespace wheel_rail_contact::core::chart
 {
-/// Wheelsets of one configuration by choice, each made once.
+/// Wheelsets of one configuration by choice. Each is created once.
 class WheelsetPool
 {
  public:
@@ -25,7 +25,7 @@ class WheelsetPool
   std::map<std::tuple<NormalMethod, int, int, double>, std::unique_ptr<WheelsetContact>> wheelsets_;
 };
 
-/// A wheelset at one pose under one load: the whole chain.
+/// A wheelset at one pose under one load: whole calculation.
 class WheelsetScene : public Scene
 {
  public:
@@ -34,7 +34,7 @@ class WheelsetScene : public Scene
 
   const char* kind() const override { return "wheelset"; }
   Outcome truth(const GridSize& grid, int offset) override;
-  std::unique_ptr<MethodRun> contender(const Choice& choice) override;
+  std::unique_ptr<MethodRun> makeRun(const Choice& choice) override;
 
  private:
   std::shared_ptr<WheelsetPool> pool_;
@@ -42,6 +42,7 @@ class WheelsetScene : public Scene
   WheelsetState state_;
 };
 
-/// S1002 on UIC60 in the Manchester contact benchmark's track, 100 kN a wheel; and the paper's case.
+/// Wheel S1002 on rail UIC60 with the track of the Manchester contact benchmark, 100 kN per wheel; and the case of the
+/// paper.
 std::vector<std::unique_ptr<Scene>> wheelsetScenes();
 }  // namespace wheel_rail_contact::core::chart

@@ -5,10 +5,10 @@
 
 namespace wheel_rail_contact::core
 {
-/// @throw std::invalid_argument "option = value text" unless `rule` holds.
+/// @throw std::invalid_argument "option = value text" unless `rule` is true.
 void require(bool rule, const std::string& option, double value, const char* text);
-/// Same for a finite value above zero.
+/// Same unless `value` is finite and above zero.
 void requirePositive(const std::string& option, double value);
-/// Same for an absolute value of at most `limit`.
+/// Same unless the absolute value is at most `limit`.
 void requireWithin(const std::string& option, double value, double limit, const char* text);
 }  // namespace wheel_rail_contact::core

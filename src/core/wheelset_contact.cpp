@@ -11,11 +11,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double angle_limit = 0.2;    ///< largest yaw and given roll that are answered [rad]
-constexpr double lateral_limit = 0.1;  ///< largest lateral position that is answered [m]
-constexpr double height_limit = 1.0;   ///< largest given height over the running radius that is answered [m]
-constexpr double force_limit = 1e8;    ///< largest load that is answered [N], [N m]
-constexpr double offset_limit = 0.1;   ///< largest displacement of a rail by other wheelsets that is answered [m]
+constexpr double angle_limit = 0.2;    ///< largest accepted yaw and given roll [rad]
+constexpr double lateral_limit = 0.1;  ///< largest accepted lateral position [m]
+constexpr double height_limit = 1.0;   ///< largest accepted axle height, if given [m]
+constexpr double force_limit = 1e8;    ///< largest accepted load [N], [N m]
+constexpr double offset_limit = 0.1;   ///< largest accepted displacement of a rail by other wheelsets [m]
 
 bool within(double value, double limit)
 {
@@ -28,7 +28,7 @@ bool within(const RailDeflection& offset)
          within(offset.roll, angle_limit);
 }
 
-/// A named reason why a state is not answered; empty if it is.
+/// Reason why a state is rejected; empty if it is valid.
 std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
 {
   if (!within(state.y, lateral_limit))
@@ -62,7 +62,8 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   return {};
 }
 
-/// Whole pressure field of a patch in track axes, from the stored half and, on the right, mirrored.
+/// Copies the whole pressure field of a patch, in track axes. A symmetric grid stores only half of the cells. On the
+/// right side the field is mirrored.
 void spread(Side side, const Grid& grid, const Eigen::ArrayXXd& stored, PatchResult& result)
 {
   result.grid = {grid.nx, grid.ny, grid.dx, grid.dy, grid.y0};
@@ -128,7 +129,7 @@ class WheelsetContact::Chain
     return config;
   }
 
-  /// What a user of a usable answer should know: wheels that carry nothing, or errors above the tolerance; else empty.
+  /// Remark on a usable result: wheels that carry no load, or an error estimate above the tolerance; otherwise empty.
   std::string_view remark() const
   {
     if (balance_.loaded(Side::left) && balance_.loaded(Side::right))
@@ -137,9 +138,9 @@ class WheelsetContact::Chain
     }
     if (balance_.loaded(Side::left))
     {
-      return "the right wheel carries nothing";
+      return "the right wheel carries no load";
     }
-    return balance_.loaded(Side::right) ? "the left wheel carries nothing" : "neither wheel carries anything";
+    return balance_.loaded(Side::right) ? "the left wheel carries no load" : "neither wheel carries a load";
   }
 
   void addPatches(Side side)
@@ -164,8 +165,9 @@ class WheelsetContact::Chain
     const double sign = sideSign(side);
     out.side = side;
     out.method = wheel.solver().name();
-    const Eigen::Vector2d way = wheel.railDisplacement(patch);
-    out.pose = {patch.plane.x, sign * (patch.plane.y + way[0]), patch.plane.z + way[1], sign * patch.plane.angle};
+    const Eigen::Vector2d displacement = wheel.railDisplacement(patch);
+    out.pose = {patch.plane.x, sign * (patch.plane.y + displacement[0]), patch.plane.z + displacement[1],
+                sign * patch.plane.angle};
     out.contact_angle = std::abs(patch.plane.angle);
     out.normal_force = pressure.force;
     out.approach = wheel.patchApproach(k);

@@ -8,12 +8,12 @@
 
 namespace wheel_rail_contact::core::paper
 {
-/// A CSV file: a line of column names, then rows, each written at once, so that a full disk is noticed. Numbers keep
-/// eight digits.
+/// A CSV file: a header line and rows. Each line is flushed at once to detect a full disk. Numbers have eight
+/// significant digits.
 class Csv
 {
  public:
-  /// @throw std::runtime_error, as row(), if the file cannot be written.
+  /// @throw std::runtime_error if the file cannot be written (same for row())
   Csv(const std::filesystem::path& file, const std::string& columns) : file_(file), stream_(file)
   {
     stream_.precision(8);

@@ -14,8 +14,8 @@ namespace
 {
 constexpr GridSize force_grid{32, 64};
 
-/// Deflection of the upright rail's table, seen from the track, under a lateral force at the crown's height and, if
-/// asked for, its displacement across the track alone.
+/// Deflection in the track, from the table of the upright rail, for a lateral force at the height of the crown and the
+/// wheel load. For DeflectionShare::shift_only, the lateral displacement by the lateral force only.
 RailDeflection givenDeflection(const ComplianceTable& table, DeflectionShare share, double force, double inclination)
 {
   const double moment = force * ComplianceTable::reference_depth;
@@ -29,7 +29,7 @@ RailDeflection givenDeflection(const ComplianceTable& table, DeflectionShare sha
   return moved;
 }
 
-/// Whole table: the wheelset's own coupled balance.
+/// Whole table: coupled balance of the wheelset.
 std::vector<ForceRow> coupled(const ContactModelConfig& config, const NamedTable& table,
                               const std::vector<double>& positions, const std::vector<double>& forces)
 {
@@ -57,7 +57,7 @@ std::vector<ForceRow> coupled(const ContactModelConfig& config, const NamedTable
   return rows;
 }
 
-/// A share of the table: deflections known beforehand.
+/// A part of the deflection: known before the solution.
 std::vector<ForceRow> given(const ContactModelConfig& config, const NamedTable& table, DeflectionShare share,
                             const std::vector<double>& positions, const std::vector<double>& forces)
 {

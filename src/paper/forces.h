@@ -9,36 +9,36 @@
 
 namespace wheel_rail_contact::core::paper
 {
-/// A compliance table with its name and range.
+/// A compliance table with its name and its range.
 struct NamedTable
 {
   std::string name;
   ComplianceTable table;
-  double linear_range;  ///< largest |Y|/Q for which it holds [-]; infinite: no limit
+  double linear_range;  ///< largest |Y|/Q for which the table is valid [-]; infinite: no limit
 };
 
-/// What of a rail's deflection is taken into account.
+/// Part of a rail's deflection that is taken into account.
 enum class DeflectionShare
 {
-  whole,           ///< all of the table
-  without_moment,  ///< the wheel load off the rail's axis does not turn the rail
-  shift_only       ///< the rail's displacement across the track by the lateral force: neither roll nor wheel load
+  whole,           ///< complete deflection of the table
+  without_moment,  ///< without the roll by the eccentric wheel load
+  shift_only       ///< lateral displacement by the lateral force only: no roll, no effect of the wheel load
 };
 const char* toString(DeflectionShare share);
 
-/// The left wheel on rails that give way to a lateral force (outward, the same on both rails) and the wheel load.
+/// Left wheel on rails that deflect under a lateral force (outward, the same on both rails) and the wheel load.
 struct ForceRow
 {
   std::string table;
   DeflectionShare share;
-  double y;                   ///< wheelset's position, towards the flange [m]
+  double y;                   ///< lateral position of the wheelset, towards the flange positive [m]
   double lateral_force;       ///< [N]
-  bool in_range;              ///< of the table
-  RailDeflection deflection;  ///< of the head's reference point
-  Figures figures;            ///< zero where there is no solution
+  bool in_range;              ///< the force is in the range of the table
+  RailDeflection deflection;  ///< deflection of the head, at its reference point
+  Figures figures;            ///< zero if there is no solution
 };
 
-/// Both rails under lateral forces of the given values at each of the positions, wheel loads as printed.
+/// Solves both wheels at each position under each lateral force on both rails, with the printed wheel loads.
 std::vector<ForceRow> underForces(const ContactModelConfig& config, const NamedTable& table, DeflectionShare share,
                                   const std::vector<double>& positions, const std::vector<double>& forces);
 }  // namespace wheel_rail_contact::core::paper

@@ -34,7 +34,7 @@ MethodRow row(const ContactModelConfig& config, const RailDeflection& deflection
   return row;
 }
 
-/// A grid of nearly square cells over the same patch.
+/// A grid of nearly square cells that covers the same patch.
 GridSize squares(const MethodRow& accurate, int across)
 {
   const double length = accurate.cell_along * accurate.size.along;

@@ -10,21 +10,24 @@
 
 namespace wheel_rail_contact::core::paper
 {
-/// What a method makes of a case on one grid.
+/// Result of a method for a case on one grid.
 struct MethodRow
 {
   std::string method;  ///< name as in contact/method
   GridSize size;
   double cell_along, cell_across;  ///< [m]
-  double stop;                     ///< change (seidel_printed) or residual (the others) at which the method stops [-]
-  int iterations;                  ///< of the last solution: sweeps, or products with the influence matrix
-  Figures figures;                 ///< zero where there is no solution
-  double counted_area;             ///< of all cells with pressure [m²]
+  double stop;          ///< change (seidel_printed) or residual (other methods) at which the method stops [-]
+  int iterations;       ///< sweeps, or products with the influence matrix, of the last solution
+  Figures figures;      ///< zero if there is no solution
+  double counted_area;  ///< area of all cells with pressure [m²]
 };
 
-/// Solves one wheel at the case's position on a rail deflected by `deflection` (of its reference point): accurately
-/// (the first row), by the repaired Seidel iteration, and by the printed one on square cells (to a few per cent) of
-/// several sizes, stopped early and late.
-/// @throw std::runtime_error if the accurate solution fails: the squares are cut after it.
+/// Solves one wheel at the position of the case, on a rail with a given deflection of its reference point. Rows:
+/// - accurate solution (first row);
+/// - repaired Seidel iteration;
+/// - printed Seidel iteration on nearly square cells (within a few per cent) of several sizes, with an early and a late
+///   stop.
+///
+/// @throw std::runtime_error if the accurate solution fails, from which the square cells are derived
 std::vector<MethodRow> compareMethods(const ContactModelConfig& config, const RailDeflection& deflection);
 }  // namespace wheel_rail_contact::core::paper

@@ -9,11 +9,11 @@ namespace wheel_rail_contact::core::paper
 namespace
 {
 constexpr int most_passes = 20;
-constexpr double plane_error = 1e-4;        ///< left open between plane and pressure-weighted normal [rad]
-constexpr double penetration_error = 1e-3;  ///< left open of the descent that the gap is built for [-]
-constexpr double least_fill = 0.8;          ///< share of its expected size that a pressure must have [-]
+constexpr double plane_error = 1e-4;        ///< allowed angle between plane and pressure-weighted normal [rad]
+constexpr double penetration_error = 1e-3;  ///< allowed difference from the penetration of the gap [-]
+constexpr double least_fill = 0.8;          ///< smallest size of a pressure over its expected size [-]
 constexpr int most_roll_steps = 20;
-constexpr double height_difference = 1e-9;  ///< left open between both axle ends [m]
+constexpr double height_difference = 1e-9;  ///< allowed difference of the axle heights of both sides [m]
 
 ContactModelConfig checked(ContactModelConfig config)
 {
@@ -24,7 +24,8 @@ ContactModelConfig checked(ContactModelConfig config)
 
 RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclination)
 {
-  // The crown lies by the depth up the rail's own axis (-sin a, cos a), a being the rail's inclination.
+  // The crown lies at the reference depth above the reference point, along the axis of the rail (-sin a, cos a) with
+  // the inclination a.
   const double depth = ComplianceTable::reference_depth;
   const double turned = inclination - crown.roll;
   return {crown.lateral - depth * (std::sin(inclination) - std::sin(turned)),
@@ -105,7 +106,7 @@ bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, dou
     {
       return true;
     }
-    roll += difference / (first.contact().lever() + second.contact().lever());  // Newton's step
+    roll += difference / (first.contact().lever() + second.contact().lever());  // Newton step
   }
   return false;
 }

@@ -8,36 +8,36 @@
 
 namespace wheel_rail_contact::core::paper
 {
-/// The rail's deflection (at the head's reference point) that displaces its crown by `crown`: what the paper's finite
-/// elements give is the displacement of the rail's top.
-/// @param inclination  inclination of the undeflected rail towards the track's centre [rad]
+/// Deflection of the rail at the reference point of the head, from a displacement `crown` of its crown. The
+/// finite-element result of the paper is the displacement of the top of the rail.
+/// @param inclination  inclination of the undeflected rail towards the track centre [rad]
 RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclination);
 
-/// One wheel on one rail at a given roll of the wheelset, under a given vertical load: what the balance of a wheelset
-/// solves on either side, for scans in which roll and deflection are given. Side axes.
+/// One wheel on one rail at a given roll of the wheelset and a given vertical load, side axes. This is the part of the
+/// wheelset balance for one side, for scans in which roll and deflection are given.
 class OneWheel
 {
  public:
-  /// `solver` must outlive it. @throw std::invalid_argument for a configuration that is not valid.
+  /// Keeps a reference to `solver`, which must outlive this. @throw std::invalid_argument for an invalid configuration
   OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSize& size);
   OneWheel(const OneWheel&) = delete;
   OneWheel& operator=(const OneWheel&) = delete;
 
-  /// Displaces the rail's crown from its undeflected place, and turns the rail about it.
+  /// Displaces the crown of the rail from its undeflected position and turns the rail about it.
   void displaceCrown(const RailDeflection& crown);
-  /// Takes over a rail placed elsewhere.
+  /// Sets a rail in a given position.
   void setRail(const PlacedRail& rail) { contact_.setRail(rail); }
 
-  /// Solves the contact from cold. @return false if there is no answer.
-  /// @param y     wheelset's lateral position, towards this wheel's flange positive [m]
-  /// @param roll  of the wheelset, this wheel up positive [rad]
-  /// @param load  vertical, of this wheel [N]
+  /// Solves the contact from a cold start. @return false if there is no solution
+  /// @param y     lateral position of the wheelset, towards the flange of this wheel positive [m]
+  /// @param roll  roll of the wheelset, this wheel up positive [rad]
+  /// @param load  vertical load of this wheel [N]
   bool solve(double y, double roll, double load);
 
-  // Of the last solution:
+  // Results of the last solution:
   Figures figures() const;
-  double countedArea() const;  ///< of all cells with pressure [m²]
-  double height() const;       ///< of the axle's centre [m]
+  double countedArea() const;  ///< area of all cells with pressure [m²]
+  double height() const;       ///< height of the axle centre [m]
   const WheelContact& contact() const { return contact_; }
 
  private:
@@ -48,9 +48,10 @@ class OneWheel
   RigidTouch touch_;
 };
 
-/// A wheelset whose rails are displaced by given amounts, each its own: finds the roll at which both wheels carry
-/// `load` at one height of the axle.
-/// @param y  towards `first`'s flange positive [m]
-/// @return false if there is no answer; otherwise both wheels hold their solution at `roll` (first wheel up positive).
+/// Finds the roll at which both wheels of a wheelset carry `load` at one height of the axle. The displacement of each
+/// rail is given.
+/// @param y  lateral position, towards the flange of `first` positive [m]
+/// @return false if there is no solution; otherwise both wheels have their solutions at `roll` (first wheel up
+/// positive)
 bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, double& roll);
 }  // namespace wheel_rail_contact::core::paper

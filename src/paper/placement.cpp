@@ -12,7 +12,7 @@ namespace wheel_rail_contact::core::paper
 namespace
 {
 constexpr const char* own_rail = "own_rail";
-constexpr double drawing_step = 2e-4;  ///< along a profile [m]
+constexpr double drawing_step = 2e-4;  ///< distance of the points along a profile [m]
 
 ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
 {

@@ -11,37 +11,41 @@
 
 namespace wheel_rail_contact::core::paper
 {
-/// A displacement of both rails under the wheelset at the case's position.
+/// A displacement of both rails, with the wheelset at the position of the case. Reference results are those of the
+/// program CONTACT (Vollebregt and Kalker, version of July 2025).
 struct Case
 {
   std::string name;
-  RailDeflection crown;              ///< displacement of the rails' crowns
-  Figures printed;                   ///< what the paper prints
-  std::optional<Figures> reference;  ///< of the program CONTACT at roll 0 (Vollebregt and Kalker, version of July 2025)
+  RailDeflection crown;              ///< displacement of the rail crowns
+  Figures printed;                   ///< results printed in the paper
+  std::optional<Figures> reference;  ///< of CONTACT, at roll 0
 };
 
-/// "without": undeflected. "shifted": displaced outward as printed. "turned": the same and turned inward, which meets
-/// the printed figures. "own_rail": as the rail of config/rails/paper.yaml gives way under the printed lateral force
-/// and the wheel load; here without the displacement, which has to be found.
+/// The cases:
+/// - "without": undeflected rails.
+/// - "shifted": displaced outward as printed.
+/// - "turned": displaced as printed and turned inward; this agrees with the printed results.
+/// - "own_rail": the deflection of the rail of config/rails/paper.yaml under the printed lateral force and the wheel
+///   load. Its displacement is calculated and therefore not contained here.
 std::vector<Case> paperCases();
 
-/// Of the left wheel's patches in an answer; zero where there are none.
+/// Results of the left wheel, zero if it has no patches.
 Figures leftFigures(const WheelsetResult& result);
 
-/// A case as placed and solved; the left wheel, at the flange, in side axes (which are those of the track there).
+/// A solved case: left wheel, which runs towards its flange, in side axes (which equal the track axes there).
 struct Placement
 {
   Case of;
-  RailDeflection deflection;      ///< of the left rail's head, at its reference point
-  double roll;                    ///< of the balanced wheelset [rad]
-  Figures balanced;               ///< of the left wheel, wheelset balanced
-  std::vector<PlanePoint> rail;   ///< profile
+  RailDeflection deflection;      ///< deflection of the left rail head, at its reference point
+  double roll;                    ///< roll of the balanced wheelset [rad]
+  Figures balanced;               ///< left wheel of the balanced wheelset
+  std::vector<PlanePoint> rail;   ///< rail profile
   std::vector<PlanePoint> wheel;  ///< outline, lowered to first touch
   PlanePoint initial_contact;
-  std::vector<PatchResult> patches;  ///< of the left wheel
+  std::vector<PatchResult> patches;  ///< patches of the left wheel
 };
 
-/// Solves a case with the options of `config` (config/paper.yaml): its compliance table is used for "own_rail" only.
-/// @throw std::runtime_error if there is no answer.
+/// Solves a case with the options of `config` (config/paper.yaml). Its compliance table is used for "own_rail" only.
+/// @throw std::runtime_error if there is no solution
 Placement solveCase(const ContactModelConfig& config, const Case& of);
 }  // namespace wheel_rail_contact::core::paper

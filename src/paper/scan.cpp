@@ -15,12 +15,12 @@ namespace wheel_rail_contact::core::paper
 namespace
 {
 constexpr GridSize scan_grid{32, 64};
-constexpr Range refined_position{-0.1e-3, 0.1e-3, 20};  ///< around a position of the coarse scan [m]
-constexpr double near_printed = 0.04;  ///< deviation without bending up to which other inclinations are gone into [-]
-constexpr Range refined_inclination{-0.75e-3, 0.75e-3, 6};           ///< around a pair of the coarse scan [rad]
-constexpr Range refined_pair_position{-0.12e-3, 0.12e-3, 8};  ///< likewise [m]
-constexpr Range refined_turn{-1e-3, 1e-3, 8};                 ///< likewise [rad]
-constexpr double sinking = 1e-3;                              ///< of the other rail [m]
+constexpr Range refined_position{-0.1e-3, 0.1e-3, 20};        ///< around a position of the coarse scan [m]
+constexpr double near_printed = 0.04;                         ///< largest deviation without bending for addPairs() [-]
+constexpr Range refined_inclination{-0.75e-3, 0.75e-3, 6};    ///< around a pair of the coarse scan [rad]
+constexpr Range refined_pair_position{-0.12e-3, 0.12e-3, 8};  ///< around a pair of the coarse scan [m]
+constexpr Range refined_turn{-1e-3, 1e-3, 8};                 ///< around a pair of the coarse scan [rad]
+constexpr double sinking = 1e-3;                              ///< downward displacement in the part "rails" [m]
 
 void solveRow(OneWheel& wheel, ScanRow& row)
 {
@@ -34,7 +34,7 @@ void add(OneWheel& wheel, ScanRow row, std::vector<ScanRow>& rows)
   rows.push_back(std::move(row));
 }
 
-/// A row of a part that looks for pairs.
+/// A row of a part that searches for pairs.
 ScanRow rowFrom(const ScanRow& start, const std::string& part)
 {
   ScanRow row = start;
@@ -101,10 +101,10 @@ std::vector<ScanRow> Scan::nearestStarts(const std::vector<ScanRow>& rows, doubl
       }
       OneWheel wheel(configFor(rail, inclination), solver_, scan_grid);
       ScanRow refined = *best;
-      for (const double way : refined_position.values())
+      for (const double offset : refined_position.values())
       {
         ScanRow row = *best;
-        row.y += way;
+        row.y += offset;
         solveRow(wheel, row);
         refined = startDeviation(row) < startDeviation(refined) ? row : refined;
       }
@@ -136,10 +136,10 @@ std::vector<ScanRow> Scan::pair(const ScanRow& start) const
 {
   OneWheel wheel(configFor(start.rail, start.inclination), solver_, scan_grid);
   std::vector<ScanRow> rows;
-  for (const double way : ranges_.position_around_start.values())
+  for (const double offset : ranges_.position_around_start.values())
   {
     ScanRow row = rowFrom(start, "pair");
-    row.y += way;
+    row.y += offset;
     solveRow(wheel, row);
     row.without = row.figures;
     for (const double shift : ranges_.shift)
@@ -154,7 +154,8 @@ std::vector<ScanRow> Scan::pair(const ScanRow& start) const
   return rows;
 }
 
-/// Where the figures at row.y without deflection are near the printed ones: the rail displaced as printed, and turned.
+/// If the results at row.y without deflection are close to the printed ones, adds rows with the rail displaced as
+/// printed, and turned.
 void Scan::addPairs(OneWheel& wheel, ScanRow row, const Range& turns, std::vector<ScanRow>& rows) const
 {
   row.crown = {};
@@ -179,9 +180,9 @@ void Scan::refine(const ScanRow& best, std::vector<ScanRow>& rows) const
     ScanRow row = best;
     row.inclination += change;
     OneWheel wheel(configFor(row.rail, row.inclination), solver_, scan_grid);
-    for (const double way : refined_pair_position.values())
+    for (const double offset : refined_pair_position.values())
     {
-      row.y = best.y + way;
+      row.y = best.y + offset;
       addPairs(wheel, row, turns, rows);
     }
   }
@@ -222,7 +223,8 @@ std::vector<ScanRow> Scan::alone(const std::string& rail) const
   {
     for (const double turn : ranges_.free_turn.values())
     {
-      add(wheel, {"alone", rail, config_.track.rail_inclination, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}}, rows);
+      add(wheel, {"alone", rail, config_.track.rail_inclination, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}},
+          rows);
     }
   }
   return rows;

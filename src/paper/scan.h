@@ -10,19 +10,19 @@
 
 namespace wheel_rail_contact::core::paper
 {
-/// One setting of the wheel looked at, and what it gives.
+/// One setting of the evaluated wheel, with its results.
 struct ScanRow
 {
-  std::string part;            ///< what the scan was for, see the functions below
-  std::string rail;            ///< name of its profile
-  double inclination;                 ///< inclination of the unturned rail towards the track's centre [rad]
-  double load;                 ///< vertical, of each wheel [N]
-  double y;                    ///< wheelset's position, towards the flange [m]
-  double roll;                 ///< wheelset's, this wheel up positive [rad]
-  RailDeflection crown;        ///< displacement of this rail's crown
-  RailDeflection other_crown;  ///< of the other rail's; counts only in the part "rails"
-  Figures without;  ///< of this wheel on the undeflected rail at the same position; zero where no pair is looked for
-  Figures figures;  ///< of this wheel; zero where there is no solution
+  std::string part;            ///< part of the scan, see the functions of Scan
+  std::string rail;            ///< name of the rail profile
+  double inclination;          ///< inclination of the undeflected rail towards the track centre [rad]
+  double load;                 ///< vertical load of each wheel [N]
+  double y;                    ///< lateral position of the wheelset, towards the flange positive [m]
+  double roll;                 ///< roll of the wheelset, this wheel up positive [rad]
+  RailDeflection crown;        ///< displacement of the crown of this rail
+  RailDeflection other_crown;  ///< displacement of the crown of the other rail; used in the part "rails" only
+  Figures without;             ///< for the undeflected rail at the same position; zero if the part has no pairs
+  Figures figures;             ///< results of this wheel; zero if there is no solution
 
   /// Relative deviation of the pair (without, figures) from the printed one [-].
   double pairDeviation() const
@@ -50,14 +50,14 @@ struct Range
   }
 };
 
-/// Names of the profiles that the paper's "UIC60" may mean.
+/// Names of the profiles that "UIC60" in the paper may mean.
 inline const std::vector<std::string> studied_rails{"UIC60_manchester", "60E1"};
 
-/// How widely and finely the scans go. The values that stand here are those of `paper_study`.
+/// Ranges and steps of the scans. The defaults are those of `paper_study`.
 struct ScanRanges
 {
   std::vector<std::string> rails = studied_rails;
-  std::vector<double> inclinations{0, 1.0 / 40, 1.0 / 20};                                                         ///< [rad]
+  std::vector<double> inclinations{0, 1.0 / 40, 1.0 / 20};                                                  ///< [rad]
   std::vector<double> loads{100e3, 50e3};                                                                   ///< [N]
   Range position{-6e-3, 6.4e-3, 124};                                                                       ///< [m]
   Range position_around_start{-0.06e-3, 0.06e-3, 6};                                                        ///< [m]
@@ -67,35 +67,38 @@ struct ScanRanges
   Range free_position{-6e-3, 5.2e-3, 28};                                                                   ///< [m]
   Range free_turn{-26e-3, 26e-3, 52};                                                                       ///< [rad]
   Range roll{-1e-3, 1e-3, 20};                                                                              ///< [rad]
-  Range free_inclination{14e-3, 50e-3, 36};                                                                        ///< [rad]
+  Range free_inclination{14e-3, 50e-3, 36};                                                                 ///< [rad]
 };
 
-/// Runs the scans. All solutions on one grid of 32 × 64 cells, from cold.
+/// Runs the scans. All solutions use one grid of 32 × 64 cells and a cold start.
 class Scan
 {
  public:
-  /// Track, wheelset and materials are taken from `config`; its profile of the rail and its inclination are replaced.
-  /// `solver` must outlive it.
+  /// Uses track, wheelset and materials of `config`; rail profile and rail inclination are replaced. `solver` must
+  /// outlive this.
   Scan(ContactModelConfig config, NormalSolver& solver, ScanRanges ranges);
 
-  /// Part "start": where the figures without bending could come from: rails, inclinations, loads, positions.
+  /// Part "start": settings for the results without bending: rail profiles, inclinations, loads, positions.
   std::vector<ScanRow> start() const;
-  /// Part "shift": from a start, the rail displaced across the track only.
+  /// Part "shift": from a start, the rail displaced laterally only.
   std::vector<ScanRow> shift(const ScanRow& start) const;
   /// Part "pair": at positions around a start, the rail displaced and turned about its crown.
   std::vector<ScanRow> pair(const ScanRow& start) const;
-  /// Part "inclination": any inclination and position whose figures without bending are near the printed ones; the rail
-  /// displaced outward as printed, and turned. Refined around the best pairs with an inward and an outward turn.
+  /// Part "inclination": all inclinations and positions whose results without bending are close to the printed ones.
+  /// The rail is displaced outward as printed, and turned. Refined around the best pairs with an inward and an outward
+  /// turn.
   std::vector<ScanRow> inclination(const std::string& rail) const;
-  /// Part "alone": the figures with bending by themselves: any position, any inclination of the rail.
+  /// Part "alone": settings for the results with bending only: all positions, all turns of the rail.
   std::vector<ScanRow> alone(const std::string& rail) const;
-  /// Part "roll": from a start, the wheelset rolled, the rail displaced as printed either way or not.
+  /// Part "roll": from a start, the wheelset rolled, and the rail displaced by the printed amount outward, inward or
+  /// not at all.
   std::vector<ScanRow> roll(const ScanRow& start) const;
-  /// Part "rails": from a start, the wheelset balanced on two rails that are displaced differently.
+  /// Part "rails": from a start, the wheelset balanced on two rails with different displacements.
   std::vector<ScanRow> rails(const ScanRow& start) const;
 
-  /// Of rows of the part "start", for each rail and inclination at loads as printed, the one nearest to the figures without
-  /// bending, if nearer than `limit` [-]; nearest of all first. Positions are refined to 0.01 mm.
+  /// From the rows of the part "start" at the printed load: for each rail profile and inclination, the row closest to
+  /// the printed results without bending, if its deviation is below `limit` [-]. Sorted by the deviation. Positions are
+  /// refined to 0.01 mm.
   std::vector<ScanRow> nearestStarts(const std::vector<ScanRow>& rows, double limit) const;
 
  private:

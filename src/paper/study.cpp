@@ -13,13 +13,13 @@ namespace wheel_rail_contact::core::paper
 {
 namespace
 {
-constexpr double near_start = 0.03;  ///< deviation from the figures without bending at which pairs are looked for [-]
-constexpr Range chart_forces{0, 80e3, 20};           ///< [N]
-constexpr Range search_forces{0, 60e3, 12};          ///< [N]
-constexpr Range search_positions{2e-3, 8e-3, 24};    ///< [m]
-constexpr const char* parted_table = "pads_40_100";  ///< whose deflection is taken apart
+constexpr double near_start = 0.03;          ///< largest deviation from the results without bending of a start [-]
+constexpr Range chart_forces{0, 80e3, 20};   ///< [N]
+constexpr Range search_forces{0, 60e3, 12};  ///< [N]
+constexpr Range search_positions{2e-3, 8e-3, 24};     ///< [m]
+constexpr const char* divided_table = "pads_40_100";  ///< table for the parts of the deflection, see DeflectionShare
 
-/// @param level  figures of each placement at roll 0
+/// @param level  results of each placement at roll 0
 void writeFigures(const std::vector<Placement>& placements, const std::vector<Figures>& level,
                   const std::filesystem::path& folder)
 {
@@ -133,7 +133,7 @@ void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>
     writeForceRows(csv, underForces(config, table, DeflectionShare::whole, {case_position}, chart_forces.values()));
     for (const DeflectionShare share : {DeflectionShare::without_moment, DeflectionShare::shift_only})
     {
-      if (table.name == parted_table)
+      if (table.name == divided_table)
       {
         writeForceRows(csv, underForces(config, table, share, {case_position}, chart_forces.values()));
       }
@@ -150,12 +150,12 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
           "part,rail,inclination,load,y,wheelset_roll,crown_lateral,crown_vertical,rail_turn,other_crown_lateral,"
           "other_crown_vertical,without_max_pressure,without_area,max_pressure,area,deviation_without,deviation_with,"
           "deviation_pair");
-  progress("scan: where the figures without bending come from");
+  progress("scan: settings for the results without bending");
   const std::vector<ScanRow> starts = scan.start();
   writeScanRows(csv, starts);
   for (const ScanRow& start : scan.nearestStarts(starts, near_start))
   {
-    progress("scan: pairs from " + start.rail);
+    progress("scan: pairs for " + start.rail);
     writeScanRows(csv, {start});
     writeScanRows(csv, scan.shift(start));
     writeScanRows(csv, scan.pair(start));

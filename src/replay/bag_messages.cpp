@@ -3,7 +3,7 @@
 
 namespace wheel_rail_contact
 {
-// One by one, for a damaged message may claim to hold any number.
+// Transforms are added one by one, without reserving memory: the count in a damaged message may be arbitrarily large.
 std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data)
 {
   std::vector<geometry_msgs::TransformStamped> transforms;

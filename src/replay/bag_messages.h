@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads single messages of a bag.
+// Conversion of single messages of a bag from bytes.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -16,24 +16,24 @@
 
 namespace wheel_rail_contact
 {
-/// A message's type and the checksum of its definition.
+/// Type of a message and MD5 sum of its definition.
 template <typename Message>
 std::pair<std::string, std::string> typeAndSum()
 {
   return {ros::message_traits::datatype<Message>(), ros::message_traits::md5sum<Message>()};
 }
 
-/// Calls `read` with a message's stream.
+/// Calls `read` with an input stream over the bytes of a message.
 template <typename Read>
 void readStream(std::string_view data, const Read& read)
 {
-  std::vector<std::uint8_t> bytes(data.begin(), data.end());  // the stream asks for data it could change
+  std::vector<std::uint8_t> bytes(data.begin(), data.end());  // IStream requires mutable data
   ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   read(stream);
 }
 
-/// A message from its bytes.
-/// @throw ros::serialization::StreamOverrunException if it is cut off.
+/// Deserialises a message.
+/// @throw ros::serialization::StreamOverrunException if the message is truncated.
 template <typename Message>
 boost::shared_ptr<Message> parse(std::string_view data)
 {
@@ -42,7 +42,7 @@ boost::shared_ptr<Message> parse(std::string_view data)
   return message;
 }
 
-/// Those of a message tf2_msgs/TFMessage.
-/// @throw ros::serialization::StreamOverrunException if the message is cut off.
+/// Transforms in the bytes of a message tf2_msgs/TFMessage.
+/// @throw ros::serialization::StreamOverrunException if the message is truncated.
 std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data);
 }  // namespace wheel_rail_contact

@@ -8,14 +8,14 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "ros/node/contact_statistics.h"
-#include "ros/node/text.h"
+#include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-/// Names of the columns with their units: those of the answer, then those of the patch.
+/// Column names with units: first the columns of the result, then those of the patch.
 constexpr const char* header =
     "answer [-],wheelset,stamp [s],status,reason,x [m],y [m],z [m],roll [rad],yaw [rad],"
     "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
@@ -25,7 +25,7 @@ constexpr const char* header =
     "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad]\n";
 constexpr const char* no_patch = ",,,,,,,,,,,,";
 
-/// Nine digits are more than any tolerance asks for.
+/// Cell with nine significant digits, which is finer than any tolerance.
 std::string cell(double value)
 {
   return formatted("%.9g,", value);
@@ -60,7 +60,7 @@ std::string cells(const ContactPatch& patch)
          cell(patch.residual) + patch.method + formatted(",%.9g", patch.half_space_ratio);
 }
 
-/// Roll and yaw of an orientation without pitch: Rz(yaw) Rx(roll).
+/// Cells of roll and yaw [rad] of an orientation without pitch, Rz(yaw) Rx(roll).
 std::string angles(const geometry_msgs::Quaternion& q)
 {
   return cell(2 * std::atan2(q.x, q.w)) + cell(2 * std::atan2(q.z, q.w));
@@ -86,18 +86,18 @@ std::string csvRows(const WheelsetContact& output, std::uint64_t number, const s
   return rows;
 }
 
-void CsvFile::requirePlace(const std::string& path, bool resume)
+void CsvFile::requireUsablePath(const std::string& path, bool resume)
 {
   if (std::filesystem::exists(path) != resume)
   {
-    throw std::runtime_error(path + (resume ? ": does not exist; resume with the table of the first run"
-                                            : ": exists already; it is not overwritten"));
+    throw std::runtime_error(path + (resume ? ": does not exist; --resume requires the table of the first run"
+                                            : ": already exists and is not overwritten"));
   }
 }
 
-CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), uncut_(resume)
+CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), truncation_pending_(resume)
 {
-  requirePlace(path, resume);
+  requireUsablePath(path, resume);
   if (!resume)
   {
     file_.open(path);
@@ -108,16 +108,16 @@ CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), uncut_(res
 
 void CsvFile::write(std::uint64_t number, const std::string& rows)
 {
-  if (uncut_)
+  if (truncation_pending_)
   {
-    cut(number);
+    truncate(number);
   }
   file_ << rows;
 }
 
 void CsvFile::flush()
 {
-  if (!uncut_ && !file_.flush())
+  if (!truncation_pending_ && !file_.flush())
   {
     throw std::runtime_error(path_ + ": cannot be written");
   }
@@ -125,22 +125,22 @@ void CsvFile::flush()
 
 void CsvFile::finish(std::uint64_t results)
 {
-  if (uncut_)
+  if (truncation_pending_)
   {
-    cut(results);
+    truncate(results);
   }
   flush();
 }
 
-/// Removes the rows of the answers from `number` on, and goes on after those before.
-void CsvFile::cut(std::uint64_t number)
+/// Removes the rows of result `number` and of all later results. Opens the file for appending.
+void CsvFile::truncate(std::uint64_t number)
 {
   std::ifstream before(path_);
   std::string line;
   std::getline(before, line);
   if (line + "\n" != header)
   {
-    throw std::runtime_error(path_ + ": is not the table of a replay");
+    throw std::runtime_error(path_ + ": is not a table written by contact_replay");
   }
   std::uint64_t length = line.size() + 1;
   std::uint64_t results = 0;
@@ -156,11 +156,11 @@ void CsvFile::cut(std::uint64_t number)
   }
   if (results != number)
   {
-    throw std::runtime_error(path_ + ": lacks rows of answers that are in the bag");
+    throw std::runtime_error(path_ + ": rows of results that are in the bag are missing");
   }
   std::filesystem::resize_file(path_, length);
   file_.open(path_, std::ios::app);
-  uncut_ = false;
+  truncation_pending_ = false;
 }
 
 std::uint64_t CsvFile::resultOf(const std::string& row) const
@@ -168,7 +168,7 @@ std::uint64_t CsvFile::resultOf(const std::string& row) const
   std::uint64_t number = 0;
   if (std::from_chars(row.data(), row.data() + row.size(), number).ec != std::errc())
   {
-    throw std::runtime_error(path_ + ": a row does not begin with the number of an answer: " + row);
+    throw std::runtime_error(path_ + ": a row does not begin with the number of a result: " + row);
   }
   return number;
 }

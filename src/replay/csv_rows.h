@@ -9,36 +9,37 @@
 
 namespace wheel_rail_contact
 {
-/// A line for each patch of an answer; one with empty cells at the patch for an answer that has none.
-/// @param number of the answer in the output
+/// Rows of a result in the table: one per patch, or one with empty patch columns if the result has no patches.
+/// @param number of the result in the output, counted from 0
 std::string csvRows(const WheelsetContact& result, std::uint64_t number, const std::string& wheelset);
 
-/// The table on its way to a file.
+/// Writer of the table of patches. Units are in the column names of its first line.
 class CsvFile
 {
  public:
-  /// @throw std::runtime_error if the file exists, or with `resume` does not.
-  static void requirePlace(const std::string& path, bool resume);
+  /// @throw std::runtime_error if the file exists without `resume`, or does not exist with `resume`.
+  static void requireUsablePath(const std::string& path, bool resume);
 
-  /// @param resume true: goes on with the file that is there, which is left as it is until write() or finish()
-  /// @throw std::runtime_error as requirePlace() does, or if the file cannot be written.
+  /// @param resume true: continues the existing file. The file is not changed before the first write() or finish()
+  /// @throw std::runtime_error as requireUsablePath(), or if the file cannot be written.
   CsvFile(const std::string& path, bool resume);
 
-  /// Adds the rows of an answer. When a table is resumed, the first rows replace those of this answer and after it.
-  /// @throw std::runtime_error if rows of the answers before are missing.
+  /// Appends the rows of a result. The first call after resuming replaces the rows of this and of all later results.
+  /// @throw std::runtime_error if the file is not such a table, or if rows of earlier results are missing.
   void write(std::uint64_t number, const std::string& rows);
-  /// @throw std::runtime_error if not everything could be written.
+  /// Writes buffered rows to the file.
+  /// @throw std::runtime_error if the file cannot be written.
   void flush();
-  /// After the last rows: the table is that of so many answers.
-  /// @throw std::runtime_error as write() and flush() do.
+  /// Completes the table. Afterwards it contains the rows of the first `results` results and no others.
+  /// @throw std::runtime_error as write() and flush().
   void finish(std::uint64_t results);
 
  private:
-  void cut(std::uint64_t number);
+  void truncate(std::uint64_t number);
   std::uint64_t resultOf(const std::string& row) const;
 
   std::string path_;
-  bool uncut_;  ///< resumed, and nothing was written since
+  bool truncation_pending_;  ///< resumed, and not yet written to
   std::ofstream file_;
 };
 }  // namespace wheel_rail_contact

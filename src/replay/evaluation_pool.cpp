@@ -63,7 +63,7 @@ void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* 
   offer(slice);
 }
 
-/// A slice that is closed is offered a last time, to give its evaluator back.
+/// Offers a slice to the threads. A closed slice is offered once more, to release its evaluator.
 void EvaluationPool::offer(const std::shared_ptr<Slice>& slice)
 {
   if (slice->wanted && !slice->taken && offered_.emplace(slice->number, slice).second)
@@ -95,7 +95,7 @@ void EvaluationPool::work()
   }
 }
 
-/// Answers what waits in a slice, and what comes meanwhile. The mutex is held but for the evaluations.
+/// Evaluates the waiting inputs of a slice, and those that arrive meanwhile. The mutex is released during evaluations.
 void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
 {
   slice.taken = true;

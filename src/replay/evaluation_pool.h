@@ -11,31 +11,32 @@
 #include <vector>
 
 #include "replay/output_queue.h"
-#include "ros/node/contact_evaluator.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 namespace wheel_rail_contact
 {
-/// Threads that answer inputs. Each slice (ResetRule) is answered in its order by one evaluator, which starts
-/// cold, so that the answers do not depend on the number of threads.
+/// Threads that evaluate inputs. One evaluator processes the inputs of a slice (see ResetRule) in order, from a cold
+/// start. The results therefore do not depend on the number of threads.
 class EvaluationPool
 {
  public:
-  /// What an answer is turned into.
+  /// Output format of a result.
   struct Format
   {
-    bool grids = true;                   ///< false leaves the pressure grids empty
-    bool csv = false;                    ///< true: rows of the table too
-    std::vector<std::string> wheelsets;  ///< names, for the table
+    bool grids = true;                   ///< false: the pressure grids are left empty
+    bool csv = false;                    ///< true: rows of the table are also made
+    std::vector<std::string> wheelsets;  ///< names in the table
   };
 
-  /// @param output gets the answers, and what goes wrong in a thread; must outlive the pool
+  /// @param output receives the results and any exception of a thread; must outlive the pool
   EvaluationPool(NodeConfig config, int threads, Format format, OutputQueue& output);
-  /// Ends after the evaluations in hand.
+  /// Waits for the evaluations in progress. Inputs that wait are not evaluated.
   ~EvaluationPool();
   EvaluationPool(const EvaluationPool&) = delete;
   EvaluationPool& operator=(const EvaluationPool&) = delete;
 
-  /// @param item to be completed; null: the answer is not asked for, but those after it in its slice may start from it
+  /// Adds the next input of a wheelset.
+  /// @param item to be completed; null: the result is not output, but later results of its slice may start from it
   void add(std::size_t wheelset, PreparedInput input, OutputItem* item);
 
  private:
@@ -48,9 +49,9 @@ class EvaluationPool
   {
     std::uint64_t number = 0;
     std::vector<Job> waiting;
-    bool wanted = false;  ///< one of its answers is asked for
-    bool taken = false;   ///< a thread works on it
-    bool closed = false;  ///< no input will come
+    bool wanted = false;  ///< at least one of its results is output
+    bool taken = false;   ///< a thread is evaluating it
+    bool closed = false;  ///< no further input will be added
     std::unique_ptr<ContactEvaluator> evaluator;
   };
 
@@ -64,8 +65,8 @@ class EvaluationPool
   OutputQueue& output_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::vector<std::shared_ptr<Slice>> open_;                 ///< by wheelset; null before its first input
-  std::map<std::uint64_t, std::shared_ptr<Slice>> offered_;  ///< that have something to do, the oldest first
+  std::vector<std::shared_ptr<Slice>> open_;                 ///< by wheelset; null before the first input
+  std::map<std::uint64_t, std::shared_ptr<Slice>> offered_;  ///< slices with work to do, oldest first
   std::vector<std::unique_ptr<ContactEvaluator>> idle_;
   std::uint64_t slices_ = 0;
   bool stopped_ = false;

@@ -16,7 +16,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// The description of a whole replay, and the stretch of the part that a part's description tells beside it.
+/// Description of a part: that of the replay of the whole bag, and the span of recording times of the part.
 struct Description
 {
   std::string whole;
@@ -36,7 +36,7 @@ Description descriptionOf(const BagConnection& connection)
   return description;
 }
 
-/// Topics of the answers, by the numbers of their connections, of a replay with this description.
+/// Topics of the results of a replay with this description. The index is the number of the connection.
 std::vector<std::string> topicsOf(const std::string& description)
 {
   std::vector<std::string> topics;
@@ -47,11 +47,11 @@ std::vector<std::string> topicsOf(const std::string& description)
   return topics;
 }
 
-/// By their numbers.
+/// Connections by number.
 using Connections = std::map<std::uint32_t, BagConnection>;
 
-/// Topics of the parts' own answers. A bag whose topics were kept may hold answers of an earlier replay too; their
-/// connections are numbered after those of the wheelsets, so that the lowest number is the parts' own.
+/// Topics of the results of this replay. With --keep-topics, the parts may also contain results of an earlier replay.
+/// Their connections have higher numbers than those of the wheelsets, so the lowest number belongs to this replay.
 std::vector<std::string> topicsOf(const std::vector<Connections>& parts)
 {
   std::vector<std::string> topics;
@@ -74,7 +74,7 @@ std::vector<std::string> topicsOf(const std::vector<Connections>& parts)
   return topics;
 }
 
-/// Collects the parts' answers and checks that the parts follow one another.
+/// Collects the connections of the results and checks that the parts follow one another without a gap.
 class Results
 {
  public:
@@ -82,7 +82,7 @@ class Results
   {
     if (parts.empty())
     {
-      throw std::invalid_argument("parts: must be one or more");
+      throw std::invalid_argument("parts: at least one is required");
     }
     std::vector<Connections> connections;
     connections.reserve(parts.size());
@@ -99,7 +99,7 @@ class Results
     requireNoGap(parts.back(), std::numeric_limits<std::uint64_t>::max());
   }
 
-  /// By wheelset; empty for one without answers.
+  /// Connections of the results by wheelset; empty for a wheelset without results.
   const std::vector<BagConnection>& connections() const { return connections_; }
 
  private:
@@ -127,7 +127,7 @@ class Results
     const Description description = is_own ? descriptionOf(connection) : Description{};
     if (!is_own || (!whole_.empty() && description.whole != whole_) || description.span.from < end_)
     {
-      throw BagError(part + ": is not a later part of the same replay as those before it");
+      throw BagError(part + ": is not a later part of the same replay as the parts before it");
     }
     whole_ = description.whole;
     connection.header.set(description_field, whole_);
@@ -135,26 +135,26 @@ class Results
     return description.span;
   }
 
-  /// A part without answers does not tell its stretch: after it, how much is missing is not known.
+  /// A part without results does not contain its span. A gap next to such a part is not detected.
   void requireNoGap(const std::string& part, std::uint64_t next) const
   {
     if (is_end_known_ && end_ < next)
     {
-      throw BagError(part + ": a part is missing that begins at " + std::to_string(end_) + " ns" +
+      throw BagError(part + ": the part that begins at " + std::to_string(end_) + " ns is missing" +
                      (next < std::numeric_limits<std::uint64_t>::max()
-                          ? ", before this one at " + std::to_string(next) + " ns"
-                          : ", after this one"));
+                          ? "; this part begins at " + std::to_string(next) + " ns"
+                          : "; this is the last part"));
     }
   }
 
   std::vector<std::string> topics_;  ///< by wheelset
   std::vector<BagConnection> connections_;
-  std::string whole_;         ///< description
-  std::uint64_t end_ = 0;     ///< of the last part with answers [ns]
-  bool is_end_known_ = true;  ///< no part without answers came after it
+  std::string whole_;         ///< description of the replay of the whole bag
+  std::uint64_t end_ = 0;     ///< of the last part with results [ns]
+  bool is_end_known_ = true;  ///< false after a part without results
 };
 
-/// Writes one part after the other.
+/// Appends the parts to the output.
 class Joiner
 {
  public:
@@ -196,12 +196,12 @@ class Joiner
       writer_.write(numberOf(message), message.time, message.data);
       return;
     }
-    // An answer begins with its header, and that with `seq`: its number among those of its wheelset.
+    // A result begins with `seq` of its header: its number among the results of its wheelset.
     std::string data = bytesOf(sequence_[message.connection_id]++);
     writer_.write(message.connection_id, message.time, data.append(message.data.substr(data.size())));
   }
 
-  /// Number of a message that was kept. Parts number the same connection by when they come to it.
+  /// Connection number in the output of a copied message. The parts may give one connection different numbers.
   std::uint32_t numberOf(const BagMessage& message)
   {
     const auto known = kept_.find(message.connection_id);
@@ -215,9 +215,9 @@ class Joiner
   }
 
   BagWriter writer_;
-  std::vector<std::uint32_t> sequence_;             ///< of the next answer, by wheelset
-  std::map<std::uint32_t, std::uint32_t> kept_;     ///< numbers in the output by those in the part
-  std::map<std::string, std::uint32_t> by_header_;  ///< numbers in the output of connections that were kept
+  std::vector<std::uint32_t> sequence_;             ///< of the next result, by wheelset
+  std::map<std::uint32_t, std::uint32_t> kept_;     ///< numbers in the output by numbers in the part
+  std::map<std::string, std::uint32_t> by_header_;  ///< numbers in the output of copied connections
   std::uint64_t messages_ = 0;
 };
 }  // namespace

@@ -9,10 +9,11 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t overhead = 1024;  ///< of an item and its input [B]
-constexpr std::chrono::milliseconds moment(100);
+constexpr std::size_t overhead = 1024;  ///< memory of an item and its input, without the data of the result [B]
+constexpr std::chrono::milliseconds pop_timeout(100);
 }  // namespace
 
+/// Updates the memory attributed to an item. An unfinished result counts as much as the largest result so far.
 void OutputQueue::charge(OutputItem& item)
 {
   bytes_ -= item.charged;
@@ -23,7 +24,7 @@ void OutputQueue::charge(OutputItem& item)
 OutputItem* OutputQueue::append(OutputItem item)
 {
   std::unique_lock<std::mutex> lock(mutex_);
-  room_.wait(lock, [this] { return stopped_ || items_.empty() || bytes_ < budget_; });
+  space_.wait(lock, [this] { return stopped_ || items_.empty() || bytes_ < budget_; });
   if (stopped_)
   {
     return nullptr;
@@ -68,7 +69,7 @@ OutputQueue::State OutputQueue::pop(OutputItem& item)
 {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto is_ready = [this] { return !items_.empty() && items_.front().ready; };
-  front_ready_.wait_for(lock, moment, [&] { return stopped_ || is_ready() || (closed_ && items_.empty()); });
+  front_ready_.wait_for(lock, pop_timeout, [&] { return stopped_ || is_ready() || (closed_ && items_.empty()); });
   if (reason_)
   {
     std::rethrow_exception(reason_);
@@ -86,7 +87,7 @@ OutputQueue::State OutputQueue::pop(OutputItem& item)
   bytes_ -= item.charged;
   if (bytes_ < budget_ / 4 * 3 || items_.empty())
   {
-    room_.notify_one();
+    space_.notify_one();
   }
   return State::item;
 }
@@ -96,7 +97,7 @@ void OutputQueue::stop(std::exception_ptr reason)
   const std::lock_guard<std::mutex> lock(mutex_);
   stopped_ = true;
   reason_ = reason_ ? reason_ : std::move(reason);
-  room_.notify_all();
+  space_.notify_all();
   front_ready_.notify_all();
 }
 }  // namespace wheel_rail_contact

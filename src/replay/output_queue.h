@@ -12,56 +12,58 @@
 
 namespace wheel_rail_contact
 {
-/// A message of the output, which may still be worked on.
+/// A message of the output. A result may still be in evaluation.
 struct OutputItem : ReplayItem
 {
-  std::uint64_t result = 0;    ///< number of the answer in the output
-  std::uint32_t sequence = 0;  ///< number of the answer among those of its wheelset
-  bool ready = false;          ///< `data` and what follows is there
+  std::uint64_t result = 0;    ///< number of the result in the output
+  std::uint32_t sequence = 0;  ///< number of the result among those of its wheelset
+  bool ready = false;          ///< `data` and the members below are complete
   std::string csv;             ///< rows of the table
-  std::uint8_t status = 0;     ///< of the answer, as in the message
-  std::string reason;          ///< of the status, as in the message; empty if it is OK
-  std::size_t charged = 0;     ///< by the queue [B]
+  std::uint8_t status = 0;     ///< status of the result, as in the message
+  std::string reason;          ///< status_text of the result; empty if the status is OK
+  std::size_t charged = 0;     ///< memory attributed to the item by the queue [B]
 };
 
-/// The output in its order, between those who fill it and the one who writes it. Holds back the reader when too much is
-/// waiting, so that memory stays bounded. Thread-safe.
+/// Queue of output items in the order of the output. The reader appends items, workers complete them and the writer
+/// takes them. The reader is blocked while the waiting items exceed a memory budget. Thread-safe.
 class OutputQueue
 {
  public:
-  /// @param budget of waiting items, about [B]
+  /// @param budget approximate memory limit of the waiting items [B]
   explicit OutputQueue(std::size_t budget) : budget_(budget) {}
 
-  /// Reader: appends an item, as soon as there is room. @return the item, null once the queue has been stopped.
+  /// Reader: waits until the memory budget allows another item, then appends it.
+  /// @return the item; null after stop()
   OutputItem* append(OutputItem item);
-  /// Workers: fills an item.
+  /// Workers: completes an item with its result.
   void complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status, std::string reason);
-  /// Reader: nothing more will come.
+  /// Reader: no further item will be appended.
   void close();
 
-  /// What the writer is given.
+  /// Outcome of pop().
   enum class State
   {
-    item,   ///< the next item
-    later,  ///< nothing is ready yet
-    end     ///< no more will come
+    item,   ///< an item was taken
+    later,  ///< the next item is not ready yet
+    end     ///< the queue is closed and empty, or stopped
   };
-  /// Writer: takes the next item; waits for it a moment.
-  /// @throw what stop() was given.
+  /// Writer: takes the next item; waits for it up to 0.1 s.
+  /// @throw the exception that was passed to stop().
   State pop(OutputItem& item);
 
-  /// Lets go whoever waits; nothing is delivered any more.
+  /// Ends all waiting. Afterwards no item is accepted or delivered.
+  /// @param reason exception for pop(); of several calls the first exception counts
   void stop(std::exception_ptr reason = nullptr);
 
  private:
   void charge(OutputItem& item);
 
   std::mutex mutex_;
-  std::condition_variable room_, front_ready_;
+  std::condition_variable space_, front_ready_;
   std::deque<OutputItem> items_;
   std::size_t budget_;
-  std::size_t bytes_ = 0;           ///< of all items
-  std::size_t largest_result_ = 0;  ///< so far; answers still to come count as much
+  std::size_t bytes_ = 0;           ///< memory attributed to all items [B]
+  std::size_t largest_result_ = 0;  ///< size of the largest result so far [B]; assumed for unfinished results
   bool closed_ = false, stopped_ = false;
   std::exception_ptr reason_;
 };

@@ -7,13 +7,13 @@
 
 namespace wheel_rail_contact
 {
-// Outlines of the left wheel and rail as text, a line "y z" [m] for each point, from the gauge side to the field side:
-// what a picture of the answers needs to know about the profiles.
+// Outlines of the left wheel and the left rail as text, for drawing results: one line "y z" [m] per point, from the
+// gauge side to the field side.
 
-/// The rail at rest, track axes.
+/// Outline of the undeflected rail, in track axes.
 std::string railOutlineText(const core::ContactModelConfig& config);
-/// The point of the rail's head at rest whose way RailDeflection tells; one line, track axes.
+/// Reference point of the undeflected rail head, in track axes: the point to which RailDeflection refers. One line.
 std::string railReferenceText(const core::ContactModelConfig& config);
-/// The wheel's lowest points, axes of the wheelset without roll and yaw, origin in the axle's centre.
+/// Lower outline of the wheel without roll and yaw. Axes parallel to the track axes, origin at the axle centre.
 std::string wheelOutlineText(const core::ContactModelConfig& config);
 }  // namespace wheel_rail_contact

@@ -53,7 +53,7 @@ void Progress::print(std::uint64_t read, std::uint64_t results) const
   const auto filled = static_cast<std::size_t>(std::lround(share * bar_width));
   const std::string bar =
       terminal_ ? "\r[" + std::string(filled, '#') + std::string(bar_width - filled, '.') + "] " : std::string();
-  std::fprintf(stderr, "%s%5.1f %%  %llu answers, %.0f/s, %.0f s left %s", bar.c_str(), 100 * share,
+  std::fprintf(stderr, "%s%5.1f %%  %llu results, %.0f/s, %.0f s left %s", bar.c_str(), 100 * share,
                static_cast<unsigned long long>(results), rate, std::ceil(left), terminal_ ? "  " : "\n");
 }
 }  // namespace wheel_rail_contact

@@ -6,20 +6,21 @@
 
 namespace wheel_rail_contact
 {
-/// Shows on stderr how far a replay has come, how fast it is and how long it will take: a bar on a terminal, otherwise
-/// a line now and then.
+/// Displays progress, speed and remaining time of a replay on stderr: a bar on a terminal, otherwise a line every 10 s.
 class Progress
 {
  public:
-  /// @param total number of messages to be read
+  /// @param total number of messages to read
   explicit Progress(std::uint64_t total);
 
-  /// Called often; shows something only when it is time.
+  /// Updates the display if it is due. May be called often.
+  /// @param read messages read so far
+  /// @param results results written so far in this run
   void show(std::uint64_t read, std::uint64_t results);
-  /// Shows the last state and ends the line.
+  /// Prints the final state on a terminal and ends the line.
   void finish(std::uint64_t read, std::uint64_t results);
 
-  /// Since the beginning [s].
+  /// Time since construction [s].
   double elapsed() const;
 
  private:

@@ -10,7 +10,7 @@
 #include "replay/profile_outlines.h"
 #include "replay/progress.h"
 #include "replay/warm_up.h"
-#include "ros/node/text.h"
+#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
@@ -40,14 +40,15 @@ std::string percent(std::uint64_t part, std::uint64_t all)
   return formatted("%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
 }
 
-/// What needs nothing of the input is refused before that is read: one without index is read whole.
-ReplayOptions withFreshOutputs(ReplayOptions options)
+/// Checks the output files before the input is opened, because a bag without index is read completely. Clears `resume`
+/// if the output does not exist.
+ReplayOptions withCheckedOutputs(ReplayOptions options)
 {
   if (std::filesystem::exists(options.output))
   {
     if (!options.resume)
     {
-      throw std::runtime_error(options.output + ": exists already; it is not overwritten (--resume goes on with it)");
+      throw std::runtime_error(options.output + ": already exists and is not overwritten (--resume continues it)");
     }
   }
   else
@@ -56,14 +57,14 @@ ReplayOptions withFreshOutputs(ReplayOptions options)
   }
   if (!options.csv.empty())
   {
-    CsvFile::requirePlace(options.csv, options.resume);
+    CsvFile::requireUsablePath(options.csv, options.resume);
   }
   return options;
 }
 }  // namespace
 
 Replay::Replay(ReplayOptions options)
-    : options_(withFreshOutputs(std::move(options))),
+    : options_(withCheckedOutputs(std::move(options))),
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
       source_(options_.input, config_, options_.wheelsets, options_.keep_topics, options_.span,
@@ -97,7 +98,7 @@ Replay::Replay(ReplayOptions options)
   }
 }
 
-/// Only of a bag whose answers say that they were made from the same input in the same way.
+/// Opens the output for resuming, if its results have the same description: same input, parameters and options.
 std::unique_ptr<BagWriter> Replay::resumeOutput()
 {
   const BagFile file(options_.output);
@@ -113,11 +114,11 @@ std::unique_ptr<BagWriter> Replay::resumeOutput()
   if (!is_same)
   {
     throw std::runtime_error(options_.output +
-                             ": cannot be resumed, it holds no answers to this input with these "
-                             "parameters and options");
+                             ": cannot be resumed; it contains no results of this input with "
+                             "these parameters and options");
   }
-  remains_ = remainsOf(file);
-  return std::make_unique<BagWriter>(options_.output, options_.compression, remains_);
+  resume_point_ = resumePointOf(file);
+  return std::make_unique<BagWriter>(options_.output, options_.compression, resume_point_);
 }
 
 void Replay::run(const std::atomic<bool>& interrupted)
@@ -129,8 +130,8 @@ void Replay::run(const std::atomic<bool>& interrupted)
     try
     {
       OutputItem item;
-      // What a resumed bag holds already is passed over whole, or its table and its connections would lose a part.
-      const auto is_over = [&] { return interrupted && written_ >= remains_.messages; };
+      // An interrupt takes effect after the resumed messages. Otherwise table and connections would be incomplete.
+      const auto is_over = [&] { return interrupted && written_ >= resume_point_.messages; };
       for (auto state = OutputQueue::State::later; state != OutputQueue::State::end && !is_over();)
       {
         state = queue_.pop(item);
@@ -159,7 +160,7 @@ void Replay::run(const std::atomic<bool>& interrupted)
   progress.finish(last_read_, results_ - results_before_);
 }
 
-/// Reads the input and hands out the work.
+/// Reads the input and distributes the evaluations. Runs in the thread of the reader.
 void Replay::read(EvaluationPool& pool)
 {
   try
@@ -173,7 +174,7 @@ void Replay::read(EvaluationPool& pool)
         pool.add(*event->wheelset, std::move(event->input), nullptr);
         continue;
       }
-      const bool wanted = messages++ >= remains_.messages;
+      const bool wanted = messages++ >= resume_point_.messages;
       OutputItem item;
       static_cast<ReplayItem&>(item) = std::move(static_cast<ReplayItem&>(*event));
       item.ready = !event->wheelset || !wanted;
@@ -202,17 +203,17 @@ void Replay::read(EvaluationPool& pool)
 
 void Replay::write(const OutputItem& item)
 {
-  const bool is_there = written_++ < remains_.messages;
+  const bool is_resumed = written_++ < resume_point_.messages;
   if (item.wheelset)
   {
     ++results_;
-    results_before_ += is_there ? 1U : 0U;
+    results_before_ += is_resumed ? 1U : 0U;
   }
-  if (item.wheelset && !is_there && statuses_.at(item.status)++ == 0)
+  if (item.wheelset && !is_resumed && statuses_.at(item.status)++ == 0)
   {
     first_reasons_.at(item.status) = item.reason;
   }
-  if (csv_ && item.wheelset && !is_there)
+  if (csv_ && item.wheelset && !is_resumed)
   {
     csv_->write(item.result, item.csv);
   }
@@ -234,11 +235,11 @@ std::uint32_t Replay::keptConnection(const OutputItem& item)
 void Replay::printSummary(std::ostream& out) const
 {
   const std::uint64_t evaluated = results_ - results_before_;
-  out << evaluated << " pairs answered in " << seconds_ << " s, "
+  out << evaluated << " pairs evaluated in " << seconds_ << " s, "
       << static_cast<std::uint64_t>(static_cast<double>(evaluated) / seconds_) << "/s";
   if (results_before_ > 0)
   {
-    out << "; " << results_before_ << " were there already";
+    out << "; " << results_before_ << " results were already in the output";
   }
   out << "\n";
   for (std::size_t status = 0; status < statuses_.size(); ++status)
@@ -246,8 +247,8 @@ void Replay::printSummary(std::ostream& out) const
     if (statuses_[status] > 0)
     {
       out << "  " << statusName(static_cast<std::uint8_t>(status)) << ": " << statuses_[status] << " ("
-          << percent(statuses_[status], evaluated) << " %)" << (first_reasons_[status].empty() ? "" : "; the first: ")
-          << first_reasons_[status] << "\n";
+          << percent(statuses_[status], evaluated) << " %)"
+          << (first_reasons_[status].empty() ? "" : "; first reason: ") << first_reasons_[status] << "\n";
     }
   }
   for (std::size_t i = 0; i < options_.wheelsets.size(); ++i)
@@ -263,7 +264,7 @@ void Replay::printSummary(std::ostream& out) const
     }
     if (const std::uint64_t lacking = source_.lackingNeighbour(i))
     {
-      out << "  " << resultTopic(options_.wheelsets[i]) << ": " << lacking << " answers lack a neighbour's forces\n";
+      out << "  " << resultTopic(options_.wheelsets[i]) << ": " << lacking << " results lack a neighbour's forces\n";
     }
   }
 }

@@ -16,28 +16,28 @@
 #include "replay/output_queue.h"
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
-#include "ros/node/contact_statistics.h"
+#include "ros/evaluation/contact_statistics.h"
 
 namespace wheel_rail_contact
 {
-/// One run of contact_replay: a thread reads and pairs, some evaluate, and the caller's writes.
+/// One run of contact_replay. One thread reads and matches messages, several evaluate, the caller's thread writes.
 class Replay
 {
  public:
-  /// Opens the files.
-  /// @throw std::exception if the parameters or the files cannot be used, or the output exists already.
+  /// Reads the parameters and opens the files.
+  /// @throw std::exception if parameters or files cannot be used, or if an output exists without `resume`.
   explicit Replay(ReplayOptions options);
 
-  /// Runs to the end, or until `interrupted` becomes true; the output is a whole bag in either case, with at least what
-  /// was resumed.
-  /// @throw std::exception if something goes wrong on the way.
+  /// Runs to the end, or until `interrupted` becomes true. In both cases the output is a complete bag. It contains at
+  /// least the results that were in the resumed bag.
+  /// @throw std::exception for any failure during reading, evaluating or writing.
   void run(const std::atomic<bool>& interrupted);
 
-  /// What was done, in sentences.
+  /// Prints number of results, speed, statuses and dropped messages. contact_campaign parses this text.
   void printSummary(std::ostream& out) const;
-  /// What could not be read, in sentences; empty if everything was.
+  /// Parts of the input that could not be read, as text; empty if all was read.
   std::vector<std::string> faults() const { return source_.faults(); }
-  /// Answers written, those resumed among them.
+  /// Number of results in the output, including those of the resumed bag.
   std::uint64_t results() const { return results_; }
 
  private:
@@ -51,17 +51,17 @@ class Replay
   const NodeConfig config_;
   ReplaySource source_;
   const std::string description_;
-  BagRemains remains_;
+  BagResumePoint resume_point_;
   std::unique_ptr<BagWriter> bag_;
   std::unique_ptr<CsvFile> csv_;
   OutputQueue queue_;
-  std::map<std::uint32_t, std::uint32_t> kept_connections_;  ///< numbers in the output by those in the input
-  std::uint64_t written_ = 0;                                ///< messages, with those that were there before
-  std::uint64_t results_ = 0;                                ///< with those that were there before
-  std::uint64_t results_before_ = 0;                         ///< that were there before
-  std::uint64_t last_read_ = 0;                              ///< messages of the input that are dealt with
+  std::map<std::uint32_t, std::uint32_t> kept_connections_;  ///< numbers in the output by numbers in the input
+  std::uint64_t written_ = 0;                                ///< messages in the output, including resumed ones
+  std::uint64_t results_ = 0;                                ///< results in the output, including resumed ones
+  std::uint64_t results_before_ = 0;                         ///< resumed results
+  std::uint64_t last_read_ = 0;                              ///< messages of the input that are processed
   std::array<std::uint64_t, ContactStatistics::statuses> statuses_{};
-  std::array<std::string, ContactStatistics::statuses> first_reasons_;  ///< of each status
+  std::array<std::string, ContactStatistics::statuses> first_reasons_;  ///< by status
   double seconds_ = 0;
 };
 }  // namespace wheel_rail_contact

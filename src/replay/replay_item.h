@@ -9,14 +9,14 @@
 
 namespace wheel_rail_contact
 {
-/// One place in the output of a replay: an answer, or a message that is kept.
+/// A message of the output of a replay: a result, or a copied message of the input (--keep-topics).
 struct ReplayItem
 {
-  std::optional<std::size_t> wheelset;        ///< whose answer this is; nothing: a message that is kept
-  std::uint32_t connection_id = 0;            ///< of a message that is kept, as in the input
-  const BagConnection* connection = nullptr;  ///< of a message that is kept
-  std::uint64_t time = 0;                     ///< recording time at which the input was ready, or of the message [ns]
-  std::uint64_t read = 0;                     ///< messages read from the input so far
-  std::string data;                           ///< the message; that of an answer is filled in later
+  std::optional<std::size_t> wheelset;        ///< wheelset of a result; empty: a copied message
+  std::uint32_t connection_id = 0;            ///< of a copied message, in the input
+  const BagConnection* connection = nullptr;  ///< of a copied message
+  std::uint64_t time = 0;  ///< recording time: of a copied message, or when the input became complete [ns]
+  std::uint64_t read = 0;  ///< messages read from the input so far
+  std::string data;        ///< bytes of the message; for a result set later
 };
 }  // namespace wheel_rail_contact

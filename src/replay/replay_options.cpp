@@ -17,7 +17,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// How the lines of a description that name a wheelset begin and end.
+/// Beginning and end of the lines of a description that give a wheelset.
 constexpr std::string_view wheelset_line = "wheelset: ", wheelset_inputs = "/wheelset";
 
 bool isOption(const std::string& argument)
@@ -25,7 +25,7 @@ bool isOption(const std::string& argument)
   return argument.size() > 1 && argument[0] == '-';
 }
 
-/// Walks over the arguments.
+/// Iterator over the arguments.
 class Arguments
 {
  public:
@@ -34,12 +34,12 @@ class Arguments
   bool empty() const { return next_ == all_.size(); }
   std::string take() { return all_[next_++]; }
 
-  /// The value of an option.
+  /// Value of an option. @throw std::invalid_argument if it is missing.
   std::string valueOf(const std::string& option)
   {
     if (empty() || isOption(all_[next_]))
     {
-      throw std::invalid_argument(option + " needs a value");
+      throw std::invalid_argument(option + ": requires a value");
     }
     return take();
   }
@@ -69,17 +69,17 @@ int threadCount(const std::string& text)
   {
     count = std::stoi(text, &read);
   }
-  catch (const std::exception&)  // no number: refused below
+  catch (const std::exception&)  // not a number: rejected below
   {
   }
   if (read != text.size() || count < 1 || count > most)
   {
-    throw std::invalid_argument("--threads = " + text + ": must be a whole number from 1 to 1024");
+    throw std::invalid_argument("--threads = " + text + ": must be an integer from 1 to 1024");
   }
   return count;
 }
 
-/// Recording time [ns] of a text such as 1700000000.25.
+/// Recording time [ns] from a text in seconds, such as 1700000000.25.
 std::uint64_t recordingTime(const std::string& option, const std::string& text)
 {
   constexpr std::size_t most_seconds = 10, decimals = 9;
@@ -89,13 +89,14 @@ std::uint64_t recordingTime(const std::string& option, const std::string& text)
   const bool digits = (seconds + fraction).find_first_not_of("0123456789") == std::string::npos;
   if (!digits || seconds.empty() || seconds.size() > most_seconds || fraction.size() > decimals)
   {
-    throw std::invalid_argument(option + " = " + text + ": must be a recording time in seconds, to the nanosecond");
+    throw std::invalid_argument(option + " = " + text +
+                                ": must be a recording time in seconds with at most 9 decimals");
   }
   fraction.resize(decimals, '0');
   return std::stoull(seconds) * 1000000000 + std::stoull(fraction);
 }
 
-/// "front", "/front/" and "/front" are the same; "/" is the namespace of a single wheelset.
+/// Namespace from a name: "/front" from "front", "/front" or "/front/", and "" from "/".
 std::string asNamespace(const std::string& name)
 {
   const auto first = name.find_first_not_of('/');
@@ -114,7 +115,7 @@ std::vector<std::string> namespaces(const std::vector<std::string>& names)
     result.push_back(asNamespace(name));
     if (std::count(result.begin(), result.end(), result.back()) > 1)
     {
-      throw std::invalid_argument("--wheelset " + name + ": given twice");
+      throw std::invalid_argument("--wheelset " + name + ": is given twice");
     }
   }
   return result;
@@ -170,7 +171,7 @@ void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& 
   }
   else
   {
-    throw std::invalid_argument(option + ": there is no such option");
+    throw std::invalid_argument(option + ": unknown option");
   }
 }
 }  // namespace
@@ -198,11 +199,11 @@ ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
   }
   if (options.span.from >= options.span.to)
   {
-    throw std::invalid_argument("--from must be before --to");
+    throw std::invalid_argument("--from: must be before --to");
   }
   if (files.size() != 2)
   {
-    throw std::invalid_argument("needs two bags, IN.bag and OUT.bag, before --wheelset");
+    throw std::invalid_argument("two bags are required, IN.bag and OUT.bag, before --wheelset");
   }
   options.input = files[0];
   options.output = files[1];
@@ -218,23 +219,23 @@ void printReplayUsage(std::ostream& out)
   out << "usage: contact_replay IN.bag OUT.bag [--config F.yaml]... [--threads N] [--csv F.csv] [--wheelset NAME...]\n"
          "                      [--from T] [--to T] [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
          "\n"
-         "Answers every pair of pose and load in a bag as the live node does, as fast as the cores allow. The same "
-         "bag\n"
-         "and parameters give the same file, to the last byte.\n"
+         "Evaluates every pair of pose and load in a bag, as fast as the cores allow. The results are those of the\n"
+         "live node. The same bag and parameters give the same file, to the last byte.\n"
          "\n"
-         "  --config F.yaml     parameters, laid over config/default.yaml and the files given before\n"
-         "  --threads N         threads that evaluate (default: one for each core)\n"
-         "  --csv F.csv         also write a table, one row for each patch, units in its header\n"
-         "  --wheelset NAME...  namespaces: NAME/wheelset/pose is answered at NAME/contact_node/contact (default: /)\n"
-         "  --from T, --to T    only what was recorded from T on, or before T [s]; each answer is the same as that of "
-         "the "
-         "whole bag\n"
-         "  --keep-topics       copy the bag's other messages too\n"
-         "  --no-grids          leave the pressure grids empty\n"
-         "  --lz4               compress OUT.bag\n"
-         "  --resume            go on with an OUT.bag that was broken off (Ctrl-C, a crash); same options as before\n"
+         "  --config F.yaml     parameters, applied over config/default.yaml and over the files given before\n"
+         "  --threads N         number of threads that evaluate; default: one per core\n"
+         "  --csv F.csv         also writes a table with one row per patch; the column names contain the units\n"
+         "  --wheelset NAME...  namespaces of the wheelsets; the results for NAME/wheelset/pose are on\n"
+         "                      NAME/contact_node/contact; default: /\n"
+         "  --from T, --to T    evaluates only the inputs recorded from the first time on and before the second one\n"
+         "                      [s]; each result is identical to that of the whole bag\n"
+         "  --keep-topics       copies the other messages of IN.bag\n"
+         "  --no-grids          omits the pressure grids\n"
+         "  --lz4               compresses OUT.bag\n"
+         "  --resume            continues an interrupted replay (Ctrl-C, crash); requires the same options\n"
          "\n"
-         "Exit status: 0 done; 1 failed; 2 misused; 3 done, but parts of IN.bag could not be read; 130 broken off.\n";
+         "Exit status: 0 done; 1 failed, or IN.bag contains no pair; 2 wrong arguments; 3 done, but parts of IN.bag\n"
+         "could not be read; 130 interrupted.\n";
 }
 
 ParameterTree replayParameters(const ReplayOptions& options)
@@ -273,8 +274,8 @@ std::vector<std::string> describedWheelsets(const std::string& description)
   std::vector<std::string> names;
   std::istringstream lines(description);
   std::string line;
-  std::getline(lines, line);  // of the input
-  std::getline(lines, line);  // of the options
+  std::getline(lines, line);  // line of the input
+  std::getline(lines, line);  // line of the options
   while (std::getline(lines, line) && line.rfind(wheelset_line, 0) == 0)
   {
     const std::size_t both = wheelset_line.size() + wheelset_inputs.size();

@@ -11,42 +11,44 @@
 
 namespace wheel_rail_contact
 {
-/// What contact_replay is told on its command line.
+/// Command line options of contact_replay.
 struct ReplayOptions
 {
   std::string input;                       ///< bag to read
   std::string output;                      ///< bag to write
-  std::vector<std::string> configs;        ///< parameter files, each laid over those before
+  std::vector<std::string> configs;        ///< parameter files, each applied over those before
   std::vector<std::string> wheelsets{""};  ///< namespaces, "" or "/name"
-  std::string csv;                         ///< table of patches to write; empty: none
+  std::string csv;                         ///< table of patches to write; empty: no table
   std::string compression = "none";        ///< of the output: none or lz4
-  BagSpan span;                            ///< what becomes ready in it is answered
-  int threads = 1;                         ///< that evaluate, >= 1
-  bool grids = true;                       ///< false leaves the pressure grids empty
-  bool keep_topics = false;                ///< true copies the input's other messages
-  bool resume = false;                     ///< true goes on with an output that was broken off
-  bool help = false;                       ///< true: nothing but the usage is wanted
+  BagSpan span;                            ///< inputs that become complete in this span are evaluated
+  int threads = 1;                         ///< threads that evaluate, at least 1
+  bool grids = true;                       ///< false: the pressure grids are left empty
+  bool keep_topics = false;                ///< true: the other messages of the input are copied
+  bool resume = false;                     ///< true: an interrupted run is continued
+  bool help = false;                       ///< true: only the usage is printed
 };
 
-/// @throw std::invalid_argument naming the argument and the broken rule.
+/// Parses the arguments without the program name.
+/// @throw std::invalid_argument with the argument and the violated rule.
 ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments);
 
-/// What --help prints.
+/// Prints the text of --help.
 void printReplayUsage(std::ostream& out);
 
-/// The parameters of a replay: those of config/default.yaml, and over them the files of the options.
+/// Parameters of a replay: config/default.yaml, with the files of the options applied over it.
+/// @throw std::exception if a file cannot be read.
 ParameterTree replayParameters(const ReplayOptions& options);
 
-/// Field in the headers of the answers' connections that holds the description.
+/// Field of the description in the connection headers of the results.
 constexpr const char* description_field = "contact_replay";
-/// How the last line of the description begins where only a part of the input was answered.
+/// Beginning of the last line of the description if only a part of the input was evaluated.
 constexpr const char* part_line = "part: ";
 
-/// What an output goes on with must be the same as in its first run, as text: size of the input, message type, options,
-/// parameters.
-/// Files that parameters name (profiles, tables) count by their names only.
+/// Description of a replay as text: size of the input, message type, options and parameters. Resuming requires an equal
+/// description. Of files named by parameters (profiles, tables) it contains only the names.
+/// @param input_size size of the input bag [B]
 std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size);
 
-/// The wheelsets' namespaces of a replay, as its description names them.
+/// Namespaces of the wheelsets in a description.
 std::vector<std::string> describedWheelsets(const std::string& description);
 }  // namespace wheel_rail_contact

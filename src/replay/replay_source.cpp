@@ -14,10 +14,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// How long an input waits for its transform [ns].
-constexpr auto patience = static_cast<std::uint64_t>(InputPreparation::transform_patience * 1e9);
+/// Longest time for which an input waits for its transform [ns].
+constexpr auto transform_timeout_ns = static_cast<std::uint64_t>(InputPreparation::transform_timeout * 1e9);
 
-/// A topic without a slash before it is played to one with it.
+/// Topic with a leading slash. `rosbag play` publishes a topic without one in the root namespace.
 std::string absolute(const std::string& topic)
 {
   return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
@@ -46,7 +46,7 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
       uses_(usesOf(config, wheelsets)),
       keep_(keep),
       wheelsets_(wheelsets.size(), Wheelset(config)),
-      stream_(bag, [this](const std::string& topic) { return wants(topic); }, {warm_up, span.to})
+      stream_(bag, [this](const std::string& topic) { return isRead(topic); }, {warm_up, span.to})
 {
   requireTopics();
   requireTypes();
@@ -73,31 +73,31 @@ ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vec
     {
       const std::string& topic = config.neighbours[k].topic;
       const std::string name = topic[0] == '/' ? topic : wheelsets[i] + "/" + topic;
-      requireAnotherRuns(name);
+      requireFromEarlierRun(name);
       uses.insert({name, {Role::neighbour, i, k}});
     }
   }
   return uses;
 }
 
-bool ReplaySource::wants(const std::string& topic) const
+bool ReplaySource::isRead(const std::string& topic) const
 {
   const std::string name = absolute(topic);
   return uses_.count(name) > 0 || (keep_ && results_.count(name) == 0);
 }
 
-/// The answers that this run makes are not in its input; those there are another run's.
-void ReplaySource::requireAnotherRuns(const std::string& topic) const
+/// Rejects a neighbour whose results this run computes: only results of an earlier run are in the input.
+void ReplaySource::requireFromEarlierRun(const std::string& topic) const
 {
   if (results_.count(topic) > 0)
   {
     throw std::invalid_argument("rail_bending/neighbours: topic " + topic +
-                                " is answered in this same run; answer that wheelset first, with --keep-topics, and "
-                                "replay the bag that comes of it for the other");
+                                " is a result of this same run; replay that wheelset first with --keep-topics, and use "
+                                "the resulting bag as the input for the other wheelset");
   }
 }
 
-void ReplaySource::refuseWithout(const std::string& topic, const std::string& type) const
+void ReplaySource::rejectWithoutTopic(const std::string& topic, const std::string& type) const
 {
   std::string topics;
   for (const auto& entry : stream_.contents().connections)
@@ -127,7 +127,7 @@ void ReplaySource::requireTopics() const
                     [&name = topic](const auto& entry) { return absolute(entry.second.topic) == name; });
     if (!is_there && use.role != Role::transform && use.role != Role::static_transform)
     {
-      refuseWithout(topic, typeAndSumOf(use.role).first);
+      rejectWithoutTopic(topic, typeAndSumOf(use.role).first);
     }
   }
 }
@@ -160,9 +160,8 @@ void ReplaySource::requireTypes() const
       if (connection.header.text("md5sum") != wanted.second)
       {
         const std::string type = connection.header.text("type");
-        throw BagError(
-            "the bag's topic " + connection.topic + " is of type " + type +
-            (type == wanted.first ? " as another version of its package defines it" : ", not of " + wanted.first));
+        throw BagError("the bag's topic " + connection.topic + " is of type " + type +
+                       (type == wanted.first ? ", but of another version of its package" : ", not " + wanted.first));
       }
     }
   }
@@ -174,7 +173,7 @@ std::uint64_t ReplaySource::messages() const
   for (const auto& [connection, count] : stream_.contents().messages)
   {
     const auto found = stream_.contents().connections.find(connection);
-    sum += found != stream_.contents().connections.end() && wants(found->second.topic) ? count : 0;
+    sum += found != stream_.contents().connections.end() && isRead(found->second.topic) ? count : 0;
   }
   return sum;
 }
@@ -184,7 +183,7 @@ std::vector<std::string> ReplaySource::faults() const
   std::vector<std::string> faults = stream_.faults();
   if (damaged_ > 0)
   {
-    faults.push_back(std::to_string(damaged_) + " messages are cut off");
+    faults.push_back(std::to_string(damaged_) + " messages are truncated");
   }
   return faults;
 }
@@ -202,7 +201,7 @@ std::optional<ReplayEvent> ReplaySource::next()
     {
       take(*message);
     }
-    else  // what waits will be ready after the span
+    else  // waiting inputs become complete after the span
     {
       finished_ = true;
     }
@@ -265,7 +264,7 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
   auto input = pair(use, message);
   if (input)
   {
-    wheelsets_[use.wheelset].waiting.push_back({std::move(*input), now_ + patience});
+    wheelsets_[use.wheelset].waiting.push_back({std::move(*input), now_ + transform_timeout_ns});
   }
 }
 
@@ -284,7 +283,8 @@ std::optional<ContactInput> ReplaySource::pair(const Use& use, const BagMessage&
   return pairing.addRailForce(use.role == Role::left_rail_force ? core::Side::left : core::Side::right, wrench);
 }
 
-/// Lets go the inputs that wait no longer, in the order of each wheelset.
+/// Emits the inputs that need not wait any longer, in order for each wheelset.
+/// @param only_overdue true: only inputs whose deadline has passed; false: also inputs whose transform is available
 void ReplaySource::release(bool only_overdue)
 {
   for (std::size_t i = 0; i < wheelsets_.size(); ++i)
@@ -318,7 +318,7 @@ void ReplaySource::emit(std::size_t wheelset)
   events_.push_back(std::move(event));
 }
 
-/// Drops from here on count.
+/// Begins the span when it is reached: messages dropped from now on are counted.
 void ReplaySource::beginSpan()
 {
   if (!in_span_ && (finished_ || now_ >= span_.from))
@@ -331,18 +331,19 @@ void ReplaySource::beginSpan()
   }
 }
 
-/// Looks at the stamps of a wheelset's inputs, see isCertain().
+/// Updates the state of the warm-up of a wheelset, see isWarmedUp().
 void ReplaySource::observe(Wheelset& wheelset, const ros::Time& stamp)
 {
-  const bool fresh = wheelset.last_stamp && ResetRule::isSeam(*wheelset.last_stamp, stamp);
-  wheelset.certain = wheelset.certain || (fresh && wheelset.settled && wheelset.neighbours.reachBackFrom(stamp));
-  wheelset.settled = wheelset.settled || wheelset.pairing.isSettled();
+  const bool is_reset = wheelset.last_stamp && ResetRule::isBoundary(*wheelset.last_stamp, stamp);
+  wheelset.warmed_up =
+      wheelset.warmed_up || (is_reset && wheelset.all_matched && wheelset.neighbours.reachBackFrom(stamp));
+  wheelset.all_matched = wheelset.all_matched || wheelset.pairing.isSettled();
   wheelset.last_stamp = stamp;
 }
 
-bool ReplaySource::isCertain() const
+bool ReplaySource::isWarmedUp() const
 {
-  return std::all_of(wheelsets_.begin(), wheelsets_.end(), [](const Wheelset& wheelset) { return wheelset.certain; });
+  return std::all_of(wheelsets_.begin(), wheelsets_.end(), [](const Wheelset& wheelset) { return wheelset.warmed_up; });
 }
 
 std::array<std::uint64_t, PairingCounts::reasons> ReplaySource::dropped(std::size_t wheelset) const
@@ -355,7 +356,7 @@ std::array<std::uint64_t, PairingCounts::reasons> ReplaySource::dropped(std::siz
   return dropped;
 }
 
-/// What waits at the end of the bag waits in vain.
+/// Emits the inputs that still wait at the end of the bag.
 void ReplaySource::finish()
 {
   for (std::size_t i = 0; i < wheelsets_.size(); ++i)

@@ -15,47 +15,51 @@
 
 #include "bag/bag_stream.h"
 #include "replay/replay_item.h"
-#include "ros/node/contact_input.h"
-#include "ros/node/neighbour_forces.h"
+#include "ros/evaluation/contact_input.h"
+#include "ros/evaluation/neighbour_forces.h"
 
 namespace wheel_rail_contact
 {
-/// What comes next in a replay: an input to be answered, or a message to be kept.
+/// Next item of a replay: an input to evaluate, or a message to copy.
 struct ReplayEvent : ReplayItem
 {
-  PreparedInput input;   ///< of an answer
-  bool warm_up = false;  ///< not asked for, but the answers after it may start from it
+  PreparedInput input;   ///< of a result
+  bool warm_up = false;  ///< true: the result is not output, but later results may start from it
 };
 
-/// Makes of a bag's messages the inputs that the live node would make of them: pairs them by their stamps, and brings
-/// them to the track frame by the bag's transforms, for which they wait as long as in the live node. Forces of
-/// neighbouring wheelsets come from their answers in the bag.
+/// Forms from the messages of a bag the same inputs as the live node. It matches messages by their stamps and
+/// transforms them to the track frame with the transforms in the bag. Inputs wait for a transform as long as in the
+/// live node, in recording time. Forces of neighbouring wheelsets are taken from their results in the bag.
 class ReplaySource
 {
  public:
   /// @param wheelsets namespaces, "" or "/name"
-  /// @param keep true: all messages are delivered too, but for answers of an earlier run
-  /// @param span what becomes ready in it is delivered
-  /// @param warm_up where to begin to read, at or before the span [ns]; see warmUpStart()
-  /// @throw BagError if the bag cannot be read.
+  /// @param keep true: all messages are also delivered for copying, except earlier results of the same wheelsets
+  /// @param span inputs that become complete in this span are delivered
+  /// @param warm_up recording time at which reading begins, at or before the span [ns]; see warmUpStart()
+  /// @throw BagError if the bag cannot be read, or if a topic is missing or has the wrong type.
+  /// @throw std::invalid_argument if a neighbour is one of the wheelsets of this run.
   ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets, bool keep,
                const BagSpan& span = {}, std::uint64_t warm_up = 0);
 
-  /// The next event, nothing at the end.
+  /// The next event; empty at the end.
   std::optional<ReplayEvent> next();
 
-  /// Number of messages that will be read.
+  /// Number of messages to read.
   std::uint64_t messages() const;
-  /// Of the bag [B].
+  /// Size of the bag [B].
   std::uint64_t fileSize() const { return stream_.fileSize(); }
-  /// Messages dropped in the span, by DropReason.
+  /// Number of messages of a wheelset that were dropped in the span, by DropReason.
   std::array<std::uint64_t, PairingCounts::reasons> dropped(std::size_t wheelset) const;
-  /// Inputs in the span that are evaluated without the forces of a neighbour.
+  /// Number of inputs in the span that are evaluated without the forces of a neighbour.
   std::uint64_t lackingNeighbour(std::size_t wheelset) const { return wheelsets_[wheelset].lacking_neighbour; }
-  /// True if every wheelset's next input will be what it is to one who has read the bag from its beginning, and its
-  /// answer as well: there was a fresh start after pairs had come out even. (For equal stamps, and without transforms.)
-  bool isCertain() const;
-  /// What could not be read so far, in sentences.
+  /// True once the next result of every wheelset is the same as if the bag had been read from its beginning. For each
+  /// wheelset, two things must have happened in this order:
+  /// 1. All messages read so far were matched.
+  /// 2. A warm-start reset, at which the results of each neighbour were known for the time in which they are used.
+  /// Valid only with a slop of 0 and for bags without transforms.
+  bool isWarmedUp() const;
+  /// Parts of the bag that could not be read so far, as text.
   std::vector<std::string> faults() const;
 
  private:
@@ -73,13 +77,13 @@ class ReplaySource
   {
     Role role;
     std::size_t wheelset;
-    std::size_t neighbour = 0;  ///< its number in the configuration
+    std::size_t neighbour = 0;  ///< index in NodeConfig::neighbours
   };
-  using Uses = std::multimap<std::string, Use>;  ///< by topic
+  using Uses = std::multimap<std::string, Use>;  ///< by topic with a leading slash
   struct Waiting
   {
     ContactInput input;
-    std::uint64_t deadline;  ///< [ns]
+    std::uint64_t deadline;  ///< recording time up to which it waits [ns]
   };
   struct Wheelset
   {
@@ -88,21 +92,21 @@ class ReplaySource
     InputPairing pairing;
     InputPreparation preparation;
     NeighbourForces neighbours;
-    std::deque<Waiting> waiting;                                         ///< for their transforms
-    std::array<std::uint64_t, PairingCounts::reasons> dropped_before{};  ///< the span
-    std::uint64_t lacking_neighbour = 0;                                 ///< inputs in the span
+    std::deque<Waiting> waiting;                                         ///< inputs that wait for their transforms
+    std::array<std::uint64_t, PairingCounts::reasons> dropped_before{};  ///< dropped before the span
+    std::uint64_t lacking_neighbour = 0;                                 ///< see lackingNeighbour()
     std::optional<ros::Time> last_stamp;
-    bool settled = false;  ///< pairs have come out even
-    bool certain = false;  ///< see isCertain()
+    bool all_matched = false;  ///< at some time no message was waiting for a match
+    bool warmed_up = false;    ///< see isWarmedUp()
   };
 
   Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const;
   static std::pair<std::string, std::string> typeAndSumOf(Role role);
-  bool wants(const std::string& topic) const;
+  bool isRead(const std::string& topic) const;
   void requireTopics() const;
   void requireTypes() const;
-  void requireAnotherRuns(const std::string& topic) const;
-  [[noreturn]] void refuseWithout(const std::string& topic, const std::string& type) const;
+  void requireFromEarlierRun(const std::string& topic) const;
+  [[noreturn]] void rejectWithoutTopic(const std::string& topic, const std::string& type) const;
   void take(const BagMessage& message);
   void use(const Use& use, const BagMessage& message);
   std::optional<ContactInput> pair(const Use& use, const BagMessage& message);
@@ -114,7 +118,7 @@ class ReplaySource
 
   BagSpan span_;
   bool in_span_ = false;
-  std::set<std::string> results_;  ///< topics
+  std::set<std::string> results_;  ///< topics of the results of this run
   Uses uses_;
   bool keep_;
   std::vector<Wheelset> wheelsets_;
@@ -122,11 +126,11 @@ class ReplaySource
   BagStream stream_;
   std::deque<ReplayEvent> events_;
   std::uint64_t now_ = 0;   ///< recording time of the last message [ns]
-  std::uint64_t read_ = 0;  ///< messages
+  std::uint64_t read_ = 0;  ///< number of messages read
   std::uint64_t damaged_ = 0;
   bool finished_ = false;
 };
 
-/// Topic of a wheelset's answers.
+/// Topic of the results of a wheelset.
 std::string resultTopic(const std::string& wheelset);
 }  // namespace wheel_rail_contact

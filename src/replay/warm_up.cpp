@@ -10,7 +10,8 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Long enough where stamps are recording times: a whole second lies in any two, and neighbours count for one [ns].
+/// First warm-up [ns]. It suffices if stamps are recording times: any two seconds contain a whole second of the stamps,
+/// and results of neighbours are used for one second.
 constexpr std::uint64_t shortest = 3'000'000'000;
 constexpr std::uint64_t growth = 4;
 
@@ -60,7 +61,7 @@ std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config
     while (before.next())
     {
     }
-    if (before.isCertain())
+    if (before.isWarmedUp())
     {
       return from - lead;
     }

@@ -7,10 +7,13 @@
 
 namespace wheel_rail_contact
 {
-/// Recording time [ns] from which a bag must be read, so that the answers in `options.span` are those of a replay of
-/// the whole bag: before the span every wheelset's pairs come out even, then has a fresh start, and neighbours' answers
-/// are known as long as they count. 0, the bag's beginning, where that cannot be told from a part: with transforms,
-/// whose buffer depends on all before; with a slop, which may shift who is paired with whom; without an index.
+/// Recording time [ns] at which reading must begin. The results in `options.span` are then those of a replay of the
+/// whole bag: ReplaySource::isWarmedUp() is true at the beginning of the span.
+///
+/// Returns 0, the beginning of the bag, where a part of the bag is not sufficient to verify this:
+/// - with transforms, because their buffer depends on all earlier messages;
+/// - with a slop, because an earlier message may change which messages are matched;
+/// - without an index.
 /// @throw BagError if the bag cannot be read.
 std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config);
 }  // namespace wheel_rail_contact

@@ -4,9 +4,9 @@
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
-#include "ros/node/contact_statistics.h"
-#include "ros/node/result_text.h"
 #include "ros/parameters/node_parameters.h"
 #include "rviz/panel_picture.h"
 
@@ -68,7 +68,7 @@ void ContactDisplay::processMessage(const WheelsetContact::ConstPtr& message)
   catch (const std::invalid_argument& error)
   {
     clear();
-    setStatusStd(StatusProperty::Error, "Answer", error.what());
+    setStatusStd(StatusProperty::Error, "Result", error.what());
     return;
   }
   extendTrail();
@@ -108,13 +108,13 @@ void ContactDisplay::readParameters()
   try
   {
     config_ = readNodeParameters(ros::NodeHandle(name));
-    setStatusStd(StatusProperty::Ok, "Parameters", "profiles and track from " + name);
+    setStatusStd(StatusProperty::Ok, "Parameters", "profiles and track read from " + name);
   }
   catch (const std::exception& error)
   {
     next_reading_ = ros::WallTime::now() + ros::WallDuration(2);
     setStatusStd(StatusProperty::Warn, "Parameters",
-                 std::string("no wheels, no rails, deflection as it is: ") + error.what());
+                 std::string("wheels and rails are not drawn, deflections are not magnified: ") + error.what());
   }
 }
 
@@ -122,7 +122,7 @@ void ContactDisplay::reportResult()
 {
   const bool usable = output_->result != nullptr;
   const std::string name = statusName(output_->status);
-  setStatusStd(usable ? StatusProperty::Ok : StatusProperty::Warn, "Answer",
+  setStatusStd(usable ? StatusProperty::Ok : StatusProperty::Warn, "Result",
                output_->reason.empty() ? name : name + ": " + output_->reason);
 }
 

@@ -16,7 +16,7 @@
 
 namespace wheel_rail_contact
 {
-/// rviz's display of WheelsetContact: see doc/rviz.md.
+/// rviz display of the messages WheelsetContact (doc/rviz.md).
 class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
 {
  public:
@@ -35,7 +35,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   void clear();
   void extendTrail();
   void readParameters();
-  /// Null while the node's parameters are not known.
+  /// Null while the parameters of the node are unknown.
   const core::ContactModelConfig* model() const;
   std::string parameterNamespace() const;
   void reportResult();
@@ -44,11 +44,11 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   DisplayProperties properties_;
   std::unique_ptr<MarkerDrawing> drawing_;
   std::unique_ptr<ScreenPanel> panel_;
-  std::optional<NodeConfig> config_;  ///< of the contact node; without it wheels and rails are not drawn
-  ros::WallTime next_reading_;        ///< of parameters that could not be read
+  std::optional<NodeConfig> config_;  ///< parameters of the contact node; without them wheels and rails are not drawn
+  ros::WallTime next_reading_;        ///< earliest time of the next attempt to read the parameters
   core::WheelsetResult result_;
   std::optional<ContactOutput> output_;  ///< refers to `result_`
   ContactTrail trail_;
-  bool changed_ = false;  ///< since the last drawing
+  bool changed_ = false;  ///< result or properties have changed since the last drawing
 };
 }  // namespace wheel_rail_contact

@@ -43,15 +43,16 @@ void connectBelow(Property* property, const std::function<void()>& changed)
 DisplayProperties::DisplayProperties(Property* parent)
 {
   parameters_ = new rviz::StringProperty(
-      "Parameters", "", "Namespace of the contact node's parameters, which tell the profiles; empty: that of the topic",
+      "Parameters", "",
+      "Namespace of the parameters of the contact node, which give the profiles; empty: the namespace of the topic",
       parent);
-  side_ = new rviz::EnumProperty("Side", "both", "Side of the track that is shown", parent);
+  side_ = new rviz::EnumProperty("Side", "both", "Side of the track that is drawn", parent);
   side_->addOption("left", static_cast<int>(core::Side::left));
   side_->addOption("right", static_cast<int>(core::Side::right));
   side_->addOption("both", both_sides);
   follow_ =
-      new BoolProperty("Follow Wheelset", false, "Draw the wheelset at x = 0, so that it stays in the view", parent);
-  line_width_ = makeFloat("Line Width", 0.002F, 1e-6F, 1, "Of every line [m]", parent);
+      new BoolProperty("Follow Wheelset", false, "Draw the wheelset at x = 0, which keeps it in the view", parent);
+  line_width_ = makeFloat("Line Width", 0.002F, 1e-6F, 1, "Width of all lines [m]", parent);
   makePatchProperties(parent);
   makeTrackProperties(parent);
   makeTextProperties(parent);
@@ -59,47 +60,49 @@ DisplayProperties::DisplayProperties(Property* parent)
 
 void DisplayProperties::makePatchProperties(Property* parent)
 {
-  patches_ = new BoolProperty("Pressure", true, "The pressure of each patch as height and colour", parent);
-  size_ = makeFloat("Size", 30, 1, 1000, "Magnification of a patch in its plane; 1: true size and place", patches_);
-  height_ = makeFloat("Height", 0.15F, 0, 10, "Height of the greatest pressure of the scale [m]", patches_);
-  lift_ = makeFloat("Lift", 0.18F, 0, 10, "Height of a magnified patch above its true place [m]; 0: at it", patches_);
-  max_pressure_ = makeFloat("Scale", 2000, 1, 1e6F, "Greatest pressure of the colour scale [MPa]", patches_);
-  outlines_ = new BoolProperty("Outline", true, "The edge of each contact", parent);
-  forces_ = new BoolProperty("Forces", true, "The wheel's normal force on the rail, from each patch", parent);
-  force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of an arrow [mm/kN]", forces_);
-  arrow_width_ = makeFloat("Width", 0.014F, 1e-6F, 1, "Diameter of an arrow's shaft [m]", forces_);
+  patches_ = new BoolProperty("Pressure", true, "Pressure of each patch as height and colour", parent);
+  size_ = makeFloat("Size", 30, 1, 1000, "Magnification of a patch in its plane; 1: true size", patches_);
+  height_ = makeFloat("Height", 0.15F, 0, 10, "Height of the highest pressure of the colour scale [m]", patches_);
+  lift_ = makeFloat("Lift", 0.18F, 0, 10,
+                    "Height of a magnified patch above its true position [m]; 0: at its true position", patches_);
+  max_pressure_ = makeFloat("Scale", 2000, 1, 1e6F, "Highest pressure of the colour scale [MPa]", patches_);
+  outlines_ = new BoolProperty("Outline", true, "Edge of each contact", parent);
+  forces_ = new BoolProperty("Forces", true, "Normal force of the wheel on the rail, from each patch", parent);
+  force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of the arrows [mm/kN]", forces_);
+  arrow_width_ = makeFloat("Width", 0.014F, 1e-6F, 1, "Diameter of the shafts of the arrows [m]", forces_);
 }
 
 void DisplayProperties::makeTrackProperties(Property* parent)
 {
-  wheels_ = new BoolProperty("Wheelset", true, "Wheels swept from their profile, and the axle", parent);
+  wheels_ = new BoolProperty("Wheelset", true, "Wheels, swept from their profile, and the axle", parent);
   wheel_sweep_ = makeFloat("Sweep", 17, 0.1F, 180, "Half the drawn angle about the axle [degree]", wheels_);
-  wheel_alpha_ = makeFloat("Alpha", 0.5F, 0, 1, "Of the wheels' surface", wheels_);
-  rails_ = new BoolProperty("Rails", true, "Rails swept from their profile, deflected", parent);
-  rail_length_ = makeFloat("Length", 0.4F, 0.001F, 100, "Drawn length [m]", rails_);
-  rail_alpha_ = makeFloat("Alpha", 1, 0, 1, "Of the rails' surface", rails_);
-  deflection_scale_ = makeFloat("Deflection Scale", 1, 0, 1e4F,
-                                "Exaggeration of the rails' deflection; patches and trail stay on the rail, the wheels "
-                                "where they are",
-                                rails_);
-  ghost_ = new BoolProperty("Rails At Rest", true, "Their section as a line", parent);
+  wheel_alpha_ = makeFloat("Alpha", 0.5F, 0, 1, "Opacity of the wheels", wheels_);
+  rails_ = new BoolProperty("Rails", true, "Deflected rails, swept from their profile", parent);
+  rail_length_ = makeFloat("Length", 0.4F, 0.001F, 100, "Drawn length of the rails [m]", rails_);
+  rail_alpha_ = makeFloat("Alpha", 1, 0, 1, "Opacity of the rails", rails_);
+  deflection_scale_ =
+      makeFloat("Deflection Scale", 1, 0, 1e4F,
+                "Magnification of the deflection of the rails; patches and trail stay on the drawn rail, "
+                "the wheels stay at their position",
+                rails_);
+  rails_at_rest_ = new BoolProperty("Rails At Rest", true, "Section of the undeflected rails, as a line", parent);
   trail_ = new BoolProperty("Trail", true, "Earlier contact points on the rail, coloured by pressure", parent);
-  trail_length_ = makeInt("Points", 200, 1, 10000, "Number of points that are kept", trail_);
-  trail_width_ = makeFloat("Width", 0.002F, 1e-6F, 1, "Diameter of a point [m]", trail_);
+  trail_length_ = makeInt("Points", 200, 1, 10000, "Number of points", trail_);
+  trail_width_ = makeFloat("Width", 0.002F, 1e-6F, 1, "Diameter of the points [m]", trail_);
 }
 
 void DisplayProperties::makeTextProperties(Property* parent)
 {
-  labels_ = new BoolProperty("Labels", true, "Highest pressure and area above each patch", parent);
-  letter_height_ = makeFloat("Letters", 0.04F, 1e-4F, 1, "Their height [m]", labels_);
-  panel_ = new BoolProperty("Panel", true, "Colour scale, and every patch in figures", parent);
-  panel_letters_ = makeInt("Letters", 15, 4, 100, "Their height [pixels]", panel_);
+  labels_ = new BoolProperty("Labels", true, "Highest pressure and area, above each patch", parent);
+  letter_height_ = makeFloat("Letters", 0.04F, 1e-4F, 1, "Height of the letters [m]", labels_);
+  panel_ = new BoolProperty("Panel", true, "Colour scale, and the values of each patch", parent);
+  panel_letters_ = makeInt("Letters", 15, 4, 100, "Height of the letters [pixels]", panel_);
 }
 
 void DisplayProperties::onChange(const std::function<void()>& changed)
 {
   for (Property* property : std::initializer_list<Property*>{side_, follow_, line_width_, patches_, outlines_, forces_,
-                                                             wheels_, rails_, ghost_, trail_, labels_, panel_})
+                                                             wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
   {
     connectBelow(property, changed);
   }
@@ -156,7 +159,7 @@ SceneOptions DisplayProperties::options() const
   options.labels = labels_->getBool();
   options.wheels = wheels_->getBool();
   options.rails = rails_->getBool();
-  options.ghost = ghost_->getBool();
+  options.rails_at_rest = rails_at_rest_->getBool();
   options.deflection_scale = deflection_scale_->getFloat();
   options.trail_width = trail_width_->getFloat();
   options.at_origin = follow_->getBool();

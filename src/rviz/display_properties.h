@@ -15,23 +15,25 @@
 
 namespace wheel_rail_contact
 {
-/// What a person can set in rviz's tree, and what it means for the picture.
+/// Properties of the display in the tree of rviz, and the options of the picture that follow from them.
 class DisplayProperties
 {
  public:
   /// The properties become children of `parent`, which owns them.
   explicit DisplayProperties(rviz::Property* parent);
 
-  /// Calls `changed` after every change of a property but that of parameters().
+  /// Calls `changed` after each change of a property other than that of parameters().
   void onChange(const std::function<void()>& changed);
-  /// Calls `changed` after a change of parameters().
+  /// Calls `changed` after each change of parameters().
   void onParametersChange(const std::function<void()>& changed);
 
+  /// Contents and style of the picture.
   SceneOptions options() const;
+  /// Number of points of the trail; 0: no trail.
   std::size_t trailLength() const;
-  /// Height of the panel's letters [pixels]; 0: no panel.
+  /// Height of the letters of the panel [pixels]; 0: no panel.
   int panelLetters() const;
-  /// Namespace of the node's parameters; empty: that of the topic.
+  /// Namespace of the parameters of the node; empty: the namespace of the topic.
   std::string parameters() const;
 
  private:
@@ -52,7 +54,7 @@ class DisplayProperties
   rviz::FloatProperty *force_length_, *arrow_width_;
   rviz::BoolProperty* wheels_;
   rviz::FloatProperty *wheel_sweep_, *wheel_alpha_;
-  rviz::BoolProperty *rails_, *ghost_;
+  rviz::BoolProperty *rails_, *rails_at_rest_;
   rviz::FloatProperty *rail_length_, *rail_alpha_, *deflection_scale_;
   rviz::BoolProperty* trail_;
   rviz::IntProperty* trail_length_;

@@ -12,14 +12,14 @@
 
 namespace wheel_rail_contact
 {
-/// Markers in rviz's scene, drawn by rviz's own means.
+/// Draws markers in the scene of rviz, with the marker classes of rviz.
 class MarkerDrawing
 {
  public:
-  /// Both must outlive it.
+  /// `context` and `parent` must outlive the object.
   MarkerDrawing(rviz::DisplayContext* context, Ogre::SceneNode* parent) : context_(context), parent_(parent) {}
 
-  /// Shows these markers and no others.
+  /// Shows these markers, and removes all others that it has shown.
   void show(const visualization_msgs::MarkerArray& markers);
 
  private:

@@ -12,10 +12,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int ticks = 5;            ///< figures along the bar
-constexpr int bar_in_letters = 24;  ///< length of the bar in letters' heights
-const QColor ground(20, 23, 27, 200);
-const QColor ink(235, 235, 235);
+constexpr int ticks = 5;            ///< number of labels of the colour scale
+constexpr int bar_in_letters = 24;  ///< length of the colour scale / height of the letters [-]
+const QColor background(20, 23, 27, 200);
+const QColor foreground(235, 235, 235);
 
 QFont panelFont(int letter_size)
 {
@@ -33,11 +33,11 @@ QColor pressureColor(double share)
 
 QString tickText(int tick, double max_pressure)
 {
-  const QString figure = QString::number(max_pressure * tick / (ticks - 1) / 1e6, 'f', 0);
-  return tick + 1 == ticks ? figure + " MPa" : figure;
+  const QString number = QString::number(max_pressure * tick / (ticks - 1) / 1e6, 'f', 0);
+  return tick + 1 == ticks ? number + " MPa" : number;
 }
 
-/// The bar with its upper left corner at (x, y), and the figures below it.
+/// Colour scale with its upper left corner at (x, y), and its labels below it.
 void paintBar(QPainter& painter, int x, int y, int length, int height, double max_pressure)
 {
   for (int i = 0; i < length; ++i)
@@ -48,7 +48,7 @@ void paintBar(QPainter& painter, int x, int y, int length, int height, double ma
   for (int tick = 0; tick < ticks; ++tick)
   {
     const int place = x + length * tick / (ticks - 1);
-    painter.fillRect(place, y, 1, height + height / 3, ink);
+    painter.fillRect(place, y, 1, height + height / 3, foreground);
     painter.drawText(tick == 0 ? place : place - metrics.averageCharWidth(), y + height + metrics.height(),
                      tickText(tick, max_pressure));
   }
@@ -74,10 +74,10 @@ QImage panelPicture(const std::vector<std::string>& lines, double max_pressure, 
   const int text_height = static_cast<int>(lines.size()) * metrics.lineSpacing();
   QImage image(2 * margin + std::max(widthOf(lines, metrics), bar_width),
                text_height + 3 * margin + metrics.height() + letter_size, QImage::Format_ARGB32);
-  image.fill(ground);
+  image.fill(background);
   QPainter painter(&image);
   painter.setFont(font);
-  painter.setPen(ink);
+  painter.setPen(foreground);
   int y = margin + metrics.ascent();
   for (const std::string& line : lines)
   {

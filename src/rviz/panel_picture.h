@@ -7,8 +7,8 @@
 
 namespace wheel_rail_contact
 {
-/// Lines of text over a bar of the pressure colours with its scale in MPa, on a dark translucent ground.
-/// @param max_pressure upper end of the scale [Pa]
-/// @param letter_size height of the text's letters [pixels]
+/// Lines of text above a colour scale of the pressure in MPa, on a dark translucent background.
+/// @param max_pressure pressure at the upper end of the scale [Pa]
+/// @param letter_size height of the letters [pixels]
 QImage panelPicture(const std::vector<std::string>& lines, double max_pressure, int letter_size);
 }  // namespace wheel_rail_contact

@@ -16,7 +16,7 @@ const Ogre::String& group()
   return Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
 }
 
-/// Every panel has a name of its own.
+/// A unique name for each panel.
 std::string newName()
 {
   static int count = 0;
@@ -73,7 +73,7 @@ void ScreenPanel::show(const QImage& image)
   {
     resize(image.width(), image.height());
   }
-  QImage copy = image;  // Ogre asks for memory it could write to
+  QImage copy = image;  // Ogre requires writable memory
   texture_->getBuffer()->blitFromMemory(Ogre::PixelBox(width, height, 1, Ogre::PF_A8R8G8B8, copy.bits()));
   overlay_->show();
 }

@@ -11,7 +11,7 @@
 
 namespace wheel_rail_contact
 {
-/// A picture in the upper left corner of rviz's window, in front of the scene.
+/// A picture in the upper left corner of the render window of rviz, in front of the scene.
 class ScreenPanel
 {
  public:
@@ -20,14 +20,16 @@ class ScreenPanel
   ScreenPanel(const ScreenPanel&) = delete;
   ScreenPanel& operator=(const ScreenPanel&) = delete;
 
-  /// @param image in QImage::Format_ARGB32
+  /// Shows a picture.
+  /// @param image in the format QImage::Format_ARGB32
   void show(const QImage& image);
+  /// Hides the picture.
   void hide();
 
  private:
   void resize(int width, int height);
 
-  std::string name_;  ///< of everything it makes in Ogre
+  std::string name_;  ///< unique name of material, texture, panel and overlay in Ogre
   Ogre::MaterialPtr material_;
   Ogre::TexturePtr texture_;
   Ogre::OverlayContainer* panel_;

@@ -7,7 +7,7 @@ WIDTH = 30
 
 
 class Progress:
-    """Shows the progress of a work in steps.
+    """Shows the progress of a task that consists of steps.
 
     Each call gives the number of steps done, the total number of steps, and a title. Without a terminal, a line is printed
     when the title changes, at most one per `period` [s].

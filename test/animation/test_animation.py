@@ -99,7 +99,8 @@ class Animation(SweepCase):
                                  ((self.rigid, self.rigid, self.rigid), "3 bags: must be at most two"),
                                  ((self.rigid, "--label", "a", "--label", "b"), "--label"),
                                  ((self.rigid, "--frames", 0), "--frames 0"), ((self.rigid, "--rate", -1), "--rate -1"),
-                                 ((recorded,), "does not contain the outlines of the profiles"), ((SWEEP,), "0 topics with results")):
+                                 ((recorded,), "does not contain the outlines of the profiles"),
+                                 ((SWEEP,), "0 topics with results")):
             self.assertIn(words, self.animate(*arguments, "--out", out, status=1))
         self.assertFalse(out.exists())
 

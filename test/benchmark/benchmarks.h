@@ -8,21 +8,21 @@
 #include "core/balance/wheel_contact.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 
-/// Parts of contact_benchmark. S1002 on UIC60, 100 kN a wheel, one core.
+/// Parts of contact_benchmark. Wheels S1002 on rails UIC60, 100 kN per wheel, one core unless stated.
 namespace wheel_rail_contact
 {
-/// The whole chain, by tolerance, cold and warm; jitter.
+/// Complete evaluations of a wheelset by tolerance, from a cold and from a warm start; spread of their times.
 void registerWheelsets();
-/// Each step of the chain.
+/// Each step of an evaluation.
 void registerSteps();
-/// How time grows with cells, patches and wheelsets.
+/// Growth of the time with the number of cells, patches and wheelsets.
 void registerGrowth();
-/// contact_replay from bag to bag against the evaluations alone.
+/// contact_replay from bag to bag, compared with the evaluations alone.
 void registerReplay();
-/// Other solvers against conjugate gradients, and rails that bend against rails that do not, timed in turns.
+/// Other solvers compared with conjugate gradients, and bending rails with rigid rails; timed alternately.
 void registerRatios();
 
-/// How long some work takes [s].
+/// Time taken by `work` [s].
 template <typename Work>
 double seconds(Work work)
 {
@@ -36,13 +36,13 @@ inline std::string nameOf(const core::GridSize& size)
   return std::to_string(size.along) + "x" + std::to_string(size.across);
 }
 
-/// States to and fro about a place across the track in steps of 0.05 mm, again and again.
-class ToAndFro
+/// Endless series of states: lateral displacement back and forth about `y` in steps of 0.05 mm.
+class BackAndForth
 {
  public:
-  /// @param y  middle [m]
-  /// @param reach  steps from there to either end
-  ToAndFro(double y, int reach) : y_(y), reach_(reach) {}
+  /// @param y mean lateral displacement, positive to the left [m]
+  /// @param reach number of steps from there to either end
+  BackAndForth(double y, int reach) : y_(y), reach_(reach) {}
 
   const core::WheelsetState& next()
   {
@@ -61,13 +61,13 @@ class ToAndFro
   int count_ = 0;
 };
 
-/// From y = -6 mm to 6 mm and back.
-struct Sweep : ToAndFro
+/// Lateral displacement from -6 mm to 6 mm and back.
+struct Sweep : BackAndForth
 {
-  Sweep() : ToAndFro(0, 120) {}
+  Sweep() : BackAndForth(0, 120) {}
 };
 
-/// One wheel on one rail, to be stepped through by hand.
+/// One wheel on one rail, for timing the steps of an evaluation.
 struct OneWheel
 {
   core::ContactModelConfig config = core::manchesterScene();
@@ -77,7 +77,7 @@ struct OneWheel
 
   OneWheel() { wheel.setRail(rail); }
 
-  /// Its normal problem in the middle of the track, under 100 kN.
+  /// Normal problem of the wheel with the wheelset in the centre of the track, under 100 kN.
   const core::NormalProblem& problemOn(const core::GridSize& size)
   {
     wheel.solveLoad(wheel.touch({0, 0, 0, 0}), 100e3, size);

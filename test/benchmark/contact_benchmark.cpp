@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of the whole chain, of its steps, of contact_replay, and against other methods. Report medians:
+// Speed of complete evaluations, of their steps and of contact_replay, and comparison with other methods. To report
+// medians:
 //   contact_benchmark --benchmark_repetitions=9 --benchmark_report_aggregates_only
 #include <benchmark/benchmark.h>
 

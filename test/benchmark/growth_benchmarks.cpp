@@ -12,7 +12,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Shortest of some cold solutions [s].
+/// Shortest time of nine solutions from a cold start [s].
 double shortestSolution(OneWheel& one, const core::NormalProblem& problem)
 {
   constexpr int tries = 9;
@@ -25,8 +25,8 @@ double shortestSolution(OneWheel& one, const core::NormalProblem& problem)
   return shortest;
 }
 
-/// One cold solution on each grid from 4 × 16 to 256 × 256 cells; the exponent is the slope of the line through the
-/// logarithms of cells and time.
+/// Solutions from a cold start on grids of 4×16 to 256×256 cells. `exponent` is the slope of the regression line
+/// through the logarithms of time and number of cells.
 void cells(benchmark::State& state)
 {
   constexpr std::array<core::GridSize, 7> sizes{
@@ -54,7 +54,7 @@ void cells(benchmark::State& state)
   state.counters["exponent"] = (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// A wheel's patch several times over, under as many times the load, cold.
+/// Solution from a cold start for `count` copies of the patch of a wheel, under `count` times its load.
 void patches(benchmark::State& state, int count)
 {
   OneWheel one;
@@ -69,7 +69,7 @@ void patches(benchmark::State& state, int count)
   }
 }
 
-/// Warm evaluations of several wheelsets in turns, each at another place of the sweep.
+/// Evaluations of several wheelsets in turn, from a warm start. Each is at a different position of the sweep.
 void wheelsets(benchmark::State& state, int count)
 {
   constexpr int apart = 15;  // steps of the sweep

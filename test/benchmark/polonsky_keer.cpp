@@ -10,7 +10,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr double no_surface = 1e9;  ///< gap of cells that only pad the fields [m]
+constexpr double no_surface = 1e9;  ///< gap of the padding cells of the fields [m]
 constexpr int most_iterations = 500;
 }  // namespace
 
@@ -40,7 +40,7 @@ void PolonskyKeer::begin(const core::NormalProblem& problem)
   last_norm_ = 0;
 }
 
-/// Square root of the overlap below the grid's mean gap.
+/// Initial pressure: proportional to √(mean gap − gap) where the gap is below its mean, otherwise zero.
 void PolonskyKeer::start(double load)
 {
   double mean = 0;
@@ -72,7 +72,7 @@ void PolonskyKeer::scaleTo(double load)
   }
 }
 
-/// Takes the mean over the contact off a field; returns it.
+/// Subtracts from a field its mean over the contact. @return this mean
 double PolonskyKeer::shiftToContact(core::LaneBuffer& field) const
 {
   double sum = 0, cells = 0;
@@ -89,7 +89,7 @@ double PolonskyKeer::shiftToContact(core::LaneBuffer& field) const
   return mean;
 }
 
-/// Deformed gap and approach of the present pressure; returns the residual.
+/// Computes deformed gap and approach for the current pressure. @return the residual
 double PolonskyKeer::measure()
 {
   influence_->multiply(p_.data(), g_.data(), workspace_);
@@ -107,7 +107,8 @@ double PolonskyKeer::measure()
   return worst / (approach_ - least_gap_);
 }
 
-/// One step along the conjugate direction, cells in overlap pressed on.
+/// One step along the conjugate direction. Cells without pressure that overlap are added to the contact.
+/// @return false if the step length is not positive
 bool PolonskyKeer::step()
 {
   double norm = 0;
@@ -147,7 +148,7 @@ bool PolonskyKeer::solve(const core::NormalProblem& problem)
 {
   begin(problem);
   const core::Grid& grid = problem.patches[0].grid;
-  // Pressures as lengths p dy / (pi E*), as the operator has them.
+  // Pressures are expressed as lengths p dy / (pi E*), as in InfluenceOperator.
   const double load = problem.value / (std::acos(-1.0) * problem.modulus / grid.dy * grid.cellArea());
   start(load);
   for (int k = 0; k < most_iterations; ++k)

@@ -9,16 +9,17 @@
 
 namespace wheel_rail_contact
 {
-/// Conjugate gradients as Polonsky and Keer 1999 (Wear 231, 206–219) print them, without preconditioner, to compare
-/// with: two products with the influence matrix an iteration. One patch of weight one, load given.
+/// Conjugate gradients as published by Polonsky and Keer (1999, Wear 231, 206–219), without preconditioner, for
+/// comparison. Each iteration takes two products with the influence matrix. Solves problems with one patch of weight 1
+/// under a given load.
 class PolonskyKeer
 {
  public:
-  /// Sets out from the square root of the overlap below the grid's mean gap.
-  /// @param residual  as that of ConjugateGradients, at which it ends
+  /// @param residual at which the iteration ends, as ConjugateGradientsOptions::residual
   explicit PolonskyKeer(double residual) : residual_(residual) {}
 
-  /// @return false if it did not get there in 500 iterations.
+  /// Solves a problem. The initial pressure is proportional to √(mean gap − gap) where the gap is below its mean.
+  /// @return false if the residual is not reached within 500 iterations, or if a step length is not positive
   bool solve(const core::NormalProblem& problem);
 
   double approach() const { return approach_; }
@@ -35,9 +36,9 @@ class PolonskyKeer
   double residual_;
   std::shared_ptr<const core::InfluenceOperator> influence_;
   core::InfluenceOperator::Workspace workspace_;
-  core::LaneBuffer p_, gap_, g_, t_, q_;  ///< pressure, gap, gap after deformation, direction, its displacement
+  core::LaneBuffer p_, gap_, g_, t_, q_;  ///< pressure, gap, deformed gap, direction, displacement of the direction
   int size_ = 0, products_ = 0;
   double approach_ = 0, least_gap_ = 0;
-  double last_norm_ = 0;  ///< of g over the contact; 0: start along the gradient
+  double last_norm_ = 0;  ///< sum of g² over the contact; 0: the next step follows the gradient
 };
 }  // namespace wheel_rail_contact

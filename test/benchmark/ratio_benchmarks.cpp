@@ -11,8 +11,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Runs conjugate gradients and another solver in turns on one problem, both cold; `slower` is the ratio of the sums of
-/// their times. `other` returns the approach it found; `apart` is how far the two are from one another, relative.
+/// Solves one problem alternately by conjugate gradients and by another solver, both from a cold start.
+/// Counters: `time_ratio` is the time of the other solver over that of conjugate gradients; `approach_difference` is
+/// the relative difference of their approaches.
+/// @param other solves a problem and returns the approach [m]
 template <typename Other>
 void compare(benchmark::State& state, const core::GridSize& size, Other other)
 {
@@ -26,8 +28,8 @@ void compare(benchmark::State& state, const core::GridSize& size, Other other)
     own_time += seconds([&] { one.solver.solve(problem, false, solution); });
     other_time += seconds([&] { other_approach = other(problem); });
   }
-  state.counters["slower"] = other_time / own_time;
-  state.counters["apart"] = std::abs(other_approach / solution.approach - 1);
+  state.counters["time_ratio"] = other_time / own_time;
+  state.counters["approach_difference"] = std::abs(other_approach / solution.approach - 1);
 }
 
 void seidel(benchmark::State& state, const core::GridSize& size, core::SeidelOptions::Form form)
@@ -61,8 +63,9 @@ void polonskyKeer(benchmark::State& state, const core::GridSize& size)
   }
 }
 
-/// Warm answers of a wheelset on rails that bend by a table and on rails that do not, in turns over one sweep; `slower`
-/// is the ratio of the sums of their times.
+/// Evaluations of a wheelset from a warm start, alternately on rails with a compliance table and on rigid rails, over
+/// one sweep. Counters: `time_ratio` is the time with the table over that on rigid rails; `unusable` is the number of
+/// unusable results.
 void bendingRails(benchmark::State& state)
 {
   core::ContactModelConfig config = core::manchesterScene();
@@ -72,15 +75,15 @@ void bendingRails(benchmark::State& state)
   core::WheelsetContact bending(config);
   Sweep sweep;
   double rigid_time = 0, bending_time = 0;
-  int refused = 0;
+  int unusable = 0;
   for (auto _ : state)
   {
     const core::WheelsetState& wheelset = sweep.next();
-    rigid_time += seconds([&] { refused += isUsable(rigid.evaluate(wheelset).status) ? 0 : 1; });
-    bending_time += seconds([&] { refused += isUsable(bending.evaluate(wheelset).status) ? 0 : 1; });
+    rigid_time += seconds([&] { unusable += isUsable(rigid.evaluate(wheelset).status) ? 0 : 1; });
+    bending_time += seconds([&] { unusable += isUsable(bending.evaluate(wheelset).status) ? 0 : 1; });
   }
-  state.counters["slower"] = bending_time / rigid_time;
-  state.counters["refused"] = refused;
+  state.counters["time_ratio"] = bending_time / rigid_time;
+  state.counters["unusable"] = unusable;
 }
 }  // namespace
 

@@ -22,7 +22,7 @@ namespace
 constexpr int pairs = 20000;
 constexpr int runs = 5;
 
-/// A folder for files that go with it.
+/// Temporary folder; removed with its files by the destructor.
 class Folder
 {
  public:
@@ -30,7 +30,7 @@ class Folder
   {
     if (mkdtemp(path_.data()) == nullptr)
     {
-      throw std::runtime_error("cannot make a folder " + path_);
+      throw std::runtime_error("cannot create the folder " + path_);
     }
   }
   ~Folder() { std::filesystem::remove_all(path_); }
@@ -43,7 +43,7 @@ class Folder
   std::string path_;
 };
 
-/// What a run takes [s].
+/// Wall time and processor time of a run [s].
 struct Cost
 {
   double wall = 0, cpu = 0;
@@ -54,13 +54,14 @@ void addCost(const Work& work, Cost& sum)
 {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  const std::clock_t cpu = std::clock();  // of all threads
+  const std::clock_t cpu = std::clock();  // processor time of all threads
   work();
   sum.wall += std::chrono::duration<double>(Clock::now() - begin).count();
   sum.cpu += static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
 }
 
-/// The inputs of the bag, slice by slice (ResetRule).
+/// Inputs of the bag, divided into slices (see ResetRule).
+/// @param lateral lateral displacements [m]
 std::vector<std::vector<PreparedInput>> slicesOf(const std::vector<double>& lateral)
 {
   std::vector<std::vector<PreparedInput>> slices;
@@ -80,7 +81,7 @@ std::vector<std::vector<PreparedInput>> slicesOf(const std::vector<double>& late
   return slices;
 }
 
-/// Nothing but the evaluations, each thread taking the next slice.
+/// Evaluates all slices without reading or writing. Each thread repeatedly takes the next slice.
 void evaluateAll(const std::vector<std::vector<PreparedInput>>& slices, std::vector<ContactEvaluator>& evaluators)
 {
   std::atomic<std::size_t> next{0};
@@ -105,9 +106,9 @@ void evaluateAll(const std::vector<std::vector<PreparedInput>>& slices, std::vec
   }
 }
 
-/// The same pairs from bag to bag by contact_replay, and without bags, in turns. `wall` and `cpu` are the ratios of
-/// what both take, `per_s` the answers of the first in a second. The coefficients, which a process computes once, are
-/// there.
+/// Evaluates the same pairs alternately from bag to bag by contact_replay and without bags. Counters: `wall` and `cpu`
+/// are wall time and processor time of contact_replay over those of the evaluations alone; `per_s` is the number of
+/// results per second of contact_replay. The influence coefficients, which a process computes once, are not included.
 void replay(benchmark::State& state, int threads)
 {
   const Folder folder;

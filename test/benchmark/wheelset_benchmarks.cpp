@@ -25,19 +25,19 @@ void evaluate(benchmark::State& state, const core::ContactModelConfig& config, S
   core::WheelsetContact contact(config);
   Sweep sweep;
   contact.evaluate(sweep.next());
-  int refused = 0;
+  int unusable = 0;
   for (auto _ : state)
   {
     if (start == Start::cold)
     {
       contact.reset();
     }
-    refused += isUsable(contact.evaluate(sweep.next()).status) ? 0 : 1;
+    unusable += isUsable(contact.evaluate(sweep.next()).status) ? 0 : 1;
   }
-  state.counters["refused"] = refused;
+  state.counters["unusable"] = unusable;
 }
 
-/// Spread of the times of 20 000 warm evaluations [us].
+/// Distribution of the times of 20 000 evaluations from a warm start [us].
 void jitter(benchmark::State& state, const core::ContactModelConfig& config)
 {
   constexpr std::size_t count = 20000;
@@ -59,7 +59,7 @@ void jitter(benchmark::State& state, const core::ContactModelConfig& config)
   state.counters["max_us"] = times.back();
 }
 
-/// Another solver, and the time it takes.
+/// Wrapper of a solver that measures its time.
 class TimedSolver : public core::NormalSolver
 {
  public:
@@ -79,15 +79,16 @@ class TimedSolver : public core::NormalSolver
 
  private:
   std::unique_ptr<core::NormalSolver> solver_;
-  double& spent_;  ///< in both [s]
+  double& spent_;  ///< time of both functions [s]
 };
 
-/// A message's time, and that of its normal solutions and their error estimates [s].
+/// Time of one result, and the part of it spent in normal solutions and error estimates [s].
 struct Message
 {
   double all, solutions;
 };
 
+/// Share of the solutions in the time of some results [%].
 double shareOf(std::vector<Message>::const_iterator begin, std::vector<Message>::const_iterator end)
 {
   double all = 0, solutions = 0;
@@ -99,9 +100,10 @@ double shareOf(std::vector<Message>::const_iterator begin, std::vector<Message>:
   return 100 * solutions / all;
 }
 
-/// Share of the normal solutions in the time of a warm answer; the rest is search, gap and balance. Of all messages,
-/// and of the tenth of them about the median, which the dear ones (jumps, way to a finer grid) do not rule [%].
-void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& config, ToAndFro way)
+/// Share of the normal solutions in the time of results from a warm start [%]. The remaining time is search, gap and
+/// balance. `solutions_%` is the share over all results. `solutions_at_median_%` is the share over the tenth of the
+/// results about the median, which excludes expensive results (jumps, change to a finer grid).
+void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& config, BackAndForth motion)
 {
   constexpr std::size_t count = 4800, first = 480;
   double spent = 0;
@@ -114,7 +116,7 @@ void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& c
     messages.clear();
     for (std::size_t k = 0; k < first + count; ++k)
     {
-      const core::WheelsetState& now = way.next();
+      const core::WheelsetState& now = motion.next();
       const double before = spent;
       const double all = seconds([&] { balance.solve(now); });
       if (k >= first)
@@ -125,11 +127,12 @@ void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& c
   }
   state.counters["solutions_%"] = shareOf(messages.begin(), messages.end());
   std::sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) { return a.all < b.all; });
-  state.counters["at_median_%"] = shareOf(messages.begin() + count * 45 / 100, messages.begin() + count * 55 / 100);
+  state.counters["solutions_at_median_%"] =
+      shareOf(messages.begin() + count * 45 / 100, messages.begin() + count * 55 / 100);
   state.counters["median_us"] = 1e6 * messages[count / 2].all;
 }
 
-/// Over the sweep, and at places a wheelset moves about by 0.2 mm to either side.
+/// Shares over the sweep, and for lateral motions of ± 0.2 mm about several mean displacements.
 void addShares(const std::string& tolerance, const core::ContactModelConfig& config)
 {
   const auto register_share = [](const std::string& name, auto share)
@@ -140,7 +143,7 @@ void addShares(const std::string& tolerance, const core::ContactModelConfig& con
   {
     register_share("wheelset/solutions/" + tolerance + "/" + place + "mm",
                    [config, y = 1e-3 * std::stod(place)](benchmark::State& state)
-                   { shareOfSolutions(state, config, ToAndFro(y, 4)); });
+                   { shareOfSolutions(state, config, BackAndForth(y, 4)); });
   }
 }
 

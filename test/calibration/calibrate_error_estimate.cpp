@@ -5,18 +5,20 @@
 //   calibrate_error_estimate [scenes of each set, default 4000] [seed of the fit, default 1] [of the check, default 2]
 //                            [hertz, kik_piotrowski or grid; default: all]
 //
-// Three of four scenes are wheelsets (the whole chain), the others random gaps; each is solved on a random one of
-// fifteen grids, and by conjugate gradients on one four times finer each way, whose answer counts as true; gaps by
-// Hertz, whose errors do not fall with the cells, on one of 96 × 256 cells. Weights of the terms of Hertz and
-// Kik–Piotrowski are those with the greatest likelihood of errors that are Laplace-distributed with the weighted sum as
-// their mean, scaled so that the largest of the three estimates is at least the true error in 97.5 % of the single
-// patches (Kik–Piotrowski: 99 %, grids: 98 %). Those of grids go on from there by quantile regression, each quantity
-// for itself: its estimate is as close to its error as can be while 98 % are within it. Prints the weights as they
-// stand in hertz_solver.cpp and kik_piotrowski.cpp, those near which error_estimate.cpp keeps its own, and for each
-// grid and kind of scene the share of patches whose true error is within the estimate, and estimate over true error
-// (median, and what 5 and 1 % of the patches stay below), once with the built-in weights (all patches) and once with
-// those just found. Takes about ten minutes; not part of the test run, in which normal/error_estimate_test.cpp checks
-// the built-in weights.
+// Three of four scenes are wheelsets (whole calculation), the others random gaps. Each is solved on one of fifteen
+// grids, chosen at random. The reference is the solution by conjugate gradients on a grid four times finer in each
+// direction; for gaps solved by Hertz, whose errors do not decrease with the cells, a grid of 96 × 256 cells.
+//
+// The weights of Hertz and Kik–Piotrowski have the greatest likelihood for Laplace-distributed errors whose mean is the
+// weighted sum. They are scaled until the largest of the three estimates is at least the true error in 97.5 % of the
+// single patches (Kik–Piotrowski: 99 %, grids: 98 %). For grids, quantile regression of each quantity follows: its
+// estimate is as close to its error as possible while 98 % of the errors are within it.
+//
+// Prints the weights in the format of hertz_solver.cpp and kik_piotrowski.cpp (error_estimate.cpp has its own weights,
+// close to the printed ones). Then prints for each grid and kind of scene the share of patches whose true error is
+// within the estimate, and the ratio of the estimate to the true error (median, 5 % and 1 % quantiles), once with the
+// built-in weights (all patches) and once with the new weights. Takes about ten minutes. Not part of the test run, in
+// which core/normal/error_estimate_test.cpp checks the built-in weights.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,19 +58,19 @@ std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long
     }
   }
   std::fprintf(stderr, "\n");
-  std::printf("seed %lu: %d scenes, %zu patches; %d scenes without solution, or with other patches on the fine grid\n",
-              seed, count, samples.size(), left_out);
+  std::printf("seed %lu: %d scenes, %zu patches; %d scenes have no solution, or other patches on the fine grid\n", seed,
+              count, samples.size(), left_out);
   return samples;
 }
 
-/// Weights w >= 0 that maximise the likelihood of errors e ~ Laplace(mean |e| = w . terms): the multiplicative steps
-/// minimise mean(log(w . t) + e / (w . t)), each lowers it (Itakura–Saito divergence; Févotte and Idier 2011).
-/// `terms(sample)` gives a sample's terms.
+/// Weights w >= 0 that maximise the likelihood of errors e ~ Laplace(mean |e| = w . terms). The multiplicative steps
+/// minimise mean(log(w . t) + e / (w . t)); each step decreases it (Itakura–Saito divergence; Févotte and Idier 2011).
+/// `terms(sample)` returns the terms of a sample.
 template <typename Terms>
 auto fit(const std::vector<ErrorSample>& samples, Terms terms, double ErrorEstimate::*error)
 {
   constexpr int steps = 1000;
-  constexpr double least_error = 1e-6;  // below it the truth itself is in doubt
+  constexpr double least_error = 1e-6;  // below this the reference itself is uncertain
   auto weights = terms(samples.front());
   weights.fill(0.01);
   for (int step = 0; step < steps; ++step)
@@ -116,7 +118,7 @@ void print(const char* name, const std::array<double, N>& list)
   std::printf("\n");
 }
 
-/// Scales the weights of all quantities alike so that the largest estimate covers the share `coverage`.
+/// Scales the weights of all quantities by the same factor, until the largest estimate covers the share `coverage`.
 template <typename Weights>
 void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weights& weights)
 {
@@ -139,9 +141,10 @@ void scaleToCover(const std::vector<ErrorSample>& samples, double coverage, Weig
   multiply(weights.approach);
 }
 
-/// Share of single patches that the fitted estimate covers; asked are 95 % of all. Strips miss by much in a few scenes
-/// that their terms do not tell from the others, and their estimate is close to the truth in most: there is room for
-/// more. A grid is chosen where its estimate is just below the tolerance, so that misses gather there.
+/// Share of single patches that the fitted estimate covers; 95 % of all are required. Kik–Piotrowski has large errors
+/// in a few scenes that its terms do not distinguish from others, while its estimate is close to the error in most
+/// scenes. A larger share is therefore possible. A grid is chosen where its estimate is just below the tolerance;
+/// scenes with an error above the estimate accumulate there.
 double coverageOf(scenes::Method method)
 {
   switch (method)
@@ -155,13 +158,13 @@ double coverageOf(scenes::Method method)
   }
 }
 
-/// Mean of what quantile regression minimises (Koenker and Bassett 1978) for the logarithms of an error and an
-/// estimate: the estimate is then closest to the share `coverage` of the errors, whatever it is about. `error` and
-/// `estimate` give a sample's.
+/// Mean of the function that quantile regression minimises (Koenker and Bassett 1978), for the logarithms of an error
+/// and an estimate. At its minimum the estimate is closest to the quantile `coverage` of the errors, whatever its
+/// value. `error` and `estimate` return those of a sample.
 template <typename Error, typename Estimate>
 double lossOf(const std::vector<ErrorSample>& samples, double coverage, Error error, Estimate estimate)
 {
-  constexpr double least_error = 2e-5;  // below it the truth itself is in doubt
+  constexpr double least_error = 2e-5;  // below this the reference itself is uncertain
   double sum = 0;
   for (const ErrorSample& s : samples)
   {
@@ -171,7 +174,8 @@ double lossOf(const std::vector<ErrorSample>& samples, double coverage, Error er
   return sum / static_cast<double>(samples.size());
 }
 
-/// Goes downhill one weight after the other, each by steps of its own that grow while they help.
+/// Minimises `loss` by changing one weight after another. Each weight has its own factor, which increases as long as it
+/// reduces the loss.
 template <typename Loss>
 void lower(const std::vector<double*>& weights, Loss loss)
 {
@@ -197,7 +201,7 @@ void lower(const std::vector<double*>& weights, Loss loss)
   }
 }
 
-/// Goes on from weights of one quantity, until its estimate is closest to the share `coverage` of its errors.
+/// Improves the weights of one quantity until its estimate is closest to the quantile `coverage` of its errors.
 template <std::size_t N>
 void lowerFor(const std::vector<ErrorSample>& samples, double coverage, double ErrorEstimate::*quantity,
               std::array<double, N> ErrorWeights::*list, ErrorWeights& weights)
@@ -239,7 +243,7 @@ ShapeWeights fitShapeWeights(const std::vector<ErrorSample>& samples, double cov
   return weights;
 }
 
-/// Rows of the table: how often the estimate holds, and by how much it is above.
+/// Prints the table: how often the true error is within the estimate, and the ratio of both.
 void tabulate(const std::vector<ErrorSample>& samples)
 {
   struct Row
@@ -293,19 +297,19 @@ void calibrate(const char* name, scenes::Method method, const Sets& sets, FitWei
   std::printf("\n== %s ==\n", name);
   const std::vector<ErrorSample> samples = alone(collect(method, sets.count, sets.fit_seed));
   const auto weights = fit_weights(samples, coverageOf(method));
-  std::printf("weights, for %.1f %% within the estimate\n", 100 * coverageOf(method));
+  std::printf("new weights, with %.1f %% of the errors within the estimate\n", 100 * coverageOf(method));
   print("max_pressure", weights.max_pressure);
   print("area", weights.area);
   print("approach", weights.approach);
   const std::vector<ErrorSample> check = collect(method, sets.count, sets.check_seed);
-  std::printf("weights built in:\n");
+  std::printf("built-in weights:\n");
   tabulate(check);
   std::vector<ErrorSample> check_alone = alone(check);
   for (ErrorSample& sample : check_alone)
   {
     sample.estimate = estimateWith(weights, sample);
   }
-  std::printf("weights just found, single patches:\n");
+  std::printf("new weights, single patches:\n");
   tabulate(check_alone);
   std::fflush(stdout);
 }

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds what src/balance/method_ladder.cpp says of each grid of `method: auto`: its ordinary error and its typical
-// estimates.
+// Computes the values of each grid level of `method: auto` in src/core/balance/grid_levels.cpp: its ordinary error and
+// its typical estimates.
 //
-//   calibrate_ladder [scenes, default 300] [seed, default 3]
+//   calibrate_grid_levels [scenes, default 300] [seed, default 3]
 //
-// Random wheelsets (S1002 on 60E1 and UIC60, y up to 7 mm) are solved by conjugate gradients on every grid of the
-// ladder; of as many as asked for the truth is found on 128 × 320 cells, twenty times as many are only estimated.
-// Prints for each grid the true error that 98 % of the patches stay below, the typical estimates of max pressure, area
-// without tails, approach and tails over those of the same patch on 24 × 56 cells, and for each of them between what
-// the middle half lie. A quantity's typical estimate is the median over the patches that it decides, being the largest
-// on 24 × 56 cells (approach, which decides few: over all patches); of finer grids only where that is above 0.3 %: the
-// others are not for them. Takes ten minutes; not part of the test run.
+// Random wheelsets (S1002 on 60E1 and UIC60, y up to 7 mm) are solved by conjugate gradients on the grid of every
+// level. For `scenes` of them the reference is found on 128 × 320 cells. Twenty times as many are estimated without a
+// reference.
+//
+// Prints for each grid the true error that 98 % of the patches do not exceed, and the typical estimates of max
+// pressure, area without narrow ends, approach and narrow ends, over those of the same patch on 24 × 56 cells, with the
+// range of their middle half. The typical estimate of a quantity is the median over the patches in which it is the
+// largest on 24 × 56 cells (approach, which is the largest in few: over all patches). Finer grids are intended for
+// patches whose estimate on 24 × 56 cells is above 0.3 %, so only these count there. Takes ten minutes; not part of the
+// test run.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -29,10 +32,10 @@ using namespace wheel_rail_contact::core;
 using scenes::ErrorSample;
 
 constexpr GridSize truth{128, 320}, unit{24, 56};
-/// Finer grids than the unit are for patches whose estimate on it is above this [-].
+/// Finer grids than `unit` are intended for patches whose estimate on it is above this [-].
 constexpr double finest_tolerance = 0.003;
 
-/// Grids of the ladder, in its order.
+/// Grids of all levels, in their order.
 std::vector<GridSize> levelGrids()
 {
   const GridLevels levels{ContactModelConfig()};
@@ -44,7 +47,7 @@ std::vector<GridSize> levelGrids()
   return sizes;
 }
 
-/// Max pressure, area without tails, approach, tails; all without the residual's part.
+/// Max pressure, area without narrow ends, approach, narrow ends; all without the part of the residual.
 using Parts = std::array<double, 4>;
 
 Parts partsOf(const ErrorEstimate& error)
@@ -54,15 +57,16 @@ Parts partsOf(const ErrorEstimate& error)
           error.approach - algebra.approach, error.narrow_ends};
 }
 
-/// Of the patches of every scene that all grids tell alike, in the same order for each grid.
+/// Samples of the patches of every scene, in the same order for each grid. Only scenes with the same number of patches
+/// on all grids are kept.
 template <typename Sample>
 class ByGrid
 {
  public:
   explicit ByGrid(std::vector<GridSize> sizes) : sizes_(std::move(sizes)), samples_(sizes_.size()) {}
 
-  /// @param sample  of a size and a list: adds a sample of each patch; false if the grid has no answer
-  /// @return false if a grid has no answer, or other patches
+  /// @param sample  called with a size and a list: adds a sample of each patch; false if the grid has no solution
+  /// @return false if a grid has no solution or another number of patches
   template <typename Solve>
   bool add(Solve sample)
   {
@@ -140,10 +144,11 @@ void print(const Errors& errors, const Estimates& estimates)
   }
 }
 
-/// Adds the estimates of every patch of a wheelset on a grid, solved without a truth; false if it has no solution.
+/// Adds the estimates of every patch of a wheelset on a grid, without a reference. Returns false if there is no
+/// solution.
 bool estimate(const GridLevels& levels, const scenes::WheelsetScene& scene, std::vector<Parts>& parts)
 {
-  constexpr double settled = 2e-3;  // planes and roll
+  constexpr double settled = 2e-3;  // tolerance for planes and roll
   ContactModelConfig config = scene.config;
   config.contact.tolerance = settled;
   WheelsetBalance balance(config, levels);
@@ -173,7 +178,7 @@ int main(int argc, char** argv)
   const unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 3;
   if (count < 1 || argc > 3)
   {
-    std::fprintf(stderr, "usage: calibrate_ladder [SCENES [SEED]]\n");
+    std::fprintf(stderr, "usage: calibrate_grid_levels [SCENES [SEED]]\n");
     return 2;
   }
   constexpr int estimates_per_error = 20;

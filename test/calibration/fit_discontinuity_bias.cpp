@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits by how much jumps of the gap's curvature move the edge of the contact (normal/discontinuity_bias.h).
+// Fits the bias correction of the area near curvature discontinuities (core/normal/measures/discontinuity_bias.h).
 //
 //   fit_discontinuity_bias [wheelset scenes, default 2000] [gaps, default 12000] [seed, default 1] [passes, default 60]
 //
-// The weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, on wheelsets and gaps with jumps
-// (settled_contacts.h), with the weights of EdgeBias as they are. Prints how much of the error is left on samples of
-// the next seed (a quarter as many), and the weights as they stand in discontinuity_bias_weights.cpp. Takes about
-// twelve minutes; not part of the test run.
+// Minimises the mean of (error² + 0.05²)^1/2, with errors in cells, on wheelsets and gaps with discontinuities
+// (settled_contacts.h). The weights of EdgeBias are kept. Prints the remaining errors on samples of the next seed (a
+// quarter as many) and the weights in the format of discontinuity_bias_weights.cpp. Takes about twelve minutes; not
+// part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -20,23 +20,23 @@ namespace
 {
 using namespace wheel_rail_contact::core;
 
-/// The crossings of one kind of line at which there are steps, of all contacts.
+/// Crossings of one kind of line with steps, of all contacts.
 struct Discontinuities
 {
   std::vector<EdgeInputs> inputs;
   std::vector<EdgeSteps> steps;
-  std::vector<std::size_t> ends;  ///< of each contact's crossings
+  std::vector<std::size_t> ends;  ///< end index of the crossings of each contact
 
   std::size_t begin(std::size_t contact) const { return contact > 0 ? ends[contact - 1] : 0; }
 };
 
-/// Contacts that have such crossings.
+/// Contacts with such crossings.
 struct Samples
 {
   Discontinuities along, across;
-  std::vector<float> images;  ///< of each contact's crossings: 2 if half of it is stored
-  std::vector<float> bias;    ///< of the area without joints [cells]
-  std::vector<float> off;     ///< the area that the present weights give less the true one [cells]
+  std::vector<float> images;  ///< of each contact: 2 if half of it is stored, otherwise 1
+  std::vector<float> bias;    ///< of the area without this correction [cells]
+  std::vector<float> off;     ///< area by the present weights minus the true area [cells]
 
   std::size_t count() const { return images.size(); }
 };
@@ -68,7 +68,7 @@ void add(const fits::Contact& contact, Samples& samples)
   }
 }
 
-/// Crossings of several contacts side by side: first with their steps, then without.
+/// Crossings of several contacts: first with their steps, then without.
 struct Crossings
 {
   Eigen::MatrixXf inputs;    ///< DiscontinuityBias::inputs × twice the crossings
@@ -98,19 +98,19 @@ struct Crossings
 
 class Fit
 {
-  static constexpr float blunt = 0.05F;  ///< errors below that count by their square [cells]
+  static constexpr float blunt = 0.05F;  ///< smaller errors count by their square [cells]
   using Units = fits::ReluFit<DiscontinuityBias::inputs, DiscontinuityBias::units>;
 
  public:
   explicit Fit(std::mt19937_64& random) : along_(random, 0.1), across_(random, 0.1) {}
 
-  /// Errors that are left [cells].
+  /// Remaining errors [cells].
   Eigen::ArrayXf left(const Samples& samples, const std::vector<std::size_t>& contacts)
   {
     return leftOf(samples, contacts, Crossings(samples.along, contacts), Crossings(samples.across, contacts));
   }
 
-  /// The same before a step.
+  /// Makes a step. Returns the errors before it [cells].
   Eigen::ArrayXf step(const Samples& samples, const std::vector<std::size_t>& contacts, double rate)
   {
     const Crossings along(samples.along, contacts), across(samples.across, contacts);
@@ -178,9 +178,9 @@ void printErrors(const char* name, const Samples& samples, Fit& fit)
   const auto count = static_cast<Eigen::Index>(all.size());
   std::printf("%s: %td contacts, %zu crossings; errors in cells\n", name, count,
               samples.along.inputs.size() + samples.across.inputs.size());
-  fits::printSizes("without joints", Eigen::Map<const Eigen::ArrayXf>(samples.bias.data(), count));
+  fits::printSizes("no correction", Eigen::Map<const Eigen::ArrayXf>(samples.bias.data(), count));
   fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), count));
-  fits::printSizes("these", fit.left(samples, all));
+  fits::printSizes("new weights", fit.left(samples, all));
 }
 }  // namespace
 
@@ -195,7 +195,7 @@ int main(int argc, char** argv)
   Fit fit(random);
   fits::inBatches(samples.count(), static_cast<int>(argument(4, 60)), random,
                   [&](const std::vector<std::size_t>& batch, double rate) { return fit.step(samples, batch, rate); });
-  printErrors("these samples", samples, fit);
+  printErrors("samples of the fit", samples, fit);
   printErrors("wheelsets of the next seed", fits::collect<Samples>({wheelsets / 4, 0, 0, 0}, seed + 1), fit);
   printErrors("gaps of the next seed", fits::collect<Samples>({0, 0, 0, gaps / 4}, seed + 1), fit);
   fit.print();

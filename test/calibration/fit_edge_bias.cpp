@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits what a polygon through the crossings of the contact's edge is too large by (normal/edge_bias.h).
+// Fits the bias correction of the area of the edge polygon (core/normal/measures/edge_bias.h).
 //
-//   fit_edge_bias [wheelset scenes, default 1000] [Hertz contacts, default 12000] [seed, default 1] [passes, default
-//                   450]
+//   fit_edge_bias [wheelset scenes, default 1000] [Hertz contacts, default 12000] [seed, default 1]
+//                 [passes, default 450]
 //
-// The weights are those with the least mean of (error² + 0.05²)^1/2, errors in cells, on settled_contacts.h. Prints how
-// much of the error is left on samples of the next seed (a quarter as many), and the weights as they stand in
-// edge_bias_weights.cpp. Takes about ten minutes; not part of the test run.
+// Minimises the mean of (error² + 0.05²)^1/2, with errors in cells, on settled_contacts.h. Prints the remaining errors
+// on samples of the next seed (a quarter as many) and the weights in the format of edge_bias_weights.cpp. Takes about
+// ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -25,12 +25,12 @@ using namespace wheel_rail_contact::core;
 struct Samples
 {
   std::vector<EdgeInputs> crossings;  ///< of all contacts
-  std::vector<std::size_t> ends;      ///< of each contact's crossings
-  std::vector<float> images;          ///< of each contact's crossings: 2 if half of it is stored
-  std::vector<float> polygon;         ///< of the whole [cells]
+  std::vector<std::size_t> ends;      ///< end index of the crossings of each contact
+  std::vector<float> images;          ///< of each contact: 2 if half of it is stored, otherwise 1
+  std::vector<float> polygon;         ///< area of the polygon of the whole contact [cells]
   std::vector<int> islands;
   std::vector<float> bias;  ///< of the polygon [cells]
-  std::vector<float> off;   ///< the area that the present weights give less the true one [cells]
+  std::vector<float> off;   ///< area by the present weights minus the true area [cells]
 
   std::size_t count() const { return ends.size(); }
   std::size_t begin(std::size_t contact) const { return contact > 0 ? ends[contact - 1] : 0; }
@@ -56,15 +56,15 @@ void add(const fits::Contact& contact, Samples& samples)
   samples.ends.push_back(samples.crossings.size());
 }
 
-/// Several contacts side by side.
+/// Several contacts together.
 struct Batch
 {
   Eigen::MatrixXf inputs;    ///< edge_inputs × crossings
   std::vector<int> contact;  ///< of each crossing
   Eigen::ArrayXf images;     ///< of each contact
   Eigen::ArrayXf islands;    ///< of each contact
-  Eigen::ArrayXf few;        ///< the same over the cells of each island
-  Eigen::ArrayXf bias;       ///< true
+  Eigen::ArrayXf few;        ///< islands over the cells of each island
+  Eigen::ArrayXf bias;       ///< true bias
 
   Batch(const Samples& samples, const std::vector<std::size_t>& contacts)
       : images(static_cast<Eigen::Index>(contacts.size())),
@@ -97,12 +97,12 @@ struct Batch
 
 class Fit
 {
-  static constexpr float blunt = 0.05F;  ///< errors below that count by their square [cells]
+  static constexpr float blunt = 0.05F;  ///< smaller errors count by their square [cells]
 
  public:
   explicit Fit(std::mt19937_64& random) : crossing_(random, 0.1) {}
 
-  /// Errors that are left [cells].
+  /// Remaining errors [cells].
   Eigen::ArrayXf left(const Batch& batch)
   {
     const Eigen::RowVectorXf at = crossing_.values(batch.inputs);
@@ -115,7 +115,7 @@ class Fit
     return sum;
   }
 
-  /// The same before a step.
+  /// Makes a step. Returns the errors before it [cells].
   Eigen::ArrayXf step(const Batch& batch, double rate)
   {
     const Eigen::ArrayXf errors = left(batch), pull = fits::pullOf(errors, blunt);
@@ -148,9 +148,9 @@ void printErrors(const char* name, const Samples& samples, Fit& fit)
   const std::vector<std::size_t> all = fits::upTo(samples.count());
   const Batch batch(samples, all);
   std::printf("%s: %zu contacts, %zu crossings; errors in cells\n", name, samples.count(), samples.crossings.size());
-  fits::printSizes("the polygon", batch.bias);
+  fits::printSizes("no correction", batch.bias);
   fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), batch.bias.size()));
-  fits::printSizes("these", fit.left(batch));
+  fits::printSizes("new weights", fit.left(batch));
 }
 }  // namespace
 
@@ -166,7 +166,7 @@ int main(int argc, char** argv)
   fits::inBatches(samples.count(), static_cast<int>(argument(4, 450)), random,
                   [&](const std::vector<std::size_t>& batch, double rate)
                   { return fit.step(Batch(samples, batch), rate); });
-  printErrors("these samples", samples, fit);
+  printErrors("samples of the fit", samples, fit);
   printErrors("wheelsets of the next seed", fits::collect<Samples>({wheelsets / 4, 0, 0}, seed + 1), fit);
   printErrors("Hertz contacts of the next seed", fits::collect<Samples>({0, hertz / 4, 0}, seed + 1), fit);
   fit.print();

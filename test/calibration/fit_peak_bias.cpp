@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits what the parabolas through a crest of the pressure are too large by (normal/peak_bias.h).
+// Fits the bias correction of the pressure peak (core/normal/measures/peak_bias.h).
 //
 //   fit_peak_bias [wheelset scenes, default 1000] [Hertz contacts, default 12000] [gaps, default 6000]
-//                    [seed, default 1] [passes, default 300]
+//                 [seed, default 1] [passes, default 300]
 //
-// The weights are those with the least mean of (error² + 0.05²)^1/2, errors over an eightieth of the bend and 0.01 %
-// (about what the parabolas are off by in smooth contacts), on settled_contacts.h (the truth of its wheelsets is by the
-// weights in use, on cells that hardly need them). Prints how much of the error is left on samples of the next seed (a
-// quarter as many; of the new weights without peakPressure()'s limit), and the weights as they stand in
-// peak_bias_weights.cpp. Takes about ten minutes; not part of the test run.
+// Minimises the mean of (error² + 0.05²)^1/2 on settled_contacts.h. Errors are divided by the expected bias, an
+// eightieth of the bend plus 0.01 %: about the error of the parabolas in smooth contacts. The reference of the
+// wheelsets uses the present weights, on cells where they hardly matter. Prints the remaining errors on samples of the
+// next seed (a quarter as many; for the new weights without the limit of peakPressure()) and the weights in the format
+// of peak_bias_weights.cpp. Takes about ten minutes; not part of the test run.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -28,11 +28,11 @@ struct Samples
 {
   std::vector<PeakInputs> peaks;
   std::vector<float> bias;      ///< of the parabolas [-]
-  std::vector<float> off;       ///< by the present weights [-]
-  std::vector<float> expected;  ///< what errors count by [-]
+  std::vector<float> off;       ///< error with the present weights [-]
+  std::vector<float> expected;  ///< expected bias, which divides the errors [-]
 };
 
-/// The highest crest, if it is no less by the present weights than the others, and something is taken off there.
+/// Adds the highest peak, unless another peak is higher by the present weights or no bias is subtracted there.
 void add(const fits::Contact& contact, Samples& samples)
 {
   const PatchPressure& patch = contact.found;
@@ -51,12 +51,12 @@ void add(const fits::Contact& contact, Samples& samples)
   samples.expected.push_back(static_cast<float>(peak.bend() / 80 + 1e-4));
 }
 
-/// Several crests side by side, everything over what is expected. The first half of the columns are the first tips and
-/// sides, the others the second.
+/// Several peaks together, divided by the expected bias. The first half of the columns contains the first tips and
+/// sides, the second half the second ones.
 struct Batch
 {
   Eigen::MatrixXf tips, sides;
-  Eigen::RowVectorXf along;  ///< bend, of each tip
+  Eigen::RowVectorXf along;  ///< bend, for each tip
   Eigen::ArrayXf bias;
 
   Batch(const Samples& samples, const std::vector<std::size_t>& peaks, const PeakInputs::Side& units)
@@ -85,14 +85,14 @@ struct Batch
 
 class Fit
 {
-  static constexpr float blunt = 0.05F;  ///< errors below that count by their square, over what is expected
+  static constexpr float blunt = 0.05F;  ///< smaller errors count by their square, over the expected bias
 
  public:
   Fit(std::mt19937_64& random, const PeakInputs::Side& units) : tip_(random, 0.01), side_(random, 0.1), units_(units) {}
 
   const PeakInputs::Side& units() const { return units_; }
 
-  /// Errors that are left, over what is expected.
+  /// Remaining errors over the expected bias.
   Eigen::ArrayXf left(const Batch& batch)
   {
     const Eigen::RowVectorXf both =
@@ -101,7 +101,7 @@ class Fit
     return (both.head(count) + both.tail(count)).transpose().array() - batch.bias;
   }
 
-  /// The same before a step.
+  /// Makes a step. Returns the errors before it.
   Eigen::ArrayXf step(const Batch& batch, double rate)
   {
     const Eigen::ArrayXf errors = left(batch);
@@ -133,7 +133,7 @@ class Fit
   PeakInputs::Side units_;
 };
 
-/// Of each input of a side what nine in ten stay below, over what is expected.
+/// For each input of a side: the 90 % quantile of its absolute value over the expected bias.
 PeakInputs::Side unitsOf(const Samples& samples)
 {
   PeakInputs::Side units;
@@ -154,11 +154,11 @@ void printErrors(const char* name, const Samples& samples, Fit& fit)
   const std::vector<std::size_t> all = fits::upTo(samples.peaks.size());
   const Batch batch(samples, all, fit.units());
   const auto count = batch.bias.size();
-  std::printf("%s: %td crests; errors over an eightieth of the bend and 0.01 %%\n", name, count);
-  fits::printSizes("the parabolas", batch.bias);
+  std::printf("%s: %td peaks; errors over the expected bias\n", name, count);
+  fits::printSizes("no correction", batch.bias);
   fits::printSizes("present weights", Eigen::Map<const Eigen::ArrayXf>(samples.off.data(), count) /
                                           Eigen::Map<const Eigen::ArrayXf>(samples.expected.data(), count));
-  fits::printSizes("these", fit.left(batch));
+  fits::printSizes("new weights", fit.left(batch));
 }
 }  // namespace
 
@@ -175,7 +175,7 @@ int main(int argc, char** argv)
   fits::inBatches(samples.peaks.size(), static_cast<int>(argument(5, 300)), random,
                   [&](const std::vector<std::size_t>& batch, double rate)
                   { return fit.step(Batch(samples, batch, fit.units()), rate); });
-  printErrors("these samples", samples, fit);
+  printErrors("samples of the fit", samples, fit);
   printErrors("wheelsets of the next seed", fits::collect<Samples>({wheelsets / 4, 0, 0}, seed + 1), fit);
   printErrors("Hertz contacts of the next seed", fits::collect<Samples>({0, hertz / 4, 0}, seed + 1), fit);
   printErrors("gaps of the next seed", fits::collect<Samples>({0, 0, gaps / 4}, seed + 1), fit);

@@ -11,7 +11,7 @@
 #include "chart/quantile.h"
 #include "core/normal/measures/relu_network.h"
 
-/// Fits of sums of ramps (normal/ramp_sum.h) in small batches.
+/// Fits of one-hidden-layer ReLU networks (core/normal/measures/relu_network.h) in small batches.
 namespace wheel_rail_contact::core::fits
 {
 /// Steps of Adam's method (Kingma and Ba 2015).
@@ -21,7 +21,7 @@ class Adam
  public:
   using Values = Eigen::Array<float, Size, 1>;
 
-  /// @param slope  of the mean error by the values
+  /// @param slope  gradient of the mean error
   void step(const Values& slope, double rate, Values& values)
   {
     constexpr float kept = 0.9F, kept_square = 0.999F;
@@ -45,7 +45,7 @@ class ReluFit
  public:
   using Sum = ReluNetwork<Inputs, Units>;
 
-  /// @param height  of what the ramps may give at first
+  /// @param height  scale of the first output weights
   ReluFit(std::mt19937_64& random, double height)
   {
     std::normal_distribution<float> normal;
@@ -58,7 +58,7 @@ class ReluFit
 
   const Sum& sum() const { return sum_; }
 
-  /// One value for each column of inputs.
+  /// One output value for each column of inputs.
   Eigen::RowVectorXf values(const Eigen::MatrixXf& inputs)
   {
     units_ = (sum_.slopes().matrix() * inputs).cwiseMax(0);
@@ -66,7 +66,7 @@ class ReluFit
   }
 
   /// @param inputs  those of the last values()
-  /// @param pull    slope of the mean error by each value
+  /// @param pull    derivative of the mean error by each value
   void step(const Eigen::MatrixXf& inputs, const Eigen::RowVectorXf& pull, double rate)
   {
     const Eigen::MatrixXf rising =
@@ -84,7 +84,7 @@ class ReluFit
   Eigen::MatrixXf units_;
 };
 
-/// Slope of the mean of (error² + blunt²)^1/2 by each error.
+/// Derivative of the mean of (error² + blunt²)^1/2 by each error.
 inline Eigen::ArrayXf pullOf(const Eigen::ArrayXf& errors, float blunt)
 {
   return errors / (errors.square() + blunt * blunt).sqrt() / static_cast<float>(errors.size());
@@ -98,8 +98,8 @@ inline std::vector<std::size_t> upTo(std::size_t count)
   return indices;
 }
 
-/// Calls `step(indices, rate)`, which returns the errors left, for batches of 0 … count - 1 in random order, pass after
-/// pass, with rates falling as a cosine.
+/// Calls `step(indices, rate)`, which returns the remaining errors, for batches of 0 … count - 1 in random order.
+/// Repeats this for several passes, with rates that decrease as a cosine.
 template <typename Step>
 void inBatches(std::size_t count, int passes, std::mt19937_64& random, Step step)
 {
@@ -116,7 +116,8 @@ void inBatches(std::size_t count, int passes, std::mt19937_64& random, Step step
       const std::vector<std::size_t> batch(order.data() + begin, order.data() + std::min(begin + batch_size, count));
       sum += static_cast<double>(step(batch, rate).abs().sum());
     }
-    std::fprintf(stderr, "\rpass %d of %d: %.4f left", pass + 1, passes, sum / static_cast<double>(count));
+    std::fprintf(stderr, "\rpass %d of %d: mean remaining error %.4f", pass + 1, passes,
+                 sum / static_cast<double>(count));
   }
   std::fprintf(stderr, "\n");
 }
@@ -133,7 +134,7 @@ inline void printSizes(const char* name, const Eigen::ArrayXf& errors)
               chart::quantile(sizes, 0.9), chart::quantile(sizes, 0.98));
 }
 
-/// As the sources hold them.
+/// Prints the weights in the format of the sources.
 inline void print(const Eigen::ArrayXf& numbers)
 {
   constexpr Eigen::Index per_line = 12;

@@ -10,25 +10,25 @@
 #include "../core/normal/error_samples.h"
 #include "core/normal/solvers/hertz.h"
 
-/// Contacts solved on cells until only those make them wrong, with what is true of them: samples for fits.
+/// Contacts solved so accurately that only the error of the cells remains, with their true values: samples for fits.
 namespace wheel_rail_contact::core::fits
 {
-/// A patch that is alone on its problem.
+/// A patch that is the only one of its problem.
 struct Contact
 {
   const PatchGap& gap;
   double modulus;  ///< [Pa]
   const PatchPressure& found;
   double true_area;      ///< [m²]
-  double true_pressure;  ///< the highest [Pa]
+  double true_pressure;  ///< highest pressure [Pa]
 };
 
 constexpr std::array<GridSize, 20> grids{{{4, 16},  {6, 16},  {6, 24},  {8, 16},  {8, 24},  {10, 24}, {12, 24},
                                           {12, 32}, {16, 32}, {16, 48}, {12, 64}, {20, 48}, {16, 64}, {24, 56},
                                           {16, 80}, {16, 96}, {24, 80}, {32, 64}, {32, 96}, {48, 96}}};
 
-/// Contacts of B/A from 0.1 to 20 on one of the grids, a quarter turned by up to 0.3 rad, a quarter of a handful of
-/// cells; by parts of a cell off the grid's middle.
+/// Hertz contacts of B/A from 0.1 to 20 on one of the grids. A quarter is rotated by up to 0.3 rad, a quarter covers
+/// only few cells. They are shifted from the middle of the grid by parts of a cell.
 class HertzContacts
 {
  public:
@@ -46,8 +46,8 @@ class HertzContacts
     const double across = std::hypot(hertz.semi_axis_y * cosine, hertz.semi_axis_x * sine);
     const double margin_along = few ? scenes::uniform(random, 1.1, size.along / 2.5) : usualMargin(random);
     const double margin_across = few ? scenes::uniform(random, 1.1, size.across / 3.0) : usualMargin(random);
-    const aspect_ladder::Cell cell =
-        aspect_ladder::coveringCell(2 * margin_along * along, 2 * margin_across * across, size.along, size.across);
+    const cell_aspect::Cell cell =
+        cell_aspect::coveringCell(2 * margin_along * along, 2 * margin_across * across, size.along, size.across);
     const double x0 = symmetric ? 0 : scenes::uniform(random, -0.5, 0.5) * cell.dx;
     const double y0 = scenes::uniform(random, -0.5, 0.5) * cell.dy;
     const auto gap = [=](double x, double y)
@@ -76,7 +76,7 @@ class HertzContacts
   NormalSolution solution_;
 };
 
-/// A wheel over A y² + B y⁴.
+/// A wheel; the gap across is A y² + B y⁴.
 inline scenes::GapScene quarticScene(scenes::Random& random)
 {
   const double along = 0.5 / scenes::uniform(random, 0.3, 0.6);
@@ -87,20 +87,20 @@ inline scenes::GapScene quarticScene(scenes::Random& random)
           1e3 * scenes::spread(random, 5, 150)};
 }
 
-/// A smooth gap whose curvature varies: half of them bowls (gap_scenes.h), half quartics.
+/// Smooth gap with a varying curvature: half of them bowls (gap_scenes.h), half quartics.
 inline scenes::GapScene smoothScene(scenes::Random& random)
 {
   return scenes::oneIn(random, 2) ? scenes::randomBowlScene(random) : quarticScene(random);
 }
 
-/// One in three yawed.
+/// One scene in three is yawed.
 inline scenes::GapScene evenOrYawed(scenes::Random& random, const char* kind, const scenes::Gap& gap, double load)
 {
   const bool even = !scenes::oneIn(random, 3);
   return {kind, even, {even ? gap : scenes::yawed(random, gap)}, load};
 }
 
-/// A paraboloid whose curvature across jumps about the edge of the contact: by up to ten times itself, or to concave.
+/// Paraboloid whose curvature across jumps near the edge of the contact: by up to ten times its value, or to concave.
 inline scenes::GapScene edgeDiscontinuityScene(scenes::Random& random)
 {
   const double load = 1e3 * scenes::spread(random, 5, 150);
@@ -113,11 +113,11 @@ inline scenes::GapScene edgeDiscontinuityScene(scenes::Random& random)
     const double beyond = std::max(y - discontinuity, 0.0);
     return along * x * x + across * y * y + jump * beyond * beyond;
   };
-  return evenOrYawed(random, "joint", gap, load);
+  return evenOrYawed(random, "discontinuity at the edge", gap, load);
 }
 
-/// A gap whose curvature jumps, half of them with one jump about the edge, or varies within a few cells (gap_scenes.h):
-/// arcs of a rail's head, lobes and waves.
+/// Gap whose curvature jumps or varies within a few cells. Half of them have one jump near the edge, the others are
+/// arcs of a rail head, lobes and waves (gap_scenes.h).
 inline scenes::GapScene discontinuityScene(scenes::Random& random)
 {
   if (scenes::oneIn(random, 2))
@@ -132,7 +132,7 @@ inline scenes::GapScene discontinuityScene(scenes::Random& random)
   return evenOrYawed(random, arcs ? "arcs" : waves ? "waves" : "lobes", gap, load);
 }
 
-/// Gaps on one of the grids, against cells four times finer each way.
+/// Gaps on one of the grids, against cells four times finer in each direction.
 class GapContacts
 {
  public:
@@ -154,7 +154,7 @@ class GapContacts
   ConjugateGradients solver_{scenes::strictOptions()};
 };
 
-/// Wheels with a single patch, on each of the grids against 192 × 512 cells, which count as true by the weights in use.
+/// Wheels with a single patch, on each of the grids. The reference has 192 × 512 cells and uses the present weights.
 class WheelsetContacts
 {
  public:
@@ -193,7 +193,7 @@ class WheelsetContacts
   scenes::WheelsetSampler sampler_{scenes::Method::grid};
 };
 
-/// How many of each kind; of the wheelsets scenes.
+/// Number of contacts of each kind; of wheelsets the number of scenes.
 struct Counts
 {
   int wheelsets = 0, hertz = 0, gaps = 0, discontinuities = 0;
@@ -225,7 +225,7 @@ void visitContacts(const Counts& counts, unsigned long seed, Visit visit)
   std::fprintf(stderr, "\n");
 }
 
-/// Samples that an add(contact, samples) beside their declaration makes of them.
+/// Collects the samples that add(contact, samples), declared with the type of the samples, makes of the contacts.
 template <typename Samples>
 Samples collect(const Counts& counts, unsigned long seed)
 {

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `method: auto` costs beside the fixed method one would have chosen had one known: random wheelsets, each solved
-// by every fixed method on every grid and by `auto` at 10, 3, 1 and 0.3 %.
+// Compares the cost of `method: auto` with that of the cheapest fixed method, on random wheelsets. Each is solved by
+// every fixed method on every grid, and by `auto` at 10, 3, 1 and 0.3 %.
 //
 //   verify_method_choice [scenes, default 260] [seed, default 92]
 //
-// Warm times are those of messages to and fro about the scene, 0.05 mm apart, cold ones of answers after nothing; all
-// are CPU times of the thread (src/chart/race.h). Truth are conjugate gradients on 256 × 512 cells, four times finer
-// than the finest that `auto` takes. Prints for each tolerance in how many scenes all answers met it, in how many of
-// the others the worst answer said that it may not, in how many the largest true error seen was within that answer's
-// estimate; what share of all answers to these scenes met it, or else said so; and the time over that of the cheapest
-// fixed method that is settled to the tolerance and whose true error meets it: median, and what 25, 75 and 90 % of the
-// scenes stay below. Seidel is left out, which is never the cheapest. Takes some minutes; not part of the test run, in
-// which balance/method_choice_test.cpp asks for the tolerance.
+// Warm times are those of messages 0.05 mm apart, moving back and forth around the scene. Cold times are those of
+// results without a previous one. All are CPU times of the thread (src/chart/comparison.cpp). The reference is a
+// solution by conjugate gradients on 256 × 512 cells, four times finer than the finest grid of `auto`.
+//
+// Prints for each tolerance:
+// * the number of scenes in which all results met it;
+// * of the others, the number in which the estimate of the worst result was above it;
+// * the number in which the largest true error was within the estimate of that result;
+// * the shares of all results that met it, or else had an estimate above it;
+// * the time over that of the cheapest fixed method that is converged to the tolerance and whose true error meets it:
+//   median, 25, 75 and 90 % quantiles over the scenes.
+// Seidel is left out, because it is never the cheapest. Takes some minutes; not part of the test run, in which
+// core/balance/method_choice_test.cpp checks the tolerance.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -33,10 +38,10 @@ using namespace wheel_rail_contact::core;
 
 bool meets(const chart::Series& series, double tolerance)
 {
-  return series.status == chart::Series::Status::evaluated && series.errors.largest() <= tolerance;
+  return series.status == chart::Series::Status::solved && series.errors.largest() <= tolerance;
 }
 
-/// Time of the cheapest fixed method that is settled to the tolerance and meets it [s]; infinite if none does.
+/// Time of the cheapest fixed method that is converged to the tolerance and meets it [s]; infinite if none does.
 double cheapest(const chart::Result& result, chart::Series chart::Entry::*start, double tolerance)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -50,17 +55,17 @@ double cheapest(const chart::Result& result, chart::Series chart::Entry::*start,
   return least;
 }
 
-/// Of `auto` at one tolerance, warm or cold.
+/// Results of `auto` at one tolerance, warm or cold.
 struct Tally
 {
   int scenes = 0, met = 0, flagged = 0, held = 0;
   std::size_t results = 0, results_met = 0, results_flagged = 0;
-  std::vector<double> times;   ///< of an answer, medians [s]
-  std::vector<double> ratios;  ///< to the cheapest fixed method, where one meets the tolerance [-]
+  std::vector<double> times;   ///< median times of a result [s]
+  std::vector<double> ratios;  ///< over the time of the cheapest fixed method, where one meets the tolerance [-]
 
   void count(const chart::Series& series, double tolerance, double cheapest_time)
   {
-    if (series.status != chart::Series::Status::evaluated)
+    if (series.status != chart::Series::Status::solved)
     {
       return;
     }
@@ -94,8 +99,8 @@ struct Tally
   }
 };
 
-/// `auto` and the fixed methods at each tolerance, to which their balance is settled as well. Hertz and
-/// Kik–Piotrowski, whose errors do not fall with the cells, stand on the coarsest grid alone.
+/// `auto`, and the fixed methods at each tolerance, to which their balance is converged as well. Hertz and
+/// Kik–Piotrowski are on the coarsest grid only, because their errors do not decrease with the cells.
 std::vector<chart::Choice> choices()
 {
   std::vector<chart::Choice> list;
@@ -138,7 +143,7 @@ struct Tallies
   void print() const
   {
     std::printf(
-        "start tolerance   scenes    met  flagged   held | answers    met   flagged | median time | compared "
+        "start tolerance   scenes    met  flagged   held | results    met   flagged | median time | compared "
         " median    25 %%    75 %%    90 %%\n");
     for (const auto& [tolerance, tally] : warm)
     {
@@ -163,7 +168,7 @@ int main(int argc, char** argv)
   }
   chart::Plan plan;
   plan.rounds = 2;
-  plan.reach = 1;  // many scenes, each at a place of its own: what is right by luck counts little
+  plan.reach = 1;  // many scenes, each at its own position: results that are right by chance have little weight
   const std::vector<chart::Choice> all = choices();
   const auto solver_cache = std::make_shared<chart::SolverCache>();
   Tallies tallies;
@@ -186,7 +191,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "\rscene %d of %d", i + 1, count);
   }
   std::fprintf(stderr, "\n");
-  std::printf("seed %lu, %d scenes, %d of them without truth\n", seed, count, without_truth);
+  std::printf("seed %lu, %d scenes, %d of them without a reference\n", seed, count, without_truth);
   tallies.print();
   return 0;
 }

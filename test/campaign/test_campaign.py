@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_campaign: the files of contact_replay, whoever is killed on the way."""
+"""contact_campaign writes the same files as contact_replay, even if workers or the campaign are killed."""
 
 import collections
 import contextlib
@@ -24,42 +24,42 @@ from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
 from wheel_rail_contact.campaign.command_line import main
 from wheel_rail_contact.campaign.folder import Folder
 from wheel_rail_contact.campaign.interrupts import Interrupts
-from wheel_rail_contact.campaign.work import answer_slice, join_slices
+from wheel_rail_contact.campaign.work import evaluate_slice, join_slices
 from wheel_rail_contact.msg import WheelsetContact
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / "test" / "replay"))
-from replay_case import ReplayCase, pose, stamp  # noqa: E402  (stands beside other tests)
+from replay_case import ReplayCase, pose, stamp  # noqa: E402  (in the folder of other tests)
 
 COMMAND = PACKAGE / "scripts" / "contact_campaign"
-GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # starts quickly
-PATIENCE = 60  # [s] of the slowest machine
+GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
+TIMEOUT = 60  # [s] for the slowest machine
 PAIRS, SLICE, SLICES = 3000, 300, 10
 
 
 def wait_for(condition):
-    """What the condition gives as soon as that is true."""
-    end = time.monotonic() + PATIENCE
+    """Waits until the condition is true, and returns its value."""
+    end = time.monotonic() + TIMEOUT
     while not (found := condition()):
         if time.monotonic() > end:
-            raise TimeoutError("waited in vain")
+            raise TimeoutError("the condition did not become true")
         time.sleep(0.01)
     return found
 
 
 def processes_of(folder):
-    """Command lines of running processes that name a folder."""
+    """Command lines of the running processes that contain the path of a folder."""
     found = []
-    for place in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+    for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
-            line = place.read_bytes().decode(errors="replace")
-            if str(folder) in line and int(place.parent.name) != os.getpid():
+            line = path.read_bytes().decode(errors="replace")
+            if str(folder) in line and int(path.parent.name) != os.getpid():
                 found.append(line.replace("\0", " "))
     return found
 
 
 def run(*arguments):
-    """Exit status of the command and what it printed."""
+    """Runs the command. @return exit status and output"""
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
         status = main([str(argument) for argument in arguments])
@@ -67,7 +67,7 @@ def run(*arguments):
 
 
 class Cluster:
-    """A scheduler and workers, one core each, as processes of their own."""
+    """A scheduler, and workers with one core each, in separate processes."""
 
     def __init__(self, folder):
         self.folder, self.processes = folder, []
@@ -102,41 +102,41 @@ class Case(ReplayCase):
         return [*bags, "--out", self.out, "--slice", slice, *self.options, *more]
 
     def records(self):
-        """By slice, of those that are done and not joined."""
+        """Contents of the records of the slices that are done and not yet joined, by file name."""
         return {path.name: path.read_text() for path in self.out.glob("unfinished/*/*.bag.json")}
 
     def manifest(self):
         return json.loads((self.out / "manifest.json").read_text())
 
     def assert_done(self, bag):
-        """Answers are those of one replay, and the manifest tells their checksums."""
+        """Checks that the results are those of one replay, and that the manifest contains their checksum."""
         whole, _ = self.replay(bag, "whole.bag", *self.options)
         self.assert_same_file(whole, self.out / bag.name)
         entry = self.manifest()["bags"][bag.name]
         self.assertEqual(entry["sha256"], hashlib.sha256(whole.read_bytes()).hexdigest())
-        self.assertEqual(entry["answers"], len(self.answers(whole)))
+        self.assertEqual(entry["results"], len(self.results(whole)))
         self.assertEqual(len(entry["done"]), len(entry["slices"]))
         self.assertFalse((self.out / "unfinished").exists())
         whole.unlink()
         return entry
 
 
-class OwnCluster(Case):
-    def test_broken_off_and_killed_campaign_goes_on_and_does_nothing_twice(self):
+class LocalCluster(Case):
+    def test_interrupted_or_killed_campaign_continues_without_repeating_finished_work(self):
         bag = self.make_bag(PAIRS)
         command = [str(word) for word in self.command(bag)]
         with subprocess.Popen([sys.executable, COMMAND, *command], stderr=subprocess.PIPE, text=True,
                               start_new_session=True) as first:
             wait_for(lambda: len(self.records()) >= 2)
-            os.killpg(first.pid, signal.SIGINT)  # as a terminal does
-            told = first.stderr.read()
-        self.assertEqual((first.returncode, told.splitlines()[-1]), (130, "contact_campaign: interrupted"))
-        self.assertNotIn("Traceback", told)
+            os.killpg(first.pid, signal.SIGINT)  # like Ctrl-C in a terminal
+            printed = first.stderr.read()
+        self.assertEqual((first.returncode, printed.splitlines()[-1]), (130, "contact_campaign: interrupted"))
+        self.assertNotIn("Traceback", printed)
         with subprocess.Popen([sys.executable, COMMAND, *command], stderr=subprocess.DEVNULL) as second:
             wait_for(lambda: len(self.records()) >= 5)
             second.send_signal(signal.SIGKILL)
         self.assertLess(len(self.records()), SLICES)
-        wait_for(lambda: not processes_of(self.folder))  # its workers and their replays end with it
+        wait_for(lambda: not processes_of(self.folder))  # its workers and their replays end with the campaign
         before = self.records()
         status, printed = run(*command)
         self.assertEqual(status, 0, printed)
@@ -144,14 +144,14 @@ class OwnCluster(Case):
         kept = {f"{k:06}.bag.json": record for k, record in enumerate(entry["done"])}
         for name, record in before.items():
             self.assertEqual(json.loads(record), kept[name])
-        self.assertIn(f"{PAIRS} answers of 1 bags", printed)
+        self.assertIn(f"{PAIRS} results of 1 bags", printed)
         state = (self.out / bag.name).stat()
         status, printed = run(*command)
-        self.assertEqual((status, printed), (0, f"{PAIRS} answers of 1 bags in {self.out}\n  OK: {PAIRS}\n"))
+        self.assertEqual((status, printed), (0, f"{PAIRS} results of 1 bags in {self.out}\n  OK: {PAIRS}\n"))
         self.assertEqual((self.out / bag.name).stat(), state)
 
 
-class GivenCluster(Case):
+class ExternalCluster(Case):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
@@ -160,14 +160,14 @@ class GivenCluster(Case):
         cls.addClassCleanup(cls.cluster.end)
         cls.worker = cls.cluster.add_worker()
         with distributed.Client(cls.cluster.address) as client:
-            client.wait_for_workers(1, timeout=PATIENCE)
+            client.wait_for_workers(1, timeout=TIMEOUT)
 
     def campaign(self, *bags, status=0, **options):
         found, printed = run(*self.command(*bags, **options), "--scheduler", self.cluster.address)
         self.assertEqual(found, status, printed)
         return printed
 
-    def test_a_killed_workers_slices_are_answered_by_another(self):
+    def test_slices_of_a_killed_worker_are_evaluated_by_another_worker(self):
         bag = self.make_bag(PAIRS)
         with subprocess.Popen([sys.executable, COMMAND, *map(str, self.command(bag)), "--scheduler",
                                self.cluster.address], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as campaign:
@@ -175,19 +175,19 @@ class GivenCluster(Case):
             before = self.records()
             self.worker.kill()
             type(self).worker = self.cluster.add_worker()
-            self.assertEqual(campaign.wait(PATIENCE), 0)
+            self.assertEqual(campaign.wait(TIMEOUT), 0)
         workers = [record["worker"] for record in self.assert_done(bag)["done"]]
         self.assertEqual(len(set(workers)), 2)
         self.assertGreaterEqual(len(before), 2)
 
-    def test_long_and_short_bags(self):
+    def test_short_bag_is_one_slice_and_long_bag_is_divided(self):
         bags = [self.make_bag(1230, "long.bag"), self.make_bag(30, "short.bag")]
         printed = self.campaign(*bags)
-        self.assertIn("1260 answers of 2 bags", printed)
+        self.assertIn("1260 results of 2 bags", printed)
         self.assertIn("OK: 1260", printed)
         self.assertEqual([len(self.assert_done(bag)["slices"]) for bag in bags], [5, 1])
 
-    def test_answers_that_lack_a_neighbours_forces_are_counted_over_the_slices(self):
+    def test_results_without_the_forces_of_a_neighbour_are_counted_over_all_slices(self):
         soft = self.folder / "soft.yaml"
         soft.write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
                         " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
@@ -195,10 +195,10 @@ class GivenCluster(Case):
         bag = self.make_bag(500)
         with rosbag.Bag(str(bag), "a") as file:
             file.write("/neighbour", WheelsetContact(header=pose(399).header), stamp(399))
-        self.assertIn("/contact_node/contact: 400 answers lack a neighbour's forces", self.campaign(bag))
+        self.assertIn("/contact_node/contact: 400 results lack a neighbour's forces", self.campaign(bag))
         self.assertEqual(len(self.assert_done(bag)["done"]), 2)
 
-    def test_a_bag_that_fails_does_not_stop_the_others(self):
+    def test_failed_bag_does_not_stop_the_others(self):
         good, bad = self.make_bag(30, "good.bag"), self.folder / "bad.bag"
         bad.write_text("#ROSBAG V2.0\n")
         packed = self.folder / "packed.bag"
@@ -206,37 +206,37 @@ class GivenCluster(Case):
         printed = self.campaign(bad, packed, good, status=1)
         self.assertIn("2 tasks failed", printed)
         for name in ("bad.bag", "packed.bag"):
-            self.assertIn(f"{name}: is one slice, since its index cannot be read", printed)
+            self.assertIn(f"{name}: evaluated as one slice, because its index cannot be read", printed)
             self.assertIn(f"{name}: contact_replay:", printed)
-        self.assertEqual(len(self.answers(self.out / "good.bag")), 30)
+        self.assertEqual(len(self.results(self.out / "good.bag")), 30)
 
-    def test_a_bag_without_index_is_one_slice_and_its_damage_is_told(self):
+    def test_bag_without_index_is_one_slice_and_its_damage_is_reported(self):
         bag = self.make_bag(1000)
         bag.write_bytes(bag.read_bytes()[:-20000])
         printed = self.campaign(bag, status=3)
         self.assertIn("has no usable index", printed)
         self.assertEqual(len(self.manifest()["bags"][bag.name]["slices"]), 1)
 
-    def test_a_part_that_changed_on_the_disk_is_answered_again(self):
+    def test_slice_that_was_changed_on_the_disk_is_evaluated_again(self):
         from wheel_rail_contact.campaign import work
         from wheel_rail_contact.command import Failure
         bag, part = self.make_bag(30), self.out / "parts" / "0.bag"
         task = {"bag": str(bag), "part": str(part), "slice": [None, None], "folder": str(self.folder),
                 "options": [str(word) for word in self.options]}
-        record = work.answer_slice(task)
+        record = work.evaluate_slice(task)
         whole = part.read_bytes()
         part.write_bytes(whole[:-1] + bytes([whole[-1] ^ 1]))
-        join = {"parts": [str(part)], "answers": str(self.out / "out.bag"), "options": []}
-        with self.assertRaisesRegex(Failure, "is not as it was written"):
+        join = {"parts": [str(part)], "results": str(self.out / "out.bag"), "options": []}
+        with self.assertRaisesRegex(Failure, "was changed after it was written"):
             work.join_slices(join)
-        self.assertEqual(work.answer_slice(task)["sha256"], record["sha256"])
+        self.assertEqual(work.evaluate_slice(task)["sha256"], record["sha256"])
         self.assertEqual(work.join_slices(join)["sha256"], record["sha256"])
 
 
 class InOrder:
-    """Stands for Dask: one core, whose tasks come back in the order in which they were submitted, and do nothing.
+    """Replaces Dask. It has one core. The tasks do nothing, and end in the order in which they were submitted.
 
-    `statuses`: of each task, each time that it comes back.
+    @param statuses of each task, in the order in which they are returned
     """
 
     def __init__(self, *statuses):
@@ -249,7 +249,7 @@ class InOrder:
     def submit(self, function, task, **_):
         self.submitted.append((function, task["name"]))
         return types.SimpleNamespace(key=len(self.submitted), statuses=iter(self.statuses),
-                                     result=lambda: {"answers": 1})
+                                     result=lambda: {"results": 1})
 
     def is_empty(self):
         return not self.running
@@ -268,7 +268,7 @@ def interrupt():
 
 
 class CtrlC(unittest.TestCase):
-    def test_the_first_one_waits_and_the_second_one_is_raised_at_once(self):
+    def test_first_interrupt_is_noted_and_second_is_raised_immediately(self):
         with Interrupts() as interrupts:
             interrupts.raise_noted()
             interrupt()
@@ -276,7 +276,7 @@ class CtrlC(unittest.TestCase):
             self.assertRaises(KeyboardInterrupt, interrupts.raise_noted)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
-    def test_one_that_is_ignored_stays_so(self):
+    def test_ignored_interrupt_stays_ignored(self):
         self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
         with Interrupts() as interrupts:
             interrupt()
@@ -285,17 +285,17 @@ class CtrlC(unittest.TestCase):
 
 
 class InterruptedInADestructor:
-    """As any of a library may be: Python drops what a destructor raises."""
+    """Interrupts in its destructor, as may occur in a library. Python drops exceptions of destructors."""
 
     def __del__(self):
         interrupt()
 
 
 class Order(unittest.TestCase):
-    NAMES = [f"{k}.bag" for k in range(2 * AHEAD + 1)]  # more than one core is given at a time
+    NAMES = [f"{k}.bag" for k in range(2 * AHEAD + 1)]  # more tasks than are submitted at a time
 
     def names_of_tasks(self, *statuses):
-        """Of all answer_slice and of all join_slices, as they were submitted."""
+        """Names of the bags of all evaluate_slice tasks and of all join_slices tasks, in the order of their submission."""
         dask = InOrder(*statuses)
         plan = {"folder": "", "options": [],
                 "bags": {name: {"bag": name, "slices": [[None, None]]} for name in self.NAMES}}
@@ -303,16 +303,16 @@ class Order(unittest.TestCase):
             campaign = Campaign(dask, plan, Folder(folder))
             campaign.run()
         self.assertEqual(campaign.failures, [])
-        return [[name for done, name in dask.submitted if done is function] for function in (answer_slice, join_slices)]
+        return [[name for done, name in dask.submitted if done is function] for function in (evaluate_slice, join_slices)]
 
-    def test_each_of_many_short_bags_is_answered_and_joined_once(self):
+    def test_each_of_many_short_bags_is_evaluated_and_joined_once(self):
         self.assertEqual(self.names_of_tasks("finished"), [self.NAMES, self.NAMES])
 
-    def test_results_lost_with_their_worker_are_waited_for_again(self):
+    def test_tasks_of_a_lost_worker_are_awaited_again(self):
         self.assertEqual([sorted(names) for names in self.names_of_tasks("lost", "pending", "finished")],
                          [self.NAMES, self.NAMES])
 
-    def test_an_interrupt_that_strikes_in_a_destructor_ends_the_campaign(self):
+    def test_interrupt_in_a_destructor_ends_the_campaign(self):
         with unittest.mock.patch.object(InOrder, "is_empty", lambda _: InterruptedInADestructor() is None):
             self.assertRaises(KeyboardInterrupt, self.names_of_tasks, "finished")
 
@@ -323,35 +323,35 @@ class Misuse(Case):
         self.assertEqual(status, 1)
         return printed
 
-    def test_what_does_not_fit_the_folder_is_refused_by_name(self):
+    def test_changes_of_a_campaign_are_refused_by_name(self):
         bag = self.make_bag(30)
         self.out.mkdir()
         (self.out / "letter.txt").write_text("precious")
-        self.assertIn("is not empty, and no campaign's folder", self.refuse(*self.command(bag)))
+        self.assertIn("is not empty, and is not the folder of a campaign", self.refuse(*self.command(bag)))
         (self.out / "letter.txt").unlink()
         absent = "tcp://127.0.0.1:9"
-        with unittest.mock.patch("wheel_rail_contact.campaign.cluster.PATIENCE", "0.5s"):
-            self.assertIn(f"--scheduler {absent}: no scheduler", self.refuse(*self.command(bag), "--scheduler", absent))
-        self.assertIn("slice 10 is not that of the campaign", self.refuse(*self.command(bag, slice=10)))
+        with unittest.mock.patch("wheel_rail_contact.campaign.cluster.TIMEOUT", "0.5s"):
+            self.assertIn(f"--scheduler {absent}: found no scheduler", self.refuse(*self.command(bag), "--scheduler", absent))
+        self.assertIn("slice: 10 differs from the campaign", self.refuse(*self.command(bag, slice=10)))
         (self.folder / "grid.yaml").write_text(GRID + "track: {rail_inclination: 0.05}\n")
-        self.assertIn("configs", self.refuse(*self.command(bag)))
+        self.assertIn("configs: ", self.refuse(*self.command(bag)))
         (self.folder / "grid.yaml").write_text(GRID)
-        self.assertIn("other.bag is not in the campaign", self.refuse(*self.command(bag, self.make_bag(9, "other.bag"))))
+        self.assertIn("other.bag is not part of the campaign", self.refuse(*self.command(bag, self.make_bag(9, "other.bag"))))
         os.utime(bag, ns=(0, 0))
-        self.assertIn("in.bag is not in the campaign in this folder, or has changed", self.refuse(*self.command(bag)))
+        self.assertIn("in.bag is not part of the campaign in this folder, or has been changed", self.refuse(*self.command(bag)))
 
-    def test_a_folder_of_another_version_is_refused_by_name(self):
+    def test_folder_of_another_version_is_refused_by_name(self):
         bag = self.make_bag(3)
         self.assertEqual(run(*self.command(bag))[0], 0)
-        before = {**self.manifest(), "format": 1}
+        before = {**self.manifest(), "format": 2}
         del before["bags"]["in.bag"]["done"][0]["lacking_neighbour"]
         (self.out / "manifest.json").write_text(json.dumps(before))
         printed = self.refuse(*self.command(bag))
-        self.assertIn(f"--out {self.out}: holds a campaign of another version", printed)
-        self.assertIn("take another folder", printed)
+        self.assertIn(f"--out {self.out}: contains a campaign of another version", printed)
+        self.assertIn("use another folder", printed)
         self.assertEqual(self.manifest(), before)
 
-    def test_two_bags_of_one_name_are_refused(self):
+    def test_two_bags_with_one_name_are_refused(self):
         bag = self.make_bag(3)
         self.assertIn("two bags are named in.bag", self.refuse(*self.command(bag, bag)))
         self.assertIn("No such file", self.refuse(*self.command(self.folder / "none.bag")))

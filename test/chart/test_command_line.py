@@ -21,12 +21,12 @@ ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1
 
 
 class Misuse(unittest.TestCase):
-    def check(self, complaint, out):
+    def check(self, reason, out):
         err = io.StringIO()
         with contextlib.redirect_stderr(err):
             status = main(["--out", str(out)])
         self.assertEqual(status, 1)
-        self.assertIn(complaint, err.getvalue())
+        self.assertIn(reason, err.getvalue())
         self.assertIn(str(out), err.getvalue())
         self.assertEqual(err.getvalue().count("\n"), 1, "one line, before the measurement")
 
@@ -67,7 +67,7 @@ class ExitStatus(unittest.TestCase):
 
 
 class ProgressBar(unittest.TestCase):
-    def test_bar_on_a_terminal_lines_elsewhere(self):
+    def test_progress_is_a_bar_on_a_terminal_and_lines_elsewhere(self):
         for terminal in (True, False):
             stream = io.StringIO()
             stream.isatty = lambda terminal=terminal: terminal
@@ -81,7 +81,7 @@ class ProgressBar(unittest.TestCase):
 
 
 class Front(unittest.TestCase):
-    def test_pareto_front_holds_the_unbeaten_points(self):
+    def test_pareto_front_contains_the_points_that_no_other_point_improves(self):
         self.assertEqual(front.pareto([(3, 1), (1, 5), (2, 6), (2, 3), (4, 1)]), [(1, 5), (2, 3), (3, 1)])
 
     def test_missing_result_counts_as_the_largest_error_in_the_median(self):
@@ -106,7 +106,7 @@ class Front(unittest.TestCase):
 
 
 class Summary(unittest.TestCase):
-    def test_scenes_with_exact_hertz_formula_are_left_out_of_the_normal_problems(self):
+    def test_scenes_with_exact_hertz_formula_are_excluded_from_the_normal_problems(self):
         def scene(name, kind, chosen):
             return [replace(ROW, scene=name, kind=kind),
                     replace(ROW, scene=name, kind=kind, method="auto", tolerance=0.01, solver=chosen)]

@@ -15,8 +15,8 @@ from wheel_rail_contact.chart import table
 from wheel_rail_contact.chart.front import compare_auto
 from wheel_rail_contact.chart.picture import METHODS
 
-SCENES = {"hertz_1_1", "hertz_1_5", "joint", "two_patches", "lobes", "conformal", "manchester_0", "manchester_0.5",
-          "manchester_3", "manchester_5", "manchester_6.5", "paper"}
+SCENES = {"hertz_1_1", "hertz_1_5", "discontinuity", "two_patches", "lobes", "conformal", "manchester_0",
+          "manchester_0.5", "manchester_3", "manchester_5", "manchester_6.5", "paper"}
 GRIDS = {(8, 16), (10, 24), (12, 24), (12, 32), (12, 64), (16, 32), (16, 48), (16, 64), (16, 80), (16, 96), (20, 48),
          (24, 56), (24, 80), (24, 96), (32, 96), (48, 96), (64, 128)}
 TOLERANCES = {0.1, 0.03, 0.01, 0.003}

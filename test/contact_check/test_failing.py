@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run that breaks its bounds fails as a rostest, with a message a user can read."""
+"""A run that violates its bounds fails as a rostest, with a readable message."""
 import os
 import pathlib
 import subprocess
@@ -10,7 +10,7 @@ EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "launch" / "manchester_c
 
 
 class Failing(unittest.TestCase):
-    def test_broken_bounds_are_told(self):
+    def test_violated_bounds_are_reported(self):
         with tempfile.TemporaryDirectory() as folder:
             bounds = pathlib.Path(folder) / "bounds.yaml"
             bounds.write_text("answers: 201\nflange_contact: false\nbounds: {normal_force: {max: 1.2e+5}, area: {min: 0}}\n")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bags: every message that can be read, in the order of time, or a BagError.
+// Bags: all readable messages are delivered, or a BagError is thrown.
 #include <cstdlib>
 
 #include "bag/bag_stream.h"
@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       }
     }
   }
-  catch (const BagError&)  // refused with a reason
+  catch (const BagError&)  // rejected with a reason
   {
   }
   return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameter files and compliance tables: read, or refused by std::invalid_argument.
+// Parameter files and compliance tables: each is read, or rejected with std::invalid_argument.
 #include <stdexcept>
 
 #include "ros/parameters/compliance_table_file.h"
@@ -15,14 +15,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     readNodeConfig(readParameterFile(file), "", "");
   }
-  catch (const std::invalid_argument&)  // refused with a reason
+  catch (const std::invalid_argument&)  // rejected with a reason
   {
   }
   try
   {
     readComplianceTable(file);
   }
-  catch (const std::invalid_argument&)  // refused with a reason
+  catch (const std::invalid_argument&)  // rejected with a reason
   {
   }
   return 0;

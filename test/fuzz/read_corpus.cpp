@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gives every file of a folder to a harness once: what fuzzing has found stays mended, without a fuzzer.
+// Passes each file of the given folders to a harness once. Prevents regressions of faults that fuzzing has found,
+// without a fuzzer.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

@@ -12,7 +12,7 @@ ScratchFolder::ScratchFolder() : path_((std::filesystem::temp_directory_path() /
 {
   if (mkdtemp(path_.data()) == nullptr)
   {
-    throw std::runtime_error("no folder can be made: " + path_);
+    throw std::runtime_error("cannot create the folder " + path_);
   }
 }
 

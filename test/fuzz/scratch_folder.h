@@ -7,7 +7,7 @@
 
 namespace wheel_rail_contact::fuzz
 {
-/// A folder for what is to be read as a file; gone with the process.
+/// Temporary folder for inputs that must be files. The destructor removes it.
 class ScratchFolder
 {
  public:
@@ -16,7 +16,7 @@ class ScratchFolder
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  /// Writes the input as a file of this name, in place of one written before. @return its path
+  /// Writes the input to a file of this name and replaces an earlier one. @return path of the file
   std::string write(const std::string& name, const std::uint8_t* data, std::size_t size) const;
 
  private:

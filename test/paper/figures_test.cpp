@@ -17,12 +17,12 @@ namespace
 {
 constexpr core::GridSize grid{32, 64};
 
-double relative(double value, double wanted)
+double relative(double value, double reference)
 {
-  return value / wanted - 1;
+  return value / reference - 1;
 }
 
-/// Figures of the wheel at the flange at roll 0, the rail's crown displaced.
+/// Results of the wheel that runs towards its flange, at roll 0, with the crown of the rail displaced.
 Figures levelFigures(const core::RailDeflection& crown, double y = case_position)
 {
   core::ConjugateGradients solver;
@@ -32,7 +32,7 @@ Figures levelFigures(const core::RailDeflection& crown, double y = case_position
 }
 }  // namespace
 
-TEST(PaperConfig, IsTheCaseOfThePaper)
+TEST(PaperConfig, DescribesTheCaseOfThePaper)
 {
   const core::ContactModelConfig model = paperConfig().model;
   EXPECT_EQ(model.rail_profile->name(), "UIC60_manchester");
@@ -46,9 +46,10 @@ TEST(PaperConfig, IsTheCaseOfThePaper)
   EXPECT_EQ(model.rail_bending.lateral_force_value, printed_lateral_force);
 }
 
-// The table bends the paper's rail by the paper's displacement: 0.2435 mm at the top under 30 kN at 162.4 mm, 4.4 mm
-// above the reference point. 1 %: what the finite elements are held to; the head counts as rigid here.
-TEST(PaperConfig, RailGivesWayAsPrinted)
+// Under the force of the paper, the table gives the printed displacement: 0.2435 mm at the top under 30 kN at a height
+// of 162.4 mm, 4.4 mm above the reference point. Tolerance 1 %: accuracy required of the finite elements. The rail head
+// is rigid here.
+TEST(PaperConfig, RailDeflectsAsPrinted)
 {
   const core::ComplianceTable table = paperConfig().model.rail_bending.table;
   const double height = 0.1624 - 0.158;
@@ -57,28 +58,28 @@ TEST(PaperConfig, RailGivesWayAsPrinted)
   EXPECT_LT(std::abs(relative(top, printed_displacement)), 0.01) << top;
 }
 
-// Reference: the program CONTACT (Vollebregt and Kalker, version of July 2025) at roll 0. Its own error with its grid
-// of 0.2 mm: up to 0.7 % in max pressure, 2.5 % in area.
-TEST(PaperFigures, AreThoseOfTheReferenceProgram)
+// Reference: the program CONTACT (Vollebregt and Kalker, version of July 2025) at roll 0. Its own error with a grid of
+// 0.2 mm is up to 0.7 % in max pressure and 2.5 % in area.
+TEST(PaperFigures, AgreeWithTheReferenceProgram)
 {
   struct Reference
   {
     core::RailDeflection crown;
     double y, max_pressure, area;
   };
-  for (const Reference& wanted : {Reference{{}, case_position, 1175.0e6, 187.2e-6},
-                                  {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
-                                  {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
-                                  {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
-                                  {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
+  for (const Reference& reference : {Reference{{}, case_position, 1175.0e6, 187.2e-6},
+                                     {{printed_displacement, 0, 0}, case_position, 1097e6, 190e-6},
+                                     {{-printed_displacement, 0, 0}, case_position, 1246e6, 183e-6},
+                                     {{printed_displacement, 0, 2e-3}, case_position, 1263e6, 179e-6},
+                                     {{printed_displacement, 0, case_turn}, case_position, 1347e6, 129.6e-6}})
   {
-    const Figures found = levelFigures(wanted.crown, wanted.y);
-    EXPECT_LT(std::abs(relative(found.max_pressure, wanted.max_pressure)), 0.01) << wanted.max_pressure;
-    EXPECT_LT(std::abs(relative(found.area, wanted.area)), 0.02) << wanted.area;
+    const Figures found = levelFigures(reference.crown, reference.y);
+    EXPECT_LT(std::abs(relative(found.max_pressure, reference.max_pressure)), 0.01) << reference.max_pressure;
+    EXPECT_LT(std::abs(relative(found.area, reference.area)), 0.02) << reference.area;
   }
 }
 
-TEST(PaperFigures, WithoutBendingAreThePrintedOnes)
+TEST(PaperFigures, WithoutBendingAgreeWithThePrintedOnes)
 {
   EXPECT_LT(deviation(levelFigures({}), printed_without_bending), 0.02);
 }
@@ -95,8 +96,9 @@ TEST(CrownDisplacement, MovesTheCrownAndTurnsTheRail)
   EXPECT_NEAR(moved.angle(), rail.angle() - crown.roll, 1e-12);
 }
 
-// The study's own roll search and the wheelset's balance: left open is 3e-4 rad for each unit of the tolerance there.
-TEST(OneWheel, PairOfThemBalancesLikeTheWheelset)
+// Compares the roll search of the study with the balance of the wheelset, which allows a roll error of 3e-4 rad per
+// unit of the tolerance.
+TEST(OneWheel, TwoOfThemBalanceLikeTheWheelset)
 {
   core::ContactModelConfig model = paperConfig().model;
   model.rail_bending.model = core::RailBendingConfig::Model::none;
@@ -117,8 +119,8 @@ TEST(OneWheel, PairOfThemBalancesLikeTheWheelset)
             2 * model.contact.tolerance);
 }
 
-// What the paper's method leaves open on its own: point forces on squares of 0.5 to 1 mm, stopped at a change of 1e-3
-// or less, stay within 4 % in pressure and 2 % in area (3 % and 1.5 % were found); counting whole cells adds area.
+// Error of the method of the paper: point forces on squares of 0.5 to 1 mm, stopped at a change of 1e-3 or less. The
+// limits are 4 % in pressure and 2 % in area (found: 3 % and 1.5 %). Counting whole cells gives a larger area.
 TEST(PaperMethods, PrintedIterationIsNearTheAccurateResult)
 {
   const std::vector<MethodRow> rows = compareMethods(paperConfig().model, {});
@@ -149,6 +151,6 @@ TEST(Placement, InitialContactLiesOnBothOutlines)
     {
       nearest = std::min(nearest, std::hypot(point.y - contact.y, point.z - contact.z));
     }
-    EXPECT_LT(nearest, 0.5 * 2.1e-4);  // points are 0.2 mm apart
+    EXPECT_LT(nearest, 0.5 * 2.1e-4);  // the points are 0.2 mm apart
   }
 }

@@ -14,7 +14,7 @@ inline std::string shipped(const std::string& name)
   return ros::package::getPath("wheel_rail_contact") + "/config/" + name;
 }
 
-/// config/paper.yaml laid over config/default.yaml, as contact.launch does.
+/// config/paper.yaml merged into config/default.yaml, as by contact.launch.
 inline NodeConfig paperConfig()
 {
   return readNodeConfig(overlay(readParameterFile(shipped("default.yaml")), readParameterFile(shipped("paper.yaml"))),

@@ -14,7 +14,7 @@ using namespace wheel_rail_contact::core::paper;
 
 namespace
 {
-/// The scans of paper_study, coarser.
+/// Ranges of paper_study with fewer steps.
 ScanRanges coarse()
 {
   ScanRanges ranges;
@@ -52,7 +52,7 @@ class ScanTest : public testing::Test
 };
 }  // namespace
 
-TEST_F(ScanTest, FiguresWithoutBendingNeedOneInFortyAndTheWholeLoad)
+TEST_F(ScanTest, FiguresWithoutBendingRequireAnInclinationOfOneInFortyAndTheWholeLoad)
 {
   for (const ScanRow& row : scan_.start())
   {
@@ -65,8 +65,9 @@ TEST_F(ScanTest, FiguresWithoutBendingNeedOneInFortyAndTheWholeLoad)
   EXPECT_EQ(start(scan_).inclination, 1.0 / 40);
 }
 
-// From there: found are 43 % off within the printed displacement, 5.5 % at best (4 mm inward, 16 times as much).
-TEST_F(ScanTest, NoPureShiftLeadsToTheFiguresWithBending)
+// Found from the best start: a deviation of 43 % within the printed displacement, and 5.5 % at best (4 mm inward, 16
+// times the printed displacement).
+TEST_F(ScanTest, NoPureShiftGivesTheFiguresWithBending)
 {
   for (const ScanRow& row : scan_.shift(start(scan_)))
   {
@@ -74,13 +75,13 @@ TEST_F(ScanTest, NoPureShiftLeadsToTheFiguresWithBending)
   }
 }
 
-TEST_F(ScanTest, NeitherTheWheelsetsRollNorTheOtherRailLeadsThere)
+TEST_F(ScanTest, NeitherWheelsetRollNorTheOtherRailGivesTheFiguresWithBending)
 {
   EXPECT_GT(least(scan_.roll(start(scan_))), 0.25);
   EXPECT_GT(least(scan_.rails(start(scan_))), 0.3);
 }
 
-TEST_F(ScanTest, RailTurnedInwardLeadsThereAndTurnedOutwardDoesNot)
+TEST_F(ScanTest, FiguresWithBendingRequireARailTurnedInward)
 {
   const std::vector<ScanRow> rows = scan_.pair(start(scan_));
   const auto best =
@@ -94,9 +95,9 @@ TEST_F(ScanTest, RailTurnedInwardLeadsThereAndTurnedOutwardDoesNot)
   }
 }
 
-// An inclination of 1:21 near the flange: there an outward turn leads from near the one to near the other (2.7 % were
-// found, at 7 mrad).
-TEST_F(ScanTest, NearTheFlangeAtOneInTwentyOneAnOutwardTurnLeadsNear)
+// With an inclination of 1:21 near the flange, an outward turn leads close to both printed results (found: 2.7 % at 7
+// mrad).
+TEST_F(ScanTest, NearTheFlangeAtOneInTwentyOneAnOutwardTurnGivesSimilarFigures)
 {
   ScanRanges ranges = coarse();
   ranges.free_inclination = {46e-3, 49e-3, 3};
@@ -124,9 +125,9 @@ TEST(LateralForce, RaisesThePressureOnEveryShippedRail)
   }
 }
 
-// Under Q = 100 kN gauge-side of the rail's axis the wheel load turns the rail inward, against the lateral force; a
-// displacement without roll lowers the pressure that the whole deflection raises.
-TEST(LateralForce, WheelLoadTurnsTheRailBackAndRollDecidesTheSign)
+// The wheel load of 100 kN acts on the gauge side of the rail axis and turns the rail inward, against the lateral
+// force. The whole deflection raises the pressure; a displacement without roll lowers it.
+TEST(LateralForce, WheelLoadTurnsTheRailInwardAndRollDeterminesTheSignOfThePressureChange)
 {
   const NodeConfig config = paperConfig();
   const ComplianceTableFile file = readComplianceTable(shipped("rails/pads_40_100.yaml"));
@@ -145,7 +146,7 @@ TEST(LateralForce, WheelLoadTurnsTheRailBackAndRollDecidesTheSign)
   EXPECT_LT(shift_only.figures.max_pressure, 0.9 * rigid.figures.max_pressure);
 }
 
-TEST(LateralForce, RangeOfTheTableIsTold)
+TEST(LateralForce, RangeOfTheTableIsReported)
 {
   const ComplianceTableFile file = readComplianceTable(shipped("rails/pads_40_100.yaml"));
   const std::vector<ForceRow> rows = underForces(paperConfig().model, {file.name, file.table, file.linear_range},

@@ -12,7 +12,7 @@ from unittest import mock
 from wheel_rail_contact.paper.command_line import main
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (stands beside other tests)
+from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 PICTURES = ("figure_3.png", "scan.png", "forces.png")
@@ -21,7 +21,7 @@ TABLES = ("figures.csv", "methods.csv", "profiles.csv", "contacts.csv", "patches
 
 
 def run(*arguments):
-    """Exit status, standard output and standard error of the command."""
+    """Runs the command. @return exit status, standard output and standard error"""
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         status = main(list(arguments))
@@ -29,7 +29,7 @@ def run(*arguments):
 
 
 class Command(unittest.TestCase):
-    def test_prints_both_figures_and_draws(self):
+    def test_command_prints_the_values_of_both_calculations_and_draws_the_pictures(self):
         from matplotlib import image
         with tempfile.TemporaryDirectory() as folder:
             status, out, err = run("--out", str(Path(folder, "new")))
@@ -40,18 +40,18 @@ class Command(unittest.TestCase):
                 self.assertGreater(len(Path(folder, "new", name).read_text(encoding="ascii").splitlines()), 1, name)
             for name in PICTURES:
                 pixels = image.imread(Path(folder, "new", name))[:, :, :3]
-                # A blank sheet has no spread; thin lines on white have 0.1, patches of colour more.
+                # The standard deviation of a blank picture is 0, of thin lines on white 0.1, of coloured areas more.
                 self.assertGreater(pixels.std(), 0.05, name)
                 self.assertGreater(len({tuple(row) for row in pixels.reshape(-1, 3)[::7]}), 50, name)
 
-    def test_full_disk_is_told_with_the_files_name(self):
+    def test_full_disk_is_reported_with_the_name_of_the_file(self):
         with tempfile.TemporaryDirectory() as folder:
             run_study = subprocess.run([sys.executable, SCRIPTS / "paper_study", "--out", folder], capture_output=True,
                                        text=True, check=False, preexec_fn=no_file_larger_than(2**10))
         self.assertEqual(run_study.returncode, 1, run_study.stdout + run_study.stderr)
         self.assertIn("methods.csv: cannot be written", run_study.stderr)
 
-    def test_unbuilt_workspace_is_one_sentence(self):
+    def test_missing_program_is_reported_in_one_sentence(self):
         with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=""):
             status, out, err = run("--out", "never_made")
         self.assertEqual((status, out), (1, ""))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sections and studies the tests share."""
+"""Sections and studies shared by the tests."""
 import shutil
 import unittest
 from pathlib import Path
@@ -15,7 +15,7 @@ needs_programs = unittest.skipUnless(HAVE_PROGRAMS, "gmsh or ccx is not installe
 
 
 def rail_60e1():
-    """The shipped section."""
+    """Section 60E1 of the package."""
     return read_section(CONFIG / "sections" / "60E1.csv")
 
 
@@ -26,6 +26,6 @@ def bar(width, height):
 
 
 def solved(study):
-    """Solution of a valid study on its own mesh, silently."""
+    """Solution of a valid study on its own mesh, without progress output."""
     study.validate()
     return solve(study, study.mesh_size, lambda text: None)

@@ -14,7 +14,7 @@ from wheel_rail_contact.rail_fe.command_line import main
 
 
 def run(*arguments):
-    """Exit status, standard output and standard error of the command."""
+    """Runs the command. @return exit status, standard output and standard error"""
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         try:
@@ -25,32 +25,32 @@ def run(*arguments):
 
 
 class Misuse(unittest.TestCase):
-    def check(self, complaint, *arguments):
+    def check(self, reason, *arguments):
         status, _, err = run("--out", "never_written.yaml", *arguments)
         self.assertNotEqual(status, 0)
-        self.assertIn(complaint, err)
+        self.assertIn(reason, err)
         self.assertFalse(Path("never_written.yaml").exists())
 
-    def test_each_fault_is_named(self):
+    def test_wrong_arguments_are_reported_by_name(self):
         clamped, seats = ("--supports", "foot_clamped"), ("--supports", "seats", "--pad-lateral", "4e7")
         seats_full = (*seats, "--pad-vertical", "1e8")
         self.check("invalid choice: 'glued'", "--supports", "glued")
-        self.check("belong to --supports seats", *clamped, "--bays", "4")
-        self.check("needs --pad-lateral and --pad-vertical", *seats)
+        self.check("require --supports seats", *clamped, "--bays", "4")
+        self.check("requires --pad-lateral and --pad-vertical", *seats)
         self.check("--pad-lateral is -1: must be above 0", "--supports", "seats", "--pad-lateral", "-1",
                    "--pad-vertical", "1e8")
-        self.check("--length is 0.5 m: the seats reach over", *seats_full, "--length", "0.5")
+        self.check("--length is 0.5 m: the seats extend over", *seats_full, "--length", "0.5")
         self.check("--neighbours has 7 m: must be above 0 and below half", *seats_full, "--neighbours", "7")
-        self.check("--neighbours belongs to --supports seats", *clamped, "--neighbours", "0.3")
+        self.check("--neighbours requires --supports seats", *clamped, "--neighbours", "0.3")
         self.check("--bays is 1: must be at least 2", *seats_full, "--bays", "1")
         self.check("--poisson is 0.5", *clamped, "--poisson", "0.5")
         self.check("--mesh-size is nan", *clamped, "--mesh-size", "nan")
         self.check("--mesh-size is 0.1 m: must be at most a quarter", *clamped, "--mesh-size", "0.1")
         self.check("nowhere.csv: cannot be read", *clamped, "--section", "nowhere.csv")
         if HAVE_PROGRAMS:
-            self.check("there is no folder nowhere", *clamped, "--picture", "nowhere/p.png")
+            self.check("folder nowhere does not exist", *clamped, "--picture", "nowhere/p.png")
 
-    def test_missing_program_is_one_sentence(self):
+    def test_missing_program_is_reported_in_one_sentence(self):
         with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, PATH=empty):
             status, _, err = run("--supports", "foot_clamped", "--out", "never_written.yaml")
             self.assertEqual((status, err), (1, "rail_compliance: gmsh is not installed; on Debian: "
@@ -65,10 +65,10 @@ class Misuse(unittest.TestCase):
 
 @needs_programs
 class WholeRun(unittest.TestCase):
-    def test_table_deck_picture_and_progress(self):
+    def test_run_writes_table_deck_and_picture_and_reports_progress(self):
         with tempfile.TemporaryDirectory() as directory:
-            place = Path(directory)
-            table_path, picture, deck = place / "soft.yaml", place / "soft.png", place / "deck"
+            folder = Path(directory)
+            table_path, picture, deck = folder / "soft.yaml", folder / "soft.png", folder / "deck"
             status, out, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8",
                                    "--bays", "4", "--neighbours", "0.9", "--mesh-size", "0.03",
                                    "--force-height", "0.1624", "--out", str(table_path), "--picture", str(picture),
@@ -84,13 +84,13 @@ class WholeRun(unittest.TestCase):
         self.assertIn("solving load case 4 of 4", err)
         self.assertIn("estimated discretisation error", out)
 
-    def test_pad_roll_out_of_reach_of_the_foot_is_refused(self):
+    def test_roll_stiffness_impossible_for_the_foot_is_refused(self):
         with tempfile.TemporaryDirectory() as directory:
             status, _, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8", "--pad-roll",
                                  "1e6", "--bays", "2", "--mesh-size", "0.04", "--out", str(Path(directory) / "t.yaml"))
         self.assertEqual(status, 1)
         self.assertIn("--pad-roll is 1e+06 N m/rad", err)
-        self.assertIn("must lie between", err)
+        self.assertIn("must be between", err)
 
 
 if __name__ == "__main__":

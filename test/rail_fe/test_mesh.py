@@ -21,7 +21,7 @@ class Surface(unittest.TestCase):
             np.testing.assert_allclose([slope.sum() for slope in slopes], 0, atol=1e-9)
 
     def test_nodal_forces_have_the_resultant_of_the_pressure(self):
-        # one quadrilateral 2 x 3 with a pressure that grows along x: resultant 2*3*1, moment about x = 0: 3*(2^3/3)
+        # One quadrilateral 2 x 3 with the pressure x: resultant 2*3*1, moment about x = 0: 3*(2^3/3).
         nodes = np.array([[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0], [1, 0, 0], [2, 1.5, 0], [1, 3, 0], [0, 1.5, 0]])
         points = FacePoints(nodes.astype(float), np.arange(8)[None], 60)
         forces = points.nodal(points.position[..., 0], 8)
@@ -30,12 +30,12 @@ class Surface(unittest.TestCase):
 
 
 class Stations(unittest.TestCase):
-    def test_required_places_are_hit_and_the_load_is_finest(self):
+    def test_stations_include_required_positions_and_are_finest_at_the_load(self):
         cuts = stations(3.6, 0.012, [0.225, 0.375, 1.8])
         steps = np.diff(cuts)
         self.assertEqual((cuts[0], cuts[-1]), (0, 3.6))
-        for place in (0.225, 0.375, 1.8):
-            self.assertIn(place, cuts)
+        for position in (0.225, 0.375, 1.8):
+            self.assertIn(position, cuts)
         self.assertTrue((steps > 0).all())
         self.assertLessEqual(steps[0], 0.012)
         self.assertLessEqual(steps.max(), 6 * 0.012 + 1e-12)
@@ -57,14 +57,14 @@ class RailMesh(unittest.TestCase):
             for name, moment in (("area", 1 + 0 * y), ("second_moment_y", z**2), ("second_moment_z", y**2)):
                 self.assertAlmostEqual((moment * points.area).sum() / exact[name], 1, delta=1e-3, msg=name)
 
-    def test_every_plane_face_within_the_rail_is_shared_and_the_ends_are_not(self):
+    def test_faces_in_a_section_within_the_rail_are_shared_and_those_at_the_ends_are_not(self):
         mesh = self.mesh("C3D20", 0.02)
         section_faces = len(mesh.plane_faces(0, 0.02))
         self.assertEqual(len(mesh.elements), 2 * section_faces)
         outer = mesh.nodes[mesh.outer_faces()][:, :, 0]
         self.assertEqual((np.ptp(outer, axis=1) < 1e-9).sum(), 2 * section_faces)
 
-    def test_underside_is_flat_over_the_whole_foot(self):
+    def test_underside_has_the_area_of_the_flat_foot(self):
         mesh = self.mesh("C3D10", 0.02)
         points = FacePoints(mesh.nodes, mesh.plane_faces(2, 0.0), 4)
         self.assertAlmostEqual(points.area.sum(), 0.05 * rail_60e1().foot_width(), delta=1e-9)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One metre of 60E1 under 30 kN, in the figures of the paper and of a separate study."""
+"""One metre of 60E1 under 30 kN: comparison with the paper and with a separate study."""
 import unittest
 
 from rails import needs_programs, rail_60e1, solved
@@ -12,7 +12,7 @@ from wheel_rail_contact.rail_fe.supports import Pads
 class OneMetreRail(unittest.TestCase):
     """Crown displacement [mm] and head roll [mrad] of 1 m of 60E1 under 30 kN on the gauge face.
 
-    Reference figures: a separate finite-element study of the same rail (the same programs, converged to 0.5 %).
+    Reference values: a separate finite-element study of the same rail (the same programs, converged to 0.5 %).
     """
 
     def check(self, study, crown, roll, within):
@@ -21,18 +21,18 @@ class OneMetreRail(unittest.TestCase):
         if roll:
             self.assertAlmostEqual(1e3 * solution.check_roll / roll, 1, delta=within)
 
-    def test_lateral_displacement_of_the_paper(self):
-        # Golubenko et al. 2011: 0.2435 mm at the top of the middle section; met with the foot and the ends clamped and
-        # the force 162.4 mm up. 1 %: the discretisation error is 0.5 % on this mesh.
+    def test_clamped_foot_and_ends_give_the_lateral_displacement_of_the_paper(self):
+        # Golubenko et al. 2011: 0.2435 mm at the top of the middle section. It is reproduced with foot and ends clamped
+        # and the force at a height of 162.4 mm. 1 %: the discretisation error is 0.5 % on this mesh.
         self.check(Study(rail_60e1(), "foot_and_ends_clamped", force_height=0.1624), 0.2435, None, 0.01)
 
-    def test_clamped_and_hinged_supports(self):
+    def test_clamped_and_hinged_rails_agree_with_the_separate_study(self):
         for kind, crown, roll in (("foot_clamped", 0.344, 3.05), ("ends_clamped", 0.451, 2.14),
                                   ("ends_hinged", 1.032, 3.21), ("foot_and_ends_clamped", 0.2323, 1.93)):
             with self.subTest(kind):
                 self.check(Study(rail_60e1(), kind, mesh_size=0.018), crown, roll, 0.02)
 
-    def test_two_seats(self):
+    def test_rail_on_two_seats_agrees_with_the_separate_study(self):
         stiff, soft = Pads(1e12, 1e12, bays=2), Pads(40e6, 100e6, bays=2)
         self.check(Study(rail_60e1(), "seats", stiff, mesh_size=0.018), 0.502, 3.65, 0.02)
         self.check(Study(rail_60e1(), "seats", soft, mesh_size=0.018), 3.33, 17.4, 0.02)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The shipped tables: their form, their reproduction on coarse meshes, and figures of a separate study."""
+"""Tables of the package: format, reproduction on coarse meshes, and comparison with a separate study."""
 import math
 import re
 import unittest
@@ -21,14 +21,14 @@ def shipped(name):
 
 
 def track(name, bays, size):
-    """Study of 60E1 on the pads of a shipped table."""
+    """Study of 60E1 on the pads of a table of the package."""
     lateral, vertical = PADS[name]
     return Study(rail_60e1(), "seats", Pads(lateral, vertical, bays=bays), length=0.6 * bays, mesh_size=size,
                  neighbours=(1.8, 2.5))
 
 
 class ShippedFiles(unittest.TestCase):
-    def test_keys_types_and_definiteness(self):
+    def test_tables_have_valid_keys_and_are_positive_definite(self):
         for name in ("paper", *PADS):
             with self.subTest(name):
                 table = shipped(name)
@@ -39,7 +39,7 @@ class ShippedFiles(unittest.TestCase):
                 self.assertGreater(table["lateral_lateral"] * table["roll_roll"], table["lateral_roll"] ** 2)
                 self.assertEqual(table["linear_range_lateral_to_vertical"], math.inf if name == "paper" else 0.6)
 
-    def test_provenance_tells_the_command_and_the_error_but_no_date(self):
+    def test_provenance_contains_the_command_and_the_error_but_no_date(self):
         for name in ("paper", *PADS):
             with self.subTest(name):
                 provenance = shipped(name)["provenance"]
@@ -47,7 +47,7 @@ class ShippedFiles(unittest.TestCase):
                 self.assertLess(provenance["estimated_discretisation_error"], 0.01)
                 self.assertIsNone(re.search(r"20\d\d-\d\d", str(provenance)))
 
-    def test_influence_of_a_neighbour_fades_with_distance_and_stiffer_pads(self):
+    def test_influence_of_a_neighbour_decreases_with_distance_and_with_pad_stiffness(self):
         shares = []
         for name in PADS:  # from soft to stiff
             near, far = shipped(name)["neighbours"]
@@ -59,8 +59,8 @@ class ShippedFiles(unittest.TestCase):
 
 @needs_programs
 class Reproduced(unittest.TestCase):
-    def test_pads_on_a_coarse_mesh(self):
-        # 3 %: the elements are twice as large as those of the shipped tables
+    def test_coarse_mesh_reproduces_the_tables_of_pads(self):
+        # 3 %: the elements are twice as large as those of the tables of the package
         for name in PADS:
             solution = solved(track(name, 20, 0.03))
             for key in COMPLIANCES:
@@ -70,36 +70,37 @@ class Reproduced(unittest.TestCase):
                 difference = (found["lateral_lateral"] - table["lateral_lateral"]) / shipped(name)["lateral_lateral"]
                 self.assertAlmostEqual(difference, 0, delta=0.005, msg=f"{name} {table['distance']}")
 
-    def test_rail_of_the_paper_on_a_coarse_mesh(self):
+    def test_coarse_mesh_reproduces_the_table_of_the_paper(self):
         solution = solved(Study(rail_60e1(), "foot_and_ends_clamped", mesh_size=0.024))
         for key in COMPLIANCES:
             self.assertAlmostEqual(solution.compliance[key] / shipped("paper")[key], 1, delta=0.02, msg=key)
 
 
-# Compliance of track of 60E1 after a separate finite-element study (7.2 m, load between two seats; the same programs,
-# converged to 0.5 %): um/kN, urad/kN, urad/(kN mm), and shares of the displacement that the same force causes 1.8 and
-# 2.5 m away.
+# Compliance of a track with 60E1, from a separate finite-element study (7.2 m, load between two seats; the same programs,
+# converged to 0.5 %): um/kN, urad/kN, urad/(kN mm), and the displacements at a distance of 1.8 and 2.5 m as shares of the
+# displacement at the force.
 STUDIED_TRACK = {"pads_10_25": ((138, 626, 4.68), (0.30, 0.20)), "pads_20_60": ((84.0, 389, 3.18), (0.16, 0.09)),
                  "pads_40_100": ((60.5, 303, 2.63), (0.11, 0.05)), "pads_100_500": ((30.2, 161, 1.75), (0.02, 0.006))}
 
 
 class Track(unittest.TestCase):
     def check(self, name, compliance):
-        for key, scale, figure in zip(COMPLIANCES, (1e9, 1e9, 1e6), STUDIED_TRACK[name][0]):
-            self.assertAlmostEqual(scale * compliance[key] / figure, 1, delta=0.02, msg=f"{name} {key}")
+        for key, scale, value in zip(COMPLIANCES, (1e9, 1e9, 1e6), STUDIED_TRACK[name][0]):
+            self.assertAlmostEqual(scale * compliance[key] / value, 1, delta=0.02, msg=f"{name} {key}")
 
-    def test_shipped_tables_of_common_pads(self):
+    def test_tables_of_common_pads_agree_with_the_separate_study(self):
         for name in ("pads_20_60", "pads_40_100", "pads_100_500"):
             self.check(name, shipped(name))
 
     @needs_programs
-    def test_soft_pads_and_neighbours_on_the_studied_length(self):
-        # on soft pads 7.2 m are too short: the shipped tables, of 12 m, are up to 2 % stiffer and fade faster
+    def test_soft_pads_and_neighbours_agree_with_the_separate_study_at_its_length(self):
+        # On soft pads 7.2 m are too short. The tables of the package (12 m) are up to 2 % stiffer, and the influence of a
+        # neighbour decreases faster with distance.
         for name in ("pads_10_25", "pads_20_60"):
             solution = solved(track(name, 12, 0.03))
             self.check(name, solution.compliance)
             for neighbour, share in zip(solution.neighbours, STUDIED_TRACK[name][1]):
-                # the reference is printed to whole per cents
+                # the reference values are rounded to whole per cent
                 self.assertAlmostEqual(neighbour["lateral_lateral"] / solution.compliance["lateral_lateral"], share,
                                        delta=0.0075, msg=name)
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A disk that is full, for programs that tests run."""
+"""Simulation of a full disk for child processes of tests."""
 import resource
 
 
 def no_file_larger_than(size):
-    """For a child process: stands for a full disk, which a write meets in the same way. [B]"""
+    """A preexec_fn that limits the file size of the child process to `size` [B]. Writes then fail as on a full disk."""
     return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))

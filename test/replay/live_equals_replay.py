@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bag played through the live node gives the answers of contact_replay: the same bytes in the same order."""
+"""A bag played through the live node gives the results of contact_replay: the same bytes in the same order."""
 
 import pathlib
 import subprocess
@@ -19,44 +19,44 @@ from wheel_rail_contact.msg import WheelsetContact
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("wheel_rail_contact"))
 BAG = PACKAGE / "bags" / "manchester_sweep.bag"
 CONFIG = PACKAGE / "config" / "manchester.yaml"
-ANSWERS = "/contact_node/contact"
-PATIENCE = 60   # [s] of wall time
-SOLVE_TIME = 8  # bytes at the end of an answer: wall time, 0 in a replay
+RESULTS = "/contact_node/contact"
+TIMEOUT = 60    # [s] of wall time
+SOLVE_TIME = 8  # size of solve_time at the end of a result [B]: wall time, 0 in a replay
 
 
 def wait_for(condition):
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while not condition() and time.monotonic() < end:
         time.sleep(0.01)
     return condition()
 
 
 def replayed():
-    """The answers of contact_replay as bytes."""
+    """Results of contact_replay as bytes."""
     program = roslib.packages.find_node("wheel_rail_contact", "contact_replay")[0]
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.bag"
         subprocess.run([program, BAG, out, "--config", CONFIG], check=True)
         with rosbag.Bag(str(out)) as bag:
-            return [raw[1] for _, raw, _ in bag.read_messages(ANSWERS, raw=True)]
+            return [raw[1] for _, raw, _ in bag.read_messages(RESULTS, raw=True)]
 
 
 class LiveEqualsReplay(unittest.TestCase):
-    def test_same_bytes_in_the_same_order(self):
+    def test_live_node_and_replay_give_the_same_bytes_in_the_same_order(self):
         live = []
-        subscriber = rospy.Subscriber(ANSWERS, rospy.AnyMsg, lambda message: live.append(message._buff))
+        subscriber = rospy.Subscriber(RESULTS, rospy.AnyMsg, lambda message: live.append(message._buff))
         self.assertTrue(wait_for(lambda: subscriber.get_num_connections() > 0))
         play = roslib.packages.find_node("rosbag", "play")[0]
         subprocess.run([play, "--quiet", "--clock", "--wait-for-subscribers", "--delay=1", BAG], check=True)
         expected = replayed()
-        self.assertTrue(wait_for(lambda: len(live) >= len(expected)), f"{len(live)} of {len(expected)} answers")
+        self.assertTrue(wait_for(lambda: len(live) >= len(expected)), f"{len(live)} of {len(expected)} results")
         self.assertEqual(len(live), len(expected))
         for number, (one, other) in enumerate(zip(live, expected)):
-            self.assertTrue(one[:-SOLVE_TIME] == other[:-SOLVE_TIME], f"answer {number}:\n{difference(one, other)}")
+            self.assertTrue(one[:-SOLVE_TIME] == other[:-SOLVE_TIME], f"result {number}:\n{difference(one, other)}")
 
 
 def difference(one, other):
-    """The fields in which two answers differ, grids left out."""
+    """Fields in which two results differ, without the grids."""
     texts = []
     for data in (one, other):
         message = WheelsetContact().deserialize(data)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of contact_replay share: bags of a wheelset that runs from side to side, and the program's run."""
+"""Shared by the tests of contact_replay: bags of a wheelset with a periodic lateral motion, and runs of the program."""
 
 import math
 import os
@@ -14,8 +14,8 @@ from geometry_msgs.msg import PoseStamped, WrenchStamped
 
 PROGRAM = os.environ["CONTACT_REPLAY"]
 SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "bags" / "manchester_sweep.bag"
-ANSWERS = "/contact_node/contact"
-DAMAGED, MISUSED, BROKEN_OFF = 3, 2, 130
+RESULTS = "/contact_node/contact"
+DAMAGED, MISUSED, INTERRUPTED = 3, 2, 130  # exit statuses
 
 
 def time(nanoseconds):
@@ -23,7 +23,7 @@ def time(nanoseconds):
 
 
 def stamp(i):
-    """1000 pairs per second from 1 s on."""
+    """Stamp of pair i: 1000 pairs per second, from 1 s on."""
     return time(10**9 + i * 10**6)
 
 
@@ -50,7 +50,7 @@ def write_pairs(bag, count, inputs="/wheelset"):
 
 
 class ReplayCase(unittest.TestCase):
-    """A test with a folder of its own."""
+    """A test with a temporary folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -64,16 +64,16 @@ class ReplayCase(unittest.TestCase):
         return path
 
     def replay(self, bag, name="out.bag", *options, status=0):
-        """Runs the program. @return the bag of answers and what was printed."""
+        """Runs contact_replay. @return path of the bag of results, and the output of the program"""
         out = self.folder / name
         run = subprocess.run([PROGRAM, bag, out, *map(str, options)], capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, status, run.stdout + run.stderr)
         return out, run.stdout + run.stderr
 
-    def answers(self, bag, topic=ANSWERS):
+    def results(self, bag, topic=RESULTS):
         with rosbag.Bag(str(bag)) as opened:
             return [message for _, message, _ in opened.read_messages(topic)]
 
     def assert_same_file(self, a, b):
-        # Not assertEqual, which would print them.
+        # assertEqual would print the contents.
         self.assertTrue(a.read_bytes() == b.read_bytes(), f"{a.name} differs from {b.name}")

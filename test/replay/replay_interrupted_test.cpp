@@ -17,7 +17,7 @@ using namespace wheel_rail_contact;
 
 namespace
 {
-constexpr int pairs = 1500;  ///< whose answers fill more than a chunk
+constexpr int pairs = 1500;  ///< their results fill more than one chunk
 
 std::string contentOf(const std::string& path)
 {
@@ -37,7 +37,7 @@ class ReplayInterrupted : public testing::Test
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// @return answers in the output after the run
+  /// Runs a replay. @return number of results in the output after the run
   std::uint64_t run(bool resume, bool interrupted) const
   {
     ReplayOptions options;
@@ -55,7 +55,7 @@ class ReplayInterrupted : public testing::Test
 };
 }  // namespace
 
-// Ctrl-C that comes before a resumed run has passed over what is there leaves all of that there.
+// Ctrl-C arrives before the resumed run has skipped the results of the first run. All of them stay in the output.
 TEST_F(ReplayInterrupted, ResumedRunInterruptedAtOnceLosesNothing)
 {
   EXPECT_EQ(run(false, false), pairs);

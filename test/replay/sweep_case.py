@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of commands on answers share: the shipped sweep's replay, and a command's run."""
+"""Shared by the tests of commands that read results: replays of the shipped sweep, and runs of a command."""
 
 import contextlib
 import io
@@ -14,7 +14,7 @@ SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
 
 
 class SweepCase(unittest.TestCase):
-    """Tests of one command, with a folder for all of them."""
+    """Tests of one command, with a temporary folder for all of them."""
 
     @classmethod
     def setUpClass(cls):
@@ -25,13 +25,13 @@ class SweepCase(unittest.TestCase):
 
     @classmethod
     def replay(cls, name, config):
-        """@return the bag of answers to the sweep with these parameters."""
+        """@return path of the results of the sweep with a parameter file"""
         out = cls.folder / name
         subprocess.run([os.environ["CONTACT_REPLAY"], SWEEP, out, "--config", config], check=True, capture_output=True)
         return out
 
     def run_command(self, main, *arguments, status=0):
-        """Calls the command's main. @return what it printed."""
+        """Calls the main function of a command. @return its output"""
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
             self.assertEqual(main([str(a) for a in arguments]), status, printed.getvalue())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_replay on whole bags: every pair answered, the same each time."""
+"""contact_replay on complete bags: every pair has a result, and each run gives the same bytes."""
 
 import csv
 import math
@@ -17,37 +17,37 @@ from replay_case import MISUSED, PROGRAM, SHIPPED, ReplayCase, load, pose, stamp
 
 
 class WholeBags(ReplayCase):
-    def test_every_pair_of_the_shipped_bag_is_answered_with_its_stamp(self):
+    def test_every_pair_of_the_shipped_bag_has_a_result_with_its_stamp(self):
         out, _ = self.replay(SHIPPED)
         with rosbag.Bag(str(SHIPPED)) as bag:
             poses = [message for _, message, _ in bag.read_messages("wheelset/pose")]
-        answers = self.answers(out)
-        self.assertEqual([a.header.stamp for a in answers], [p.header.stamp for p in poses])
-        self.assertEqual([a.header.seq for a in answers], list(range(len(poses))))
-        self.assertEqual([a.wheelset.position.y for a in answers], [p.pose.position.y for p in poses])
-        for answer in answers:
-            self.assertEqual(answer.status, WheelsetContact.OK, answer.status_text)
-            for patch in answer.patches:
+        results = self.results(out)
+        self.assertEqual([r.header.stamp for r in results], [p.header.stamp for p in poses])
+        self.assertEqual([r.header.seq for r in results], list(range(len(poses))))
+        self.assertEqual([r.wheelset.position.y for r in results], [p.pose.position.y for p in poses])
+        for result in results:
+            self.assertEqual(result.status, WheelsetContact.OK, result.status_text)
+            for patch in result.patches:
                 self.assertEqual(len(patch.grid.pressure), patch.grid.nx * patch.grid.ny)
 
-    def test_number_of_threads_and_runs_change_no_byte(self):
+    def test_runs_with_any_number_of_threads_write_the_same_bytes(self):
         bag = self.make_bag(1100)
         runs = [self.replay(bag, f"{i}.bag", "--threads", n, "--csv", self.folder / f"{i}.csv")[0]
                 for i, n in enumerate((1, 2, 3, 3))]
-        self.assertEqual(len(self.answers(runs[0])), 1100)
+        self.assertEqual(len(self.results(runs[0])), 1100)
         for run in runs[1:]:
             self.assert_same_file(runs[0], run)
             self.assert_same_file(runs[0].with_suffix(".csv"), run.with_suffix(".csv"))
 
-    def test_compression_of_either_bag_changes_no_answer(self):
+    def test_compression_of_input_or_output_does_not_change_the_results(self):
         plain, _ = self.replay(self.make_bag(300), "plain.bag", "--no-grids")
         for compression in ("bz2", "lz4"):
             bag = self.make_bag(300, compression + ".bag", compression=compression, chunk_threshold=10000)
             out, _ = self.replay(bag, compression + "_out.bag", "--lz4", "--no-grids")
-            self.assertEqual(self.answers(out), self.answers(plain))
+            self.assertEqual(self.results(out), self.results(plain))
             self.assertLess(out.stat().st_size, plain.stat().st_size)
 
-    def test_messages_count_by_their_time_wherever_they_stand_in_the_file(self):
+    def test_order_of_the_messages_in_the_file_does_not_matter(self):
         sorted_bag = self.make_bag(1500)
         by_topic = self.folder / "by_topic.bag"
         with rosbag.Bag(str(by_topic), "w", chunk_threshold=20000) as bag:
@@ -57,10 +57,10 @@ class WholeBags(ReplayCase):
                 bag.write("/wheelset/load", load(i), stamp(i))
         out, _ = self.replay(sorted_bag, "out.bag", "--no-grids")
         other, _ = self.replay(by_topic, "other.bag", "--no-grids")
-        self.assertEqual(len(self.answers(out)), 1500)
-        self.assertEqual(self.answers(out), self.answers(other))
+        self.assertEqual(len(self.results(out)), 1500)
+        self.assertEqual(self.results(out), self.results(other))
 
-    def test_who_begins_in_the_middle_agrees_from_the_next_second_on(self):
+    def test_replay_of_a_later_beginning_gives_the_same_results_from_the_next_second_on(self):
         late = self.folder / "late.bag"
         with rosbag.Bag(str(late), "w") as bag:
             for i in range(950, 1300):
@@ -68,16 +68,16 @@ class WholeBags(ReplayCase):
                 bag.write("/wheelset/load", load(i), stamp(i))
 
         def from_next_second(bag, name):
-            answers = [a for a in self.answers(self.replay(bag, name)[0]) if a.header.stamp >= time(2 * 10**9)]
-            for answer in answers:
-                answer.header.seq = 0
-            return answers
+            results = [r for r in self.results(self.replay(bag, name)[0]) if r.header.stamp >= time(2 * 10**9)]
+            for result in results:
+                result.header.seq = 0
+            return results
 
-        answers = from_next_second(late, "late_out.bag")
-        self.assertEqual(len(answers), 300)
-        self.assertEqual(answers, from_next_second(self.make_bag(1300), "out.bag"))
+        results = from_next_second(late, "late_out.bag")
+        self.assertEqual(len(results), 300)
+        self.assertEqual(results, from_next_second(self.make_bag(1300), "out.bag"))
 
-    def test_bad_input_is_answered_by_name_and_lonely_messages_are_counted(self):
+    def test_invalid_inputs_have_a_status_and_unmatched_messages_are_counted(self):
         path = self.folder / "in.bag"
         with rosbag.Bag(str(path), "w") as bag:
             for i in range(10):
@@ -90,49 +90,49 @@ class WholeBags(ReplayCase):
         expected = [WheelsetContact.OK] * 9
         expected[3] = WheelsetContact.NO_TRANSFORM
         expected[5] = WheelsetContact.INVALID_INPUT
-        self.assertEqual([a.status for a in self.answers(out)], expected)
-        self.assertIn("1 messages dropped: no partner", printed)
+        self.assertEqual([r.status for r in self.results(out)], expected)
+        self.assertIn("1 messages dropped: no message with a matching stamp", printed)
         self.assertIn("INVALID_INPUT: 1", printed)
-        self.assertIn("; the first: pose: no transform from its frame 'nowhere' to 'track' (track/frame)", printed)
+        self.assertIn("; first reason: pose: no transform from frame 'nowhere' to 'track' (track/frame)", printed)
         with open(self.folder / "out.csv", encoding="utf-8") as table:
             rows = list(csv.DictReader(table))
         self.assertEqual([r["status"] for r in rows if r["side"] == ""], ["NO_TRANSFORM", "INVALID_INPUT"])
 
-    def test_table_has_a_row_for_each_patch(self):
+    def test_table_has_one_row_per_patch(self):
         out, _ = self.replay(SHIPPED, "out.bag", "--csv", self.folder / "out.csv")
         with open(self.folder / "out.csv", encoding="utf-8") as table:
             rows = list(csv.DictReader(table))
-        patches = [(a, p) for a in self.answers(out) for p in a.patches]
+        patches = [(r, p) for r in self.results(out) for p in r.patches]
         self.assertEqual(len(rows), len(patches))
-        for row, (answer, patch) in zip(rows, patches):
+        for row, (result, patch) in zip(rows, patches):
             self.assertEqual(row["side"], ("left", "right")[patch.side])
-            for column, value in (("y [m]", answer.wheelset.position.y), ("area [m^2]", patch.area),
-                                  ("z [m]", answer.wheelset.position.z), ("normal_force [N]", patch.normal_force),
+            for column, value in (("y [m]", result.wheelset.position.y), ("area [m^2]", patch.area),
+                                  ("z [m]", result.wheelset.position.z), ("normal_force [N]", patch.normal_force),
                                   ("max_pressure [Pa]", patch.max_pressure),
-                                  ("roll [rad]", 2 * math.asin(answer.wheelset.orientation.x)),
-                                  ("right_lateral_force [N]", answer.right_rail.lateral_force)):
-                # Nine digits are printed.
+                                  ("roll [rad]", 2 * math.asin(result.wheelset.orientation.x)),
+                                  ("right_lateral_force [N]", result.right_rail.lateral_force)):
+                # The table has nine digits.
                 self.assertAlmostEqual(float(row[column]), value, delta=1e-8 * abs(value) + 1e-15)
 
-    def test_each_wheelset_is_answered_as_if_it_were_alone(self):
+    def test_results_of_a_wheelset_do_not_depend_on_other_wheelsets(self):
         path = self.folder / "both.bag"
         with rosbag.Bag(str(path), "w") as bag:
             write_pairs(bag, 250, "/front/wheelset")
             write_pairs(bag, 120, "/rear/wheelset")
         out, _ = self.replay(path, "out.bag", "--threads", 2, "--wheelset", "front", "/rear")
         alone, _ = self.replay(self.make_bag(250), "alone.bag")
-        self.assertEqual(self.answers(out, "/front/contact_node/contact"), self.answers(alone))
-        self.assertEqual(self.answers(out, "/rear/contact_node/contact"), self.answers(alone)[:120])
+        self.assertEqual(self.results(out, "/front/contact_node/contact"), self.results(alone))
+        self.assertEqual(self.results(out, "/rear/contact_node/contact"), self.results(alone)[:120])
 
-    def test_other_topics_are_kept_but_not_answers_of_an_earlier_run(self):
+    def test_other_topics_are_kept_but_not_results_of_an_earlier_run(self):
         path = self.make_bag(20)
         with rosbag.Bag(str(path), "a") as bag:
             bag.write("/remark", String("dry rail"), stamp(10))
             bag.write("/contact_node/contact", WheelsetContact(), stamp(10))
         out, _ = self.replay(path, "out.bag", "--keep-topics")
-        self.assertEqual(len(self.answers(out)), 20)
-        self.assertEqual([m.data for m in self.answers(out, "/remark")], ["dry rail"])
-        self.assertEqual([m.header.stamp for m in self.answers(out, "/wheelset/load")], [stamp(i) for i in range(20)])
+        self.assertEqual(len(self.results(out)), 20)
+        self.assertEqual([m.data for m in self.results(out, "/remark")], ["dry rail"])
+        self.assertEqual([m.header.stamp for m in self.results(out, "/wheelset/load")], [stamp(i) for i in range(20)])
 
     def test_poses_wait_for_transforms_as_in_the_live_node(self):
         def transform(nanoseconds, y):
@@ -148,36 +148,36 @@ class WholeBags(ReplayCase):
             for i in range(200):
                 bag.write("/wheelset/pose", pose(i, "survey"), stamp(i))
                 bag.write("/wheelset/load", load(i), stamp(i))
-                if i % 50 == 0 and i <= 50:  # stamps of the first 51 pairs lie between two transforms
+                if i % 50 == 0 and i <= 50:  # the stamps of the first 51 pairs are between two transforms
                     bag.write("/tf", TFMessage([transform(stamp(i).to_nsec(), 1e-5 * i)]), stamp(i))
-        answers = self.answers(self.replay(path)[0])
-        self.assertEqual([a.status for a in answers],
+        results = self.results(self.replay(path)[0])
+        self.assertEqual([r.status for r in results],
                          [WheelsetContact.OK] * 51 + [WheelsetContact.NO_TRANSFORM] * 149)
         for i in range(51):
-            self.assertAlmostEqual(answers[i].wheelset.position.y, pose(i).pose.position.y + 1e-5 * i, delta=1e-12)
+            self.assertAlmostEqual(results[i].wheelset.position.y, pose(i).pose.position.y + 1e-5 * i, delta=1e-12)
 
-    def test_parameters_are_laid_over_the_defaults(self):
+    def test_parameter_files_are_applied_over_the_defaults(self):
         (self.folder / "a.yaml").write_text("contact: {tolerance: 0.1}\nrail: {profile: UIC60_manchester}\n")
         (self.folder / "b.yaml").write_text("contact: {method: hertz}\n")
         out, _ = self.replay(SHIPPED, "out.bag", "--config", self.folder / "a.yaml", "--config", self.folder / "b.yaml")
-        self.assertEqual({p.method for a in self.answers(out) for p in a.patches}, {"hertz"})
+        self.assertEqual({p.method for r in self.results(out) for p in r.patches}, {"hertz"})
         (self.folder / "bad.yaml").write_text("contact: {tolerence: 0.1}\n")
         _, printed = self.replay(SHIPPED, "bad.bag", "--config", self.folder / "bad.yaml", status=MISUSED)
         self.assertIn("contact/tolerence", printed)
 
-    def test_nothing_is_overwritten(self):
+    def test_existing_files_are_not_overwritten(self):
         for name in ("out.bag", "out.csv"):
             (self.folder / name).write_text("precious")
             options = ["--csv", self.folder / "out.csv"] if name == "out.csv" else []
             target = "other.bag" if name == "out.csv" else "out.bag"
             _, printed = self.replay(SHIPPED, target, *options, status=1)
-            self.assertIn("exists already", printed)
+            self.assertIn("already exists", printed)
             self.assertEqual((self.folder / name).read_text(), "precious")
         self.assertFalse((self.folder / "other.bag").exists())
 
-    def test_misuse_is_named(self):
+    def test_wrong_arguments_are_reported_by_name(self):
         for options, reason in ((["--threads", "0"], "--threads = 0"), (["--colour"], "--colour"),
-                                (["third.bag"], "two bags"), (["--csv"], "--csv needs a value"),
+                                (["third.bag"], "two bags"), (["--csv"], "--csv: requires a value"),
                                 (["--wheelset", "a", "/a"], "given twice")):
             _, printed = self.replay(SHIPPED, "out.bag", *options, status=MISUSED)
             self.assertIn(reason, printed)
@@ -185,13 +185,13 @@ class WholeBags(ReplayCase):
         self.assertIn("no topic /front/wheelset/", printed)
         self.assertIn("wheelset/load", printed.split("its topics")[1])
 
-    def test_a_terminal_shows_a_bar_with_rate_and_time_left(self):
+    def test_progress_on_a_terminal_is_a_bar_with_rate_and_remaining_time(self):
         outer, inner = pty.openpty()
         subprocess.run([PROGRAM, SHIPPED, self.folder / "out.bag"], stderr=inner, stdout=subprocess.DEVNULL, check=True)
         os.close(inner)
         shown = os.read(outer, 65536).decode()
         os.close(outer)
-        self.assertRegex(shown.split("\r")[-2], r"\[#{30}\] 100\.0 %  201 answers, \d+/s, 0 s left")
+        self.assertRegex(shown.split("\r")[-2], r"\[#{30}\] 100\.0 %  201 results, \d+/s, 0 s left")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_replay on outputs that cannot be written: it says which, ends non-zero, and can be resumed."""
+"""contact_replay with outputs that cannot be written: it reports the file, exits with 1, and can be resumed."""
 
 import subprocess
 import unittest
@@ -21,15 +21,15 @@ class FullDisk(ReplayCase):
         self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
         return run.stderr
 
-    def test_bag_that_cannot_grow_is_named_and_can_be_resumed(self):
+    def test_full_disk_of_the_bag_is_reported_and_the_run_can_be_resumed(self):
         whole, _ = self.replay(self.bag, "whole.bag")
         self.assertIn("out.bag: File too large", self.run_out_of_space(self.folder / "out.bag", 6 * 2**20))
         out, printed = self.replay(self.bag, "out.bag", "--resume")
-        self.assertRegex(printed, r"; [1-9]\d+ were there already")
+        self.assertRegex(printed, r"; [1-9]\d+ results were already in the output")
         self.assert_same_file(whole, out)
 
-    def test_table_that_cannot_grow_is_named_and_can_be_resumed(self):
-        # Without grids the rows are as long as the answers, and go to their file earlier.
+    def test_full_disk_of_the_table_is_reported_and_the_run_can_be_resumed(self):
+        # Without grids the rows are as long as the results, and are written earlier.
         options = ["--no-grids", "--csv", self.folder / "whole.csv"]
         whole, _ = self.replay(self.bag, "whole.bag", *options)
         options[-1] = self.folder / "out.csv"
@@ -38,17 +38,17 @@ class FullDisk(ReplayCase):
         self.assert_same_file(whole, out)
         self.assert_same_file(whole.with_suffix(".csv"), out.with_suffix(".csv"))
 
-    def test_places_that_cannot_be_written_are_named_before_the_work(self):
-        # Nobody may make files in /sys, nor root.
-        for place in ("/dev/full", "/sys/out.bag", self.folder / "nowhere" / "out.bag"):
-            with self.subTest(place=place):
-                run = subprocess.run([PROGRAM, self.bag, place], capture_output=True, text=True, check=False)
+    def test_paths_that_cannot_be_written_are_reported_before_the_evaluation(self):
+        # Not even root can create files in /sys.
+        for path in ("/dev/full", "/sys/out.bag", self.folder / "nowhere" / "out.bag"):
+            with self.subTest(path=path):
+                run = subprocess.run([PROGRAM, self.bag, path], capture_output=True, text=True, check=False)
                 self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
-                self.assertIn(str(place), run.stderr)
-                run = subprocess.run([PROGRAM, self.bag, self.folder / "out.bag", "--csv", place], capture_output=True,
+                self.assertIn(str(path), run.stderr)
+                run = subprocess.run([PROGRAM, self.bag, self.folder / "out.bag", "--csv", path], capture_output=True,
                                      text=True, check=False)
                 self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
-                self.assertIn(str(place), run.stderr)
+                self.assertIn(str(path), run.stderr)
                 self.assertFalse((self.folder / "out.bag").exists())
 
 

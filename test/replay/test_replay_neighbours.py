@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_replay with neighbouring wheelsets: their forces come from their answers in the bag."""
+"""contact_replay with neighbouring wheelsets, whose forces are read from their results in the bag."""
 
 import math
 import pathlib
@@ -8,7 +8,7 @@ import rosbag
 import yaml
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import ANSWERS, MISUSED, ReplayCase, write_pairs
+from replay_case import MISUSED, RESULTS, ReplayCase, write_pairs
 
 PAIRS = 30
 INCLINATION = 0.025
@@ -19,7 +19,7 @@ BEHIND = ("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml
 
 
 def deflection(compliance, rail):
-    """(lateral, vertical, roll) by the forces of a RailDeflection, track axes."""
+    """Deflection (lateral, vertical, roll) due to the forces of a RailDeflection, track axes."""
     c, s = math.cos(INCLINATION), math.sin(INCLINATION)
     lateral_force = c * rail.lateral_force - s * rail.vertical_force
     axial_force = s * rail.lateral_force + c * rail.vertical_force
@@ -30,7 +30,7 @@ def deflection(compliance, rail):
 
 
 def offset(rail):
-    """(lateral, vertical, roll) that is not by the rail's own forces."""
+    """Part (lateral, vertical, roll) of the deflection that is not due to the forces of this wheelset."""
     own = deflection(TABLE, rail)
     return rail.lateral - own[0], rail.vertical - own[1], rail.roll - own[2]
 
@@ -46,32 +46,32 @@ class Neighbours(ReplayCase):
             for wheelset in "front", "behind":
                 write_pairs(bag, PAIRS, f"/{wheelset}/wheelset")
 
-    def test_forces_of_the_step_before_bend_the_rails(self):
+    def test_forces_of_the_previous_step_of_the_neighbour_deflect_the_rails(self):
         both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
                               "--keep-topics")
         out, printed = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
-        self.assertIn("/behind/contact_node/contact: 1 answers lack a neighbour's forces", printed)
-        front, behind = self.answers(both, "/front" + ANSWERS), self.answers(out, "/behind" + ANSWERS)
+        self.assertIn("/behind/contact_node/contact: 1 results lack a neighbour's forces", printed)
+        front, behind = self.results(both, "/front" + RESULTS), self.results(out, "/behind" + RESULTS)
         self.assertEqual(len(behind), PAIRS)
         influence = TABLE["neighbours"][1]
         self.assertEqual(influence["distance"], 2.5)
-        # Deflection and forces of an answer fit the table to rounding; 1e-6 of some millimetres is left for it.
+        # Deflection and forces of a result agree with the table except for rounding: 1e-6 of some millimetres.
         for found in offset(behind[0].left_rail):
-            self.assertAlmostEqual(found, 0, delta=2e-9, msg="no answer is before the first one")
-        for before, answer in zip(front, behind[1:]):
-            self.assertEqual(answer.status, WheelsetContact.OK, answer.status_text)
+            self.assertAlmostEqual(found, 0, delta=2e-9, msg="the first result has no earlier result of the neighbour")
+        for before, result in zip(front, behind[1:]):
+            self.assertEqual(result.status, WheelsetContact.OK, result.status_text)
             for side in "left_rail", "right_rail":
-                wanted = deflection(influence, getattr(before, side))
-                self.assertGreater(max(map(abs, wanted)), 1e-5)
-                for a, b in zip(offset(getattr(answer, side)), wanted):
+                expected = deflection(influence, getattr(before, side))
+                self.assertGreater(max(map(abs, expected)), 1e-5)
+                for a, b in zip(offset(getattr(result, side)), expected):
                     self.assertAlmostEqual(a, b, delta=2e-9)
 
-    def test_neighbour_without_answers_in_the_bag_is_missed_by_name(self):
+    def test_neighbour_without_results_in_the_bag_is_reported_by_name(self):
         _, text = self.replay(self.bag, "out.bag", "--config", self.behind, "--wheelset", "behind", status=1)
         self.assertIn("/front/contact_node/contact", text)
         self.assertIn("wheel_rail_contact/WheelsetContact: none", text)
 
-    def test_neighbour_answered_in_the_same_run_is_refused(self):
+    def test_neighbour_evaluated_in_the_same_run_is_refused(self):
         _, text = self.replay(self.bag, "out.bag", "--config", self.behind, "--wheelset", "front", "behind",
                               status=MISUSED)
-        self.assertIn("answered in this same run", text)
+        self.assertIn("is a result of this same run", text)

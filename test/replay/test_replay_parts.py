@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_replay --from --to: parts of a bag, joined, are the file that one replay of the whole bag writes."""
+"""contact_replay --from --to: the joined parts of a bag are the file that one replay of the whole bag writes."""
 
 import os
 import subprocess
@@ -15,9 +15,9 @@ from replay_case import MISUSED, ReplayCase, load, pose, time
 JOIN = os.environ["CONTACT_JOIN"]
 START = 1_700_000_000 * 10**9  # recording time of the first message [ns]
 STEP = 10**9 // 20             # of the stamps [ns]
-CUTS = (4.013, 7.5, 7.6, 9.0)  # [s] after the start, in the middle of chunks, of seconds and between the partners of a pair
-LATE = 12_000_000              # a load is recorded so long after its pose [ns]
-GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # starts quickly
+CUTS = (4.013, 7.5, 7.6, 9.0)  # [s] after the start: within chunks, within seconds, and between the messages of a pair
+LATE = 12_000_000              # time from the recording of a pose to that of its load [ns]
+GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
 
 
 class Parts(ReplayCase):
@@ -28,7 +28,7 @@ class Parts(ReplayCase):
         self.options = ["--no-grids", "--config", self.folder / "grid.yaml"]
 
     def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, **also):
-        """Pairs of stamps from 100 s on; `pace` is how much faster than the stamps the recorder's clock goes."""
+        """Writes pairs with stamps from 100 s on. `pace` is the rate of the recorder clock relative to the stamps."""
         with rosbag.Bag(str(self.bag), "w", chunk_threshold=3000) as bag:
             for name, messages in also.items():
                 for at, message in messages:
@@ -42,7 +42,7 @@ class Parts(ReplayCase):
                             bag.write(f"{wheelset}/{topic}", message, time(START + pace * i * STEP + late))
 
     def parts(self, *options, cuts=CUTS, status=0):
-        """Answers the parts. @return their bags."""
+        """Replays the parts. @return paths of their results"""
         at = [None, *(f"{(START + round(1e9 * cut)) // 10**9}.{round(1e9 * cut) % 10**9:09}" for cut in cuts), None]
         return [self.replay(self.bag, f"part_{k}.bag", *(("--from", start) if start else ()),
                             *(("--to", end) if end else ()), *self.options, *options, status=status)[0]
@@ -54,87 +54,87 @@ class Parts(ReplayCase):
         self.assertEqual(run.returncode, status, run.stdout + run.stderr)
         return out, run.stderr
 
-    def assert_parts_are_the_whole(self, *options, cuts=CUTS, join=()):
+    def assert_parts_equal_the_whole(self, *options, cuts=CUTS, join=()):
         whole, printed = self.replay(self.bag, "whole.bag", *self.options, *options)
         joined, _ = self.join(self.parts(*options, cuts=cuts), *join)
         self.assert_same_file(whole, joined)
         return whole, printed
 
-    def test_joined_parts_are_the_whole(self):
+    def test_joined_parts_equal_the_replay_of_the_whole_bag(self):
         self.write(left_out={(i, "load") for i in range(3, 220, 17)})
-        whole, printed = self.assert_parts_are_the_whole()
+        whole, printed = self.assert_parts_equal_the_whole()
         self.assertIn("207 pairs", printed)
-        self.assertIn("13 messages dropped: no partner", printed)
-        self.assertEqual(len(self.answers(whole)), 207)
+        self.assertIn("13 messages dropped: no message with a matching stamp", printed)
+        self.assertEqual(len(self.results(whole)), 207)
 
-    def test_stamps_need_not_go_with_the_recorders_clock(self):
+    def test_stamps_may_advance_at_another_rate_than_the_recorder_clock(self):
         self.write(seconds=4, pace=12)
-        self.assert_parts_are_the_whole(cuts=(20.3, 31, 40.001))
+        self.assert_parts_equal_the_whole(cuts=(20.3, 31, 40.001))
 
-    def test_time_that_goes_back_is_no_seam(self):
+    def test_joined_parts_equal_the_whole_bag_if_stamps_go_back(self):
         self.write(back_at=139)
-        self.assert_parts_are_the_whole(cuts=(6.955, 7.2, 8.5))
+        self.assert_parts_equal_the_whole(cuts=(6.955, 7.2, 8.5))
 
-    def test_wheelsets_kept_topics_and_compression(self):
+    def test_parts_with_several_wheelsets_kept_topics_and_compression_are_joined(self):
         remarks = [(k * 10**9 + 1, String(f"remark {k}")) for k in range(11)]
         self.write(inputs=("/a/wheelset", "/b/wheelset"), remark=remarks)
-        whole, _ = self.assert_parts_are_the_whole("--wheelset", "a", "b", "--keep-topics", "--lz4",
-                                                   cuts=(4.013, 8), join=["--lz4"])
-        self.assertEqual(len(self.answers(whole, "/remark")), 11)
+        whole, _ = self.assert_parts_equal_the_whole("--wheelset", "a", "b", "--keep-topics", "--lz4",
+                                                     cuts=(4.013, 8), join=["--lz4"])
+        self.assertEqual(len(self.results(whole, "/remark")), 11)
 
-    def test_neighbours_of_the_second_before_count(self):
-        answer = WheelsetContact()
-        answer.left_rail.lateral_force = 20e3
+    def test_results_of_neighbours_in_the_previous_second_are_used(self):
+        result = WheelsetContact()
+        result.left_rail.lateral_force = 20e3
         messages = []
         for i in range(11 * 20):
-            answer.header.stamp = time(100 * 10**9 + i * STEP)
-            answer.right_rail.lateral_force = 100 * i
-            messages.append((i * STEP + LATE, WheelsetContact(header=type(answer.header)(stamp=answer.header.stamp),
-                                                              left_rail=answer.left_rail,
-                                                              right_rail=type(answer.right_rail)(lateral_force=100 * i))))
+            result.header.stamp = time(100 * 10**9 + i * STEP)
+            result.right_rail.lateral_force = 100 * i
+            messages.append((i * STEP + LATE, WheelsetContact(header=type(result.header)(stamp=result.header.stamp),
+                                                              left_rail=result.left_rail,
+                                                              right_rail=type(result.right_rail)(lateral_force=100 * i))))
         self.write(neighbour=messages)
         (self.folder / "n.yaml").write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
                                             " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
-        self.assert_parts_are_the_whole("--config", self.folder / "n.yaml", cuts=(7.513,))
+        self.assert_parts_equal_the_whole("--config", self.folder / "n.yaml", cuts=(7.513,))
 
-    def test_transforms_and_slop_reach_back_to_the_beginning(self):
+    def test_parts_with_transforms_and_slop_equal_the_replay_of_the_whole_bag(self):
         transform = TransformStamped()
         transform.header.frame_id, transform.child_frame_id = "track", "survey"
         transform.transform.translation.y = 1e-3
         transform.transform.rotation.w = 1
         self.write(frame="survey", tf_static=[(0, TFMessage([transform]))])
         (self.folder / "slop.yaml").write_text("sync: {slop: 0.06}\n")
-        whole, _ = self.assert_parts_are_the_whole("--config", self.folder / "slop.yaml", cuts=(7.513,))
-        self.assertEqual({a.status for a in self.answers(whole)}, {WheelsetContact.OK})
+        whole, _ = self.assert_parts_equal_the_whole("--config", self.folder / "slop.yaml", cuts=(7.513,))
+        self.assertEqual({r.status for r in self.results(whole)}, {WheelsetContact.OK})
 
-    def test_answers_of_an_earlier_replay_are_kept_as_they_are(self):
+    def test_results_of_an_earlier_replay_are_kept_unchanged(self):
         wheelsets = "first", "second", "third"
         self.write(seconds=2, inputs=[f"/{wheelset}/wheelset" for wheelset in wheelsets])
         self.bag, _ = self.replay(self.bag, "before.bag", *self.options, "--wheelset", *wheelsets[:2], "--keep-topics")
-        whole, _ = self.assert_parts_are_the_whole("--wheelset", "third", "--keep-topics", cuts=(0.005, 0.013, 0.7))
+        whole, _ = self.assert_parts_equal_the_whole("--wheelset", "third", "--keep-topics", cuts=(0.005, 0.013, 0.7))
         for wheelset in wheelsets:
-            self.assertEqual(len(self.answers(whole, f"/{wheelset}/contact_node/contact")), 40)
+            self.assertEqual(len(self.results(whole, f"/{wheelset}/contact_node/contact")), 40)
 
-    def test_wheelset_without_answers_keeps_its_number(self):
+    def test_parts_with_a_wheelset_without_results_are_joined(self):
         self.write(seconds=1, inputs=("/a/wheelset",), **{"b/wheelset/pose": [(0, pose(0))],
                                                           "b/wheelset/load": [(0, load(500))]})
-        whole, _ = self.assert_parts_are_the_whole("--wheelset", "a", "b", "--keep-topics", cuts=(0.5,))
-        self.assertEqual(len(self.answers(whole, "/a/contact_node/contact")), 20)
+        whole, _ = self.assert_parts_equal_the_whole("--wheelset", "a", "b", "--keep-topics", cuts=(0.5,))
+        self.assertEqual(len(self.results(whole, "/a/contact_node/contact")), 20)
 
-    def test_part_without_answers_is_empty(self):
+    def test_part_without_results_is_empty(self):
         self.write(seconds=1)
         whole, _ = self.replay(self.bag, "whole.bag", *self.options)
         parts = self.parts(cuts=(5, 9))
-        self.assertEqual([len(self.answers(part)) for part in parts], [20, 0, 0])
+        self.assertEqual([len(self.results(part)) for part in parts], [20, 0, 0])
         self.assert_same_file(whole, self.join(parts)[0])
 
-    def test_part_is_resumed_as_the_same_part_only(self):
+    def test_part_can_be_resumed_only_as_the_same_part(self):
         self.write(seconds=1)
         parts = self.parts(cuts=(0.5,))
         _, printed = self.replay(self.bag, parts[0].name, *self.options, "--resume", status=1)
         self.assertIn("cannot be resumed", printed)
 
-    def test_parts_that_do_not_follow_one_another_are_not_joined(self):
+    def test_parts_that_are_not_consecutive_are_not_joined(self):
         self.write(seconds=2)
         parts = self.parts(cuts=(0.7,))
         _, printed = self.join([parts[0], parts[0]], status=1)
@@ -143,20 +143,21 @@ class Parts(ReplayCase):
         _, printed = self.join(parts, status=1)
         self.assertIn("part_1.bag", printed)
 
-    def test_missing_parts_are_told(self):
+    def test_missing_parts_are_reported(self):
         self.write(seconds=2)
         parts = self.parts(cuts=(0.7, 1.3))
         first, second = (f"{START + round(1e9 * cut)} ns" for cut in (0.7, 1.3))
-        for wrong, reason in ((parts[1:], f"part_1.bag: a part is missing that begins at 0 ns, before this one at {first}"),
-                              (parts[::2], f"part_2.bag: a part is missing that begins at {first}, before this one at {second}"),
-                              (parts[:2], f"part_1.bag: a part is missing that begins at {second}, after this one")):
+        for wrong, reported, missing, position in (
+                (parts[1:], "part_1.bag", "0 ns", f"this part begins at {first}"),
+                (parts[::2], "part_2.bag", first, f"this part begins at {second}"),
+                (parts[:2], "part_1.bag", second, "this is the last part")):
             _, printed = self.join(wrong, status=1)
-            self.assertIn(reason, printed)
+            self.assertIn(f"{reported}: the part that begins at {missing} is missing; {position}", printed)
 
-    def test_times_are_checked(self):
+    def test_invalid_times_are_refused(self):
         self.write(seconds=1)
         for options, reason in ((["--from", "soon"], "--from = soon: must be a recording time"),
-                                (["--from", "5", "--to", "4.9"], "--from must be before --to")):
+                                (["--from", "5", "--to", "4.9"], "--from: must be before --to")):
             _, printed = self.replay(self.bag, "out.bag", *options, status=MISUSED)
             self.assertIn(reason, printed)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_replay broken off: a readable bag after Ctrl-C, and --resume ends as if nothing had happened."""
+"""Interrupted contact_replay: the bag is readable after Ctrl-C, and --resume gives the file of an uninterrupted run."""
 
 import shutil
 import signal
@@ -8,20 +8,20 @@ import time
 
 import rosbag
 
-from replay_case import ANSWERS, BROKEN_OFF, PROGRAM, ReplayCase
+from replay_case import INTERRUPTED, PROGRAM, RESULTS, ReplayCase
 
 PAIRS = 3000
 CHUNK = 2**22  # size at which contact_replay closes a chunk
 
 
-class BrokenOff(ReplayCase):
+class Interrupted(ReplayCase):
     def setUp(self):
         super().setUp()
         self.bag = self.make_bag(PAIRS)
         self.options = ["--keep-topics", "--threads", "2"]
 
-    def break_off(self, name, signal_number, size=1.5 * CHUNK):
-        """Starts a run and ends it when its bag is larger than this [B]: by itself, when chunks are in the file."""
+    def interrupt(self, name, signal_number, size=1.5 * CHUNK):
+        """Starts a run, and ends it when its bag is larger than `size` [B]. @return path of the bag, and the exit status"""
         out = self.folder / name
         with subprocess.Popen([PROGRAM, self.bag, out, *self.options, "--csv", out.with_suffix(".csv")],
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
@@ -34,27 +34,27 @@ class BrokenOff(ReplayCase):
         return self.replay(self.bag, out.name, *self.options, "--csv", out.with_suffix(".csv"), "--resume", *more,
                            status=status)[1]
 
-    def test_resumed_run_equals_one_run(self):
+    def test_resumed_run_writes_the_same_bytes_as_an_uninterrupted_run(self):
         whole, _ = self.replay(self.bag, "whole.bag", *self.options, "--csv", self.folder / "whole.csv")
         for signal_number in (signal.SIGINT, signal.SIGKILL):
             with self.subTest(signal=signal_number):
-                out, status = self.break_off(f"{signal_number}.bag", signal_number)
-                self.assertEqual(status, BROKEN_OFF if signal_number == signal.SIGINT else -signal_number)
+                out, status = self.interrupt(f"{signal_number}.bag", signal_number)
+                self.assertEqual(status, INTERRUPTED if signal_number == signal.SIGINT else -signal_number)
                 if signal_number == signal.SIGINT:
                     with rosbag.Bag(str(out)) as bag:
-                        answers = bag.get_message_count(ANSWERS)
-                    self.assertTrue(200 < answers < PAIRS, answers)
+                        results = bag.get_message_count(RESULTS)
+                    self.assertTrue(200 < results < PAIRS, results)
                 printed = self.resume(out)
-                self.assertRegex(printed, r"; [1-9]\d+ were there already")
+                self.assertRegex(printed, r"; [1-9]\d+ results were already in the output")
                 self.assert_same_file(whole, out)
                 self.assert_same_file(whole.with_suffix(".csv"), out.with_suffix(".csv"))
         self.resume(whole)
         self.assert_same_file(whole, out)
 
-    def test_table_goes_on_where_no_whole_chunk_is_in_the_bag(self):
-        self.bag = self.make_bag(300, "short.bag")  # its answers do not fill a chunk
+    def test_table_is_continued_if_the_bag_contains_no_complete_chunk(self):
+        self.bag = self.make_bag(300, "short.bag")  # its results do not fill a chunk
         whole, _ = self.replay(self.bag, "whole.bag", *self.options, "--csv", self.folder / "whole.csv")
-        killed, _ = self.break_off("killed.bag", signal.SIGKILL, size=4096)  # the bag's header stands
+        killed, _ = self.interrupt("killed.bag", signal.SIGKILL, size=4096)  # the header of the bag is written
         copy = self.folder / "copy.bag"
         for suffix in (".bag", ".csv"):
             shutil.copy(whole.with_suffix(suffix), copy.with_suffix(suffix))
@@ -63,33 +63,33 @@ class BrokenOff(ReplayCase):
             self.assert_same_file(whole, out)
             self.assert_same_file(whole.with_suffix(".csv"), out.with_suffix(".csv"))
 
-    def test_what_is_no_table_is_told_and_left_alone(self):
-        out, _ = self.break_off("out.bag", signal.SIGINT)
+    def test_file_that_is_not_the_table_is_reported_and_not_changed(self):
+        out, _ = self.interrupt("out.bag", signal.SIGINT)
         bag, table = out.read_bytes(), out.with_suffix(".csv")
         header = table.read_text(encoding="utf-8").splitlines()[0]
-        for content, reason in (("a table\n", "is not the table of a replay"),
-                                (header + "\nseven,\n", "does not begin with the number of an answer: seven,"),
-                                (header + "\n", "lacks rows of answers that are in the bag")):
+        for content, reason in (("a table\n", "is not a table written by contact_replay"),
+                                (header + "\nseven,\n", "does not begin with the number of a result: seven,"),
+                                (header + "\n", "rows of results that are in the bag are missing")):
             out.write_bytes(bag)
             table.write_text(content, encoding="utf-8")
             self.assertIn(reason, self.resume(out, status=1))
             self.assertEqual(table.read_text(encoding="utf-8"), content)
 
     def test_resuming_with_other_parameters_is_refused(self):
-        out, _ = self.break_off("out.bag", signal.SIGINT)
+        out, _ = self.interrupt("out.bag", signal.SIGINT)
         before = out.read_bytes()
         (self.folder / "other.yaml").write_text("contact: {tolerance: 0.05}\n")
         printed = self.resume(out, "--config", self.folder / "other.yaml", status=1)
         self.assertIn("cannot be resumed", printed)
         self.assertTrue(out.read_bytes() == before)
 
-    def test_the_input_is_not_taken_for_an_output(self):
+    def test_input_is_not_accepted_as_output(self):
         before = self.bag.read_bytes()
         _, printed = self.replay(self.bag, self.bag.name, "--resume", status=1)
         self.assertIn("cannot be resumed", printed)
         self.assertTrue(self.bag.read_bytes() == before)
 
-    def test_resuming_nothing_is_a_run_from_the_beginning(self):
+    def test_resuming_without_output_runs_from_the_beginning(self):
         bag = self.make_bag(30, "short.bag")
         once, _ = self.replay(bag, "once.bag")
         resumed, _ = self.replay(bag, "resumed.bag", "--resume")

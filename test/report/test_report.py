@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_report: a page of its own with pictures of what stands in the bag, and contact points that lie on the profiles."""
+"""contact_report: the page contains pictures of the results in the bag, and the contact points are on the profiles."""
 import base64
 import html.parser
 import io
@@ -15,17 +15,17 @@ import rosbag
 from matplotlib import image
 from wheel_rail_contact.msg import WheelsetContact
 from wheel_rail_contact.report import figures
-from wheel_rail_contact.report.answers import full, of_answers, read
 from wheel_rail_contact.report.command_line import main
+from wheel_rail_contact.report.results import per_result, read, read_full
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (stands beside other tests)
-from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (stands beside other tests)
+from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
 BROWSER = "chromium-headless-shell"
 WINDOW = (1200, 6000)  # large enough for the whole page
-PAGE_WIDTH = 1100      # of the page's text, as its style says
+PAGE_WIDTH = 1100      # of the text, defined in the style of the page
 
 
 class Page(html.parser.HTMLParser):
@@ -58,26 +58,26 @@ class Report(SweepCase):
     def report(self, *arguments, status=0):
         return self.run_command(main, *arguments, status=status)
 
-    def test_page_holds_its_pictures_and_tells_the_extremes(self):
+    def test_page_contains_its_pictures_and_the_extreme_values(self):
         out = self.folder / "report"
         self.report(self.bending, "--out", out, "--compare", self.rigid, "--at", "1.0")
         page = Page((out / "report.html").read_text(encoding="utf-8"))
         self.assertEqual(page.links, [])
-        # Histories, bands, the instant asked for and the two worst, errors.
+        # Histories, contact positions, pressures at the given instant and at the two worst ones, errors.
         self.assertEqual(len(page.pictures), 6)
         for picture in page.pictures:
             kind, data = picture.split(",", 1)
             self.assertEqual(kind, "data:image/png;base64")
             pixels = image.imread(io.BytesIO(base64.b64decode(data)), format="png")
             self.assertGreater(len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)), 20, "a picture is empty")
-        answers, _ = read(self.bending)
-        worst = 1e-6 * answers.patches["max_pressure"][answers.patches["side"] == 1].max()
+        results, _ = read(self.bending)
+        worst = 1e-6 * results.patches["max_pressure"][results.patches["side"] == 1].max()
         self.assertIn(f"max_pressure [MPa], right\n{worst:.0f}\n", page.text)
         self.assertIn("Dashed: rigid.bag", page.text)
         self.assertIn("rail_bending/model: compliance", page.text)
 
     @unittest.skipUnless(shutil.which(BROWSER), f"needs {BROWSER}")
-    def test_a_browser_shows_every_picture(self):
+    def test_browser_shows_every_picture(self):
         out = self.folder / "shown"
         self.report(self.rigid, "--out", out)
         shot = self.folder / "shot.png"
@@ -92,74 +92,74 @@ class Report(SweepCase):
             picture = image.imread(path)[:, :, :3]
             height, width = picture.shape[:2]
             if width > PAGE_WIDTH:
-                continue  # shown smaller than it is
+                continue  # scaled by the browser
             column = page[:, left:left + width]
-            # A row in the picture's middle tells where it may stand; there it must be the same to the last pixel.
+            # Candidates for the position are found with the middle row. At one of them, every pixel must be the same.
             middle = height // 2
-            places = np.flatnonzero((column == picture[middle]).all(axis=(1, 2))) - middle
-            self.assertTrue(any(np.array_equal(column[top:top + height], picture) for top in places if top >= 0),
-                            f"{path.name} is not to be seen")
+            positions = np.flatnonzero((column == picture[middle]).all(axis=(1, 2))) - middle
+            self.assertTrue(any(np.array_equal(column[top:top + height], picture) for top in positions if top >= 0),
+                            f"{path.name} is not visible")
             seen += 1
-        # Histories, two instants, errors; the bands are wider than the page.
+        # Histories, two instants, errors. The picture of the contact positions is wider than the page.
         self.assertEqual(seen, 4)
 
-    def test_contact_points_lie_on_both_profiles(self):
+    def test_contact_points_are_on_both_profiles(self):
         for bag in (self.rigid, self.bending):
-            answers, _ = read(bag)
+            results, _ = read(bag)
             for side in (0, 1):
-                for kind, points in zip(("rail", "wheel"), figures.contact_points(answers, side)):
-                    outline = answers.outlines[kind]
+                for kind, points in zip(("rail", "wheel"), figures.contact_points(results, side)):
+                    outline = results.outlines[kind]
                     distance = np.hypot(*(points[:, None, :] - outline[None, :, :]).T).min(axis=0)
-                    # Half the outline's step is 0.2 mm; the bodies approach each other by 0.2 mm at most.
+                    # Half the step of the outline is 0.2 mm. The approach of the bodies is at most 0.2 mm.
                     self.assertLess(distance.max(), 0.3e-3, f"{bag.name}, {kind}, side {side}")
 
-    def test_histories_hold_what_the_messages_say(self):
-        answers, topic = read(self.rigid)
+    def test_histories_contain_the_values_of_the_messages(self):
+        results, topic = read(self.rigid)
         self.assertEqual(topic, "/contact_node/contact")
-        right = np.flatnonzero(answers.patches["side"] == 1)
-        highest = of_answers(answers.patches["max_pressure"], answers, right, "max")
-        area = of_answers(answers.patches["area"], answers, right, "sum")
-        for index, message in full(self.rigid, topic, {0, 57, 100}).items():
+        right = np.flatnonzero(results.patches["side"] == 1)
+        highest = per_result(results.patches["max_pressure"], results, right, "max")
+        area = per_result(results.patches["area"], results, right, "sum")
+        for index, message in read_full(self.rigid, topic, {0, 57, 100}).items():
             patches = [p for p in message.patches if p.side == 1]
             self.assertEqual(highest[index], max(p.max_pressure for p in patches))
             self.assertAlmostEqual(area[index], sum(p.area for p in patches), delta=1e-18)
-            self.assertEqual(answers.rail[index][1][3], message.right_rail.lateral_force)
+            self.assertEqual(results.rail[index][1][3], message.right_rail.lateral_force)
 
     def test_long_histories_keep_their_peaks(self):
         x = np.arange(100000.0)
         y = np.sin(x / 5000)
         y[43210], y[43215], y[70000:70100] = 7, -7, np.nan
         short_x, short_y = figures._thinned(x, y)
-        self.assertLessEqual(len(short_x), figures.MOST_POINTS)
+        self.assertLessEqual(len(short_x), figures.MAX_POINTS)
         self.assertEqual((np.nanmax(short_y), np.nanmin(short_y)), (7, -7))
         self.assertTrue((np.diff(short_x) > 0).all())
 
-    def test_reasons_that_differ_in_figures_only_are_counted_together(self):
+    def test_reasons_that_differ_only_in_numbers_are_counted_together(self):
         path = self.folder / "remarks.bag"
         with rosbag.Bag(str(path), "w") as bag:
             for i, text in enumerate(("right rail: Y = 61.0 kN", "right rail: Y = -7.3 kN", "left rail: Y = 61.0 kN")):
-                answer = WheelsetContact(status_text=text)
-                answer.wheelset.orientation.w = 1
-                bag.write("/contact_node/contact", answer, genpy.Time(1 + i))
-        answers, _ = read(str(path))
-        self.assertEqual(sorted(answers.reasons.values()), [[1, "left rail: Y = 61.0 kN"], [2, "right rail: Y = 61.0 kN"]])
+                result = WheelsetContact(status_text=text)
+                result.wheelset.orientation.w = 1
+                bag.write("/contact_node/contact", result, genpy.Time(1 + i))
+        results, _ = read(str(path))
+        self.assertEqual(sorted(results.reasons.values()), [[1, "left rail: Y = 61.0 kN"], [2, "right rail: Y = 61.0 kN"]])
 
-    def test_full_disk_is_told_with_the_folders_name(self):
+    def test_full_disk_is_reported_with_the_name_of_the_folder(self):
         run = subprocess.run([sys.executable, PACKAGE / "scripts" / "contact_report", self.rigid, "--out",
                               self.folder / "full"], capture_output=True, text=True, check=False,
                              preexec_fn=no_file_larger_than(2**18))
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertEqual(run.stderr, f"contact_report: {self.folder / 'full'}: File too large\n")
 
-    def test_folders_that_cannot_be_made_are_told(self):
+    def test_folder_that_cannot_be_created_is_reported(self):
         self.assertIn("contact_report: /sys/report: ", self.report(self.rigid, "--out", "/sys/report", status=1))
 
-    def test_bags_without_answers_are_refused(self):
-        self.assertIn("0 topics with answers", self.report(SWEEP, "--out", self.folder / "none", status=1))
+    def test_bags_without_results_are_refused(self):
+        self.assertIn("0 topics with results", self.report(SWEEP, "--out", self.folder / "none", status=1))
         self.assertIn("No such file", self.report(self.folder / "absent.bag", "--out", self.folder / "none", status=1))
         self.assertFalse((self.folder / "none").exists())
 
-    def test_answers_of_another_version_are_refused(self):
+    def test_results_of_another_version_are_refused(self):
         class Other(WheelsetContact):
             _md5sum = "0" * 32
 

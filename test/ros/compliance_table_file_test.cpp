@@ -28,14 +28,14 @@ neighbours:
 provenance: {source: made up}
 )";
 
-/// The table with one passage replaced.
+/// Reads the table with one passage of its text replaced.
 ComplianceTableFile readWith(const std::string& passage, const std::string& replacement)
 {
   std::string text = good_table;
   const auto place = text.find(passage);
   if (place == std::string::npos)
   {
-    throw std::logic_error("the test's table has no '" + passage + "'");
+    throw std::logic_error("the table of the test does not contain '" + passage + "'");
   }
   text.replace(place, passage.size(), replacement);
   const std::string file = testing::TempDir() + "table.yaml";
@@ -44,7 +44,7 @@ ComplianceTableFile readWith(const std::string& passage, const std::string& repl
 }
 }  // namespace
 
-TEST(ComplianceTableFile, IsReadWithItsNumbers)
+TEST(ComplianceTableFile, AllNumbersAreRead)
 {
   const ComplianceTableFile file = readWith("made up", "made up");
   EXPECT_EQ(file.name, "test rail");
@@ -77,7 +77,7 @@ TEST(ComplianceTableFile, ShippedTablesAreAccepted)
   EXPECT_GE(count, 2);
 }
 
-TEST(ComplianceTableFile, EachMistakeIsRefusedWithFileAndKey)
+TEST(ComplianceTableFile, EachInvalidEntryIsRefusedWithFileAndKey)
 {
   struct Mistake
   {
@@ -119,7 +119,7 @@ TEST(ComplianceTableFile, EachMistakeIsRefusedWithFileAndKey)
   }
 }
 
-TEST(ComplianceTableFile, TableWithoutLimitHoldsEverywhere)
+TEST(ComplianceTableFile, LinearRangeMayBeInfinite)
 {
   EXPECT_EQ(readWith("0.6", ".inf").linear_range, std::numeric_limits<double>::infinity());
 }

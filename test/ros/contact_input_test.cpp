@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/contact_input.h"
+#include "ros/evaluation/contact_input.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ Eigen::Quaterniond turned(double yaw, double roll, double spin)
 }
 }  // namespace
 
-TEST(ContactInput, NameOfAFrameThatIsLongerThanAnyTakesNoRoomWhileItWaits)
+TEST(ContactInput, LongFrameNamesOfWaitingMessagesAreCut)
 {
   NodeConfig config;
   InputPairing pairing(config);
@@ -92,14 +92,14 @@ TEST(ContactInput, NameOfAFrameThatIsLongerThanAnyTakesNoRoomWhileItWaits)
   ASSERT_TRUE(pair);
   for (const std::string& name : {pair->pose->header.frame_id, pair->load->header.frame_id})
   {
-    EXPECT_GT(name.size(), InputPairing::longest_frame_name) << "no frame has this name";
+    EXPECT_GT(name.size(), InputPairing::longest_frame_name) << "the cut name must not become a valid name";
     EXPECT_LT(name.capacity(), 2 * InputPairing::longest_frame_name);
   }
   EXPECT_EQ(pair->pose->pose, named.pose);
   EXPECT_EQ(pair->load->wrench, load.wrench);
 }
 
-TEST(ContactInput, PoseAndLoadAreTakenOver)
+TEST(ContactInput, StateHasTheValuesOfPoseAndLoad)
 {
   const core::WheelsetState state = convert(input(pose()));
   EXPECT_EQ(state.x, 4);
@@ -111,7 +111,7 @@ TEST(ContactInput, PoseAndLoadAreTakenOver)
   EXPECT_EQ(state.torque_x, 3);
 }
 
-TEST(ContactInput, RollingOfTheWheelsDoesNotMatter)
+TEST(ContactInput, RotationAboutTheAxleHasNoEffect)
 {
   for (const double spin : {0.0, 0.3, 1.5707963267948966, 3.0, -2.0})
   {
@@ -130,7 +130,7 @@ TEST(ContactInput, QuaternionOfNearlyUnitLengthIsNormalised)
   EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContact::INVALID_INPUT);
 }
 
-TEST(ContactInput, NumbersThatAreNoneAreRefusedByName)
+TEST(ContactInput, NonFiniteNumbersAreRefusedWithTheirName)
 {
   auto bad = pose();
   bad.pose.position.y = not_a_number;
@@ -162,7 +162,7 @@ TEST(ContactInput, LoadInAnotherFrameIsRefused)
   EXPECT_NE(refused.second.find("'wheelset'"), std::string::npos);
 }
 
-TEST(ContactInput, TransformLeadsToTheTrackFrame)
+TEST(ContactInput, PoseIsTransformedToTheTrackFrame)
 {
   tf2::BufferCore transforms;
   geometry_msgs::TransformStamped transform;
@@ -185,7 +185,7 @@ TEST(ContactInput, TransformLeadsToTheTrackFrame)
   EXPECT_NE(late.second.find("'track'"), std::string::npos);
 }
 
-TEST(ContactInput, UnknownAndOddFramesGiveNoTransform)
+TEST(ContactInput, UnknownAndInvalidFramesGiveNoTransform)
 {
   for (const std::string& frame :
        {std::string("nowhere"), std::string(), std::string("/track"), std::string(100000, 'x')})
@@ -207,7 +207,7 @@ TEST(ContactInput, RailForcesAreOutwardOnBothSides)
   EXPECT_EQ(refusal(in).second, "right rail force: force is not finite");
 }
 
-TEST(InputPairing, TakesTheTopicsThatTheConfigurationNeeds)
+TEST(InputPairing, ConfigurationDeterminesTheInputTopics)
 {
   NodeConfig config;
   InputPairing both(config);

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "result_scene.h"
+#include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
-#include "ros/node/result_text.h"
 
 using namespace wheel_rail_contact;
 using visualization_msgs::Marker;
@@ -32,7 +32,7 @@ std::size_t count(const MarkerArray& markers, const std::string& ns)
 }
 }  // namespace
 
-TEST_F(Scene, PressureInTrueSizeStandsOnItsPatch)
+TEST_F(Scene, PressureInTrueSizeIsDrawnOnItsPatch)
 {
   options.patch.zoom = 1;
   options.patch.lift = 0;
@@ -46,15 +46,15 @@ TEST_F(Scene, PressureInTrueSizeStandsOnItsPatch)
     const Eigen::Vector3d from_origin(p.x - output.x(), p.y - patch.pose.y, p.z - patch.pose.z);
     largest = largest.cwiseMax((turn.inverse() * from_origin).cwiseAbs());
   }
-  // A fifth of a cell of 1 mm: the edge is found between cells.
+  // The edge is located between the cells of 1 mm, with an error of at most a fifth of a cell.
   EXPECT_NEAR(largest.x(), 8e-3, 2e-4);
   EXPECT_NEAR(largest.y(), 4e-3, 2e-4);
-  // The ellipse's middle lies between four cell centres, where the pressure is 1.0 % lower.
+  // The centre of the ellipse is between four cell centres, at which the pressure is 1.0 % lower.
   EXPECT_NEAR(largest.z(), 0.02 * 982e6 / options.patch.max_pressure, 2e-4);
-  EXPECT_EQ(count(markers, "patch"), 0U) << "a second picture of the same size at the same place";
+  EXPECT_EQ(count(markers, "patch"), 0U) << "a second picture in the same position";
 }
 
-TEST_F(Scene, RailCarriesPointsOfItsProfile)
+TEST_F(Scene, PointsOfTheProfileMoveWithTheRail)
 {
   const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
   const core::RailDeflection from{1e-3, -2e-4, 0.01}, to{8e-3, 3e-3, -0.05};
@@ -75,7 +75,7 @@ TEST_F(Scene, RailCarriesPointsOfItsProfile)
   }
 }
 
-TEST_F(Scene, ExaggeratedRailTakesItsPatchAlong)
+TEST_F(Scene, PatchMovesWithTheMagnifiedDeflection)
 {
   result.rail[0].deflection.lateral = 1e-3;
   options.deflection_scale = 11;
@@ -85,7 +85,7 @@ TEST_F(Scene, ExaggeratedRailTakesItsPatchAlong)
   EXPECT_NEAR(after.z, before.z, 1e-12);
 }
 
-TEST_F(Scene, ShowsOneSide)
+TEST_F(Scene, OnlyTheSelectedSideIsDrawn)
 {
   options.track.sides = {core::Side::right};
   trail.add(output, nullptr);
@@ -98,7 +98,7 @@ TEST_F(Scene, ShowsOneSide)
   EXPECT_LT(findMarker(markers, "trail", 0).points[0].y, 0);
 }
 
-TEST_F(Scene, OutlineClosesRoundThePatch)
+TEST_F(Scene, OutlineHasTheLengthOfTheEllipse)
 {
   options.patch.zoom = 1;
   options.patch.lift = 0;
@@ -109,11 +109,12 @@ TEST_F(Scene, OutlineClosesRoundThePatch)
     const auto &a = outline.points[i], &b = outline.points[i + 1];
     length += std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
   }
-  // Ellipse of 8 mm and 4 mm: 38.75 mm (Ramanujan 1914); the edge is interpolated between cells of 1 mm.
+  // Circumference of an ellipse with semi-axes of 8 mm and 4 mm: 38.75 mm (Ramanujan 1914). The edge is interpolated
+  // between cells of 1 mm.
   EXPECT_NEAR(length, 38.75e-3, 1e-3);
 }
 
-TEST_F(Scene, WithoutModelOrGridsTheForcesRemain)
+TEST_F(Scene, WithoutModelAndGridsOnlyForcesAndLabelsAreDrawn)
 {
   for (core::PatchResult& patch : result.patches)
   {
@@ -137,19 +138,19 @@ TEST_F(Scene, UnusableResultIsTextOnly)
   EXPECT_EQ(resultLines(output, options.track.sides), expected);
 }
 
-TEST_F(Scene, TextNamesPressureAreaMethodAndError)
+TEST_F(Scene, TextContainsPressureAreaForceErrorAndMethod)
 {
   result.patches[0].method = "hertz";
   result.patches[0].error_estimate = 0.012;
   const std::vector<std::string> lines = resultLines(output, {core::Side::left});
   ASSERT_EQ(lines.size(), 3U);
-  for (const char* figure : {"982 MPa", "192 mm²", "100.0 kN", "±1.2 %", "hertz"})
+  for (const char* part : {"982 MPa", "192 mm²", "100.0 kN", "±1.2 %", "hertz"})
   {
-    EXPECT_NE(lines[2].find(figure), std::string::npos) << figure << " in: " << lines[2];
+    EXPECT_NE(lines[2].find(part), std::string::npos) << part << " in: " << lines[2];
   }
 }
 
-TEST_F(Scene, TrailRemembersThePointsOnTheRailAtRest)
+TEST_F(Scene, TrailIsStoredOnTheRailAtRest)
 {
   const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
   trail.add(output, &at_rest);
@@ -167,7 +168,7 @@ TEST_F(Scene, TrailRemembersThePointsOnTheRailAtRest)
   EXPECT_EQ(trail.points().size(), 2U) << "time has gone back";
 }
 
-TEST_F(Scene, StaysAtTheOriginIfAsked)
+TEST_F(Scene, WheelsetCanBeDrawnAtTheOrigin)
 {
   trail.add(output, nullptr);
   output.state.x += 1;
@@ -178,7 +179,7 @@ TEST_F(Scene, StaysAtTheOriginIfAsked)
   EXPECT_NEAR(findMarker(markers, "trail", 0).points[0].x, -1, 1e-12);
 }
 
-TEST_F(Scene, ResultSurvivesItsMessage)
+TEST_F(Scene, OutputIsRestoredFromItsMessage)
 {
   output.status = WheelsetContact::OK;
   for (core::PatchResult& patch : result.patches)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/contact_statistics.h"
+#include "ros/evaluation/contact_statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -38,26 +38,26 @@ std::string valueOf(const diagnostic_updater::DiagnosticStatusWrapper& report, c
 }
 }  // namespace
 
-TEST(ContactStatistics, GoodResultsAreOk)
+TEST(ContactStatistics, UsableResultsAreOk)
 {
   ContactStatistics now;
   now.count(resultWith(WheelsetContact::OK, ""), 0.001);
-  now.count(resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries nothing"), 0.003);
+  now.count(resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries no load"), 0.003);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::OK);
-  EXPECT_EQ(valueOf(report, "answers"), "2");
-  EXPECT_EQ(valueOf(report, "answers LIFT_OFF"), "1");
+  EXPECT_EQ(valueOf(report, "results"), "2");
+  EXPECT_EQ(valueOf(report, "results LIFT_OFF"), "1");
   EXPECT_EQ(valueOf(report, "solve time, mean [ms]"), "2.000");
   EXPECT_EQ(valueOf(report, "solve time, max [ms]"), "3.000");
-  EXPECT_EQ(valueOf(report, "last reason"), "the left wheel carries nothing");
+  EXPECT_EQ(valueOf(report, "last reason"), "the left wheel carries no load");
 }
 
-TEST(ContactStatistics, SilenceIsOk)
+TEST(ContactStatistics, NoInputIsOk)
 {
   EXPECT_EQ(reportOf({}, {}).level, DiagnosticStatus::OK);
 }
 
-TEST(ContactStatistics, SomeUnusableResultsWarnAndOnlyUnusableOnesAreAnError)
+TEST(ContactStatistics, UnusableResultsWarnAndAreAnErrorIfNoneIsUsable)
 {
   ContactStatistics before, now;
   before.count(resultWith(WheelsetContact::OK, ""), 0.001);
@@ -67,10 +67,10 @@ TEST(ContactStatistics, SomeUnusableResultsWarnAndOnlyUnusableOnesAreAnError)
   EXPECT_NE(reportOf(now, before).message.find("load: force is not finite"), std::string::npos);
   now.count(resultWith(WheelsetContact::OK, ""), 0.001);
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(reportOf(now, now).level, DiagnosticStatus::OK) << "what was reported before is over";
+  EXPECT_EQ(reportOf(now, now).level, DiagnosticStatus::OK) << "only the time since the last report counts";
 }
 
-TEST(ContactStatistics, DropsWarnAndAreCountedByReason)
+TEST(ContactStatistics, DroppedInputsWarnAndAreCountedByReason)
 {
   ContactStatistics now;
   now.pairing.dropped[static_cast<std::size_t>(DropReason::time_jump)] = 3;
@@ -81,11 +81,12 @@ TEST(ContactStatistics, DropsWarnAndAreCountedByReason)
   EXPECT_EQ(valueOf(report, "inputs dropped: overload"), "2");
 }
 
-TEST(ContactStatistics, InputWithoutPartnerWarns)
+TEST(ContactStatistics, UnmatchedInputWarns)
 {
   ContactStatistics now;
   now.pairing.received = now.pairing.waiting = 20;
   EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(reportOf(now, {}).message, "no pose and load with matching stamps");
 }
 
 TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
@@ -97,11 +98,11 @@ TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
   now.count(output, 0.001);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
-  EXPECT_EQ(report.message, "1 of 2 answers lack a neighbour's forces");
-  EXPECT_EQ(valueOf(report, "answers that lack a neighbour's forces"), "1");
+  EXPECT_EQ(report.message, "1 of 2 results lack a neighbour's forces");
+  EXPECT_EQ(valueOf(report, "results that lack a neighbour's forces"), "1");
 }
 
-TEST(ContactStatistics, RailBeyondItsTableWarns)
+TEST(ContactStatistics, RailBeyondTheRangeOfItsTableWarns)
 {
   ContactStatistics now;
   ContactOutput output = resultWith(WheelsetContact::OK, "");
@@ -112,11 +113,11 @@ TEST(ContactStatistics, RailBeyondItsTableWarns)
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(report.message, "left rail: Y = 70.0 kN at Q = 100.0 kN");
-  EXPECT_EQ(valueOf(report, "answers beyond the table's linear range"), "1");
-  EXPECT_EQ(valueOf(report, "last beyond the table's linear range"), "left rail: Y = 70.0 kN at Q = 100.0 kN");
+  EXPECT_EQ(valueOf(report, "results beyond the table's linear range"), "1");
+  EXPECT_EQ(valueOf(report, "last result beyond the table's linear range"), "left rail: Y = 70.0 kN at Q = 100.0 kN");
 }
 
-TEST(ContactStatistics, ErrorAboveTheToleranceWarns)
+TEST(ContactStatistics, ErrorEstimateAboveTheToleranceWarns)
 {
   ContactStatistics now;
   now.count(resultWith(WheelsetContact::OK, ""), 0.001);
@@ -127,11 +128,11 @@ TEST(ContactStatistics, ErrorAboveTheToleranceWarns)
   now.count(output, 0.001);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
-  EXPECT_EQ(valueOf(report, "answers with an error estimate above contact/tolerance"), "1");
+  EXPECT_EQ(valueOf(report, "results with an error estimate above contact/tolerance"), "1");
   EXPECT_EQ(valueOf(report, "last reason"), "an error estimate is above contact/tolerance");
 }
 
-TEST(ContactStatistics, ExceptionOfTheProgramIsAnError)
+TEST(ContactStatistics, ExceptionDuringAnEvaluationIsAnError)
 {
   ContactStatistics now;
   now.internal_errors = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/conversions.h"
+#include "ros/evaluation/conversions.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ core::WheelsetResult exampleResult()
 {
   core::WheelsetResult result;
   result.status = core::ContactStatus::lift_off;
-  result.reason = "the right wheel carries nothing";
+  result.reason = "the right wheel carries no load";
   result.y = -0.002;
   result.z = 0.4597;
   result.yaw = 0.02;
@@ -75,7 +75,7 @@ void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
 }
 }  // namespace
 
-TEST(Conversions, ResultSurvivesTheWayToAMessageAndBack)
+TEST(Conversions, ConversionToAMessageAndBackPreservesTheResult)
 {
   const core::WheelsetResult before = exampleResult();
   const core::WheelsetResult after = fromMessage(toMessage(before, 12.5, true));
@@ -107,7 +107,7 @@ TEST(Conversions, PlaceAlongTheTrackIsAddedToEveryPose)
   EXPECT_NEAR(message.patches[0].pose.position.x, 100.01, 1e-12);
 }
 
-TEST(Conversions, GridIsLeftOutWhenNobodyWantsIt)
+TEST(Conversions, GridCanBeLeftOut)
 {
   const WheelsetContact message = toMessage(exampleResult(), 0, false);
   EXPECT_EQ(message.patches[0].grid.nx, 0U);
@@ -116,7 +116,7 @@ TEST(Conversions, GridIsLeftOutWhenNobodyWantsIt)
   EXPECT_NO_THROW(fromMessage(message));
 }
 
-TEST(Conversions, CellsStandInRowsAcrossAndXRunsFastest)
+TEST(Conversions, PressureIsStoredWithXAsTheFastestIndex)
 {
   const core::PatchResult patch = examplePatch(core::Side::left);
   const PressureGrid message = toMessage(patch.grid, patch.pressure);
@@ -141,7 +141,7 @@ TEST(Conversions, PatchNormalIsTheThirdAxisOfItsPose)
   EXPECT_TRUE((q * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d(0, -std::sin(0.1), std::cos(0.1)), 1e-15));
 }
 
-TEST(Conversions, WrongSizesAreRefusedBeforeMemoryIsTouched)
+TEST(Conversions, GridsOfTheWrongSizeAreRefused)
 {
   const core::PatchResult patch = examplePatch(core::Side::left);
   EXPECT_THROW(toMessage(patch.grid, Eigen::ArrayXXd::Zero(3, 4)), std::invalid_argument);
@@ -153,7 +153,7 @@ TEST(Conversions, WrongSizesAreRefusedBeforeMemoryIsTouched)
   bad.pressure.pop_back();
   EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
   bad = good.grid;
-  bad.nx = bad.ny = 1U << 16U;  // their product is 0 in 32 bits
+  bad.nx = bad.ny = 1U << 16U;  // the product overflows to 0 in 32 bits
   bad.pressure.clear();
   EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
   bad = good.grid;

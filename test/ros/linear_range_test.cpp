@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "ros/node/contact_evaluator.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 using namespace wheel_rail_contact;
 
@@ -20,22 +20,23 @@ core::WheelsetResult withForces(double left_lateral, double left_vertical, doubl
 }
 }  // namespace
 
-TEST(LinearRange, NothingIsSaidWithinIt)
+TEST(LinearRange, NoWarningWithinTheRange)
 {
   EXPECT_EQ(linearRangeWarning(withForces(60e3, 100e3, -59e3, 100e3), 0.6), "");
-  EXPECT_EQ(linearRangeWarning(withForces(0, 0, 0, 0), 0.6), "") << "wheels without load";
-  EXPECT_EQ(linearRangeWarning(withForces(9e5, 1e5, 0, 0), std::numeric_limits<double>::infinity()), "") << "no limit";
+  EXPECT_EQ(linearRangeWarning(withForces(0, 0, 0, 0), 0.6), "") << "wheels without a load";
+  EXPECT_EQ(linearRangeWarning(withForces(9e5, 1e5, 0, 0), std::numeric_limits<double>::infinity()), "")
+      << "infinite range";
 }
 
-TEST(LinearRange, RailBeyondItIsNamedWithItsForces)
+TEST(LinearRange, WarningGivesTheForcesOfTheRail)
 {
   EXPECT_EQ(linearRangeWarning(withForces(0, 100e3, -70e3, 80e3), 0.6),
-            "right rail: Y = -70.0 kN at Q = 80.0 kN, |Y|/Q = 0.875; its compliance table holds up to 0.6");
+            "right rail: Y = -70.0 kN at Q = 80.0 kN, |Y|/Q = 0.875; its compliance table is valid up to 0.6");
 }
 
-TEST(LinearRange, BothRailsAreNamed)
+TEST(LinearRange, WarningListsBothRails)
 {
   EXPECT_EQ(linearRangeWarning(withForces(50e3, 40e3, 5e3, 0), 0.6),
-            "left rail: Y = 50.0 kN at Q = 40.0 kN, |Y|/Q = 1.250; its compliance table holds up to 0.6; "
-            "right rail: Y = 5.0 kN at Q = 0.0 kN, |Y|/Q = inf; its compliance table holds up to 0.6");
+            "left rail: Y = 50.0 kN at Q = 40.0 kN, |Y|/Q = 1.250; its compliance table is valid up to 0.6; "
+            "right rail: Y = 5.0 kN at Q = 0.0 kN, |Y|/Q = inf; its compliance table is valid up to 0.6");
 }

@@ -49,7 +49,7 @@ void expectDrawable(const MarkerArray& markers)
   {
     SCOPED_TRACE(marker.ns + " " + std::to_string(marker.id));
     EXPECT_EQ(marker.header.frame_id, "track");
-    EXPECT_TRUE(keys.emplace(marker.ns, marker.id).second) << "namespace and number must be unique";
+    EXPECT_TRUE(keys.emplace(marker.ns, marker.id).second) << "namespace and number are not unique";
     EXPECT_GT(marker.color.a, 0);
     const auto& q = marker.pose.orientation;
     EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1, 1e-12);
@@ -82,21 +82,21 @@ TEST_F(Picture, BothWheelProfilesLieOnTheirWheels)
         tread = radius;
       }
     }
-    EXPECT_NEAR(tread, wheelset.rolling_radius, 2e-4) << "within 2 mm of the running circle, on a slope of 1:40 or so";
-    EXPECT_NEAR(tip, wheelset.rolling_radius + 0.028, 2e-4) << "S1002's flange is 28 mm high";
+    EXPECT_NEAR(tread, wheelset.rolling_radius, 2e-4) << "within 2 mm of the running circle, at a slope of about 1:40";
+    EXPECT_NEAR(tip, wheelset.rolling_radius + 0.028, 2e-4) << "the flange of S1002 is 28 mm high";
   }
 }
 
-TEST_F(Picture, CanBeDrawn)
+TEST_F(Picture, MarkersAreValid)
 {
   expectDrawable(draw());
   expectDrawable(profileMarkers(config));
 }
 
-TEST_F(Picture, PatchLiesAtItsPlaceInTrueSize)
+TEST_F(Picture, TruePatchHasItsPositionAndSize)
 {
   const Marker patch = findMarker(draw(), "patch", 16);
-  EXPECT_NEAR(width(patch), 10e-3, 2.1e-3) << "8 mm wide, up to a cell more on either edge";
+  EXPECT_NEAR(width(patch), 10e-3, 2.1e-3) << "width of 8 mm, plus up to one cell at each edge";
   for (const auto& p : patch.points)
   {
     EXPECT_NEAR(p.x, 3, 0.010);
@@ -105,13 +105,14 @@ TEST_F(Picture, PatchLiesAtItsPlaceInTrueSize)
   }
 }
 
-TEST_F(Picture, MagnifiedPatchStandsAboveItsRail)
+TEST_F(Picture, MagnifiedPatchIsAboveItsRail)
 {
   const MarkerArray markers = draw();
   const Marker& zoomed = findMarker(markers, "zoom", 0);
-  // The patch is 8 mm wide; the drawn edge lies up to a quarter of a cell of 1 mm outside on either side.
+  // The patch is 8 mm wide. On each side the drawn edge is at most a quarter of a cell of 1 mm outside.
   EXPECT_NEAR(width(zoomed), config.markers.zoom * 8e-3, config.markers.zoom * 0.5e-3);
-  // 0.005 m: half the magnified width of 8 mm * 30, inclined by 0.03, and the cells beside the patch's middle.
+  // The bound of 0.005 m allows for half the magnified width of 8 mm * 30 at an inclination of 0.03 rad, and for the
+  // distance of the cell centres from the centre of the patch.
   const double height =
       config.markers.pressure_height * result.patches[0].pressure.maxCoeff() / config.markers.max_pressure;
   EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + height, 0.005);
@@ -131,7 +132,7 @@ TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)
   EXPECT_GT(right_end(flange), right_end(tread) + width(tread));
 }
 
-TEST_F(Picture, ColourFollowsThePressure)
+TEST_F(Picture, ColourRepresentsThePressure)
 {
   const Marker zoomed = findMarker(draw(), "zoom", 0);
   const auto top = std::max_element(zoomed.points.begin(), zoomed.points.end(),
@@ -143,16 +144,16 @@ TEST_F(Picture, ColourFollowsThePressure)
   EXPECT_NEAR(color.b, expected.b, 1e-6);
 }
 
-TEST_F(Picture, ArrowPressesIntoTheRailWithTheForcesLength)
+TEST_F(Picture, ForceArrowPointsIntoTheRailAndHasTheLengthOfTheForce)
 {
   const Marker arrow = findMarker(draw(), "force", 0);
   const auto &narrow_end = arrow.points[0], &head = arrow.points[1];
   EXPECT_NEAR(std::hypot(head.y - narrow_end.y, head.z - narrow_end.z), config.markers.force_scale * 1e5, 1e-12);
   EXPECT_LT(head.z, narrow_end.z);
-  EXPECT_GT(head.y, narrow_end.y) << "on the left the force of a tread pushes outward";
+  EXPECT_GT(head.y, narrow_end.y) << "on the left rail the force on the tread points outward";
 }
 
-TEST_F(Picture, LabelTellsPressureAndArea)
+TEST_F(Picture, LabelGivesPressureAndArea)
 {
   EXPECT_EQ(findMarker(draw(), "label", 0).text, "982 MPa\n192 mm²");
 }
@@ -183,7 +184,7 @@ TEST_F(Picture, VanishedPatchIsDeleted)
   MarkerArray third = draw();
   const std::size_t count = third.markers.size();
   appendDeletions(now, output.header, third);
-  EXPECT_EQ(third.markers.size(), count) << "deleted once only";
+  EXPECT_EQ(third.markers.size(), count) << "a marker is deleted only once";
 }
 
 TEST_F(Picture, UnusableResultShowsItsReason)
@@ -207,7 +208,7 @@ TEST_F(Picture, PartsCanBeSwitchedOff)
   }
 }
 
-TEST(ColorMap, GetsBrighterAllTheWay)
+TEST(ColorMap, BrightnessIncreasesWithTheValue)
 {
   const auto brightness = [](double t)
   {
@@ -220,7 +221,7 @@ TEST(ColorMap, GetsBrighterAllTheWay)
   }
 }
 
-TEST(ColorMap, ClampsWhatIsOutside)
+TEST(ColorMap, ValuesOutsideAreClamped)
 {
   EXPECT_EQ(colorOf(-3).b, colorOf(0).b);
   EXPECT_EQ(colorOf(7).r, colorOf(1).r);

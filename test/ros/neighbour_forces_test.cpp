@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/neighbour_forces.h"
+#include "ros/evaluation/neighbour_forces.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ NodeConfig configWith(std::size_t neighbours)
   return config;
 }
 
-/// An answer with lateral forces [N] on both rails at a time [s].
+/// A result with a stamp [s] and lateral forces on both rails [N].
 NeighbourResult resultAt(double time, double left, double right = 0)
 {
   NeighbourResult result;
@@ -34,21 +34,21 @@ NeighbourResult resultAt(double time, double left, double right = 0)
   return result;
 }
 
-/// Lateral force on the left rail that counts at a time [N].
-double countedAt(const NeighbourForces& forces, double time)
+/// Lateral force of the neighbours [N] that is used for the left rail at a stamp [s].
+double forceAt(const NeighbourForces& forces, double time)
 {
   return forces.effectAt(ros::Time(time)).deflection[0].lateral / compliance;
 }
 }  // namespace
 
-// More patches are claimed than any memory holds.
-TEST(NeighbourForces, ResultIsReadUpToItsPatches)
+// The message gives a number of patches that no memory can hold.
+TEST(NeighbourForces, ResultIsReadWithoutItsPatches)
 {
   WheelsetContact message;
   message.header.stamp = ros::Time(10);
   message.header.frame_id = "track";
   message.status = WheelsetContact::LIFT_OFF;
-  message.status_text = "the left wheel carries nothing";
+  message.status_text = "the left wheel carries no load";
   message.left_rail.lateral_force = 1e3;
   message.right_rail.moment = 2e3;
   std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
@@ -66,73 +66,74 @@ TEST(NeighbourForces, ResultIsReadUpToItsPatches)
   EXPECT_EQ(result.right_rail, message.right_rail);
 }
 
-TEST(NeighbourForces, TellsWhetherEveryNeighboursForcesAreKnown)
+TEST(NeighbourForces, EffectIsCompleteIfTheForcesOfAllNeighboursAreKnown)
 {
   EXPECT_TRUE(NeighbourForces(configWith(0)).effectAt(ros::Time(10)).complete);
   NeighbourForces forces(configWith(2));
   forces.add(0, resultAt(10.0, 1e3));
-  EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete) << "the second one is silent";
+  EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete) << "no result of the second neighbour";
   forces.add(1, resultAt(10.1, 0));
   EXPECT_FALSE(forces.effectAt(ros::Time(10.1)).complete);
-  EXPECT_TRUE(forces.effectAt(ros::Time(10.2)).complete) << "no force is one that is known";
-  EXPECT_FALSE(forces.effectAt(ros::Time(11.05)).complete) << "the first one's is too old";
+  EXPECT_TRUE(forces.effectAt(ros::Time(10.2)).complete) << "a force of zero is a known force";
+  EXPECT_FALSE(forces.effectAt(ros::Time(11.05)).complete) << "the result of the first neighbour is too old";
 }
 
-TEST(NeighbourForces, NewestResultBeforeTheStampCounts)
+TEST(NeighbourForces, NewestResultBeforeTheStampIsUsed)
 {
   NeighbourForces forces(configWith(1));
-  EXPECT_EQ(countedAt(forces, 10.0), 0) << "no answer yet";
+  EXPECT_EQ(forceAt(forces, 10.0), 0) << "no result yet";
   forces.add(0, resultAt(10.00, 1e3));
   forces.add(0, resultAt(10.25, 2e3));
   forces.add(0, resultAt(10.50, 3e3));
-  EXPECT_EQ(countedAt(forces, 10.00), 0) << "an answer of the same step depends on the order of arrival";
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.25), 1e3);
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.375), 2e3);
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.50), 2e3);
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.75), 3e3);
+  EXPECT_EQ(forceAt(forces, 10.00), 0) << "a result with the same stamp must not be used";
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.25), 1e3);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.375), 2e3);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.50), 2e3);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.75), 3e3);
 }
 
-TEST(NeighbourForces, ResultOlderThanASecondCountsNoMore)
+TEST(NeighbourForces, ResultOlderThanASecondIsNotUsed)
 {
   NeighbourForces forces(configWith(1));
   forces.add(0, resultAt(10, 1e3));
-  EXPECT_DOUBLE_EQ(countedAt(forces, 11), 1e3);
-  EXPECT_EQ(countedAt(forces, 11.001), 0);
-  constexpr double last_stamp_there_is = 4294967295.0;  // in a ros::Time; a difference of stamps may not fit a Duration
-  EXPECT_EQ(countedAt(forces, last_stamp_there_is), 0);
-  EXPECT_FALSE(forces.effectAt(ros::Time(last_stamp_there_is)).complete);
-  EXPECT_TRUE(forces.reachBackFrom(ros::Time(last_stamp_there_is)));
+  EXPECT_DOUBLE_EQ(forceAt(forces, 11), 1e3);
+  EXPECT_EQ(forceAt(forces, 11.001), 0);
+  // The difference to the largest stamp of a ros::Time does not fit in a ros::Duration.
+  constexpr double largest_stamp = 4294967295.0;
+  EXPECT_EQ(forceAt(forces, largest_stamp), 0);
+  EXPECT_FALSE(forces.effectAt(ros::Time(largest_stamp)).complete);
+  EXPECT_TRUE(forces.reachBackFrom(ros::Time(largest_stamp)));
 }
 
-TEST(NeighbourForces, UnusableResultIsNoForce)
+TEST(NeighbourForces, UnusableResultGivesNoForce)
 {
   NeighbourForces forces(configWith(1));
   forces.add(0, resultAt(10.0, 1e3));
   NeighbourResult unusable = resultAt(10.1, 2e3);
   unusable.status = WheelsetContact::NOT_CONVERGED;
   forces.add(0, unusable);
-  EXPECT_EQ(countedAt(forces, 10.2), 0);
+  EXPECT_EQ(forceAt(forces, 10.2), 0);
   EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete);
   NeighbourResult lifted = resultAt(10.2, 3e3);
   lifted.status = WheelsetContact::LIFT_OFF;
   forces.add(0, lifted);
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.3), 3e3);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.3), 3e3);
   forces.add(0, resultAt(10.3, std::nan("")));
-  EXPECT_EQ(countedAt(forces, 10.4), 0);
+  EXPECT_EQ(forceAt(forces, 10.4), 0);
   EXPECT_FALSE(forces.effectAt(ros::Time(10.4)).complete);
 }
 
-TEST(NeighbourForces, ResultsOfALoopBeforeAreForgotten)
+TEST(NeighbourForces, ResultsOfThePreviousLoopAreDiscarded)
 {
   NeighbourForces forces(configWith(1));
   forces.add(0, resultAt(10.0, 1e3));
   forces.add(0, resultAt(10.4, 2e3));
   forces.add(0, resultAt(10.2, 3e3));
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.2), 1e3);
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.5), 3e3);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.2), 1e3);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.5), 3e3);
 }
 
-TEST(NeighbourForces, NeighboursAddUpAndEachRailHasItsOwn)
+TEST(NeighbourForces, EffectsOfNeighboursAddUpOnEachRail)
 {
   NeighbourForces forces(configWith(2));
   forces.add(0, resultAt(10.0, 1e3, 5e3));
@@ -140,16 +141,17 @@ TEST(NeighbourForces, NeighboursAddUpAndEachRailHasItsOwn)
   const auto moved = forces.effectAt(ros::Time(10.2)).deflection;
   EXPECT_DOUBLE_EQ(moved[0].lateral, compliance * 3e3);
   EXPECT_DOUBLE_EQ(moved[1].lateral, compliance * 3e3);
-  EXPECT_EQ(countedAt(forces, 10.1), compliance * 1e3 / compliance) << "the second one's is of the same step";
+  EXPECT_EQ(forceAt(forces, 10.1), compliance * 1e3 / compliance)
+      << "the result of the second neighbour has the same stamp";
 }
 
-TEST(NeighbourForces, KeepsTheNewestResultsOnly)
+TEST(NeighbourForces, OnlyTheNewestResultsAreStored)
 {
   NeighbourForces forces(configWith(1));
-  for (std::size_t i = 0; i <= NeighbourForces::most_kept; ++i)
+  for (std::size_t i = 0; i <= NeighbourForces::capacity; ++i)
   {
     forces.add(0, resultAt(10 + 1e-4 * static_cast<double>(i), 1e3));
   }
-  EXPECT_EQ(countedAt(forces, 10.00005), 0);
-  EXPECT_DOUBLE_EQ(countedAt(forces, 10.00015), 1e3);
+  EXPECT_EQ(forceAt(forces, 10.00005), 0);
+  EXPECT_DOUBLE_EQ(forceAt(forces, 10.00015), 1e3);
 }

@@ -7,7 +7,7 @@
 
 using wheel_rail_contact::NewestQueue;
 
-TEST(NewestQueue, KeepsTheNewestInOrderAndCountsTheRest)
+TEST(NewestQueue, KeepsTheNewestEntriesInOrderAndCountsTheOthers)
 {
   NewestQueue<int> queue(3);
   for (int i = 1; i <= 5; ++i)
@@ -20,19 +20,19 @@ TEST(NewestQueue, KeepsTheNewestInOrderAndCountsTheRest)
   EXPECT_EQ(queue.dropped(), 2U);
 }
 
-TEST(NewestQueue, WaitingForAnEntryEndsWithIt)
+TEST(NewestQueue, WaitingEndsWithAnEntry)
 {
   NewestQueue<int> queue(1);
   EXPECT_FALSE(queue.waitForEntry(0.001));
   std::thread writer([&queue] { queue.push(1); });
   EXPECT_TRUE(queue.waitForEntry(60));
   writer.join();
-  EXPECT_EQ(queue.pop(), 1) << "it is still there";
+  EXPECT_EQ(queue.pop(), 1) << "waiting must not remove the entry";
   queue.close();
   EXPECT_TRUE(queue.waitForEntry(60));
 }
 
-TEST(NewestQueue, CloseLetsAWaitingReaderGo)
+TEST(NewestQueue, ClosingEndsTheWaitingOfTheReader)
 {
   NewestQueue<int> queue(1);
   std::thread reader([&queue] { EXPECT_EQ(queue.pop(), std::nullopt); });

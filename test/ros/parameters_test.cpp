@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/package.h>
 
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <string>
@@ -33,7 +34,7 @@ NodeConfig read(const ParameterTree& tree)
   return readNodeConfig(tree, "/contact_node/", testing::TempDir());
 }
 
-/// What the reader says of a tree that it must refuse.
+/// Message with which a tree is refused; "accepted" if it is not.
 std::string refusal(const ParameterTree& tree)
 {
   try
@@ -54,13 +55,13 @@ bool contains(const std::string& text, const std::string& part)
 
 struct Mistake
 {
-  const char* yaml;   ///< laid over config/default.yaml
-  const char* name;   ///< that the message must hold
-  const char* value;  ///< that the message must hold
+  const char* yaml;   ///< replaces values of config/default.yaml
+  const char* name;   ///< text that the message must contain
+  const char* value;  ///< text that the message must contain
 };
 }  // namespace
 
-TEST(Parameters, DefaultFileNamesExactlyTheKnownParameters)
+TEST(Parameters, DefaultFileListsExactlyTheKnownParameters)
 {
   std::set<std::string> names;
   for (const auto& entry : defaults())
@@ -70,7 +71,7 @@ TEST(Parameters, DefaultFileNamesExactlyTheKnownParameters)
   EXPECT_EQ(names, parameterNames());
 }
 
-TEST(Parameters, DefaultFileHoldsTheDefaultsOfTheCode)
+TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
 {
   const NodeConfig file = read(defaults());
   const NodeConfig code;
@@ -108,7 +109,7 @@ TEST(Parameters, DefaultFileHoldsTheDefaultsOfTheCode)
   EXPECT_EQ(file.model.rail_profile->name(), "60E1");
 }
 
-TEST(Parameters, ProfilesAloneAreEnough)
+TEST(Parameters, OnlyTheProfilesAreRequired)
 {
   const NodeConfig config = read(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: 60E1}}")));
   EXPECT_EQ(config.model.track.gauge, core::TrackConfig().gauge);
@@ -123,7 +124,7 @@ TEST(Parameters, NumbersMayBeWrittenAsStrings)
   }
 }
 
-TEST(Parameters, RailNamed60E1IsFoundWhereRosTakesItForANumber)
+TEST(Parameters, RailName60E1IsFoundWhenRosReadsItAsANumber)
 {
   XmlRpc::XmlRpcValue server;
   server["wheel"]["profile"] = "S1002";
@@ -131,7 +132,7 @@ TEST(Parameters, RailNamed60E1IsFoundWhereRosTakesItForANumber)
   EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile->name(), "60E1");
 }
 
-TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
+TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
 {
   const std::vector<Mistake> mistakes{
       {"track: {gauge: wide}", "track/gauge", "wide"},
@@ -199,7 +200,7 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
        "neighbours: [{topic: front, distance: 3}]}",
        "rail_bending/neighbours/distance", "1.8 m to 2.5 m"},
       {"rail_bending: {model: compliance, table: config/rails/paper.yaml, neighbours: [{topic: front, distance: 2.5}]}",
-       "rail_bending/neighbours/distance", "it has none"},
+       "rail_bending/neighbours/distance", "the table has none"},
       {"contact: {method: magic}", "contact/method",
        "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
       {"contact: {tolerance: 0}", "contact/tolerance", "0"},
@@ -227,13 +228,13 @@ TEST(Parameters, EachSingleMistakeIsRefusedWithItsName)
   }
 }
 
-TEST(Parameters, EveryParameterRefusesAValueOfTheWrongTypeAndEveryNumberOneThatIsNone)
+TEST(Parameters, EveryParameterRefusesAWrongTypeAndEveryNumberANonFiniteValue)
 {
   const ParameterTree good = defaults();
   const auto expect_refused = [&good](const std::string& name, const YAML::Node& value)
   {
     ParameterTree tree = good;
-    tree.erase(name);  // a node that is assigned to would change in all copies of the tree
+    tree.erase(name);  // assignment to a YAML node would change it in all copies of the tree
     tree.emplace(name, value);
     EXPECT_TRUE(contains(refusal(tree), "/contact_node/" + name)) << name << " = " << value << ": " << refusal(tree);
   };
@@ -242,25 +243,25 @@ TEST(Parameters, EveryParameterRefusesAValueOfTheWrongTypeAndEveryNumberOneThatI
     expect_refused(name, YAML::Load("[[1, 2]]"));
     expect_refused(name + "s", YAML::Load("1"));
     double number = 0;
-    for (const char* none : {".nan", "nan", ".inf", "-.inf", "1e999", "one", "true"})
+    for (const char* invalid : {".nan", "nan", ".inf", "-.inf", "1e999", "one", "true"})
     {
       if (YAML::convert<double>::decode(good.at(name), number))
       {
-        expect_refused(name, YAML::Node(none));
+        expect_refused(name, YAML::Node(invalid));
       }
     }
   }
 }
 
-TEST(Parameters, EveryNumberButForcesRefusesMinusOne)
+TEST(Parameters, EveryNumberExceptForcesRefusesMinusOne)
 {
-  // Of the grid's two numbers, which go together, the first one is named.
-  const std::set<std::string> others{"rail_bending/lateral_force", "contact/grid/across"};
+  // An error in one of the two numbers of the grid is reported with the name of the first one.
+  const std::set<std::string> exceptions{"rail_bending/lateral_force", "contact/grid/across"};
   for (const std::string& name : parameterNames())
   {
     ParameterTree tree = defaults();
     double number = 0;
-    if (YAML::convert<double>::decode(tree.at(name), number) && others.count(name) == 0)
+    if (YAML::convert<double>::decode(tree.at(name), number) && exceptions.count(name) == 0)
     {
       tree.erase(name);
       tree.emplace(name, YAML::Node("-1"));
@@ -279,13 +280,67 @@ TEST(Parameters, MissingRequiredValueIsRefused)
   EXPECT_TRUE(contains(refusal({}), "wheel/profile is missing"));
 }
 
-TEST(Parameters, OverlayWinsAndKeepsTheRest)
+TEST(Parameters, OverlayReplacesOnlyTheGivenValues)
 {
   const NodeConfig config = read(with("{track: {rail_inclination: 0.05}, wheelset: {free: []}, sync: {slop: 0.004}}"));
   EXPECT_EQ(config.model.track.rail_inclination, 0.05);
   EXPECT_EQ(config.model.track.gauge, core::TrackConfig().gauge);
   EXPECT_FALSE(config.model.wheelset.solve_height_and_roll);
   EXPECT_EQ(config.slop, 0.004);
+}
+
+// "1:40" is the text that YAML 1.2 parsers and quotes give. 100 = 60 + 40 is the sexagesimal number that rosparam makes
+// of an unquoted 1:40. Both give the same bits as atan(1/40).
+TEST(Parameters, RailInclinationIsAnAngleOrARatio)
+{
+  const auto inclination = [](const std::string& value)
+  { return read(with("track: {rail_inclination: " + value + "}")).model.track.rail_inclination; };
+  EXPECT_EQ(inclination("0.025"), 0.025);
+  EXPECT_EQ(inclination("0"), 0);
+  EXPECT_EQ(inclination("-0.025"), -0.025);
+  EXPECT_EQ(inclination("'1:40'"), std::atan(1.0 / 40));
+  EXPECT_EQ(inclination("1:40"), std::atan(1.0 / 40));
+  EXPECT_EQ(inclination("1:20"), std::atan(1.0 / 20));
+  EXPECT_EQ(inclination("1:40.5"), std::atan(1 / 40.5));
+  EXPECT_EQ(inclination("1:100"), std::atan(1.0 / 100));
+  EXPECT_EQ(inclination("100"), std::atan(1.0 / 40));
+  EXPECT_EQ(inclination("80"), std::atan(1.0 / 20));
+  EXPECT_EQ(inclination("100.5"), std::atan(1 / 40.5));
+
+  XmlRpc::XmlRpcValue server;
+  server["wheel"]["profile"] = "S1002";
+  server["rail"]["profile"] = "60E1";
+  server["track"]["rail_inclination"] = 100;
+  EXPECT_EQ(read(parameterTree(toYaml(server))).model.track.rail_inclination, std::atan(1.0 / 40));
+}
+
+TEST(Parameters, InvalidRailInclinationIsRefused)
+{
+  for (const char* text : {"1:0", "1:-3", "1:x", "'1:'", "1:.nan", "1:.inf", "1:40:0", "-1:40", "2:40", "1/40",
+                           "'1:40 '", "' 1:40'", ".nan", ".inf", "[1, 40]"})
+  {
+    const std::string message = refusal(with(std::string("track: {rail_inclination: ") + text + "}"));
+    EXPECT_TRUE(contains(message, "/contact_node/track/rail_inclination = ") &&
+                contains(message, " must be a finite number [rad] or a ratio 1:N with a finite N > 0"))
+        << text << "\n  gave: " << message;
+  }
+  // The core permits up to 0.2 rad, which is 1:4.93. 61 is the ratio 1:1. 60 and 120 are angles in radians.
+  for (const char* text : {"1.4", "-0.3", "1:1", "61", "1:4", "64", "60", "120", "-100"})
+  {
+    const std::string message = refusal(with(std::string("track: {rail_inclination: ") + text + "}"));
+    EXPECT_TRUE(contains(message, "/contact_node/track/rail_inclination = ") && contains(message, "0.2 rad"))
+        << text << "\n  gave: " << message;
+  }
+}
+
+TEST(Parameters, FormerNameOfTheRailInclinationIsRefusedWithTheNewName)
+{
+  for (const char* yaml : {"track: {cant: 0.025}", "track: {cant: 0.025, rail_inclination: 0.025}"})
+  {
+    const std::string message = refusal(with(yaml));
+    EXPECT_TRUE(contains(message, "/contact_node/track/cant = 0.025") && contains(message, "track/rail_inclination"))
+        << yaml << "\n  gave: " << message;
+  }
 }
 
 TEST(Parameters, LateralForceIsAWordOrANumber)
@@ -297,7 +352,7 @@ TEST(Parameters, LateralForceIsAWordOrANumber)
   EXPECT_EQ(bending.lateral_force_value, 30000);
 }
 
-TEST(Parameters, NeighboursGetTheTablesInfluenceAtTheirDistance)
+TEST(Parameters, NeighboursHaveTheCompliancesOfTheTableAtTheirDistance)
 {
   EXPECT_TRUE(read(defaults()).neighbours.empty());
   const NodeConfig config = read(
@@ -306,7 +361,7 @@ TEST(Parameters, NeighboursGetTheTablesInfluenceAtTheirDistance)
   ASSERT_EQ(config.neighbours.size(), 2U);
   EXPECT_EQ(config.neighbours[0].topic, "/front/contact_node/contact");
   EXPECT_EQ(config.neighbours[0].distance, 2.5);
-  EXPECT_EQ(config.neighbours[0].influence.lateral_lateral, 2.1963e-8);  // as the table has it
+  EXPECT_EQ(config.neighbours[0].influence.lateral_lateral, 2.1963e-8);  // value in the table
   EXPECT_EQ(config.neighbours[1].influence.roll_roll, 1.5081e-6);
 }
 
@@ -323,7 +378,7 @@ TEST(Parameters, TableIsFoundByPackageByDirectoryAndInThisPackage)
   }
 }
 
-TEST(Parameters, ServerAndFileGiveTheSameNumbersToTheLastBit)
+TEST(Parameters, NumbersOfTheParameterServerKeepTheirExactValue)
 {
   for (const double value : {0.1, 1.0 / 3.0, 1.435, 2.1e11, 6.05e-8, 1e22, 1e-300, 1.7976931348623157e308})
   {
@@ -334,7 +389,7 @@ TEST(Parameters, ServerAndFileGiveTheSameNumbersToTheLastBit)
   }
 }
 
-TEST(Parameters, ParameterServerTypesBecomeYaml)
+TEST(Parameters, ParameterServerTypesAreConvertedToYaml)
 {
   XmlRpc::XmlRpcValue server;
   server["a"] = 5;
@@ -352,7 +407,7 @@ TEST(Parameters, ParameterServerTypesBecomeYaml)
   EXPECT_TRUE(parameterTree(toYaml(XmlRpc::XmlRpcValue())).empty());
 }
 
-TEST(Parameters, DocumentsThatAreNoParametersAreRefused)
+TEST(Parameters, InvalidDocumentsAreRefused)
 {
   EXPECT_THROW(parameterTree(YAML::Load("[1, 2]")), std::invalid_argument);
   EXPECT_THROW(parameterTree(YAML::Load("5")), std::invalid_argument);

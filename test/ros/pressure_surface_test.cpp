@@ -42,7 +42,7 @@ Eigen::ArrayXXd hertzOn(const core::PatchGrid& grid)
 }
 }  // namespace
 
-TEST(PressureSurface, FollowsHertzAndItsEdgeBetweenCoarseCells)
+TEST(PressureSurface, ApproximatesHertzBetweenCoarseCells)
 {
   const core::PatchGrid grid = coarseGrid();
   const PressureSurface surface(grid, hertzOn(grid), 40);
@@ -53,15 +53,15 @@ TEST(PressureSurface, FollowsHertzAndItsEdgeBetweenCoarseCells)
     {
       const double x = surface.x(i), y = surface.y(j);
       largest = std::max(largest, std::abs(surface.pressure(i, j) - hertz(x, y)));
-      // A third of a cell: the edge is continued linearly while the square of Hertz's pressure is a parabola.
+      // A third of a cell: the squared pressure is extrapolated linearly, but is a parabola in Hertzian contact.
       const double scale = 1 + 0.33 * grid.dx / a;
       EXPECT_TRUE(surface.pressure(i, j) == 0 || hertz(x / scale, y / scale) > 0) << x << " " << y;
     }
   }
-  EXPECT_LT(largest, 0.25 * peak) << "the error is largest where the pressure rises steeply from its edge";
+  EXPECT_LT(largest, 0.25 * peak) << "the error is largest at the steep edge of the pressure";
 }
 
-TEST(PressureSurface, CellCentresKeepTheirPressure)
+TEST(PressureSurface, PressureAtCellCentresIsUnchanged)
 {
   const core::PatchGrid grid = coarseGrid();
   const Eigen::ArrayXXd pressure = hertzOn(grid);
@@ -84,7 +84,7 @@ TEST(PressureSurface, CellCentresKeepTheirPressure)
   EXPECT_EQ(found, grid.nx * grid.ny);
 }
 
-TEST(PressureSurface, IsClosedWherePressureReachesTheGridsBorder)
+TEST(PressureSurface, PressureIsZeroBeyondALoadedBorderOfTheGrid)
 {
   const core::PatchGrid grid = coarseGrid();
   const PressureSurface surface(grid, Eigen::ArrayXXd::Constant(grid.nx, grid.ny, peak), 1);
@@ -100,7 +100,7 @@ TEST(PressureSurface, IsClosedWherePressureReachesTheGridsBorder)
   }
 }
 
-TEST(PressureSurface, OneLoadedCellIsASmallHill)
+TEST(PressureSurface, PressureOfOneLoadedCellEndsAtItsNeighbours)
 {
   const core::PatchGrid grid = coarseGrid();
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(grid.nx, grid.ny);
@@ -119,7 +119,7 @@ TEST(PressureSurface, OneLoadedCellIsASmallHill)
   }
 }
 
-TEST(PressureSurface, TrianglesCoverTheEllipseAndEndOnIt)
+TEST(PressureSurface, TrianglesCoverTheEllipse)
 {
   const core::PatchGrid grid = coarseGrid();
   const auto points = PressureSurface(grid, hertzOn(grid), 40).triangles();
@@ -129,10 +129,10 @@ TEST(PressureSurface, TrianglesCoverTheEllipseAndEndOnIt)
   {
     const auto &p = points[i], &q = points[i + 1], &r = points[i + 2];
     const double twice = (q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y);
-    EXPECT_GE(twice, 0) << "all turn the same way";
+    EXPECT_GE(twice, 0) << "all triangles must have the same orientation";
     area += 0.5 * twice;
   }
-  // The continuation beyond the last loaded cell is too flat; with 8 cells over the longer axis the area is 5 % too
+  // The extrapolation beyond the last loaded cell is too flat. With 8 cells over the longer axis the area is 5 % too
   // large.
   EXPECT_NEAR(area / (M_PI * a * b), 1, 0.06);
 }
@@ -146,7 +146,7 @@ TEST(PressureSurface, OutlineLiesOnTheEllipse)
   for (const auto& p : points)
   {
     EXPECT_EQ(p.pressure, 0);
-    // A third of a cell, as above.
+    // A third of a cell, for the same reason as above.
     EXPECT_NEAR(std::hypot(p.x / a, p.y / b), 1, 0.33 * grid.dx / a);
   }
 }

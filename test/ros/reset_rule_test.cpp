@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/reset_rule.h"
+#include "ros/evaluation/reset_rule.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@ using namespace wheel_rail_contact;
 
 namespace
 {
-/// Places in the sequence of stamps [ms] at which an evaluator starts anew.
-std::vector<std::size_t> starts(const std::vector<int>& stamps)
+/// Indices of the stamps [ms] at which the warm start is reset.
+std::vector<std::size_t> resets(const std::vector<int>& stamps)
 {
   ResetRule rule;
   std::vector<std::size_t> result;
@@ -25,31 +25,31 @@ std::vector<std::size_t> starts(const std::vector<int>& stamps)
 }
 }  // namespace
 
-TEST(Reset, ComesAtTheFirstInputAndAtEveryWholeSecond)
+TEST(WarmStartReset, OccursAtTheFirstInputAndAtEveryWholeSecond)
 {
-  EXPECT_EQ(starts({500, 700, 999, 1000, 1999, 2000, 5000}), (std::vector<std::size_t>{0, 3, 5, 6}));
+  EXPECT_EQ(resets({500, 700, 999, 1000, 1999, 2000, 5000}), (std::vector<std::size_t>{0, 3, 5, 6}));
 }
 
-TEST(Reset, ComesWhenTimeDoesNotRise)
+TEST(WarmStartReset, OccursWhenAStampDoesNotIncrease)
 {
-  EXPECT_EQ(starts({500, 700, 600, 610, 610}), (std::vector<std::size_t>{0, 2, 4}));
+  EXPECT_EQ(resets({500, 700, 600, 610, 610}), (std::vector<std::size_t>{0, 2, 4}));
 }
 
-TEST(Reset, ComesAfterTwoHundredInputsOfOneSecond)
+TEST(WarmStartReset, OccursAfterTwoHundredInputsOfOneSecond)
 {
   std::vector<int> stamps;
   for (int i = 0; i < 450; ++i)
   {
     stamps.push_back(2000 + 2 * i);
   }
-  EXPECT_EQ(starts(stamps), (std::vector<std::size_t>{0, 200, 400}));
+  EXPECT_EQ(resets(stamps), (std::vector<std::size_t>{0, 200, 400}));
 }
 
-// Whoever begins in the middle agrees from the next whole second on.
-TEST(Reset, DoesNotDependOnWhatWasMissed)
+// Two evaluators that begin at different inputs have the same resets from the next whole second on.
+TEST(WarmStartReset, DoesNotDependOnInputsOfEarlierSeconds)
 {
   const std::vector<int> all{100, 300, 900, 1100, 1200, 2100};
   const std::vector<int> late{900, 1100, 1200, 2100};
-  EXPECT_EQ(starts(all), (std::vector<std::size_t>{0, 3, 5}));
-  EXPECT_EQ(starts(late), (std::vector<std::size_t>{0, 1, 3}));
+  EXPECT_EQ(resets(all), (std::vector<std::size_t>{0, 3, 5}));
+  EXPECT_EQ(resets(late), (std::vector<std::size_t>{0, 1, 3}));
 }

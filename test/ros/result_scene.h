@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "ros/evaluation/contact_evaluator.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/node/contact_evaluator.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
@@ -20,7 +20,7 @@ inline NodeConfig exampleConfig()
                         "");
 }
 
-/// An answer with one Hertz-like patch on either side, drawn without solving anything.
+/// A result with one patch on each side, with an elliptic pressure as in Hertzian contact. It is not a solution.
 class ResultScene : public testing::Test
 {
  protected:

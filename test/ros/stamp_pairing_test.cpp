@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/stamp_pairing.h"
+#include "ros/evaluation/stamp_pairing.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +15,11 @@ using namespace wheel_rail_contact;
 
 namespace
 {
-/// Samples are the milliseconds of their stamps.
+/// Each sample is its own stamp [ms].
 using Pairing = StampPairing<int>;
 using Sets = std::vector<std::vector<int>>;
 
-constexpr std::size_t plenty = 1000;
+constexpr std::size_t large_capacity = 1000;
 
 ros::Time at(int milliseconds)
 {
@@ -47,9 +47,9 @@ void expectNothingLost(const Pairing& pairing)
 }
 }  // namespace
 
-TEST(StampPairing, ResultsEqualStampsInOrderWhicheverChannelComesFirst)
+TEST(StampPairing, EqualStampsArePairedInOrder)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   for (const int t : {1, 2, 3})
   {
@@ -64,17 +64,17 @@ TEST(StampPairing, ResultsEqualStampsInOrderWhicheverChannelComesFirst)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, WithoutSlopOneNanosecondIsTooFar)
+TEST(StampPairing, WithoutSlopADifferenceOfOneNanosecondIsNotPaired)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   EXPECT_FALSE(pairing.add(0, ros::Time(10, 0), 0));
   EXPECT_FALSE(pairing.add(1, ros::Time(10, 1), 0));
-  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U) << "the older one can find no partner any more";
+  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U) << "the older sample can no longer be matched";
 }
 
-TEST(StampPairing, SampleWithoutPartnerIsDroppedAndCounted)
+TEST(StampPairing, UnmatchedSampleIsDroppedAndCounted)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   for (const int t : {1, 2, 3})
   {
@@ -89,9 +89,9 @@ TEST(StampPairing, SampleWithoutPartnerIsDroppedAndCounted)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, PairsWithinTheSlopAndNotBeyond)
+TEST(StampPairing, StampsArePairedOnlyWithinTheSlop)
 {
-  Pairing pairing(2, 0.003, plenty);
+  Pairing pairing(2, 0.003, large_capacity);
   Sets sets;
   for (const int t : {100, 200, 300})
   {
@@ -106,9 +106,9 @@ TEST(StampPairing, PairsWithinTheSlopAndNotBeyond)
   EXPECT_EQ(pairing.counts().waiting, 1U);
 }
 
-TEST(StampPairing, FastChannelFindsTheSlowOnesPartners)
+TEST(StampPairing, FastAndSlowChannelsArePaired)
 {
-  Pairing pairing(2, 0.0004, plenty);
+  Pairing pairing(2, 0.0004, large_capacity);
   Sets sets;
   for (int t = 0; t <= 100; ++t)
   {
@@ -123,9 +123,9 @@ TEST(StampPairing, FastChannelFindsTheSlowOnesPartners)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, FourChannelsMustAllCome)
+TEST(StampPairing, SetOfFourChannelsNeedsASampleOfEach)
 {
-  Pairing pairing(4, 0, plenty);
+  Pairing pairing(4, 0, large_capacity);
   Sets sets;
   for (const std::size_t channel : {2U, 0U, 3U})
   {
@@ -136,15 +136,15 @@ TEST(StampPairing, FourChannelsMustAllCome)
   EXPECT_EQ(sets, (Sets{{5, 5, 5, 5}}));
 }
 
-TEST(StampPairing, OneChannelIsEvaluatedAtOnce)
+TEST(StampPairing, EachSampleOfASingleChannelIsASet)
 {
-  Pairing pairing(1, 0, plenty);
+  Pairing pairing(1, 0, large_capacity);
   Sets sets;
   add(pairing, 0, 7, sets);
   EXPECT_EQ(sets, (Sets{{7}}));
 }
 
-TEST(StampPairing, SetsDoNotDependOnHowTheChannelsInterleave)
+TEST(StampPairing, SetsDoNotDependOnTheOrderOfArrival)
 {
   const unsigned seed = 20111U;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -160,13 +160,13 @@ TEST(StampPairing, SetsDoNotDependOnHowTheChannelsInterleave)
   Sets first;
   for (int trial = 0; trial < 50; ++trial)
   {
-    Pairing pairing(2, 0.002, plenty);
+    Pairing pairing(2, 0.002, large_capacity);
     Sets sets;
     std::array<std::size_t, 2> next{};
     while (next[0] < stamps[0].size() || next[1] < stamps[1].size())
     {
-      const std::size_t wanted = random() % 2;
-      const std::size_t channel = next[wanted] < stamps[wanted].size() ? wanted : 1 - wanted;
+      const std::size_t drawn = random() % 2;
+      const std::size_t channel = next[drawn] < stamps[drawn].size() ? drawn : 1 - drawn;
       add(pairing, channel, stamps[channel][next[channel]++], sets);
     }
     expectNothingLost(pairing);
@@ -181,7 +181,7 @@ TEST(StampPairing, SetsDoNotDependOnHowTheChannelsInterleave)
 
 TEST(StampPairing, SecondSampleOfAStampIsADuplicate)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   add(pairing, 0, 1, sets);
   add(pairing, 0, 1, sets);
@@ -210,9 +210,9 @@ TEST(StampPairing, FullQueueKeepsTheNewest)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, BagLoopLosesOnlyWhatWasWaiting)
+TEST(StampPairing, BagLoopLosesOnlyWaitingSamples)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   for (int loop = 0; loop < 3; ++loop)
   {
@@ -221,7 +221,7 @@ TEST(StampPairing, BagLoopLosesOnlyWhatWasWaiting)
       add(pairing, 0, t, sets);
       add(pairing, 1, t, sets);
     }
-    add(pairing, 1, 4, sets);  // its pose is missing in the bag
+    add(pairing, 1, 4, sets);  // the bag has no pose with this stamp
   }
   EXPECT_EQ(sets.size(), 9U);
   EXPECT_EQ(dropped(pairing, DropReason::time_jump), 2U);
@@ -231,7 +231,7 @@ TEST(StampPairing, BagLoopLosesOnlyWhatWasWaiting)
 
 TEST(StampPairing, NewPosesWaitForLoadsThatGoBackLater)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   for (const int t : {1, 2, 3})
   {
@@ -250,7 +250,7 @@ TEST(StampPairing, NewPosesWaitForLoadsThatGoBackLater)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, SeamOfALoopLosesNothingHoweverTheChannelsInterleave)
+TEST(StampPairing, BagLoopLosesNoSetInAnyOrderOfArrival)
 {
   const unsigned seed = 20112U;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -258,12 +258,12 @@ TEST(StampPairing, SeamOfALoopLosesNothingHoweverTheChannelsInterleave)
   constexpr std::size_t loops = 5, samples = 20, channels = 3;
   for (int trial = 0; trial < 100; ++trial)
   {
-    Pairing pairing(channels, 0, plenty);
+    Pairing pairing(channels, 0, large_capacity);
     Sets sets;
     std::array<std::size_t, channels> sent{};
     while (sets.size() < loops * samples && *std::min_element(sent.begin(), sent.end()) < loops * samples)
     {
-      // No channel is a whole pass ahead of another: the passes could not be told apart then.
+      // No channel is a whole loop ahead of another, because the loops could not be distinguished then.
       const std::size_t channel = random() % channels;
       const std::size_t slowest = *std::min_element(sent.begin(), sent.end());
       if (sent[channel] < std::min(loops * samples, slowest + samples - 1))
@@ -282,9 +282,9 @@ TEST(StampPairing, SeamOfALoopLosesNothingHoweverTheChannelsInterleave)
   }
 }
 
-TEST(StampPairing, LateLoadMeetsItsPoseAfterThatOneWentBack)
+TEST(StampPairing, LateLoadIsPairedAfterThePosesHaveGoneBack)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   add(pairing, 0, 50, sets);
   add(pairing, 1, 50, sets);
@@ -296,14 +296,14 @@ TEST(StampPairing, LateLoadMeetsItsPoseAfterThatOneWentBack)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, ChannelThatWasNotBeyondTheNewTimeNeedNotGoBack)
+TEST(StampPairing, ChannelThatHasNotPassedTheNewTimeNeedNotGoBack)
 {
-  Pairing pairing(3, 0, plenty);
+  Pairing pairing(3, 0, large_capacity);
   Sets sets;
   for (const int t : {60, 70, 80})
   {
     add(pairing, 0, t, sets);
-    add(pairing, 1, t, sets);  // the third channel is not there yet
+    add(pairing, 1, t, sets);  // the third channel has no samples yet
   }
   for (const int t : {10, 20})
   {
@@ -316,9 +316,9 @@ TEST(StampPairing, ChannelThatWasNotBeyondTheNewTimeNeedNotGoBack)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, StragglerAtTheEndOfALoopedBagHarmsOnlyItsNeighbours)
+TEST(StampPairing, SampleOutOfOrderAtTheEndOfALoopAffectsOnlyItsNeighbours)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   for (int loop = 0; loop < 4; ++loop)
   {
@@ -336,22 +336,22 @@ TEST(StampPairing, StragglerAtTheEndOfALoopedBagHarmsOnlyItsNeighbours)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, LoadOfTheOldTimeDoesNotMeetAPoseOfTheNewOne)
+TEST(StampPairing, LoadFromBeforeAJumpIsNotPairedWithALaterPose)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   add(pairing, 0, 60, sets);
   add(pairing, 1, 61, sets);
-  add(pairing, 0, 10, sets);  // time goes back: the load at 61 is of the old time
+  add(pairing, 0, 10, sets);  // time goes back: the load at 61 is from before the jump
   add(pairing, 0, 61, sets);
   EXPECT_TRUE(sets.empty());
-  EXPECT_EQ(dropped(pairing, DropReason::time_jump), 2U) << "both sides of the jump";
+  EXPECT_EQ(dropped(pairing, DropReason::time_jump), 2U) << "the samples on both sides of the jump";
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, OneSampleOutOfOrderDoesNotStopTheFollowing)
+TEST(StampPairing, SampleOutOfOrderDoesNotBlockLaterSamples)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   for (const int t : {10, 20, 15, 30, 40, 50})
   {
@@ -362,9 +362,9 @@ TEST(StampPairing, OneSampleOutOfOrderDoesNotStopTheFollowing)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, StampsAtTheEndsOfTimeDoNoHarm)
+TEST(StampPairing, SmallestAndLargestStampsCauseNoOverflow)
 {
-  Pairing pairing(2, 1.0, plenty);
+  Pairing pairing(2, 1.0, large_capacity);
   const ros::Time last(std::numeric_limits<std::uint32_t>::max(), 999999999);
   EXPECT_FALSE(pairing.add(0, ros::Time(), 0));
   EXPECT_FALSE(pairing.add(1, last, 0));
@@ -374,9 +374,9 @@ TEST(StampPairing, StampsAtTheEndsOfTimeDoNoHarm)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, FinishCountsWhatStillWaits)
+TEST(StampPairing, FinishDropsAndCountsWaitingSamples)
 {
-  Pairing pairing(2, 0, plenty);
+  Pairing pairing(2, 0, large_capacity);
   Sets sets;
   add(pairing, 0, 1, sets);
   pairing.finish();

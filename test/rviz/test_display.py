@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""rviz loads the display and draws the answers of a bag that replay.launch plays: the colours of their pressure appear on
-the screen, and nothing is wrong."""
+"""rviz loads the display and draws the results of a bag played by replay.launch.
+
+The colours of the pressure appear on the screen, and the logs contain no warnings or errors.
+"""
 
 import math
 import os
@@ -20,13 +22,13 @@ import rostest
 from wheel_rail_contact.msg import ContactPatch, WheelsetContact
 
 SCREEN = (1280, 720)
-PANEL = 175     # rows at the top that hold the panel with its own colours
-PRESSURE = 1e9  # in the middle of the scale of 2 GPa: drawn in green blue
-PATIENCE = 60   # for rviz on a busy machine without graphics hardware [s]
+PANEL = 175     # height of the panel at the top, which has other colours [px]
+PRESSURE = 1e9  # [Pa] middle of the scale of 2 GPa: drawn in blue-green
+TIMEOUT = 60    # [s] for rviz on a busy machine without graphics hardware
 
 
 def elliptic_patch(side, y):
-    """Hertz's pressure over semi-axes of 8 mm and 4 mm, on cells of 1 mm."""
+    """Patch with a Hertzian pressure, semi-axes of 8 mm and 4 mm, cells of 1 mm."""
     patch = ContactPatch(side=side, method="hertz", normal_force=1e5, area=math.pi * 32e-6, max_pressure=PRESSURE)
     patch.pose.position.y = y
     patch.pose.orientation.w = 1
@@ -37,7 +39,7 @@ def elliptic_patch(side, y):
     return patch
 
 
-def answer():
+def result():
     message = WheelsetContact(status=WheelsetContact.OK)
     message.header.stamp = rospy.Time.now()
     message.header.frame_id = "track"
@@ -48,14 +50,14 @@ def answer():
 
 
 def screenshot():
-    """The screen as rows of pixels of red, green, blue."""
+    """Picture of the screen: array of rows, columns and red, green, blue."""
     command = ["convert", "x:root", "-depth", "8", "rgb:-"]
     raw = subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout
     return numpy.frombuffer(raw, numpy.uint8).reshape(SCREEN[1], SCREEN[0], 3).astype(int)
 
 
 def coloured(picture, half):
-    """Pixels in the colours of half the scale's pressure in the left (0) or right (1) half, beneath the panel."""
+    """Number of pixels with the colour of the middle of the scale, in the left (0) or right (1) half below the panel."""
     width = SCREEN[0] // 2
     red, green, blue = numpy.moveaxis(picture[PANEL:, half * width:(half + 1) * width], 2, 0)
     return int(numpy.count_nonzero((green - red > 60) & (blue < 170) & (abs(green - blue) < 40)))
@@ -66,10 +68,10 @@ class RvizDisplay(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        bag = self.folder / "answers.bag"
+        bag = self.folder / "results.bag"
         with rosbag.Bag(str(bag), "w") as file:
             for i in range(20):
-                file.write("/contact_node/contact", answer(), rospy.Time(1 + 0.1 * i))
+                file.write("/contact_node/contact", result(), rospy.Time(1 + 0.1 * i))
         self.screen = subprocess.Popen(
             ["Xvfb", "-displayfd", "1", "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24", "-nolisten", "tcp"],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
@@ -94,14 +96,14 @@ class RvizDisplay(unittest.TestCase):
     def output(self):
         return "\n".join(path.read_text(errors="replace") for path in sorted(self.folder.rglob("*.log")))
 
-    def wait_for(self, condition, what):
-        end = time.time() + PATIENCE
+    def wait_for(self, condition, failure):
+        end = time.time() + TIMEOUT
         while not condition():
             self.assertIsNone(self.launch.poll(), "roslaunch has ended:\n" + self.output())
-            self.assertLess(time.time(), end, what + "; the logs say:\n" + self.output())
+            self.assertLess(time.time(), end, failure + "; logs:\n" + self.output())
             time.sleep(0.5)
 
-    def test_pressure_is_on_the_screen(self):
+    def test_pressure_is_drawn_and_unusable_results_are_cleared(self):
         counts = []
 
         def drawn():
@@ -115,11 +117,11 @@ class RvizDisplay(unittest.TestCase):
         self.wait_for(publisher.get_num_connections, "rviz has not subscribed")
 
         def cleared():
-            publisher.publish(WheelsetContact(header=answer().header, status=WheelsetContact.OFF_PROFILE))
+            publisher.publish(WheelsetContact(header=result().header, status=WheelsetContact.OFF_PROFILE))
             drawn()
             return sum(counts) == 0
 
-        self.wait_for(cleared, "an answer that is not usable is drawn")
+        self.wait_for(cleared, "a result that is not usable is drawn")
         faults = [line for line in self.output().splitlines() if re.search(r"\[ ?(ERROR|FATAL|WARN)|Ogre.*Exception", line)]
         self.assertEqual(faults, [])
 

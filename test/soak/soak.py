@@ -1,12 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gives a live node a hunting wheelset at 1 kHz, as fast as it answers; looks at its memory and its latency.
+"""Sends the states of a hunting wheelset to a live node, and measures its memory and latency.
 
-soak.py [MINUTES [CONFIG.yaml]]: simulated minutes (60), and parameters laid over config/default.yaml. Starts a master and a
-node of its own. Each simulated minute of 60000 pairs prints the node's resident memory, and median and 99 % of the time from
-a pair to its answer while 100 are on their way. Ends with 1 if a pair is left without an answer, if the memory is ever more
-than 2 MB off what it was after the first minute, or if the latency (its median) of the last third of the minutes is more than
-half as long again as that of the first.
+soak.py [MINUTES [CONFIG.yaml]]: simulated minutes (default: 60), and a parameter file applied over config/default.yaml.
+
+The stamps have a rate of 1 kHz. The pairs are sent as fast as the node evaluates them. The program starts its own ROS master
+and node. For each simulated minute (60000 pairs) it prints the resident memory of the node, and the median and 99 % quantile
+of the latency. Latency is the time from a pair to its result while 100 pairs are in transit.
+
+The exit status is 1 in one of these cases:
+* A pair has no result.
+* The memory differs by more than 2 MB from its value after the first minute.
+* The latency (median) in the last third of the minutes is more than 1.5 times that in the first third.
 """
 
 import io
@@ -30,11 +35,11 @@ from roslib.packages import find_node
 DEFAULTS = pathlib.Path(__file__).resolve().parents[2] / "config" / "default.yaml"
 NODE = "contact_node"
 PER_MINUTE = 60000
-PERIOD = 7000       # pairs until the motion repeats: 10 waves of 0.7 s, 7 of 1 s, one of 7 s
-ON_THEIR_WAY = 100  # half of what the node keeps waiting before it drops
-PATIENCE = 60       # [s]
-MOST_GROWTH = 2.0   # of memory [MB]
-MOST_SLOWING = 1.5  # of latency, for other work on the machine comes and goes
+PERIOD = 7000       # number of pairs after which the motion repeats: 10 waves of 0.7 s, 7 of 1 s, 1 of 7 s
+IN_TRANSIT = 100    # half the number of inputs that the node queues before it drops any
+TIMEOUT = 60        # [s]
+MAX_GROWTH = 2.0    # of the memory [MB]
+MAX_SLOWDOWN = 1.5  # ratio of latencies; large, because other work on the machine also changes the latency
 
 
 def resident(pid):
@@ -43,9 +48,9 @@ def resident(pid):
 
 
 class Prepared:
-    """A message as it goes over the wire; only its stamp is set each time it is sent."""
+    """A serialized message, in which only the stamp is changed when it is sent."""
 
-    _has_header = False  # which rospy would fill in
+    _has_header = False  # otherwise rospy would fill in the header
 
     def prepare(self):
         buffer = io.BytesIO()
@@ -54,7 +59,7 @@ class Prepared:
         return self
 
     def stamped(self, index):
-        """At `index` milliseconds."""
+        """Sets the stamp to 1 s + `index` milliseconds."""
         struct.pack_into("<II", self.wire, 4, 1 + index // 1000, index % 1000 * 1000000)
         return self
 
@@ -71,7 +76,7 @@ class PreparedLoad(Prepared, WrenchStamped):
 
 
 def pair(index):
-    """Pose and load at `index` milliseconds of a wheelset whose hunting swells from 2 mm to 5 mm, where its flange touches."""
+    """Pose and load at `index` milliseconds. The wheelset hunts with an amplitude of 2 to 5 mm; at 5 mm its flange touches."""
     seconds = 1e-3 * index
     phase = 2 * math.pi * seconds / 0.7
     pose, load = PreparedPose(), PreparedLoad()
@@ -85,7 +90,7 @@ def pair(index):
 
 
 def start_master():
-    """On a free port, and this process's own."""
+    """Starts a ROS master on a free port, also for this process."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
@@ -101,7 +106,7 @@ def start_master():
 
 
 def start_node(config):
-    """With the default parameters, and over them those of a file."""
+    """Starts the node with the default parameters, and the parameters of a file applied over them."""
     for path in filter(None, (DEFAULTS, config)):
         for group, values in yaml.safe_load(pathlib.Path(path).read_text()).items():
             rospy.set_param(f"{NODE}/{group}", values)
@@ -111,10 +116,10 @@ def start_node(config):
 class Soak:
     def __init__(self):
         self.pairs = [pair(index) for index in range(PERIOD)]
-        self.room = threading.Semaphore(ON_THEIR_WAY)
-        self.sent = [0.0] * ON_THEIR_WAY * 2
+        self.capacity = threading.Semaphore(IN_TRANSIT)
+        self.sent = [0.0] * IN_TRANSIT * 2
         self.latencies = []
-        self.answers = 0
+        self.results = 0
         self.pose = rospy.Publisher("wheelset/pose", PreparedPose, queue_size=1000, tcp_nodelay=True)
         self.load = rospy.Publisher("wheelset/load", PreparedLoad, queue_size=1000, tcp_nodelay=True)
         self.subscriber = rospy.Subscriber(NODE + "/contact", rospy.AnyMsg, self.receive, tcp_nodelay=True)
@@ -123,20 +128,20 @@ class Soak:
         _, seconds, nanoseconds = struct.unpack_from("<III", message._buff)
         index = (seconds - 1) * 1000 + nanoseconds // 1000000
         self.latencies.append(time.monotonic() - self.sent[index % len(self.sent)])
-        self.answers += 1
-        self.room.release()
+        self.results += 1
+        self.capacity.release()
 
     def connect(self, node):
-        """Waits until everything is connected to the node."""
+        """Waits until all topics are connected to the node."""
         connections = (self.pose, self.load, self.subscriber)
         while not all(c.get_num_connections() for c in connections) and node.poll() is None:
             time.sleep(0.1)
-        time.sleep(0.5)  # the node learns of its listener a moment later
+        time.sleep(0.5)  # the connection is complete at the node a moment later
 
     def minute(self, number):
-        """Sends a minute's pairs. True if there was room for all."""
+        """Sends the pairs of one minute. @return False if no result was received for TIMEOUT seconds"""
         for index in range(number * PER_MINUTE, (number + 1) * PER_MINUTE):
-            if not self.room.acquire(timeout=PATIENCE):
+            if not self.capacity.acquire(timeout=TIMEOUT):
                 return False
             pose, load = self.pairs[index % PERIOD]
             self.sent[index % len(self.sent)] = time.monotonic()
@@ -145,37 +150,37 @@ class Soak:
         return True
 
     def drain(self):
-        """Waits for the answers that are on their way, unless one does not come."""
-        all(self.room.acquire(timeout=PATIENCE) for _ in range(ON_THEIR_WAY))
+        """Waits for the results in transit, each for at most TIMEOUT seconds."""
+        all(self.capacity.acquire(timeout=TIMEOUT) for _ in range(IN_TRANSIT))
 
     def take_latencies(self):
-        """Median and 99 % of the last minute's [ms]."""
+        """Median and 99 % quantile of the latencies of the last minute [ms]."""
         latencies, self.latencies = sorted(self.latencies), []
         return [1e3 * latencies[int(share * (len(latencies) - 1))] for share in (0.5, 0.99)]
 
 
 def run(minutes, node):
-    """True if the node stood it."""
+    """@return True if no limit was exceeded"""
     soak = Soak()
     soak.connect(node)
     memories, medians = [], []
     for number in range(minutes):
         begin = time.monotonic()
         if not soak.minute(number):
-            print(f"no answer for {PATIENCE} s after {soak.answers} answers")
+            print(f"no result for {TIMEOUT} s after {soak.results} results")
             return False
         memories.append(resident(node.pid))
         median, late = soak.take_latencies()
         medians.append(median)
         print(f"minute {number + 1:3d}: {memories[-1]:7.2f} MB, latency {median:6.2f} ms, 99 % {late:7.2f} ms, "
-              f"{time.monotonic() - begin:6.1f} s", flush=True)
+              f"duration {time.monotonic() - begin:6.1f} s", flush=True)
     soak.drain()
     growth = max(abs(memory - memories[0]) for memory in memories)
     third = max(minutes // 3, 1)
-    slowing = statistics.median(medians[-third:]) / statistics.median(medians[:third])
-    print(f"{minutes * PER_MINUTE} pairs, {soak.answers} answers, memory within {growth:.2f} MB of that after the first "
-          f"minute, latency of the last third of the minutes {slowing:.2f} times that of the first")
-    return soak.answers == minutes * PER_MINUTE and growth <= MOST_GROWTH and slowing <= MOST_SLOWING
+    slowdown = statistics.median(medians[-third:]) / statistics.median(medians[:third])
+    print(f"{minutes * PER_MINUTE} pairs, {soak.results} results, memory within {growth:.2f} MB of that after the first minute, "
+          f"latency of the last third of the minutes {slowdown:.2f} times that of the first third")
+    return soak.results == minutes * PER_MINUTE and growth <= MAX_GROWTH and slowdown <= MAX_SLOWDOWN
 
 
 def main():

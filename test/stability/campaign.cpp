@@ -1,42 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random wheelsets in random states: does every one get an answer that holds, or a refusal that says why?
+// Evaluates wheelsets in many states, and checks that each result is valid or refused with a reason.
 //
-//   stability_campaign TABLES states N [seed, default 1]     N states
-//   stability_campaign TABLES minutes M [seed, default 1]    as many as M minutes allow
-//   stability_campaign TABLES scene S                        one scene, each state printed
+//   stability_campaign states N [SEED]      random scenes with N states in total
+//   stability_campaign minutes M [SEED]     random scenes for M minutes
+//   stability_campaign write SCENE FILE     writes the random scene with the number SCENE to a scene file
+//   stability_campaign run FILE             evaluates a scene file, and prints each state
 //
-// TABLES is the folder of the rails' compliance tables (config/rails). A scene is drawn from profiles, inclination,
-// gauge, method, tolerance, grid and rail, and walked through in 30 states (random_scene.h); each answer is checked
-// from outside (result_check.h) and, where only 1 um of y lies between, against the one before (continuity.h). Prints
-// refusals by reason and region, the slowest state, and what was wrong, with the scene's seed. Ends with 1 if anything
-// was wrong or, over many scenes, if more answers than usual are rough (tally.cpp). The same seed gives the same
-// states.
+// A random scene has random profiles, track, method, tolerance, grid and rails, and thirty states (random_scene.h). The
+// default SEED is 1. Each result is checked independently of the solver (result_check.h). Where y changes by only 1 um
+// from one state to the next, both results are compared (continuity.h). The program prints the refusals by reason and
+// region, the slowest state, and all faults with the number of the scene. It exits with 1 if there is a fault, or if
+// too many results of random scenes are inaccurate (tally.cpp), and with 2 for wrong arguments or files.
 //
-// A short form runs with the tests, as do some scenes in which long ones found faults. The long one, a quarter of an
-// hour, and a million states, over an hour of processor time, in two halves side by side:
-//   build/devel/lib/wheel_rail_contact/stability_campaign config/rails minutes 15 2
-//   build/devel/lib/wheel_rail_contact/stability_campaign config/rails states 500000 SEED
+// To add a scene as a regression test, write it to test/stability/scenes/NAME.yaml and describe the fault in the file.
+// CONTRIBUTING.md gives the commands of long campaigns.
 #include <ctime>
 
-#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
+#include <fstream>
+#include <random>
+#include <stdexcept>
 
 #include "continuity.h"
 #include "random_scene.h"
 #include "result_check.h"
-#include "ros/parameters/compliance_table_file.h"
+#include "scene_file.h"
 #include "tally.h"
 
 namespace
 {
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::stability;
-
-constexpr int states_of_a_scene = 30;
 
 double processorTime()
 {
@@ -45,23 +43,8 @@ double processorTime()
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-std::vector<NamedTable> readTables(const std::string& folder)
-{
-  std::vector<NamedTable> tables;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-  {
-    if (entry.path().extension() == ".yaml")
-    {
-      const wheel_rail_contact::ComplianceTableFile file = wheel_rail_contact::readComplianceTable(entry.path());
-      tables.push_back({file.name, file.table});
-    }
-  }
-  std::sort(tables.begin(), tables.end(), [](const NamedTable& a, const NamedTable& b) { return a.name < b.name; });
-  return tables;
-}
-
-/// Hertz's answer belongs to the curvatures at one place, and jumps where they do.
-bool isSmooth(NormalMethod method)
+/// hertz depends on the curvatures at one point and jumps where they jump.
+bool isContinuous(NormalMethod method)
 {
   return method != NormalMethod::hertz;
 }
@@ -69,21 +52,18 @@ bool isSmooth(NormalMethod method)
 class Campaign
 {
  public:
-  explicit Campaign(const std::string& tables) : pool_(makePool(readTables(tables))) {}
-
-  void runScene(unsigned long seed, bool aloud);
+  /// @param print  print each state and result
+  void evaluate(const Scene& scene, const std::string& name, bool print);
   const Tally& tally() const { return tally_; }
 
  private:
-  void compare(const std::string& where, const WheelsetResult& result);
+  void compare(const std::string& where, const WheelsetResult& before, const WheelsetResult& after);
 
-  Pool pool_;
   Tally tally_;
-  WheelsetResult last_;
 };
 
-/// For people who look at one scene.
-void print(int index, const WheelsetState& state, const WheelsetResult& result, const std::vector<std::string>& faults)
+void printResult(int index, const WheelsetState& state, const WheelsetResult& result,
+                 const std::vector<std::string>& faults)
 {
   std::printf("%2d %s\n   status %d %s\n", index, describe(state).c_str(), static_cast<int>(result.status),
               result.reason.c_str());
@@ -101,95 +81,152 @@ void print(int index, const WheelsetState& state, const WheelsetResult& result, 
   }
 }
 
-void Campaign::runScene(unsigned long seed, bool aloud)
+void Campaign::evaluate(const Scene& scene, const std::string& name, bool print)
 {
-  Random random(seed);
-  const Scene scene = randomScene(pool_, random);
   WheelsetContact contact(scene.config);
   ResultCheck check(contact.config());
-  Walk walk(contact.config(), random);
-  for (int i = 0; i < states_of_a_scene; ++i)
+  WheelsetResult last;
+  for (std::size_t k = 0; k < scene.states.size(); ++k)
   {
-    const WheelsetState& state = walk.next();
+    const int index = static_cast<int>(k);
+    const WheelsetState& state = scene.states[k];
     const double begin = processorTime();
     const WheelsetResult& result = contact.evaluate(state);
     const double seconds = processorTime() - begin;
     const std::vector<std::string>& faults = check.faults(state, result);
-    const Tally::Entry entry{scene, seed, i, state, result, seconds, check.violation(), faults};
+    const Tally::Entry entry{scene, name, index, state, result, seconds, check.violation(), faults};
     tally_.add(entry);
-    if (walk.isClose() && isSmooth(scene.config.contact.method))
+    if (k > 0 && areNeighbours(scene.states[k - 1], state) && isContinuous(scene.config.contact.method))
     {
-      compare(where(entry), result);
+      compare(where(entry), last, result);
     }
-    if (aloud)
+    if (print)
     {
-      print(i, state, result, faults);
+      printResult(index, state, result, faults);
       std::printf("   %.2f ms, violation %.3g\n", 1e3 * seconds, check.violation());
     }
-    last_ = result;
+    last = result;
   }
 }
 
-void Campaign::compare(const std::string& where, const WheelsetResult& result)
+void Campaign::compare(const std::string& where, const WheelsetResult& before, const WheelsetResult& after)
 {
-  const bool before = isUsable(last_.status), after = isUsable(result.status);
-  if (!before || !after)
+  const bool usable_before = isUsable(before.status), usable_after = isUsable(after.status);
+  if (!usable_before || !usable_after)
   {
-    tally_.add(before || after ? Tally::Pair::one_refused : Tally::Pair::both_refused, where);
+    tally_.add(usable_before || usable_after ? Tally::Pair::one_refused : Tally::Pair::both_refused, where);
     return;
   }
-  const Change change = changeBetween(last_, result, Walk::close);
-  const bool torn = change.pressure > change.bounded_by;
+  const Change change = changeBetween(before, after, small_step);
   char text[100];
-  std::snprintf(text, sizeof text, "pmax changes by %.3g, bound %.3g: ", change.pressure, change.bounded_by);
-  tally_.add(change.jumped ? Tally::Pair::jumped : torn ? Tally::Pair::torn : Tally::Pair::continuous, text + where);
+  std::snprintf(text, sizeof text, "pmax changes by %.3g, bound %.3g: ", change.pressure, change.bound);
+  tally_.add(change.jumped                    ? Tally::Pair::jumped
+             : change.pressure > change.bound ? Tally::Pair::discontinuous
+                                              : Tally::Pair::continuous,
+             text + where);
 }
 
-int run(const std::string& tables, const std::string& mode, const std::string& amount, unsigned long seed)
+int finish(const Tally& tally, bool good)
 {
-  Campaign campaign(tables);
-  const bool one_scene = mode == "scene";
-  if (one_scene)
-  {
-    campaign.runScene(std::stoul(amount), true);
-  }
-  else
-  {
-    std::printf("seed %lu\n", seed);
-    const auto begin = std::chrono::steady_clock::now();
-    const double most = std::stod(amount);
-    const auto goes_on = [&]()
-    {
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-      return mode == "minutes" ? spent.count() < 60 * most : static_cast<double>(campaign.tally().states()) < most;
-    };
-    Random seeds(seed);
-    while (goes_on())
-    {
-      campaign.runScene(seeds(), false);
-    }
-  }
-  campaign.tally().print();
-  const bool good = one_scene ? !campaign.tally().hasFaults() : campaign.tally().isGood();
+  tally.print();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int runRandomScenes(bool by_time, double amount, unsigned long seed)
+{
+  std::printf("seed %lu\n", seed);
+  Campaign campaign;
+  const ScenePool pool = readScenePool();
+  const auto begin = std::chrono::steady_clock::now();
+  const auto is_over = [&]()
+  {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    return by_time ? elapsed.count() >= 60 * amount : static_cast<double>(campaign.tally().states()) >= amount;
+  };
+  std::mt19937_64 numbers(seed);
+  while (!is_over())
+  {
+    const unsigned long number = numbers();
+    campaign.evaluate(randomScene(pool, number), "scene " + std::to_string(number), false);
+  }
+  return finish(campaign.tally(), campaign.tally().isGood());
+}
+
+int runFile(const std::string& file)
+{
+  Campaign campaign;
+  campaign.evaluate(readScene(file), file, true);
+  return finish(campaign.tally(), !campaign.tally().hasFaults());
+}
+
+int writeRandomScene(unsigned long number, const std::string& file)
+{
+  std::ofstream out(file);
+  writeScene(out, randomScene(readScenePool(), number));
+  out.close();
+  if (!out)
+  {
+    throw std::runtime_error(file + ": cannot be written");
+  }
+  return EXIT_SUCCESS;
+}
+
+/// @throw std::invalid_argument if the text is not a number > 0.
+double toAmount(const std::string& text)
+{
+  std::size_t end = 0;
+  const double amount = std::isdigit(text[0]) != 0 ? std::stod(text, &end) : 0;
+  if (end != text.size() || !(amount > 0))
+  {
+    throw std::invalid_argument("'" + text + "' is not a number > 0");
+  }
+  return amount;
+}
+
+/// @throw std::invalid_argument if the text is not the number of a scene or a seed.
+unsigned long toNumber(const std::string& text)
+{
+  if (text.empty() || text.size() > 20 || text.find_first_not_of("0123456789") != std::string::npos)
+  {
+    throw std::invalid_argument("'" + text + "' is not a whole number of at most 20 digits");
+  }
+  return std::stoul(text);
+}
+
+int run(const std::vector<std::string>& arguments)
+{
+  const std::string mode = arguments.empty() ? "" : arguments[0];
+  const std::size_t count = arguments.size();
+  if ((mode == "states" || mode == "minutes") && (count == 2 || count == 3))
+  {
+    return runRandomScenes(mode == "minutes", toAmount(arguments[1]), count == 3 ? toNumber(arguments[2]) : 1);
+  }
+  if (mode == "write" && count == 3)
+  {
+    return writeRandomScene(toNumber(arguments[1]), arguments[2]);
+  }
+  if (mode == "run" && count == 2)
+  {
+    return runFile(arguments[1]);
+  }
+  std::fprintf(stderr,
+               "usage: stability_campaign states N [SEED]   random scenes with N states in total\n"
+               "       stability_campaign minutes M [SEED]  random scenes for M minutes\n"
+               "       stability_campaign write SCENE FILE  write the random scene with the number SCENE to a file\n"
+               "       stability_campaign run FILE          evaluate a scene file, and print each state\n");
+  return 2;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  const std::string mode = argc > 2 ? argv[2] : "";
-  if (argc < 4 || (mode != "states" && mode != "minutes" && mode != "scene"))
-  {
-    std::fprintf(stderr, "usage: stability_campaign TABLES states|minutes|scene NUMBER [SEED]\n");
-    return 2;
-  }
   try
   {
-    return run(argv[1], mode, argv[3], argc > 4 ? std::stoul(argv[4]) : 1);
+    return run({argv + 1, argv + argc});
   }
   catch (const std::exception& error)
   {
     std::fprintf(stderr, "stability_campaign: %s\n", error.what());
-    return 1;
+    return 2;
   }
 }

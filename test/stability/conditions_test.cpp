@@ -22,11 +22,12 @@ ContactModelConfig flangeOnCompliantRail(double tolerance)
   return config;
 }
 
-/// A flange in the gauge corner of a rail that gives way: as the rail moves out, the wheel comes down and slides along
-/// the plane, over surfaces that turn by a radian. Pressures, pose and deflection of an answer have to belong together:
-/// bodies placed by the answer and deformed by its pressures must touch where it presses, and nowhere else. Three
-/// tolerances are left for the passes' own (descent, plane, roll and the rail's way are each open to about one).
-TEST(ContactConditions, HoldWhereAFlangePushesItsRailAway)
+/// The flange touches the gauge corner of a compliant rail. While the rail is deflected outward, the wheel moves down
+/// and slides along the tangent plane; the surfaces there turn by up to one radian. Pressures, pose and rail deflection
+/// of a result must be consistent: the bodies, placed and deformed according to the result, touch where there is
+/// pressure and nowhere else. The limit is three tolerances, because penetration, plane, roll and rail deflection have
+/// errors of up to about one tolerance each.
+TEST(ContactConditions, HoldForAFlangeOnACompliantRail)
 {
   constexpr double tolerance = 0.004;
   const ContactModelConfig config = flangeOnCompliantRail(tolerance);

@@ -27,12 +27,14 @@ bool isLower(const PatchResult* a, const PatchResult* b)
   return a->max_pressure < b->max_pressure;
 }
 
-/// Bound of the relative change of a wheel's highest pressure between two answers `distance` [m] apart in y, without a
-/// jump. Both may be off by their estimated errors. A contact's own approach changes by the bodies' relative way along
-/// its normal; that is at most three times the lateral way (a flange at 70 degrees, pushed up beside a tread), and
-/// pressure goes with the root of the approach (Hertz): half of 3 * distance / approach. A rail that bends by its table
-/// adds as much again.
-double bound(const PatchResult& before, const PatchResult& after, double distance)
+/// Bound of the relative change of the highest pressure of a wheel [-], without a jump, between two states that are
+/// `distance` [m] apart in y: the sum of
+///  - both error estimates,
+///  - 3 * distance / approach, for the change of the approach. The relative displacement of the bodies along the normal
+///    is at most three times the lateral displacement (flange at 70 degrees that lifts the tread). The pressure is
+///    proportional to the root of the approach (Hertz), which gives half of 3 * distance / approach. A rail that is
+///    deflected by its compliance table adds the same amount.
+double boundOf(const PatchResult& before, const PatchResult& after, double distance)
 {
   return before.error_estimate + after.error_estimate + 3 * distance / std::min(before.approach, after.approach);
 }
@@ -47,8 +49,8 @@ Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, 
     change.jumped = change.jumped || first.size() != second.size();
     for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
     {
-      const double way = std::hypot(first[k]->pose.y - second[k]->pose.y, first[k]->pose.z - second[k]->pose.z);
-      change.jumped = change.jumped || way > far;
+      const double moved = std::hypot(first[k]->pose.y - second[k]->pose.y, first[k]->pose.z - second[k]->pose.z);
+      change.jumped = change.jumped || moved > far;
     }
     if (first.empty() || second.empty())
     {
@@ -56,11 +58,11 @@ Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, 
     }
     const PatchResult& p = **std::max_element(first.begin(), first.end(), isLower);
     const PatchResult& q = **std::max_element(second.begin(), second.end(), isLower);
-    const double pressure = std::abs(q.max_pressure / p.max_pressure - 1), bounded_by = bound(p, q, distance);
-    if (pressure * change.bounded_by >= change.pressure * bounded_by)
+    const double pressure = std::abs(q.max_pressure / p.max_pressure - 1), bound = boundOf(p, q, distance);
+    if (pressure * change.bound >= change.pressure * bound)
     {
       change.pressure = pressure;
-      change.bounded_by = bounded_by;
+      change.bound = bound;
     }
   }
   return change;

@@ -5,17 +5,17 @@
 
 namespace wheel_rail_contact::core::stability
 {
-/// How an answer differs from that of a close neighbour.
+/// Difference between the results of two neighbouring states.
 struct Change
 {
-  bool jumped = false;    ///< a wheel has another number of patches, or one of them moved by more than `far`
-  double pressure = 0;    ///< largest relative change of a wheel's highest pressure [-]
-  double bounded_by = 0;  ///< what explains a change of that wheel without a jump [-]
+  bool jumped = false;  ///< the number of patches of a wheel differs, or one of its patches moved by more than `far`
+  double pressure = 0;  ///< relative change of the highest pressure of a wheel [-], for the wheel nearest to its bound
+  double bound = 0;     ///< largest change of that wheel that is explained without a jump [-]
 };
 
-/// Way of a patch beyond which it counts as another place of contact [m].
+/// Displacement of a patch beyond which it is another place of contact [m].
 constexpr double far = 2.5e-4;
 
-/// `distance`: between the two answers, in y [m]
+/// @param distance  difference of the two states in y [m]
 Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, double distance);
 }  // namespace wheel_rail_contact::core::stability

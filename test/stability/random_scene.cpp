@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "random_scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <filesystem>
+#include <random>
 
-#include "core/profile/smoothing_spline.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "ros/parameters/compliance_table_file.h"
 
 namespace wheel_rail_contact::core::stability
 {
 namespace
 {
+using Random = std::mt19937_64;
+
 double uniform(Random& random, double low, double high)
 {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
 /// Uniform in the logarithm.
-double spread(Random& random, double low, double high)
+double logUniform(Random& random, double low, double high)
 {
   return std::exp(uniform(random, std::log(low), std::log(high)));
 }
@@ -28,98 +31,72 @@ bool oneIn(Random& random, unsigned n)
   return random() % n == 0;
 }
 
-constexpr double point_distance = 2.5e-4;  ///< of sampled profiles [m]
-
-/// Points along a profile, moved by white noise [m] and by `wear` (down at the height of y).
-template <typename Wear>
-std::vector<SampledPoint> sampled(const Profile& profile, double noise, const Wear& wear, Random& random)
-{
-  std::vector<SampledPoint> points;
-  std::normal_distribution<double> deviation(0, noise);
-  const auto count = static_cast<int>(profile.length() / point_distance);
-  for (int i = 0; i <= count; ++i)
-  {
-    const CurvePoint p = profile.at(i * point_distance);
-    const double off = deviation(random), length = std::hypot(p.dy, p.dz);
-    points.push_back({p.y - off * p.dz / length, p.z + off * p.dy / length + wear(p.y)});
-  }
-  return points;
-}
-
-double bell(double y, double centre, double width)
-{
-  return std::exp(-0.5 * (y - centre) * (y - centre) / (width * width));
-}
-
-NamedProfile made(const char* name, const std::vector<ProfileSection>& sections)
-{
-  return {name, std::make_shared<Profile>(name, sections)};
-}
-
-/// Tread hollowed by 1.5 mm (a wheel's profile grows to the field side; worn metal is above its new surface).
-double hollow(double y)
-{
-  return 1.5e-3 * bell(y, 0, 15e-3);
-}
-
-/// Gauge corner and crown worn by up to 1 mm.
-double flattened(double y)
-{
-  return -1e-3 * bell(y, -25e-3, 10e-3);
-}
-
-double unworn(double /*y*/)
-{
-  return 0;
-}
-
-void drawTrack(ContactModelConfig& config, Random& random)
+void drawTrack(TrackConfig& track, Random& random)
 {
   constexpr std::array<double, 3> inclinations{0, 0.025, 0.05};
-  config.track.rail_inclination =
+  track.rail_inclination =
       oneIn(random, 4) ? uniform(random, -0.02, 0.08) : inclinations[random() % inclinations.size()];
-  config.track.gauge = oneIn(random, 2) ? 1.435 : uniform(random, 1.42, 1.47);
+  track.gauge = oneIn(random, 2) ? 1.435 : uniform(random, 1.42, 1.47);
 }
 
-void drawMethod(ContactConfig& contact, Random& random, std::string& name)
+/// Frequency and limits of a method in random scenes.
+struct MethodLimits
 {
-  struct Choice
+  std::size_t weight;  ///< relative frequency
+  double smallest_tolerance;
+  int most_cells;  ///< each way, where the grid is given
+};
+
+/// The time of the Seidel iteration grows with the square of the number of cells.
+MethodLimits limitsOf(NormalMethod method)
+{
+  switch (method)
   {
-    const char* name;
-    NormalMethod method;
-    double least_tolerance;  // the Seidel iteration costs the square of the number of cells
-    int most_cells;          // each way, given by hand
-  };
-  constexpr Choice automatic{"auto", NormalMethod::automatic, 2e-3, 64};
-  constexpr std::array<Choice, 9> others{{{"conjugate_gradient", NormalMethod::conjugate_gradient, 2e-3, 64},
-                                          {"conjugate_gradient", NormalMethod::conjugate_gradient, 2e-3, 64},
-                                          {"conjugate_gradient", NormalMethod::conjugate_gradient, 2e-3, 64},
-                                          {"hertz", NormalMethod::hertz, 5e-3, 32},
-                                          {"hertz", NormalMethod::hertz, 5e-3, 32},
-                                          {"kik_piotrowski", NormalMethod::kik_piotrowski, 5e-3, 32},
-                                          {"kik_piotrowski", NormalMethod::kik_piotrowski, 5e-3, 32},
-                                          {"seidel", NormalMethod::seidel, 2e-2, 16},
-                                          {"seidel_printed", NormalMethod::seidel_printed, 3e-2, 12}}};
-  const Choice choice = oneIn(random, 3) ? others[random() % others.size()] : automatic;
-  contact.method = choice.method;
-  contact.tolerance = spread(random, choice.least_tolerance, 0.1);
-  if (choice.method != NormalMethod::automatic && oneIn(random, 4))
+    case NormalMethod::automatic:
+      return {0, 2e-3, 64};
+    case NormalMethod::conjugate_gradient:
+      return {3, 2e-3, 64};
+    case NormalMethod::seidel:
+      return {1, 2e-2, 16};
+    case NormalMethod::seidel_printed:
+      return {1, 3e-2, 12};
+    default:
+      return {2, 5e-3, 32};
+  }
+}
+
+/// All methods except `auto`, each as often as its weight.
+std::vector<NormalMethod> weightedMethods()
+{
+  std::vector<NormalMethod> methods;
+  for (const NormalMethod method : all_normal_methods)
   {
-    const auto even = [&]() { return 4 + 2 * static_cast<int>(uniform(random, 0, 0.5 * choice.most_cells - 2)); };
+    methods.insert(methods.end(), limitsOf(method).weight, method);
+  }
+  std::stable_sort(methods.begin(), methods.end(),
+                   [](NormalMethod a, NormalMethod b) { return limitsOf(a).weight > limitsOf(b).weight; });
+  return methods;
+}
+
+void drawMethod(ContactConfig& contact, Random& random)
+{
+  static const std::vector<NormalMethod> methods = weightedMethods();
+  contact.method = oneIn(random, 3) ? methods[random() % methods.size()] : NormalMethod::automatic;
+  const MethodLimits limits = limitsOf(contact.method);
+  contact.tolerance = logUniform(random, limits.smallest_tolerance, 0.1);
+  if (contact.method != NormalMethod::automatic && oneIn(random, 4))
+  {
+    const auto even = [&]() { return 4 + 2 * static_cast<int>(uniform(random, 0, 0.5 * limits.most_cells - 2)); };
     contact.cells_along = even();
     contact.cells_across = even();
   }
-  char text[80];
-  std::snprintf(text, sizeof text, ", tolerance %.3g, grid %d x %d", contact.tolerance, contact.cells_along,
-                contact.cells_across);
-  name = choice.name + std::string(text);
 }
 
-void drawRail(const std::vector<NamedTable>& tables, RailBendingConfig& bending, Random& random, std::string& name)
+void drawRail(const std::vector<NamedTable>& tables, Scene& scene, Random& random)
 {
   using Model = RailBendingConfig::Model;
   using LateralForce = RailBendingConfig::LateralForce;
-  name = "stiff";
+  RailBendingConfig& bending = scene.config.rail_bending;
   if (oneIn(random, 3))
   {
     return;
@@ -128,68 +105,49 @@ void drawRail(const std::vector<NamedTable>& tables, RailBendingConfig& bending,
   {
     bending.model = Model::prescribed;
     bending.prescribed = {uniform(random, -3e-3, 6e-3), uniform(random, -3e-3, 1e-3), uniform(random, -0.02, 0.03)};
-    name = "prescribed";
     return;
   }
   const NamedTable& table = tables[random() % tables.size()];
   bending.model = Model::compliance;
   bending.table = table.table;
-  name = table.name + ", force of the contact";
+  scene.table_name = table.name;
   if (oneIn(random, 6))
   {
     bending.lateral_force = LateralForce::constant;
     bending.lateral_force_value = uniform(random, -2e4, 6e4);
-    name = table.name + ", constant force";
   }
   else if (oneIn(random, 6))
   {
     bending.lateral_force = LateralForce::topic;
-    name = table.name + ", force given";
   }
 }
-}  // namespace
 
-Pool makePool(std::vector<NamedTable> tables)
+/// Generates the states of a scene one after the other.
+class Walk
 {
-  constexpr unsigned long noise_seed = 7;
-  constexpr double noise = 5e-6, points_off = 5e-7;
-  Random random(noise_seed);
-  const Profile wheel = s1002Wheel(), rail = rail60E1(), manchester = railUic60Manchester();
-  Pool pool;
-  pool.tables = std::move(tables);
-  pool.wheels = {{"S1002", std::make_shared<Profile>(wheel)},
-                 made("S1002 through points", interpolatingSpline(sampled(wheel, points_off, unworn, random))),
-                 made("S1002 measured", smoothingSpline(sampled(wheel, noise, unworn, random), noise)),
-                 made("S1002 hollow", smoothingSpline(sampled(wheel, noise, hollow, random), noise))};
-  pool.rails = {{"60E1", std::make_shared<Profile>(rail)},
-                {"UIC60_manchester", std::make_shared<Profile>(manchester)},
-                made("60E1 through points", interpolatingSpline(sampled(rail, points_off, unworn, random))),
-                made("60E1 measured", smoothingSpline(sampled(rail, noise, unworn, random), noise)),
-                made("60E1 worn", smoothingSpline(sampled(rail, noise, flattened, random), noise))};
-  return pool;
-}
+ public:
+  Walk(const WheelsetConfig& wheelset, Random& random) : wheelset_(wheelset), random_(random) { jump(); }
 
-Scene randomScene(const Pool& pool, Random& random)
-{
-  Scene scene;
-  const NamedProfile& wheel = pool.wheels[oneIn(random, 2) ? 0 : random() % pool.wheels.size()];
-  const NamedProfile& rail = pool.rails[oneIn(random, 2) ? 0 : random() % pool.rails.size()];
-  scene.profiles = wheel.name + " on " + rail.name;
-  scene.config.wheel_profile = wheel.profile;
-  scene.config.rail_profile = rail.profile;
-  drawTrack(scene.config, random);
-  scene.config.wheelset.solve_height_and_roll = !oneIn(random, 6);
-  drawMethod(scene.config.contact, random, scene.method);
-  drawRail(pool.tables, scene.config.rail_bending, random, scene.rail);
-  return scene;
-}
+  const WheelsetState& next();
 
-void Walk::load()
+ private:
+  void jump();
+  void step();
+  void drawLoad();
+
+  const WheelsetConfig& wheelset_;
+  Random& random_;
+  WheelsetState state_;
+  bool first_ = true;
+  bool small_ = false;  ///< the last step was a small one
+};
+
+void Walk::drawLoad()
 {
-  const double wheel = oneIn(random_, 3) ? spread(random_, 1, 1e6) : spread(random_, 2e4, 1.5e5);
+  const double wheel = oneIn(random_, 3) ? logUniform(random_, 1, 1e6) : logUniform(random_, 2e4, 1.5e5);
   const double transfer = oneIn(random_, 10) ? uniform(random_, -1.5, 1.5) : uniform(random_, -0.5, 0.5);
   state_.force_z = -2 * wheel;
-  state_.torque_x = 2 * transfer * wheel * config_.wheelset.halfBase();
+  state_.torque_x = 2 * transfer * wheel * wheelset_.halfBase();
   for (double& force : state_.rail_lateral_force)
   {
     force = uniform(random_, -0.3, 0.6) * wheel;
@@ -201,8 +159,8 @@ void Walk::jump()
   state_.y = oneIn(random_, 20) ? uniform(random_, -0.04, 0.04) : uniform(random_, -0.010, 0.010);
   state_.yaw = oneIn(random_, 2) ? 0 : uniform(random_, -1, 1) * (oneIn(random_, 4) ? 0.06 : 0.01);
   state_.roll = uniform(random_, -5e-4, 5e-4);
-  state_.z = config_.wheelset.rolling_radius + uniform(random_, -4e-4, 2e-4);
-  load();
+  state_.z = wheelset_.rolling_radius + uniform(random_, -4e-4, 2e-4);
+  drawLoad();
 }
 
 void Walk::step()
@@ -219,11 +177,11 @@ void Walk::step()
 
 const WheelsetState& Walk::next()
 {
-  const bool was_close = close_;
-  close_ = !first_ && !was_close && oneIn(random_, 2);
-  if (close_)
+  const bool was_small = small_;
+  small_ = !first_ && !was_small && oneIn(random_, 2);
+  if (small_)
   {
-    state_.y += close;
+    state_.y += small_step;
   }
   else if (!first_)
   {
@@ -232,31 +190,43 @@ const WheelsetState& Walk::next()
   first_ = false;
   return state_;
 }
+}  // namespace
 
-double beyondPlay(const ContactModelConfig& config, const WheelsetState& state)
+ScenePool readScenePool()
 {
-  constexpr double flange_thickness = 0.0325;
-  const double over_flanges = config.wheelset.flange_back_distance + 2 * flange_thickness;
-  return std::abs(state.y) - 0.5 * (config.track.gauge - over_flanges);
+  ScenePool pool{wheelProfiles(), railProfiles(), {}};
+  for (const auto& entry : std::filesystem::directory_iterator(RAIL_TABLES))
+  {
+    if (entry.path().extension() == ".yaml")
+    {
+      const ComplianceTableFile file = readComplianceTable(entry.path());
+      pool.tables.push_back({file.name, file.table});
+    }
+  }
+  std::sort(pool.tables.begin(), pool.tables.end(),
+            [](const NamedTable& a, const NamedTable& b) { return a.name < b.name; });
+  return pool;
 }
 
-std::string describe(const WheelsetState& state)
+Scene randomScene(const ScenePool& pool, unsigned long seed)
 {
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "y %.9g m, z %.9g m, yaw %.9g rad, roll %.9g rad, force_z %.9g N, torque_x %.9g N m, "
-                "rail forces %.9g N and %.9g N",
-                state.y, state.z, state.yaw, state.roll, state.force_z, state.torque_x, state.rail_lateral_force[0],
-                state.rail_lateral_force[1]);
-  return text;
-}
-
-std::string describe(const Scene& scene)
-{
-  char text[120];
-  std::snprintf(text, sizeof text, "; inclination %.4g rad, gauge %.4f m, height and roll %s",
-                scene.config.track.rail_inclination, scene.config.track.gauge,
-                scene.config.wheelset.solve_height_and_roll ? "from the load" : "given");
-  return scene.profiles + "; " + scene.method + "; rail " + scene.rail + text;
+  constexpr int state_count = 30;
+  Random random(seed);
+  Scene scene;
+  scene.wheel = pool.wheels[oneIn(random, 2) ? 0 : random() % pool.wheels.size()];
+  scene.rail = pool.rails[oneIn(random, 2) ? 0 : random() % pool.rails.size()];
+  scene.config.wheel_profile = scene.wheel.profile;
+  scene.config.rail_profile = scene.rail.profile;
+  drawTrack(scene.config.track, random);
+  scene.config.wheelset.solve_height_and_roll = !oneIn(random, 6);
+  drawMethod(scene.config.contact, random);
+  drawRail(pool.tables, scene, random);
+  Walk walk(scene.config.wheelset, random);
+  for (int i = 0; i < state_count; ++i)
+  {
+    scene.states.push_back(walk.next());
+  }
+  scene.description = "random scene " + std::to_string(seed) + ": " + describe(scene);
+  return scene;
 }
 }  // namespace wheel_rail_contact::core::stability

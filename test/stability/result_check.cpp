@@ -14,10 +14,10 @@ namespace
 {
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
-/// Sums over all cells agree to this: rounding of up to some thousand terms.
+/// Relative rounding error of a sum over up to some thousand cells [-].
 constexpr double rounding = 1e-9;
 
-/// Place on a curve nearest to a point, among samples 0.25 mm apart.
+/// Parameter of the point of a curve that is nearest to (y, z), among samples 0.25 mm apart [m].
 template <typename Curve>
 double nearestPlace(double length, double y, double z, const Curve& curve)
 {
@@ -42,14 +42,14 @@ double wheelLoad(const ContactModelConfig& config, const WheelsetState& state, S
   return -0.5 * state.force_z - sideSign(side) * transfer;
 }
 
-/// Do its pressures on the cells meet the contact conditions there?
-bool onCells(std::string_view method)
+/// True for methods whose pressures meet the contact conditions in each cell.
+bool meetsConditionsInCells(std::string_view method)
 {
   return method != "hertz" && method != "kik_piotrowski";
 }
 
-/// Do they sum up to its force?
-bool sumsUp(const ContactModelConfig& config)
+/// True for methods whose normal force is the sum of the pressures of the cells.
+bool hasForceFromCells(const ContactModelConfig& config)
 {
   return config.contact.method != NormalMethod::kik_piotrowski;
 }
@@ -115,7 +115,7 @@ void ResultCheck::checkNumbers(const WheelsetResult& result)
   }
   if (!std::isfinite(sum))
   {
-    fault("not a number", sum);
+    fault("value not finite", sum);
   }
 }
 
@@ -124,26 +124,27 @@ void ResultCheck::checkPatch(const PatchResult& patch)
   const PatchGrid& grid = patch.grid;
   if (!(patch.pressure.minCoeff() >= 0))
   {
-    fault("pressure below zero", patch.pressure.minCoeff());
+    fault("negative pressure", patch.pressure.minCoeff());
   }
   if (!(patch.normal_force > 0 && patch.area > 0 && patch.approach > 0 && patch.error_estimate >= 0))
   {
-    fault("a force, area, approach or estimate that is not positive", patch.normal_force);
+    fault("force, area or approach not positive, or error estimate negative", patch.normal_force);
   }
-  // Grids' cells hold too much beside joints and edges: by up to 9 % on 8 × 16 cells, of 300 random wheelsets.
+  // Cells next to curvature discontinuities and edges are too high: by up to 9 % on 8 × 16 cells (300 random
+  // wheelsets).
   if (!(patch.max_pressure >= 0.85 * patch.pressure.maxCoeff()))
   {
-    fault("highest pressure far below that of a cell", patch.max_pressure);
+    fault("highest pressure more than 15 % below the highest cell", patch.max_pressure);
   }
   const double sum = grid.cellArea() * patch.pressure.sum();
-  if (sumsUp(config_) && std::abs(sum / patch.normal_force - 1) > rounding)
+  if (hasForceFromCells(config_) && std::abs(sum / patch.normal_force - 1) > rounding)
   {
-    fault("normal force is not the pressure's sum", sum / patch.normal_force);
+    fault("normal force differs from the sum of the pressures", sum / patch.normal_force);
   }
 }
 
-/// Vertical balance of each wheel: exact where height and roll follow from the load, but for hertz and kik_piotrowski,
-/// whose load is met by an iteration on the approach.
+/// Vertical forces on each rail, and equilibrium of vertical load of each wheel. seidel_printed finds the load by
+/// secant steps on the approach, which end at an error of 1e-4.
 void ResultCheck::checkLoads(const WheelsetState& state, const WheelsetResult& result)
 {
   const double tolerance = config_.contact.method == NormalMethod::seidel_printed ? 1e-4 : 1e-7;
@@ -155,29 +156,29 @@ void ResultCheck::checkLoads(const WheelsetState& state, const WheelsetResult& r
       vertical += patch.side == side ? patch.normal_force * std::cos(patch.contact_angle) : 0;
     }
     const RailResult& rail = result.rail[static_cast<std::size_t>(side)];
-    if (sumsUp(config_) && std::abs(rail.vertical_force - vertical) > rounding * vertical)
+    if (hasForceFromCells(config_) && std::abs(rail.vertical_force - vertical) > rounding * vertical)
     {
-      fault("force on the rail is not the patches'", rail.vertical_force - vertical);
+      fault("force on the rail differs from the sum over its patches", rail.vertical_force - vertical);
     }
     const double load = std::max(wheelLoad(config_, state, side), 0.0);
     if (config_.wheelset.solve_height_and_roll && std::abs(vertical - load) > tolerance * load)
     {
-      fault("a wheel's load is not carried", vertical - load);
+      fault("vertical force of a wheel differs from its load", vertical - load);
     }
   }
 }
 
-/// Table times forces and moment must give the deflection.
+/// The deflection must equal the compliance table times forces and moment.
 void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
   const RailBendingConfig& bending = config_.rail_bending;
   const auto k = static_cast<std::size_t>(side);
   const RailResult& rail = result.rail[k];
   const RailDeflection& found = rail.deflection;
-  RailDeflection due = bending.prescribed;
+  RailDeflection expected = bending.prescribed;
   if (bending.model == RailBendingConfig::Model::none)
   {
-    due = {};
+    expected = {};
   }
   if (bending.model == RailBendingConfig::Model::compliance)
   {
@@ -186,20 +187,20 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
         bending.lateral_force == LateralForce::topic ? state.rail_lateral_force[k] : bending.lateral_force_value;
     if (bending.lateral_force != LateralForce::contact && std::abs(given - rail.lateral_force) > rounding * 1e4)
     {
-      fault("the rail is not bent by the force given", rail.lateral_force);
+      fault("lateral force on the rail differs from the given one", rail.lateral_force);
     }
-    due = deflectionInTrack(bending.table, {rail.lateral_force, rail.vertical_force, rail.moment},
-                            config_.track.rail_inclination);
+    expected = deflectionInTrack(bending.table, {rail.lateral_force, rail.vertical_force, rail.moment},
+                                 config_.track.rail_inclination);
   }
-  // Deflection and force of rails that are brought together by iteration agree to 1e-6 of the deflection, with a roll
-  // counted at an arm of 0.1 m; what of it falls on the lateral part is up to ten times as much of that.
+  // The iteration of rail deflection and force ends at 1e-6 of the deflection, with the roll multiplied by an arm of
+  // 0.1 m. Relative to the lateral part alone the difference can be ten times larger.
   constexpr double arm = 0.1;  // [m]
   const double scale = std::hypot(found.lateral, found.vertical) + arm * std::abs(found.roll);
-  const double off =
-      std::hypot(due.lateral - found.lateral, due.vertical - found.vertical) + arm * std::abs(due.roll - found.roll);
+  const double off = std::hypot(expected.lateral - found.lateral, expected.vertical - found.vertical) +
+                     arm * std::abs(expected.roll - found.roll);
   if (off > 1e-5 * scale + 1e-15)
   {
-    fault("deflection is not what the table gives", off / scale);
+    fault("deflection differs from the compliance table", off / scale);
   }
 }
 
@@ -207,14 +208,14 @@ void ResultCheck::checkConditions(const WheelsetResult& result)
 {
   for (const PatchResult& patch : result.patches)
   {
-    if (onCells(patch.method))
+    if (meetsConditionsInCells(patch.method))
     {
       violation_ = std::max(violation_, patchViolation(result, patch));
     }
   }
 }
 
-/// Displacement of both half-spaces under a patch's pressure, by exact coefficients.
+/// Displacement of both half-spaces under the pressure of a patch, with exact influence coefficients.
 void ResultCheck::displace(const PatchResult& patch)
 {
   const PatchGrid& grid = patch.grid;
@@ -242,9 +243,9 @@ void ResultCheck::displace(const PatchResult& patch)
   }
 }
 
-/// Zero where the bodies are not found over the plane (a flange's tip on the rail's crown, more than 30 mm off).
-/// Where a wheel has several patches, only the cells under pressure are looked at: another patch may lie in the free
-/// cells of this one's grid.
+/// Zero if no gap can be computed over the plane (flange tip on the crown of the rail, more than 30 mm away). If a
+/// wheel has several patches, only cells with pressure are checked, because another patch may lie in the free cells of
+/// the grid.
 double ResultCheck::patchViolation(const WheelsetResult& result, const PatchResult& patch)
 {
   const auto same_wheel = [&](const PatchResult& other) { return other.side == patch.side; };

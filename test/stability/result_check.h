@@ -11,20 +11,19 @@
 
 namespace wheel_rail_contact::core::stability
 {
-/// Looks at an answer from outside: does it solve the problem that was set? Nothing of the solution's own bookkeeping
-/// is believed. Bodies are placed by the answer's pose and deflections, and its pressures are pushed through exact
-/// coefficients again.
+/// Checks a result independently of the solver: the bodies are placed by the pose and the rail deflections of the
+/// result, and the displacement is computed again from its pressures with exact influence coefficients.
 class ResultCheck
 {
  public:
-  /// Refers to `config`, which must outlive it.
+  /// Keeps a reference to `config`, which must outlive this object.
   explicit ResultCheck(const ContactModelConfig& config);
 
-  /// What is wrong with an answer; empty if nothing is.
+  /// Faults of a result; empty if there are none. Valid until the next call.
   const std::vector<std::string>& faults(const WheelsetState& state, const WheelsetResult& result);
 
-  /// Largest violation of the contact conditions in the last answer, over its patch's depth of overlap [-]; 0 where it
-  /// does not count (methods that meet them only in the mean, refusals).
+  /// Largest violation of the contact conditions in the last result, over the depth of overlap of its patch [-]; 0 for
+  /// hertz and kik_piotrowski, which do not meet them in each cell, and for refusals.
   double violation() const { return violation_; }
 
  private:

@@ -4,15 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "verdict.h"
+
 namespace wheel_rail_contact::core::stability
 {
-/// What methods do in a situation; verdicts in the order of the table's columns.
+/// Results of all methods in one situation, in the order of the columns.
 struct MapRow
 {
   std::string situation;
-  std::vector<std::string> verdicts;
+  std::vector<Verdict> verdicts;
 };
 
+/// A table of doc/stability.md.
 struct MapTable
 {
   std::string title, text;
@@ -20,25 +23,19 @@ struct MapTable
   std::vector<MapRow> rows;
 };
 
-/// How far a highest pressure is off, in words: "right" up to 2 %.
-std::string verdictOf(double relative_error);
-
-/// The same of an answer whose error estimate is above the tolerance or not.
-std::string verdictSaid(const std::string& verdict, bool above_tolerance);
-
-/// Whole wheelsets by each contact/method; solved once.
-const MapTable& wheelsetMap();
-/// Solvers on one patch as its cells grow longer.
+/// Wheelsets with each contact/method.
+MapTable wheelsetMap();
+/// Gaps that differ from Hertz: conformal, with several lobes, flat, rough.
+MapTable shapeMap();
+/// Normal solvers on one patch, with cells of increasing length.
 MapTable aspectMap();
-/// Ways to iterate on the same matrix: steps, over-relaxation, stopping rules.
+/// Iterations on the same matrix: step sizes, relaxation factors, stopping criteria.
 MapTable iterationMap();
-/// Shapes that leave Hertz: conformal, with several lobes, flat, rough; solved once.
-const MapTable& shapeMap();
-/// Contacts that one to some cells of a grid carry.
+/// Contacts on few cells of a grid.
 MapTable fewCellsMap();
-/// Boxes too small and too large for the contact.
+/// Grids smaller and larger than the contact.
 MapTable boxMap();
 
-/// The page doc/stability.md.
-std::string stabilityPage();
+/// All of them. They are computed in the first call, which takes about ten seconds.
+const std::vector<MapTable>& stabilityMaps();
 }  // namespace wheel_rail_contact::core::stability

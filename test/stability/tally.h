@@ -5,54 +5,53 @@
 #include <string>
 #include <vector>
 
-#include "random_scene.h"
+#include "scene.h"
 
 namespace wheel_rail_contact::core::stability
 {
-/// What a campaign has seen.
+/// Statistics of the results of a campaign.
 class Tally
 {
  public:
-  /// A state, its answer, the processor time it took [s], and what is wrong with it.
+  /// A state and its result.
   struct Entry
   {
     const Scene& scene;
-    unsigned long scene_seed;
-    int index;  ///< of the state in its scene's walk
+    const std::string& scene_name;
+    int index;  ///< of the state in its scene
     const WheelsetState& state;
     const WheelsetResult& result;
-    double seconds;
-    double violation;
+    double seconds;    ///< processor time of the evaluation [s]
+    double violation;  ///< of the contact conditions, over the depth of overlap [-]
     const std::vector<std::string>& faults;
   };
   void add(const Entry& entry);
 
-  /// Two close neighbours.
+  /// The results of two neighbouring states.
   enum class Pair
   {
     continuous,
-    jumped,
-    torn,  ///< no jump, but a change beyond the bound
+    jumped,         ///< a contact appears, disappears or moves to another place
+    discontinuous,  ///< no jump, but a change beyond the bound
     one_refused,
     both_refused
   };
   void add(Pair pair, const std::string& where);
 
   long states() const { return states_; }
-  /// No fault, and no more rough answers than are known to come.
+  /// No faults, and at most the allowed shares of violations and discontinuities.
   bool isGood() const;
-  /// Something was wrong with an answer.
   bool hasFaults() const { return !faults_.empty(); }
   void print() const;
 
  private:
-  /// States of one method or rail.
+  /// States of one method or rail model.
   struct Share
   {
     long states = 0, refused = 0;
   };
   using Shares = std::map<std::string, Share>;
-  /// Refusals of one reason in one region.
+  /// Refusals for one reason in one region.
   struct Refusals
   {
     long count = 0;
@@ -70,7 +69,7 @@ class Tally
   void addFaults(const Entry& entry);
   long count(Pair pair) const;
   double violatingShare() const;
-  double tornShare() const;
+  double discontinuousShare() const;
   void printRefusals() const;
   void printViolations() const;
   static void printShares(const char* title, const Shares& shares);
@@ -82,11 +81,11 @@ class Tally
   Shares methods_, rails_;
   std::map<std::string, Faults> faults_;  ///< by kind
   std::map<Pair, long> pairs_;
-  std::vector<std::string> torn_;
+  std::vector<std::string> discontinuous_;
   std::vector<double> violations_;  ///< over the tolerance
   double worst_violation_ = 0;
   std::string worst_where_;
 };
-/// An entry's scene and state in words.
+/// Scene and state of an entry in words.
 std::string where(const Tally::Entry& entry);
 }  // namespace wheel_rail_contact::core::stability

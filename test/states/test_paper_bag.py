@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The shipped bag of the paper's case is what its script makes, and gives the figures of doc/paper.md."""
+"""The shipped bag of the paper's case is the output of its script, and gives the values of doc/paper.md."""
 import filecmp
 import os
 import pathlib
@@ -27,18 +27,18 @@ class PaperBag(unittest.TestCase):
         subprocess.run([os.environ["CONTACT_REPLAY"], SHIPPED, out, "--no-grids", *options], check=True,
                        capture_output=True)
         with rosbag.Bag(str(out)) as bag:
-            answers = [message for _, message, _ in bag.read_messages()]
-        self.assertEqual(len(answers), 66)
-        return next(patch for patch in answers[0].patches if patch.side == 0)
+            results = [message for _, message, _ in bag.read_messages()]
+        self.assertEqual(len(results), 66)
+        return next(patch for patch in results[0].patches if patch.side == 0)
 
-    def test_shipped_bag_is_made_by_the_script(self):
+    def test_shipped_bag_is_the_output_of_the_script(self):
         subprocess.run([sys.executable, PACKAGE / "scripts" / "make_paper_bag", self.folder / "made.bag"], check=True)
         self.assertTrue(filecmp.cmp(self.folder / "made.bag", SHIPPED, shallow=False))
         self.assertLess(SHIPPED.stat().st_size, 50e3)
 
-    def test_replay_gives_the_figures_of_the_case(self):
+    def test_replay_gives_the_values_of_the_case(self):
         (self.folder / "rigid.yaml").write_text("rail_bending: {model: none}\n")
-        # The table's figures were calculated on a finer grid; 0.3 % covers the tolerance of paper.yaml, 0.2 %.
+        # The values of the table were computed on a finer grid. 0.3 %: the tolerance of paper.yaml is 0.2 %.
         for configs, pressure, area in (((CONFIG, self.folder / "rigid.yaml"), 1182e6, 186.1e-6),
                                         ((CONFIG,), 1246e6, 180.1e-6)):
             patch = self.first_left_patch(f"{len(configs)}.bag", *configs)

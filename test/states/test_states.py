@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_states: tables of states become bags and back without a bit lost, in any units and axes."""
+"""contact_states: conversion of tables to bags and back, in all units and axes, without loss."""
 import contextlib
 import filecmp
 import io
@@ -16,7 +16,7 @@ from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import State, read_bag, write_bag
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (stands beside other tests)
+from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 
@@ -40,13 +40,13 @@ class States(unittest.TestCase):
         self.run_states("in.csv", "out.bag", *options)
         return read_bag(self.folder / "out.bag")
 
-    def complaint_about(self, table, *options):
+    def error_of(self, table, *options):
         (self.folder / "in.csv").write_text(table)
         printed = self.run_states("in.csv", "out.bag", *options, status=1)
         self.assertFalse((self.folder / "out.bag").exists())
         return printed
 
-    def test_units_become_si(self):
+    def test_units_are_converted_to_si(self):
         state, = self.states_of("time [ms];y [mm];yaw [deg];force_z [kN];torque_x [kN m];Y_left [kN]\n"
                                 "1500.25; -2.5; 0.5; -200; 3; 4.5\n")
         self.assertEqual(state.time_ns, 1500250000)
@@ -55,21 +55,21 @@ class States(unittest.TestCase):
             self.assertAlmostEqual(value, expected, delta=1e-12 * abs(expected))
         self.assertIsNone(state.right_lateral_force)
 
-    def test_railway_axes_point_right_and_down(self):
+    def test_railway_axes_are_right_and_down(self):
         state, = self.states_of("time [s],x [m],y [mm],z [mm],roll [mrad],yaw [mrad],force_z [kN],torque_x [kN m],Y_right [kN]\n"
                                 "1,7,3,-460,0.2,1.5,200,5,9\n", "--axes", "railway")
         got = (state.x, state.y, state.z, state.roll, state.yaw, state.force_z, state.torque_x, state.right_lateral_force)
         for value, expected in zip(got, (7, -3e-3, 0.46, 0.2e-3, -1.5e-3, -200e3, 5e3, 9e3)):
             self.assertAlmostEqual(value, expected, delta=1e-12 * abs(expected))
 
-    def test_wheel_loads_become_force_and_moment(self):
+    def test_wheel_loads_are_converted_to_force_and_moment(self):
         # Q = -force.z / 2 -+ torque.x / (2 b), b = 0.75 m.
         state, = self.states_of("time [s],y [mm],Q_left [kN],Q_right [kN]\n1,0,120,90\n")
         self.assertAlmostEqual(-state.force_z / 2 - state.torque_x / 1.5, 120e3, delta=1e-6)
         self.assertAlmostEqual(-state.force_z / 2 + state.torque_x / 1.5, 90e3, delta=1e-6)
 
-    def test_there_and_back_loses_no_bit(self):
-        # Not of a quaternion: angles come back to rounding, 1e-16 rad.
+    def test_conversion_to_a_table_and_back_is_exact(self):
+        # Without angles: their conversion to a quaternion has rounding errors, 1e-16 rad.
         states = [State(10**9 + i * 1234567, 0.1 * i, math.sin(i) / 300, 0.46, 0.0, 0.0, -2e5 / 3 * (i + 1), math.pi * i,
                         1e4 / (i + 1), -1e4 * (i + 1)) for i in range(20)]
         write_bag(self.folder / "a.bag", states, "/front")
@@ -79,33 +79,33 @@ class States(unittest.TestCase):
             self.assertTrue(filecmp.cmp(self.folder / "a.bag", self.folder / f"{axes}.bag", shallow=False))
         self.assertEqual(read_bag(self.folder / "rep103.bag", "/front"), states)
 
-    def test_angles_come_back(self):
+    def test_angles_are_restored_except_for_rounding(self):
         write_bag(self.folder / "a.bag", [State(10**9, roll=-2e-3, yaw=0.01), State(2 * 10**9, roll=0.1, yaw=-0.2)])
         for state, (roll, yaw) in zip(read_bag(self.folder / "a.bag"), ((-2e-3, 0.01), (0.1, -0.2))):
             self.assertAlmostEqual(state.roll, roll, delta=1e-15)
             self.assertAlmostEqual(state.yaw, yaw, delta=1e-15)
 
-    def test_bad_tables_are_refused_with_line_and_reason(self):
+    def test_invalid_tables_are_refused_with_line_and_reason(self):
         title = "time [s],y [mm]\n"
         for table, reason in (
                 ("", "empty"), ("time [s],y\n", "must be a name with its unit"), ("time [s],y [inch]\n", "'inch'"),
-                ("time [s],w [m]\n", "no such quantity"), ("time [s]\n1\n", "no column 'y'"),
-                ("time [s],y [m],y [mm]\n", "twice"), ("time [s],y [m],Q_left [N]\n", "come together"),
-                ("time [s],y [m],Q_left [N],Q_right [N],force_z [N]\n", "given twice"),
-                ("time [s],y [m],torque_x [N m]\n", "torque_x needs force_z"),
+                ("time [s],w [m]\n", "unknown quantity"), ("time [s]\n1\n", "column 'y' is missing"),
+                ("time [s],y [m],y [mm]\n", "given twice"), ("time [s],y [m],Q_left [N]\n", "must be given together"),
+                ("time [s],y [m],Q_left [N],Q_right [N],force_z [N]\n", "the load must be given either"),
+                ("time [s],y [m],torque_x [N m]\n", "torque_x requires force_z"),
                 ("# remark\n" + title + "1,2\n2,nan\n", "in.csv:4: column 'y': 'nan'"), (title + "1\n", ":2: column 'y'"),
-                (title + "0,1\n", "--start 1"), (title + "2,1\n2,1\n", ":3: time must rise")):
+                (title + "0,1\n", "--start 1"), (title + "2,1\n2,1\n", ":3: time must increase")):
             with self.subTest(table=table):
-                self.assertIn(reason, self.complaint_about(table))
+                self.assertIn(reason, self.error_of(table))
         self.assertEqual(self.states_of(title + "0,1\n", "--start", "1")[0].time_ns, 10**9)
 
-    def test_nothing_is_overwritten(self):
+    def test_existing_file_is_not_overwritten(self):
         (self.folder / "in.csv").write_text("time [s],y [mm]\n1,0\n")
         (self.folder / "out.bag").write_text("precious")
-        self.assertIn("exists already", self.run_states("in.csv", "out.bag", status=1))
+        self.assertIn("already exists", self.run_states("in.csv", "out.bag", status=1))
         self.assertEqual((self.folder / "out.bag").read_text(), "precious")
 
-    def test_full_disk_is_told_with_the_files_name_and_leaves_no_part_of_it(self):
+    def test_full_disk_is_reported_with_the_name_of_the_file_and_leaves_no_file(self):
         write_bag(self.folder / "in.bag", [State(10**9 + i, y=1e-3 / (i + 1)) for i in range(5000)])
         self.run_states("in.bag", "in.csv")
         for source, target in (("in.bag", "out.csv"), ("in.csv", "out.bag")):
@@ -116,14 +116,14 @@ class States(unittest.TestCase):
             self.assertEqual(run.stderr, f"contact_states: {self.folder / target}: File too large\n")
             self.assertFalse((self.folder / target).exists())
 
-    def test_places_where_nothing_can_be_written_are_told(self):
+    def test_paths_that_cannot_be_written_are_reported(self):
         (self.folder / "in.csv").write_text("time [s],y [mm]\n1,0\n")
-        for target in ("/sys/out.bag", self.folder / "nowhere" / "out.bag"):  # nobody may make files in /sys, nor root
+        for target in ("/sys/out.bag", self.folder / "nowhere" / "out.bag"):  # not even root can create files in /sys
             printed = self.run_states("in.csv", target, status=1)
             self.assertIn(f"contact_states: {target}: ", printed)
             self.assertEqual(printed.count("\n"), 1, printed)
 
-    def test_bags_that_cannot_be_read_are_a_sentence(self):
+    def test_unreadable_bags_are_reported_in_one_sentence(self):
         (self.folder / "text.bag").write_text("no bag at all\n")
         write_bag(self.folder / "whole.bag", [State(10**9 + i) for i in range(100)])
         whole = (self.folder / "whole.bag").read_bytes()
@@ -134,24 +134,24 @@ class States(unittest.TestCase):
             self.assertEqual(printed.count("\n"), 1, printed)
             self.assertFalse((self.folder / "out.csv").exists())
 
-    def test_hunting_example_is_answered_and_sways_as_klingel_says(self):
+    def test_hunting_example_follows_klingel_and_all_its_results_are_ok(self):
         subprocess.run([sys.executable, SCRIPTS / "make_hunting_states", self.folder / "hunting.csv"], check=True)
         self.run_states("hunting.csv", "hunting.bag")
         states = read_bag(self.folder / "hunting.bag")
         for before, state, after in zip(states, states[1:], states[2:]):
-            # Pure rolling: the path's slope is the yaw. Central difference over 0.1 m of a wave of 16.5 m: 0.03 %.
+            # Pure rolling: the yaw is the slope of the path. 0.03 %: central difference, step 0.1 m, wavelength 16.5 m.
             slope = (after.y - before.y) / (after.x - before.x)
             self.assertAlmostEqual(slope, state.yaw, delta=3e-4 * 1.53e-3)
         out = self.folder / "out.bag"
         subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "hunting.bag", out, "--no-grids"], check=True,
                        capture_output=True)
         with rosbag.Bag(str(out)) as bag:
-            answers = [message for _, message, _ in bag.read_messages()]
-        self.assertEqual({answer.status for answer in answers}, {0})
-        # The wheel towards which the wheelset has moved carries more.
-        for answer in answers:
-            more_left = answer.left_rail.vertical_force - answer.right_rail.vertical_force
-            self.assertTrue(more_left * answer.wheelset.position.y >= 0, answer.header.stamp)
+            results = [message for _, message, _ in bag.read_messages()]
+        self.assertEqual({result.status for result in results}, {0})
+        # The wheel on the side of the lateral displacement carries more load.
+        for result in results:
+            more_left = result.left_rail.vertical_force - result.right_rail.vertical_force
+            self.assertTrue(more_left * result.wheelset.position.y >= 0, result.header.stamp)
 
 
 if __name__ == "__main__":

@@ -11,20 +11,24 @@
 
 namespace wheel_rail_contact::core
 {
-/// Everything a WheelsetContact is told when it is made.
+/// All parameters of a WheelsetContact. Both profiles must be set; all other members have usable defaults.
 struct ContactModelConfig
 {
-  std::shared_ptr<const Profile> wheel_profile;  ///< of the left wheel; the right one mirrors it
-  std::shared_ptr<const Profile> rail_profile;   ///< of the left rail, upright; the right one mirrors it
-  Material wheel_material;                       ///< of both wheels
-  Material rail_material;                        ///< of both rails
-  TrackConfig track;                             ///< where the rails stand
-  WheelsetConfig wheelset;                       ///< where the wheels are on their axle
-  ContactConfig contact;                         ///< method and tolerance
-  RailBendingConfig rail_bending;                ///< how the rails give way
+  /// Profile of the left wheel; the right wheel has its mirror image. Must not be null. See standard_profiles.h and
+  /// profile_reader.h.
+  std::shared_ptr<const Profile> wheel_profile;
+  /// Profile of the left rail, upright (before it is turned by TrackConfig::rail_inclination); the right rail has its
+  /// mirror image. Must not be null.
+  std::shared_ptr<const Profile> rail_profile;
+  Material wheel_material;         ///< of both wheels; default: steel
+  Material rail_material;          ///< of both rails; default: steel
+  TrackConfig track;               ///< position and inclination of the rails
+  WheelsetConfig wheelset;         ///< dimensions of the wheelset; whether its height and roll are solved or given
+  ContactConfig contact;           ///< method and tolerance of the contact solution
+  RailBendingConfig rail_bending;  ///< deflection of the rails; default: rigid rails
 };
 
-/// Checks every option against its rule.
-/// @throw std::invalid_argument naming the option, its value and the broken rule.
+/// Checks that both profiles are set and that every parameter is within its range.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const ContactModelConfig& config);
 }  // namespace wheel_rail_contact::core

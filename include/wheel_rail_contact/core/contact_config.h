@@ -5,16 +5,21 @@
 
 namespace wheel_rail_contact::core
 {
-/// How the pressure is solved, and how finely.
+/// Method and accuracy of the contact solution.
 struct ContactConfig
 {
-  NormalMethod method = NormalMethod::automatic;  ///< `auto`: the cheapest that meets the tolerance
-  double tolerance = 0.01;  ///< wanted relative error of max pressure, area and approach [-]; in (0, 1)
-  int cells_along = 0;      ///< grid given by hand; 0: from the tolerance
-  int cells_across = 0;     ///< both or none
+  /// Default `automatic`: the cheapest grid, or Hertz's closed form, whose estimated error meets the tolerance.
+  NormalMethod method = NormalMethod::automatic;
+  /// Target relative error of highest pressure, area and approach [-], in (0, 1). It determines the grid and the
+  /// residual at which the iteration stops.
+  double tolerance = 0.01;
+  /// Number of cells of a patch along the track: even, 4 to 256; 0: chosen from the tolerance. Set both numbers or
+  /// neither. With both, every method uses this grid, and `automatic` is conjugate gradients on it.
+  int cells_along = 0;
+  int cells_across = 0;  ///< number of cells of a patch across the track; same rule as cells_along
 };
 
-/// Checks every option against its rule.
-/// @throw std::invalid_argument with the option, its value and the broken rule.
+/// Checks that every parameter is within its range.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const ContactConfig& contact);
 }  // namespace wheel_rail_contact::core

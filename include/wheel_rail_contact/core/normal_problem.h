@@ -7,110 +7,116 @@
 
 namespace wheel_rail_contact::core
 {
-/// Isotropic elastic material.
+/// Isotropic elastic material. The default is steel.
 struct Material
 {
   double young = 2.1e11;  ///< Young's modulus [Pa], > 0
   double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
 };
 
-/// Checks a material against its rules; `option` is its name in the message.
-/// @throw std::invalid_argument with the option, its value and the broken rule.
+/// Checks that both constants are within their range. `option` is the name of the material in the message.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const Material& material, const std::string& option);
 
 /// Contact modulus E* of two half-spaces [Pa]: 1/E* = (1-nu1²)/E1 + (1-nu2²)/E2 (Johnson 1985, eq. 4.20).
-/// @throw std::invalid_argument for a material out of range.
+/// @throw std::invalid_argument if a material is out of range.
 double contactModulus(const Material& first, const Material& second);
 
-/// Rectangular grid of nx × ny cells in the tangent plane; x along the track, y across.
+/// Rectangular grid of nx × ny cells in the tangent plane of a patch: x along the track, y across.
 ///
-/// With `symmetric` the pressure is even in x and only the half x > 0 is stored: rows() = nx/2 (nx is even then) and
-/// row i lies at x = (i + 1/2) dx. Without it rows() = nx and row i lies at x = (i + 1/2 - nx/2) dx. Column j lies at
-/// y0 + j dy.
+/// A symmetric grid stores only its half x > 0, because the pressure is even in x. Row i of the stored cells has its
+/// centres at x(i), column j at y(j).
 struct Grid
 {
-  int nx = 0;              ///< cells along, of the whole grid
-  int ny = 0;              ///< cells across
-  double dx = 0;           ///< cell length along [m]
-  double dy = 0;           ///< cell width across [m]
-  double y0 = 0;           ///< y of the first column's centres [m]
-  bool symmetric = false;  ///< even in x, half stored
+  int nx = 0;              ///< number of cells along the track, of the whole grid; even if symmetric
+  int ny = 0;              ///< number of cells across the track
+  double dx = 0;           ///< length of a cell along the track [m]
+  double dy = 0;           ///< width of a cell across the track [m]
+  double y0 = 0;           ///< y of the centres of the first column [m]
+  bool symmetric = false;  ///< only the half x > 0 is stored
 
-  /// Stored cells along.
+  /// Number of stored rows: nx, or nx/2 if symmetric.
   int rows() const { return symmetric ? nx / 2 : nx; }
-  /// Centre of a stored row [m].
+  /// x of the centres of stored row `row` [m]: (row + 1/2 - nx/2) dx, or (row + 1/2) dx if symmetric.
   double x(int row) const { return (row + (symmetric ? 0.5 : 0.5 - 0.5 * nx)) * dx; }
-  /// Centre of a column [m].
+  /// y of the centres of column `column` [m].
   double y(int column) const { return y0 + column * dy; }
-  /// Area that one stored cell stands for [m²] (twice the cell on a symmetric grid).
+  /// Area that is represented by one stored cell [m²]: dx dy, or twice as much if symmetric.
   double cellArea() const { return (symmetric ? 2 : 1) * dx * dy; }
 };
 
-/// Gap of one patch. Arrays are rows() × ny, so that x runs fastest in memory.
+/// Gap of one patch. Arrays have rows() × ny elements; x runs fastest in memory (column-major).
 struct PatchGap
 {
-  Grid grid;  ///< cells in the patch's plane
-  /// Distance of the undeformed surfaces along the patch's normal at zero approach [m]; negative: they overlap.
+  Grid grid;  ///< cells in the plane of the patch
+  /// Distance of the undeformed surfaces along the patch normal at zero approach, at the centres of the cells [m];
+  /// negative where they overlap.
   Eigen::ArrayXXd gap;
-  /// By how much the gap's own slope across differs, in each column, from that which the columns beside it show, beyond
-  /// what a kink or a jump of the curvature between columns makes [-]: features narrower than the cells. Only error
-  /// estimates use it; empty where nothing is known but the cells. fillUnseenSlope() (unseen_slope.h) fills it.
+  /// For each column, the part of the gap's slope across the track that the cells do not resolve [-], >= 0. It is the
+  /// difference between the true slope and the slope between the neighbouring columns, less the amount that a kink or a
+  /// curvature discontinuity between columns explains. Only error estimates use it. Empty if only the cells are known.
   Eigen::ArrayXd unseen_slope;
-  /// Share of the common approach that closes this patch, and of its normal force that counts in the common load [-]:
-  /// the cosine between the patch's normal and the direction of the load; 1 for a single patch pressed straight.
+  /// Cosine of the angle between the patch normal and the direction of the load [-]. The patch is closed by weight
+  /// times the common approach, and weight times its normal force counts in the common load. 1 for a single patch that
+  /// is pressed along its normal.
   double weight = 1;
-  /// By how much a unit of each of the support's coordinates opens the gap, the same all along a column: ny × 3; used
-  /// only if the support yields [m/m] or [m/rad]. A rigid body's are linear across: max_pressure, which looks at how
-  /// the gap bends, counts on that.
+  /// Change of the gap in each column per unit of each coordinate of the support: ny × 3, positive if the gap opens
+  /// [m/m] or [m/rad]. Used only if the support is compliant. For a rigid body the opening is linear in y; the
+  /// computation of max_pressure relies on this.
   Eigen::ArrayX3d opening;
 };
 
-/// What carries the patches may yield to their pressure, as a rigid body in three coordinates d (lengths [m] or angles
-/// [rad]): d = compliance * f, with f_m the integral of opening_m * p over all patches, and gap + opening * (d -
-/// placed) in place of the gap. With a symmetric compliance this is a displacement that belongs to the pressure, as the
-/// half-spaces' does.
+/// Compliant body under all patches, for example a rail head. It moves as a rigid body with three coordinates d, each a
+/// displacement [m] or a rotation [rad].
+///
+/// The coordinates follow from the pressure p: d = compliance * f, where f_m is the integral of opening_m * p over all
+/// patches. They change the gap to gap + opening * (d - placed). The problem then keeps its form, with the symmetric
+/// matrix A + opening * compliance * opening^T in place of the influence matrix A.
 struct Support
 {
-  bool compliant = false;                                ///< false: it is rigid, the rest means nothing
+  bool compliant = false;                                ///< false: rigid; the other members are not used
   Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();  ///< symmetric, positive semidefinite
   Eigen::Vector3d placed = Eigen::Vector3d::Zero();      ///< coordinates for which the gaps are given
 };
 
-/// Frictionless contact of half-spaces: find p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every
-/// patch, the approach being common to all of them, and either sum(weight * N_k) = load or the approach given. Patches
-/// do not deform one another (patches near one another belong in one grid); they share the support.
+/// Frictionless contact of half-spaces, in one or several patches.
+///
+/// Find the pressure p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every patch. A is the influence
+/// matrix, w the remaining distance of the deformed surfaces. All patches have one common approach. Either the approach
+/// is given, or the load: sum(weight * N_k) = load, with the normal force N_k of patch k. All patches have the same
+/// support. Patches do not deform one another: contacts close to one another must be in one grid, as one patch.
 struct NormalProblem
 {
-  /// What is given.
+  /// The given quantity.
   enum class Control
   {
     load,     ///< `value` is the load [N], > 0
     approach  ///< `value` is the common approach [m]
   };
 
-  std::vector<PatchGap> patches;    ///< at one approach
-  Support support;                  ///< only for methods that solvesSupport()
-  double modulus = 0;               ///< contact modulus E* [Pa]
-  Control control = Control::load;  ///< what `value` is
+  std::vector<PatchGap> patches;    ///< gaps of all patches
+  Support support;                  ///< compliant only for methods whose NormalSolver::solvesSupport() is true
+  double modulus = 0;               ///< contact modulus E* [Pa], see contactModulus()
+  Control control = Control::load;  ///< meaning of `value`
   double value = 0;                 ///< load [N] or approach [m]
 };
 
-/// Why a solution ended, and whether it may be used.
+/// Reason for which a solution ended. It determines whether the solution is usable.
 enum class SolveStatus
 {
   converged,              ///< usable
-  no_contact,             ///< approach control: nothing touches; pressure zero, usable
-  iteration_limit,        ///< not usable
-  stalled,                ///< the residual stopped falling above the tolerance; not usable
-  indefinite,             ///< the influence matrix has a negative direction; not usable
-  no_positive_curvature,  ///< the gap is no bowl where the method needs one; not usable
-  invalid_problem         ///< NaN in the gap, no load, no cells, no positive weight; not usable
+  no_contact,             ///< with a given approach: no cell touches, the pressure is zero; usable
+  iteration_limit,        ///< the largest number of iterations was reached; not usable
+  stalled,                ///< the residual stopped decreasing above the tolerance; not usable
+  indefinite,             ///< the influence matrix has a negative eigenvalue; not usable
+  no_positive_curvature,  ///< the curvature of the gap is not positive where the method requires it; not usable
+  invalid_problem  ///< a gap is not finite, the load or a weight is not positive, or a grid is too small; not usable
 };
 
-/// Text of a status for people.
+/// Text of a status for messages.
 const char* toString(SolveStatus status);
 
-/// True if the solution's pressure may be used.
+/// True if the pressure of a solution with this status may be used.
 inline bool isUsable(SolveStatus status)
 {
   return status == SolveStatus::converged || status == SolveStatus::no_contact;
@@ -118,47 +124,55 @@ inline bool isUsable(SolveStatus status)
 
 /// Solution of one patch.
 ///
-/// A solver that starts from an earlier solution makes use of `displacement` only if it still belongs to `pressure`;
-/// whoever changes one may leave the other as it is.
+/// `pressure` may be changed between two solutions without updating `displacement`: a solver that starts from an
+/// earlier solution uses `displacement` only if it still belongs to `pressure`.
 struct PatchPressure
 {
-  Grid grid;                            ///< where the pressure was found
-  Eigen::ArrayXXd pressure;             ///< [Pa], shape of the gap
-  Eigen::ArrayXXd displacement;         ///< of both half-spaces, apart along the normal [m], shape of the gap
-  double force = 0;                     ///< normal force of the whole patch [N]
-  double max_pressure = 0;              ///< highest, between the cells less their excess; may be below theirs [Pa]
-  double area = 0;                      ///< contact area with sub-cell edge [m²]
-  double moved_at_discontinuities = 0;  ///< what jumps of the gap's curvature move the edge by, sizes summed [m²]
-  bool touches_border = false;          ///< pressure in an outer cell of the grid: the box cut the patch
+  Grid grid;                 ///< grid of the pressure
+  Eigen::ArrayXXd pressure;  ///< pressure of each cell [Pa], same shape as the gap
+  Eigen::ArrayXXd
+      displacement;  ///< displacement of both surfaces away from one another by the pressure [m], same shape
+  double force = 0;  ///< normal force of the whole patch [N]
+  /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
+  /// pressure of the highest cell.
+  double max_pressure = 0;
+  double area = 0;  ///< contact area [m²]; its edge is located to a fraction of a cell
+  /// Sum of the absolute area corrections at curvature discontinuities of the gap [m²]. Used by error estimates.
+  double moved_at_discontinuities = 0;
+  bool touches_border = false;  ///< an outer cell of the grid carries pressure: the grid may be too small
 };
 
-/// Answer of a NormalSolver.
+/// Result of a NormalSolver.
 struct NormalSolution
 {
-  SolveStatus status = SolveStatus::invalid_problem;  ///< whether the rest may be used
-  std::vector<PatchPressure> patches;                 ///< in the problem's order
+  SolveStatus status = SolveStatus::invalid_problem;  ///< whether the solution is usable; check it first
+  std::vector<PatchPressure> patches;                 ///< in the order of NormalProblem::patches
   double approach = 0;                                ///< common approach [m]
-  /// The support's coordinates under the pressure, where it yields.
+  /// Coordinates of the support under the pressure [m] or [rad], if it is compliant.
   Eigen::Vector3d support = Eigen::Vector3d::Zero();
-  int iterations = 0;  ///< products with the influence matrix
-  /// Largest violation of the contact conditions relative to the approach's scale [-]; see ConjugateGradients.
+  /// Number of products with the influence matrix; of sweeps with the Seidel methods, of load evaluations with
+  /// Kik-Piotrowski; 0 with Hertz.
+  int iterations = 0;
+  /// Largest violation of the contact conditions, relative to the largest overlap of the undeformed bodies [-]:
+  /// max(|w| where p > 0, -w where p = 0) / max(weight * approach - gap). With Kik-Piotrowski the relative error of the
+  /// load; 0 with Hertz.
   double residual = 0;
 };
 
-/// Estimated relative errors of one patch of a solution [-], all >= 0.
+/// Estimated relative errors of one patch of a solution [-], all >= 0. They are estimates, not bounds.
 struct ErrorEstimate
 {
   double max_pressure = 0;  ///< of the highest pressure
   double area = 0;          ///< of the contact area
-  double approach = 0;      ///< of the patch's own approach, from its first touch on
-  /// The part of `area` that columns make on which the pressure is narrower than the cells tell, as in a tail: it falls
-  /// with the cells along, hardly with those across.
+  double approach = 0;      ///< of the approach of the patch, counted from its first touch
+  /// Part of `area` from narrow ends of the contact: columns in which the pressure is narrower than the cells resolve.
+  /// More cells along the track reduce it; more cells across hardly do.
   double narrow_ends = 0;
-  /// The residual over the patch's own approach, of which ofResidual() tells the parts in the first three: they do not
-  /// fall with the cells.
+  /// Residual relative to the approach of the patch. Its effect is included in the first three errors; finer cells do
+  /// not reduce it.
   double residual = 0;
 
-  /// The largest of the first three [-].
+  /// Largest of max_pressure, area and approach [-].
   double largest() const;
 };
 }  // namespace wheel_rail_contact::core

@@ -8,8 +8,9 @@
 
 namespace wheel_rail_contact::core
 {
-/// A point of a profile curve and its derivatives with respect to the curve's parameter u [m].
-/// Profile frame, the same for wheel and rail and for both sides of the track: y to the field side, z up, [m].
+/// Point of a profile curve, with its derivatives with respect to the parameter u of the curve [m].
+///
+/// Profile frame, the same for wheels and rails and on both sides of the track: y to the field side, z up.
 struct CurvePoint
 {
   double y;    ///< [m], positive to the field side
@@ -19,80 +20,86 @@ struct CurvePoint
   double ddy;  ///< d²y/du² [1/m]
   double ddz;  ///< d²z/du² [1/m]
 
-  /// dz/dy [-]; infinite where the tangent is vertical.
+  /// Slope dz/dy [-]; infinite where the tangent is vertical.
   double slope() const { return dz / dy; }
-  /// Signed curvature of the curve [1/m], positive where it bends up (towards +z) for growing y.
+  /// Signed curvature [1/m], positive where the curve bends up (towards +z) for growing y.
   double curvature() const;
 };
 
-/// A point and the third derivatives: enough to tell the curve close to the point.
+/// Point of a profile curve with all derivatives up to the third: a Taylor expansion of the curve about the point.
 struct CurveExpansion
 {
-  CurvePoint point;  ///< with its first and second derivatives
+  CurvePoint point;  ///< point with its first and second derivatives
   double dddy;       ///< d³y/du³ [1/m²]
   double dddz;       ///< d³z/du³ [1/m²]
 };
 
-/// Straight piece; the parameter is its length.
+/// Straight section. The local parameter t is the length along it.
 struct LineSection
 {
   double y0, z0;  ///< start [m]
-  double dy, dz;  ///< unit direction [-]
+  double dy, dz;  ///< direction, a unit vector [-]
 };
 
-/// Circular arc; the parameter is its arc length.
+/// Circular arc. The local parameter t is the arc length.
 struct ArcSection
 {
   double yc, zc;  ///< centre [m]
   double radius;  ///< [m], > 0
-  double angle;   ///< polar angle of the start seen from the centre [rad]
-  double turn;    ///< +1 counter-clockwise, -1 clockwise (in the y-z plane, z up)
+  double angle;   ///< polar angle of the start, seen from the centre, from +y towards +z [rad]
+  double turn;    ///< +1: from +y towards +z (counter-clockwise with y to the right and z up); -1: clockwise
 };
 
-/// z as a polynomial of y; the parameter is y - y0.
+/// Section with z as a polynomial of y. The local parameter is t = y - y0.
 struct PolynomialSection
 {
   static constexpr std::size_t max_coefficients = 9;  ///< largest number of coefficients
-  double y0;                                          ///< y at the section's start [m]
+  double y0;                                          ///< y at the start of the section [m]
   double coefficient[max_coefficients];               ///< z = sum coefficient[k] (y0 + t)^k, [m^(1-k)]
-  std::size_t count;                                  ///< used coefficients
+  std::size_t count;                                  ///< number of coefficients used
 };
 
-/// Both coordinates as cubics of the local parameter (a piece of a spline through measured points).
+/// Section with both coordinates as cubic polynomials of the local parameter t (part of a spline).
 struct CubicSection
 {
   double y[4];  ///< y = sum y[k] t^k [m^(1-k)]
   double z[4];  ///< z = sum z[k] t^k [m^(1-k)]
 };
 
-/// Point of a section by its local parameter.
+/// Curve of a section as a function of its local parameter t [m].
 using SectionLaw = std::variant<LineSection, ArcSection, PolynomialSection, CubicSection>;
 
-/// One section with the length of its parameter.
+/// Section of a profile.
 struct ProfileSection
 {
-  SectionLaw law;  ///< the curve
-  double length;   ///< range of the local parameter, t in [0, length] [m]
+  SectionLaw law;  ///< curve
+  double length;   ///< range of the local parameter: t in [0, length] [m], > 0
 };
 
-/// Wheel or rail profile: a plane curve made of sections, running from the gauge (flange) side to the field side.
+/// Wheel or rail profile: a plane curve of consecutive sections, from the gauge (flange) side to the field side.
 ///
-/// Origin: a wheel's on the running (tape) circle, a rail's on the crown (top of the upright rail). The curve is
-/// evaluated exactly on every section (no resampling); at a joint the section after it is taken.
+/// The origin is the running circle of a wheel or the crown (top of the upright rail) of a rail. The parameter u of the
+/// curve is the sum of the lengths of all preceding sections plus the local parameter of the section. Each section is
+/// evaluated exactly, without resampling. At the boundary of two sections, the second one is used.
+///
+/// Standard profiles: standard_profiles.h. Profiles from files: profile_reader.h.
 class Profile
 {
  public:
-  /// @throw std::invalid_argument if there is no section, a section has no (or no finite) length, an arc no radius or
-  /// a polynomial too many coefficients.
+  /// @param name      name of the profile, see name()
+  /// @param sections  in order from the gauge side to the field side
+  /// @throw std::invalid_argument if there is no section, a length is not positive and finite, a radius is not
+  /// positive, or a polynomial has too many coefficients.
   Profile(std::string name, const std::vector<ProfileSection>& sections);
 
-  /// Name of a standard profile, or of the file.
+  /// Name of the standard profile or of the file.
   const std::string& name() const { return name_; }
-  /// Largest value of the parameter [m]; the smallest is 0.
+  /// Largest value of the parameter u [m]; the smallest is 0.
   double length() const { return start_.back(); }
-  /// Point and derivatives at u [m]; outside [0, length()] the end section is continued by its own law.
+  /// Point and derivatives at the parameter u [m]. Outside [0, length()] the first or last section is continued.
   CurvePoint at(double u) const;
-  /// Values of the parameter at which sections meet, with both ends [m].
+  /// Parameters u of all section boundaries, including both ends of the profile [m]. Curvature, and with rounded
+  /// standards also position, may be discontinuous there.
   const std::vector<double>& discontinuities() const { return start_; }
 
  private:
@@ -102,23 +109,25 @@ class Profile
 
   std::string name_;
   std::vector<SectionLaw> law_;
-  std::vector<double> start_;        ///< law_.size() + 1 joints [m]
-  std::vector<std::size_t> bucket_;  ///< section at each border of the equal buckets over the length
+  std::vector<double> start_;        ///< section boundaries: law_.size() + 1 values of u [m]
+  std::vector<std::size_t> bucket_;  ///< section at each boundary of equal buckets over the length, for fast look-up
   double buckets_per_metre_;         ///< [1/m]
 };
 
-/// Reads a profile at places near one another: the section of the last place is tried first.
+/// Evaluates a profile at a series of neighbouring positions. It is fast because it first tries the section of the
+/// previous position.
 class ProfileCursor
 {
  public:
-  /// Refers to `profile`, which must outlive it.
+  /// Keeps a reference to `profile`, which must outlive the cursor.
   explicit ProfileCursor(const Profile& profile) : profile_(&profile) {}
 
-  /// The same point as Profile::at().
+  /// Point at the parameter u [m], identical to Profile::at().
   CurvePoint at(double u);
-  /// The same point, expanded.
+  /// The same point with third derivatives.
   CurveExpansion expansionAt(double u);
-  /// How far the place last read lies from the nearest joint [m]; an end of the profile is none.
+  /// Distance in u of the last evaluated position from the nearest boundary of two sections [m]. The ends of the
+  /// profile do not count; infinite if there is only one section.
   double reach() const { return reach_; }
 
  private:
@@ -127,7 +136,7 @@ class ProfileCursor
 
   const Profile* profile_;
   std::size_t section_ = 0;
-  double begin_ = 0, end_ = 0;  ///< places on section_, [begin_, end_) [m]; none before the first place is read
+  double begin_ = 0, end_ = 0;  ///< range [begin_, end_) of u on section_ [m]; empty before the first evaluation
   double reach_ = 0;
 };
 }  // namespace wheel_rail_contact::core

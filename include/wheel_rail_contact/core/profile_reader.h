@@ -10,25 +10,26 @@
 
 namespace wheel_rail_contact::core
 {
-/// Whose profile a file holds.
+/// Kind of a profile. It determines the origin.
 enum class ProfileKind
 {
   wheel,  ///< origin on the running circle
   rail    ///< origin on the crown
 };
 
-/// A profile file that cannot be used; what() reads "file:line: reason", or "file: reason" for the file as a whole.
+/// Profile file that cannot be used. what() is "file:line: reason", or "file: reason" if the file as a whole is wrong.
 class ProfileError : public std::runtime_error
 {
  public:
-  /// @param line counted from 1; 0 for the file as a whole.
+  /// @param line   number of the line, from 1; 0 for the file as a whole
+  /// @param reason the broken rule
   ProfileError(const std::string& file, std::size_t line, const std::string& reason);
 
-  /// The file's path.
+  /// Path of the file.
   const std::string& file() const { return file_; }
-  /// Counted from 1; 0 for the file as a whole.
+  /// Number of the line, from 1; 0 for the file as a whole.
   std::size_t line() const { return line_; }
-  /// The rule that is broken.
+  /// The broken rule.
   const std::string& reason() const { return reason_; }
 
  private:
@@ -37,44 +38,49 @@ class ProfileError : public std::runtime_error
   std::string reason_;
 };
 
-/// Standard deviation across the curve assumed for MiniProf measurements unless another is given [m].
+/// Standard deviation of MiniProf measurements across the curve that is assumed unless another one is given [m].
 constexpr double miniprof_noise = 5e-6;
 
-/// A standard profile by name, or a profile from a file by path.
+/// Returns a standard profile by its name, or a profile from a file by its path.
 ///
-/// Names: `S1002` (wheel), `60E1`, `UIC60_manchester` (rails). Anything else is the path of a file for readProfile().
-/// @throw std::invalid_argument if the name is that of a profile of the other kind.
-/// @throw ProfileError as readProfile() does.
+/// Names: `S1002` (wheel), `60E1` and `UIC60_manchester` (rails). Any other text is the path of a file for
+/// readProfile().
+/// @throw std::invalid_argument if the named standard profile is of the other kind.
+/// @throw ProfileError in the cases of readProfile().
 Profile loadProfile(const std::string& name_or_path, ProfileKind kind);
 
-/// Profile from a file; the format follows from the extension (upper or lower case):
+/// Reads a profile from a file. The extension of its name (upper or lower case) determines the format:
 ///
-/// * Simpack `.prw` (wheel), `.prr` (rail): z down, y to the field side after the file's own edits. Their order is the
-///   one Simpack numbers: 1 point.dist.min, 2 shift, 3 rotate (about x, from y towards z), 4 bound (points outside are
-///   left out; min > max switches it off), 5 mirror, 6 inversion, 7 units. A third column is the point's weight; points
-///   of weight 0 are left out. approx.smooth, whose meaning is not public, is taken as the noise in the file's length
-///   unit.
-/// * MiniProf `.whl`, `.ban` (rail), in mm, as MiniProf for Windows writes them: key=value lines, then columns as
-///   ColumnDef says. Wheel: X from the flange back to the field side, Y towards the flange tip; it is moved so that the
-///   running circle, at X = WheelDiameterTaperline (70 mm if not stated), becomes the origin. Rail: Y up, X to the
-///   gauge side. (These axes are inferred from the measured profiles of worn rails and wheels that come with CONTACT
-///   and from the conversion programs of GENSYS, not from a description by the maker.) Xoffset and Yoffset are added; a
-///   Tilt other than 0 is refused. Points where the measurement runs back by less than 1 mm are left out.
-/// * `.csv`: y to the field side, z up. The first line states columns and unit, `y_mm,z_mm` or `y_m,z_m`, with or
-///   without a leading #; further lines that start with # are comments.
+/// * **Simpack** `.prw` (wheel), `.prr` (rail). After the edits that are stated in the file, z points down and y to the
+///   field side. The edits are applied in Simpack's own order: 1 point.dist.min; 2 shift; 3 rotate (about x, from y
+///   towards z); 4 bound (points outside are omitted; min > max switches it off); 5 mirror; 6 inversion; 7 units. A
+///   third column is the weight of the point; points of weight 0 are omitted. The meaning of approx.smooth is not
+///   public; it is used as the noise, in the length unit of the file.
+/// * **MiniProf** `.whl` (wheel), `.ban` (rail), in mm, as written by MiniProf for Windows: lines key=value, then the
+///   columns listed in ColumnDef. Wheel: X from the flange back to the field side, Y towards the flange tip. The
+///   running circle, at X = WheelDiameterTaperline (70 mm if not stated), becomes the origin. Rail: X to the gauge
+///   side, Y up. Xoffset and Yoffset are added; a Tilt other than 0 is rejected. Points at which the measurement runs
+///   back by up to 1 mm are omitted. The directions of the axes are inferred from the measured profiles of worn rails
+///   and wheels that come with CONTACT and from the conversion programs of GENSYS, not from a description by the
+///   manufacturer.
+/// * **CSV** `.csv`: y to the field side, z up. The first line states columns and unit: `y_mm,z_mm` or `y_m,z_m`, with
+///   or without a leading #. Other lines that start with # are comments.
 ///
-/// The origin must be the running circle of a wheel, the crown of a rail, within 5 mm in height. A rail may be stored
-/// inclined, as it lies in the track; the track's inclination must then be set to zero.
+/// The origin must be the running circle of a wheel or the crown of a rail, within 5 mm in height. A rail may be stored
+/// inclined, as it lies in the track; TrackConfig::rail_inclination must then be 0.
 ///
-/// Points less than 0.05 mm from the one before are left out, since the digits of files do not give a curvature on that
-/// length. With noise the points are smoothed (smoothingSpline()), otherwise the profile passes through every one
-/// (interpolatingSpline()).
+/// The points may run in either direction. A point less than 0.05 mm from the preceding one is omitted: over this
+/// distance the digits of a file do not determine a curvature. With noise, a smoothing spline is fitted to the points;
+/// without noise, an interpolating spline passes through all of them.
 ///
-/// @param noise expected standard deviation across the curve [m], 0 to max_spline_noise; without it that of the file:
-/// approx.smooth for Simpack, miniprof_noise for MiniProf, 0 for CSV.
-/// @throw ProfileError if the file cannot be read, is cut off or malformed, of the wrong kind, larger than 4 MiB or
-/// 20000 points, or holds no plausible profile: fewer than 10 points, points not in order along the curve, gaps of more
-/// than 25 mm, a width outside 20 ... 300 mm, a height above 120 mm, a shape that is no wheel's or rail's.
+/// @param path   path of the file
+/// @param kind   expected kind of the profile
+/// @param noise  expected standard deviation of the points across the curve [m], 0 to 1e-4. Default: approx.smooth for
+///               Simpack, miniprof_noise for MiniProf, 0 for CSV.
+/// @throw ProfileError if the file cannot be read, is truncated, malformed or of the wrong kind, is larger than 4 MiB
+/// or has more than 20000 points. Also if it does not contain a plausible profile: fewer than 10 points, points not in
+/// order along the curve, a gap of more than 25 mm, a width outside 20 mm to 300 mm, a height above 120 mm, or a shape
+/// that is not that of a wheel or rail.
 /// @throw std::invalid_argument if the noise is out of range.
 Profile readProfile(const std::string& path, ProfileKind kind, std::optional<double> noise = std::nullopt);
 }  // namespace wheel_rail_contact::core

@@ -3,75 +3,79 @@
 
 namespace wheel_rail_contact::core
 {
-/// Rigid displacement of a rail's head at the loaded section, track axes of one side: outward is away from the track's
-/// centre. The displacement belongs to the head's reference point, `ComplianceTable::reference_depth` below the crown
-/// on the rail's axis; the roll turns the head about that point.
+/// Rigid displacement of a rail head, in the axes of its side: outward (away from the track centre) and up (+z).
+///
+/// Lateral and vertical displacement are those of the reference point of the head. It lies on the axis of the rail,
+/// ComplianceTable::reference_depth below the crown. The roll turns the head about this point.
 struct RailDeflection
 {
-  double lateral = 0;   ///< [m], outward positive
-  double vertical = 0;  ///< [m], up positive
-  double roll = 0;      ///< [rad], outward positive (the crown moves outward)
+  double lateral = 0;   ///< lateral displacement [m], outward positive
+  double vertical = 0;  ///< vertical displacement [m], up positive
+  double roll = 0;      ///< rotation of the head [rad], positive if the crown moves outward
 };
 
-/// Force of the wheel on the rail head, axes of one side.
+/// Force of a wheel on a rail head, in the axes of its side.
 struct RailForce
 {
-  double lateral = 0;   ///< Y [N], outward positive
-  double vertical = 0;  ///< Q [N], down positive
-  double moment = 0;    ///< about the head's reference point [N m], outward roll positive
+  double lateral = 0;   ///< lateral force Y [N], outward positive
+  double vertical = 0;  ///< vertical force Q [N], down positive
+  double moment = 0;    ///< moment about the reference point of the head [N m], positive if it turns the head outward
 };
 
-/// Small-displacement compliance of the head under a force at the same section, in the upright rail's own axes.
+/// Compliance of a rail head: its small displacement by a force, in the axes of the upright rail.
 ///
 ///   [lateral; roll] = [[lateral_lateral, lateral_roll], [lateral_roll, roll_roll]] [Y; M],
 ///   vertical = -vertical_vertical Q,
 ///
-/// with M the moment of Y and Q about the reference point. Symmetric by Maxwell-Betti.
+/// with M the moment of Y and Q about the reference point of the head. Force and displacement belong to the same
+/// section of the rail. The matrix is symmetric (Maxwell-Betti). The default is a rigid rail.
 struct ComplianceTable
 {
-  static constexpr double reference_depth = 0.014;  ///< head's reference point below the crown [m]
+  static constexpr double reference_depth = 0.014;  ///< depth of the reference point below the crown [m]
 
-  double lateral_lateral = 0;    ///< [m/N]
-  double lateral_roll = 0;       ///< [rad/N] = [m/(N m)]
-  double roll_roll = 0;          ///< [rad/(N m)]
-  double vertical_vertical = 0;  ///< [m/N]
+  double lateral_lateral = 0;    ///< lateral displacement per lateral force [m/N]
+  double lateral_roll = 0;       ///< roll per lateral force [rad/N] = lateral displacement per moment [m/(N m)]
+  double roll_roll = 0;          ///< roll per moment [rad/(N m)]
+  double vertical_vertical = 0;  ///< downward displacement per vertical force [m/N]
 
-  /// @throw std::invalid_argument if the matrix is not finite and positive semidefinite.
+  /// Checks that all entries are finite and the matrix is positive semidefinite.
+  /// @throw std::invalid_argument with the name of the wrong entry.
   void validate() const;
 };
 
-/// Deflection of the head under a force, both in the upright rail's own axes.
+/// Deflection of a rail head under a force, both in the axes of the upright rail.
 RailDeflection deflection(const ComplianceTable& table, const RailForce& force);
 
-/// The same with force and deflection in the track's side axes (outward, up) on a rail inclined by `inclination` [rad] towards
-/// the track's centre.
+/// Deflection of a rail head under a force, both in track axes (outward, up). The rail is inclined by `inclination`
+/// [rad] towards the track centre.
 RailDeflection deflectionInTrack(const ComplianceTable& table, const RailForce& force, double inclination);
 
-/// How the rails give way.
+/// Deflection of the rails.
 struct RailBendingConfig
 {
-  /// What sets the rails' deflection.
+  /// Source of the deflection.
   enum class Model
   {
-    none,        ///< rails stay where they are
-    prescribed,  ///< by `prescribed`
-    compliance   ///< by `table` and the forces
+    none,        ///< rigid rails
+    prescribed,  ///< constant deflection `prescribed`
+    compliance   ///< computed from the forces with the compliance table `table`
   };
-  /// The lateral force that bends a rail.
+  /// Source of the lateral force that bends a rail.
   enum class LateralForce
   {
-    contact,  ///< the outward share of the contact's normal forces
-    topic,    ///< given with every state (WheelsetState::rail_lateral_force)
-    constant  ///< `lateral_force_value`
+    contact,  ///< outward component of the normal forces of the contact
+    topic,    ///< given with each state (WheelsetState::rail_lateral_force)
+    constant  ///< constant force `lateral_force_value`
   };
-  Model model = Model::none;                           ///< what sets the deflection
-  RailDeflection prescribed;                           ///< for model prescribed, the same on both rails
-  ComplianceTable table;                               ///< for model compliance
-  LateralForce lateral_force = LateralForce::contact;  ///< for model compliance
-  double lateral_force_value = 0;                      ///< outward positive [N]
+  Model model = Model::none;                           ///< source of the deflection
+  RailDeflection prescribed;                           ///< deflection of both rails, for Model::prescribed
+  ComplianceTable table;                               ///< compliance of both rails, for Model::compliance
+  LateralForce lateral_force = LateralForce::contact;  ///< source of the lateral force, for Model::compliance
+  double lateral_force_value = 0;                      ///< for LateralForce::constant [N], outward positive
 };
 
-/// Checks every option against its rule.
-/// @throw std::invalid_argument with the option, its value and the broken rule.
+/// Checks every parameter: prescribed displacements up to 0.1 m and roll up to 0.2 rad, a finite lateral force, a valid
+/// table.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const RailBendingConfig& bending);
 }  // namespace wheel_rail_contact::core

@@ -1,39 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Normal contact of a railway wheelset and two rails. SI units and radians; frames and signs as in the README.
+/// Normal contact of the wheels of a railway wheelset with two rails.
+///
+/// SI units, angles in radians. Track frame: x forward along the track, y left, z up; the origin is on the centre line,
+/// and z = 0 is the plane on the tops of both undeflected rails. "Outward" is the direction from the track centre to
+/// the field side of a rail. doc/glossary.md explains all terms.
 namespace wheel_rail_contact::core
 {
-/// Sides of the track, seen in the direction of travel (+x).
+/// Side of the track, seen in the direction of travel (+x).
 enum class Side
 {
   left = 0,  ///< y > 0
   right = 1  ///< y < 0
 };
 
-/// Position of the undeflected rails.
+/// Position and inclination of the undeflected rails.
 struct TrackConfig
 {
-  double gauge = 1.435;             ///< between the rails' gauge faces [m], > 0
-  double gauge_depth = 0.014;       ///< below the plane on both rails' tops at which the gauge is measured [m], > 0
-  double rail_inclination = 0.025;  ///< of each rail towards the track centre [rad]; 1:40 is atan(1/40)
+  double gauge = 1.435;        ///< distance between the gauge faces of both rails [m], > 0
+  double gauge_depth = 0.014;  ///< depth below the tops of the rails at which the gauge is measured [m], > 0
+  /// Inclination of each rail, top towards the track centre [rad]; at most 0.2. 1:40 is atan(1/40). This is not the
+  /// cant (superelevation) of the track.
+  double rail_inclination = 0.025;
 };
 
-/// The wheelset, and what of its pose is solved.
+/// Dimensions of the wheelset, and the part of its pose that is solved.
 struct WheelsetConfig
 {
-  double rolling_radius = 0.460;        ///< of the running (tape) circle [m], > 0
-  double flange_back_distance = 1.360;  ///< between the flange backs [m], > 0
-  double tape_circle = 0.070;           ///< from the flange back to the running circle [m], > 0
-  bool solve_height_and_roll = true;    ///< true: z and roll follow from the load; false: they are given
+  double rolling_radius = 0.460;        ///< radius of the wheels at the running circle [m], > 0
+  double flange_back_distance = 1.360;  ///< back-to-back distance: between the backs of both flanges [m], > 0
+  double tape_circle = 0.070;           ///< distance from the flange back to the running circle [m], > 0
+  /// True: height and roll of the axle are solved from the load. False: they are given in each WheelsetState, and the
+  /// forces follow from them.
+  bool solve_height_and_roll = true;
 
-  /// Half the distance of the running circles [m].
+  /// Half the distance between the running circles of both wheels [m].
   double halfBase() const { return 0.5 * flange_back_distance + tape_circle; }
 };
 
-/// Checks every option against its rule.
-/// @throw std::invalid_argument with the option, its value and the broken rule.
+/// Checks that every parameter is within its range.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const TrackConfig& track);
-/// Same for the wheelset.
+/// Checks that every parameter is within its range.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const WheelsetConfig& wheelset);
 }  // namespace wheel_rail_contact::core

@@ -9,25 +9,31 @@
 
 namespace wheel_rail_contact::core
 {
-/// The whole chain: pose and load -> placement -> search -> gap -> normal solution -> balance.
+/// Computes the contact of one wheelset with both rails, from pose and load to the pressure in each contact patch.
 ///
-/// Keeps the last answer as a starting point; not thread-safe, one object per wheelset.
+/// The steps are placement, contact search, gap, normal solution and vertical balance (see doc/theory.md). An example
+/// is in doc/library.md.
+///
+/// Each evaluation starts from the previous result (warm start). This saves time and changes the result only within the
+/// tolerance. Not thread-safe: use one object per wheelset.
 class WheelsetContact
 {
  public:
-  /// @throw std::invalid_argument naming the option, its value and the broken rule.
+  /// Checks the parameters (validate()), places the rails and prepares the solvers.
+  /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
   explicit WheelsetContact(ContactModelConfig config);
   ~WheelsetContact();
   WheelsetContact(WheelsetContact&&) noexcept;
   WheelsetContact& operator=(WheelsetContact&&) noexcept;
 
-  /// Answers one state. Never throws for bad states or numerical failure: the status tells.
+  /// Evaluates one state. Does not throw for an invalid state or a numerical failure: check WheelsetResult::status.
+  /// @return the result. The reference is valid until the next call, at most for the life of the object.
   const WheelsetResult& evaluate(const WheelsetState& state);
 
-  /// Forgets the last answer: the next evaluation starts cold.
+  /// Discards the previous result: the next evaluation starts cold.
   void reset();
 
-  /// As given when it was made.
+  /// The parameters given to the constructor.
   const ContactModelConfig& config() const;
 
  private:

@@ -12,88 +12,95 @@
 
 namespace wheel_rail_contact::core
 {
-/// Whether an answer may be used, and if not, why.
+/// Whether a result is usable, and if not, why.
 enum class ContactStatus
 {
-  ok,             ///< every loaded wheel in contact, usable
-  lift_off,       ///< at least one wheel carries nothing, the rest is solved; usable
-  off_profile,    ///< contact would lie beyond the end of a profile
-  not_converged,  ///< normal solution, balance or coupling did not converge
-  invalid_input   ///< NaN or infinite input, or angles out of range
+  ok,             ///< every wheel carries its load; usable
+  lift_off,       ///< at least one wheel carries no load, the other one is solved; usable
+  off_profile,    ///< the contact would be beyond the end of a profile; not usable
+  not_converged,  ///< normal solution, balance or coupling with the rails did not converge; not usable
+  invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
 };
 
-/// What a rail does under its forces, axes of its side.
+/// Deflection of one rail and the forces on it, in the axes of its side: outward (away from the track centre) and up.
 struct RailResult
 {
-  RailDeflection deflection;  ///< of the head
-  double lateral_force = 0;   ///< that bends the rail, outward [N]
-  double vertical_force = 0;  ///< down [N]
-  double moment = 0;          ///< of both about the head's reference point, outward roll positive [N m]
-  /// True if the contact was solved on the rail as these forces bend it. False where nothing bends it, or too little to
-  /// change the contact by a good part of the tolerance: then the deflection is reported, and counts in the axle's
-  /// height, but the gap is that of the rail without it.
+  RailDeflection deflection;  ///< of the rail head; includes the part caused by other wheelsets
+  /// Lateral force that bends the rail, outward positive [N]; its source is RailBendingConfig::lateral_force.
+  double lateral_force = 0;
+  double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
+  double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
+  /// True: the contact was solved on the rail as deflected by these forces. False: these forces do not deflect the
+  /// rail, or they would change the contact by less than 0.3 of the tolerance. In the second case the deflection is
+  /// reported and is included in the height of the axle, but the contact was solved without it.
   bool coupled = false;
 };
 
-/// True if the answer's pressures may be used.
+/// True if the result may be used: the status is `ok` or `lift_off`.
 inline bool isUsable(ContactStatus status)
 {
   return status == ContactStatus::ok || status == ContactStatus::lift_off;
 }
-/// Pose of a patch frame: origin at the reference point on the rail, x forward, y left in the tangent plane, z the
-/// common normal out of the rail. The frame is turned about x only.
+
+/// Pose of a patch frame in the track frame. Origin: reference point of the patch, on the rail. Axes: x forward, y left
+/// in the tangent plane, z along the common normal, out of the rail. The frame is rotated about x only.
 struct PatchPose
 {
-  double x = 0, y = 0, z = 0;  ///< [m], track frame
-  double angle = 0;            ///< rotation about x [rad]
+  double x = 0, y = 0, z = 0;  ///< position of the origin [m]
+  double angle = 0;            ///< rotation about x, right-handed [rad]
 };
 
-/// Grid of a patch's pressure: nx x ny rectangular cells in the patch frame. Cell (i, j) has its centre at (x(i),
-/// y(j)).
+/// Grid of the pressure of a patch: nx × ny equal rectangular cells in the patch frame. The centre of cell (i, j) is at
+/// (x(i), y(j)).
 struct PatchGrid
 {
-  int nx = 0;     ///< cells along the track
-  int ny = 0;     ///< cells across
-  double dx = 0;  ///< cell length along the track [m]
-  double dy = 0;  ///< cell width across [m]
+  int nx = 0;     ///< number of cells along the track
+  int ny = 0;     ///< number of cells across the track
+  double dx = 0;  ///< length of a cell along the track [m]
+  double dy = 0;  ///< width of a cell across the track [m]
   double y0 = 0;  ///< y of the centres of the first column [m]
 
-  /// Centre of row `row` [m]; the rows are symmetric about x = 0.
+  /// x of the centres of row `row` [m]. The rows are symmetric about x = 0.
   double x(int row) const { return (row + 0.5 - 0.5 * nx) * dx; }
-  /// Centre of column `column` [m].
+  /// y of the centres of column `column` [m].
   double y(int column) const { return y0 + column * dy; }
-  /// Area of one cell [m^2].
+  /// Area of one cell [m²].
   double cellArea() const { return dx * dy; }
 };
 
-/// One contact patch of an answer.
+/// One contact patch of a result.
 struct PatchResult
 {
-  Side side = Side::left;       ///< of the wheel
-  std::string_view method;      ///< that solved it, named as in `contact/method`
-  PatchPose pose;               ///< of the patch frame
-  double contact_angle = 0;     ///< >= 0 [rad]
-  double normal_force = 0;      ///< [N]
-  double approach = 0;          ///< along the patch's normal [m]
-  double area = 0;              ///< [m²]
-  double max_pressure = 0;      ///< highest, between the cells; may be below the highest cell [Pa]
-  double error_estimate = 0;    ///< relative [-]
-  int iterations = 0;           ///< products with the influence matrix
-  double residual = 0;          ///< violation of the contact conditions over the approach [-]
-  double half_space_ratio = 0;  ///< half the angle through which wheel or rail turns over the patch [rad]
-  PatchGrid grid;               ///< cells of `pressure`
-  Eigen::ArrayXXd pressure;     ///< nx × ny [Pa]
+  Side side = Side::left;    ///< side of the wheel
+  std::string_view method;   ///< method that solved the patch, named as in toString(NormalMethod); never "auto"
+  PatchPose pose;            ///< patch frame in the track frame
+  double contact_angle = 0;  ///< angle between tangent plane and track plane [rad], >= 0; its sense: pose.angle
+  double normal_force = 0;   ///< normal force, compressive positive [N]
+  double approach = 0;       ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
+  double area = 0;           ///< contact area [m²]; its edge is located to a fraction of a cell
+  /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
+  /// pressure of the highest cell.
+  double max_pressure = 0;
+  /// Largest of the estimated relative errors of max_pressure, area and approach [-]. It is an estimate, not a bound.
+  double error_estimate = 0;
+  int iterations = 0;   ///< number of products with the influence matrix; see NormalSolution::iterations
+  double residual = 0;  ///< largest violation of the contact conditions, relative [-]; see NormalSolution::residual
+  /// Half the angle by which the section of wheel or rail turns across the patch [rad], the larger of the two. The
+  /// half-space model requires a value far below 1.
+  double half_space_ratio = 0;
+  PatchGrid grid;            ///< grid of `pressure`
+  Eigen::ArrayXXd pressure;  ///< nx × ny pressures [Pa], compressive positive; pressure(i, j) belongs to cell (i, j)
 };
 
-/// The answer to one state.
+/// Contact of a wheelset with both rails in one state: the output of WheelsetContact::evaluate().
 struct WheelsetResult
 {
-  ContactStatus status = ContactStatus::invalid_input;  ///< whether the rest may be used
-  std::string reason;                                   ///< one sentence, empty when ok and within the tolerance
-  bool above_tolerance = false;                         ///< a patch's error estimate is above contact/tolerance
-  double x = 0, y = 0, z = 0;                           ///< axle centre, with the solved height [m]
-  double yaw = 0, roll = 0;                             ///< with the solved roll [rad]
-  std::array<RailResult, 2> rail;                       ///< by Side
-  std::vector<PatchResult> patches;                     ///< empty unless usable
+  ContactStatus status = ContactStatus::invalid_input;  ///< whether the result is usable; check it first
+  std::string reason;                ///< one sentence: reason for the status, or a warning; empty if there is none
+  bool above_tolerance = false;      ///< the error estimate of at least one patch is above ContactConfig::tolerance
+  double x = 0, y = 0, z = 0;        ///< axle centre in the track frame [m]; z is the solved (or given) height
+  double yaw = 0, roll = 0;          ///< rotation of the axle [rad]; roll is the solved (or given) one
+  std::array<RailResult, 2> rail;    ///< rail of each Side; valid only if the result is usable
+  std::vector<PatchResult> patches;  ///< left side first; empty unless the result is usable
 };
 }  // namespace wheel_rail_contact::core

@@ -7,18 +7,32 @@
 
 namespace wheel_rail_contact::core
 {
-/// What is known of a wheelset at one instant; track frame (x forward, y left, z up).
+/// Pose and load of a wheelset at one instant: the input of WheelsetContact::evaluate().
+///
+/// Track frame: x forward, y left, z up; z = 0 is the plane on the tops of both undeflected rails. The axle is rolled
+/// first, then yawed (fixed axes). A value that is not finite or beyond its limit below gives a result with the status
+/// ContactStatus::invalid_input.
 struct WheelsetState
 {
-  double y = 0;                                ///< axle centre, to the left [m]
-  double z = 0;                                ///< axle centre, up [m]; used only if height and roll are given
-  double yaw = 0;                              ///< about z [rad]
-  double roll = 0;                             ///< about x [rad]; used only if height and roll are given
-  double force_z = 0;                          ///< vehicle's force on the axle centre, up [N]; negative presses down
-  double torque_x = 0;                         ///< vehicle's moment on the axle centre about x [N m]
-  std::array<double, 2> rail_lateral_force{};  ///< outward force on the rail by Side [N], for LateralForce::topic
-  /// Deflection of each rail by Side that other wheelsets' forces cause here, for model compliance.
+  double y = 0;  ///< lateral displacement of the axle centre, to the left positive [m]; |y| <= 0.1
+  /// Height of the axle centre [m]; |z| <= 1. Used only if WheelsetConfig::solve_height_and_roll is false.
+  double z = 0;
+  double yaw = 0;  ///< rotation of the axle about z, positive to the left [rad]; |yaw| <= 0.2
+  /// Rotation of the axle about x, positive if the left wheel is raised [rad]; |roll| <= 0.2. Used only if
+  /// WheelsetConfig::solve_height_and_roll is false.
+  double roll = 0;
+  /// Vertical force of the vehicle on the axle centre, up positive [N]: a weight is negative. |force_z| <= 1e8. Not
+  /// required if height and roll are given.
+  double force_z = 0;
+  /// Moment of the vehicle on the axle centre about x [N m]: a positive moment unloads the left wheel.
+  /// |torque_x| <= 1e8. Not required if height and roll are given.
+  double torque_x = 0;
+  /// Lateral force on the rail of each Side, outward positive [N]; at most 1e8. Used only with
+  /// RailBendingConfig::LateralForce::topic.
+  std::array<double, 2> rail_lateral_force{};
+  /// Deflection of the rail of each Side at this wheelset, caused by the forces of other wheelsets; at most 0.1 m and
+  /// 0.2 rad. Used only with RailBendingConfig::Model::compliance.
   std::array<RailDeflection, 2> rail_offset{};
-  double x = 0;  ///< axle centre, along the track [m]; copied to the result
+  double x = 0;  ///< position of the axle centre along the track [m]; not checked, only copied to the result
 };
 }  // namespace wheel_rail_contact::core

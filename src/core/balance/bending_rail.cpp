@@ -8,18 +8,18 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double coupling_tolerance = 1e-6;  ///< of deflection due and deflection used, where they are mixed, relative
-constexpr double roll_arm = 0.1;             ///< makes a roll comparable with a displacement [m]
-constexpr double sharpest_radius = 0.01;     ///< of rail heads and wheel flanges [m]
-constexpr double slip_share = 0.01;   ///< of contact/tolerance, left open in the gap by the rail's way along the plane
-constexpr double early_move = 0.3;    ///< of the way allowed, at which the next answer sets out with the rail moved
-constexpr double same_load = 0.01;    ///< change of a wheel's load that need not move its rail beforehand [-]
-constexpr double effect_share = 0.3;  ///< of contact/tolerance, below which the rail's bending is left out of the gap
-constexpr double effect_reserve = 0.5;          ///< of that, from which on a bent rail is held straight again
-constexpr double flange_step = 2e-4;            ///< by which a rail is set out from under a flange [m]
-constexpr double greatest_lateral_share = 2.0;  ///< lateral force that may have to hold it there, of the wheel load [-]
-constexpr double farthest_displacement = 0.05;  ///< that a head is ever set from its place [m], [rad]
-constexpr double unsettled = 2.0;               ///< any value above 1
+constexpr double coupling_tolerance = 1e-6;  ///< relative difference of the mixed deflections, see mix() [-]
+constexpr double roll_arm = 0.1;             ///< converts a roll to a comparable displacement [m]
+constexpr double sharpest_radius = 0.01;     ///< smallest radius of rail heads and wheel flanges [m]
+constexpr double slip_share = 0.01;          ///< gap error in slipRatio(), over contact/tolerance [-]
+constexpr double early_move = 0.3;           ///< share of the allowed displacement, see begin() [-]
+constexpr double same_load = 0.01;      ///< change of a wheel load up to which the rail keeps its start position [-]
+constexpr double effect_share = 0.3;    ///< share of contact/tolerance, see effectLimit() [-]
+constexpr double effect_reserve = 0.5;  ///< share of effectLimit() below which the bending is left out again [-]
+constexpr double flange_step = 2e-4;    ///< step of clearFlange() [m]
+constexpr double greatest_lateral_share = 2.0;  ///< lateral over vertical force, limit in clearFlange() [-]
+constexpr double farthest_displacement = 0.05;  ///< limit of the displacement of a head [m], [rad]
+constexpr double unconverged = 2.0;             ///< any value above 1
 }  // namespace
 
 BendingRail::BendingRail(const ContactModelConfig& config, bool solved_with_contact, WheelContact& wheel)
@@ -69,7 +69,7 @@ Eigen::Vector3d BendingRail::underLoad(double load) const
   return compliance_ * Eigen::Vector3d(0, -std::max(load, 0.0), 0);
 }
 
-/// Takes the rail back to where the wheel does not bend it. Returns if it was there, as follow() does.
+/// Removes the rail's own deflection. Returns 0 if there was none, otherwise a value above 1 (see follow()).
 double BendingRail::setStraight()
 {
   if (placed_.isZero(0))
@@ -77,13 +77,13 @@ double BendingRail::setStraight()
     return 0;
   }
   set(Eigen::Vector3d::Zero());
-  return unsettled;
+  return unconverged;
 }
 
 void BendingRail::moveTo(const Eigen::Vector3d& own)
 {
-  const Eigen::Vector3d way = own - placed_;
-  set(placed_ + step_.share(wheel_.railSlip(), way[0]) * way);
+  const Eigen::Vector3d move = own - placed_;
+  set(placed_ + step_.share(wheel_.railSlip(), move[0]) * move);
 }
 
 void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
@@ -105,7 +105,7 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   else if (mode_ == Mode::solved && !straight_ && loaded_)
   {
     const double ratio = std::max(load, 0.0) / result_.vertical_force;
-    if (elsewhere || std::abs(ratio - 1) > same_load || slipOver() > early_move)
+    if (elsewhere || std::abs(ratio - 1) > same_load || slipRatio() > early_move)
     {
       set(ratio * own_);
     }
@@ -117,7 +117,7 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   straighten_ = false;
 }
 
-RigidTouch BendingRail::letFlangeDown(const RigidTouch& touch, const WheelsetPose& pose, double load)
+RigidTouch BendingRail::clearFlange(const RigidTouch& touch, const WheelsetPose& pose, double load)
 {
   const auto on_flange = [](const RigidTouch& seen) { return seen.found && seen.contact.slope > flange_slope; };
   if (mode_ != Mode::solved || !on_flange(touch))
@@ -128,9 +128,9 @@ RigidTouch BendingRail::letFlangeDown(const RigidTouch& touch, const WheelsetPos
   const Eigen::Vector3d start = underLoad(load);
   const double most = greatest_lateral_share * load * compliance_(0, 0);
   RigidTouch moved = touch;
-  for (double way = flange_step; on_flange(moved) && way < most; way += flange_step)
+  for (double outward = flange_step; on_flange(moved) && outward < most; outward += flange_step)
   {
-    set(start + Eigen::Vector3d(way, 0, 0));
+    set(start + Eigen::Vector3d(outward, 0, 0));
     moved = wheel_.touch(pose);
   }
   if (moved.found && !on_flange(moved))
@@ -150,7 +150,7 @@ RigidTouch BendingRail::touchAtRest(const WheelsetPose& pose, double given_later
   return touch;
 }
 
-/// The lateral force that is to bend the rail.
+/// Lateral force that bends the rail, according to rail_bending/lateral_force [N].
 double BendingRail::lateralForce(double of_contact, double given) const
 {
   using LateralForce = RailBendingConfig::LateralForce;
@@ -176,7 +176,7 @@ double BendingRail::deflectionPerLoad() const
   return along.dot(compliance_ * more) / (forces.vertical * forces.vertical);
 }
 
-/// Takes the forces of the last solution over to the results, with the lateral force that is to bend the rail.
+/// Copies the forces of the last solution to the result. The lateral force is the one that bends the rail.
 RailForce BendingRail::takeForce(bool loaded, double given_lateral)
 {
   WheelForces forces = loaded ? wheel_.forces() : WheelForces();
@@ -189,15 +189,17 @@ RailForce BendingRail::takeForce(bool loaded, double given_lateral)
   return {forces.outward, forces.vertical, forces.moment};
 }
 
-/// The rail's way along the contact planes since it was set, over the one allowed: the gap takes it to first order, and
-/// slip²/(2R) is left. What the wheel slides as it comes down by that way is not in the gap at all.
-double BendingRail::slipOver() const
+/// Displacement of the rail along the contact planes since it was set, over the allowed one. The gap contains it to
+/// first order; the remaining error is slip²/(2R). The gap does not contain the sliding of the wheel as it moves down
+/// with the rail; it counts by deflectionError() over the tolerance.
+double BendingRail::slipRatio() const
 {
   const double left_open = slip_share * config_.contact.tolerance * wheel_.elasticPenetration();
   return std::max(wheel_.railSlip() / std::sqrt(2 * sharpest_radius * left_open),
                   wheel_.deflectionError() / config_.contact.tolerance);
 }
 
+/// Relative change of the contact below which the rail's bending is left out of the gap [-].
 double BendingRail::effectLimit() const
 {
   return effect_share * config_.contact.tolerance;
@@ -217,9 +219,9 @@ double BendingRail::followContact(bool loaded)
     }
     straight_ = false;
     moveTo(wheel_.support());
-    return unsettled;
+    return unconverged;
   }
-  const double open = slipOver();
+  const double open = slipRatio();
   if (open > 1)
   {
     moveTo(wheel_.support());
@@ -227,7 +229,7 @@ double BendingRail::followContact(bool loaded)
   return open;
 }
 
-/// Brings the deflection nearer to the one due under a force. Returns their difference, over the one allowed.
+/// Moves the deflection towards the one that a force causes. Returns their relative difference over the allowed one.
 double BendingRail::mix(const RailForce& force)
 {
   const Eigen::Vector3d due =
@@ -245,7 +247,7 @@ double BendingRail::mix(const RailForce& force)
   if (difference > coupling_tolerance)
   {
     const Eigen::Vector3d next = mixing_.next(x, image).cwiseQuotient(scale);
-    set(next.norm() < farthest_displacement ? next : due);  // the mixing may find no direction, and then no number
+    set(next.norm() < farthest_displacement ? next : due);  // the mixing may fail with values that are not numbers
   }
   return difference / coupling_tolerance;
 }

@@ -9,63 +9,68 @@
 
 namespace wheel_rail_contact::core
 {
-/// The rail under one wheel: where it is set, and how it follows the contact's forces. Side axes.
+/// The rail under one wheel: its position and its deflection by the forces of the contact. Side axes.
 ///
-/// Where the contact's own forces bend it and the normal method can solve a support that yields, the deflection comes
-/// out of each normal solution, at a rail set to what the pass before found; it is set anew until what the gap knows to
-/// first order only, the rail's way along the contact plane, is short enough. Where the forces would change the contact
-/// by less than a part of the tolerance, the rail's own deflection is left out of the gap. Other methods, and lateral
-/// forces that are given, bring deflections due and used together by Anderson's mixing.
+/// There are three modes:
+/// - held: no deflection, or a prescribed one.
+/// - solved: the rail bends under the contact's own forces, and the normal method can solve a compliant support. The
+///   deflection is then part of each normal solution. The rail is set again to the deflection of the previous pass
+///   until its displacement along the contact plane, which the gap contains only to first order, is small enough. The
+///   rail's own deflection is left out of the gap if it would change the contact by less than a part of the tolerance.
+/// - mixed: other methods, and given lateral forces. Anderson mixing brings the deflection used and the deflection that
+///   the forces cause together.
 class BendingRail
 {
  public:
-  /// Refers to `config` and `wheel`, which must outlive it. `solved_with_contact`: the wheel's method solves supports.
+  /// Keeps references to `config` and `wheel`, which must outlive this. `solved_with_contact`: the method of the wheel
+  /// solves compliant supports.
   BendingRail(const ContactModelConfig& config, bool solved_with_contact, WheelContact& wheel);
 
-  /// Back to where no force bends it, or to the deflection prescribed.
+  /// Returns to the undeflected position, or to the prescribed deflection.
   void reset();
 
-  /// Sets out for another state: from cold, or from the last answer in proportion to the load.
-  /// @param load    of the wheel, known or expected [N]
-  /// @param offset  deflection that other forces than the wheel's cause
+  /// Prepares another state: from a cold start, or from the last result in proportion to the load.
+  /// @param load    load of the wheel, known or expected [N]
+  /// @param offset  deflection caused by other forces than those of this wheel
   void begin(bool cold, double load, const RailDeflection& offset);
 
-  /// From cold: where the rail would lift the wheel by its flange, sets it out until the wheel's tread comes down on
-  /// it, if the load can bend the rail so far; the flange then comes into contact beside the tread.
-  /// @param touch  of the wheel at the pose, with the rail as it is set
-  /// @return the first touch with the rail as it then is set
-  RigidTouch letFlangeDown(const RigidTouch& touch, const WheelsetPose& pose, double load);
+  /// Cold start only. If the flange touches first and would lift the wheel, moves the rail outward until the tread
+  /// touches first, provided that the load can bend the rail that far. The flange then comes into contact next to the
+  /// tread.
+  /// @param touch  first touch of the wheel at the pose, with the rail in its present position
+  /// @return the first touch with the rail in its new position
+  RigidTouch clearFlange(const RigidTouch& touch, const WheelsetPose& pose, double load);
 
-  /// First touch on the rail as it lies with nothing but given forces on it. Leaves the rail where it is set.
+  /// First touch on the rail under the given forces only. Does not change the position of the rail.
   /// @param given_lateral  outward force, for LateralForce::topic [N]
   RigidTouch touchAtRest(const WheelsetPose& pose, double given_lateral, const RailDeflection& offset);
 
-  /// How far the wheel comes down with its rail under a newton more, the direction of the force being that of the last
-  /// solution's [m/N].
+  /// Distance by which the wheel moves down with its rail per unit load, for the force direction of the last solution
+  /// [m/N].
   double deflectionPerLoad() const;
-  /// The same for a force along the common normal of a first touch, without its moment [m/N].
+  /// Same for a force along the common normal of a first touch, without its moment [m/N].
   double deflectionPerLoad(const RigidTouch& touch) const;
-  /// How far the wheel would come down if the rail were set where the last solution's forces want it, beyond what
-  /// WheelContact::descent() counts [m].
+  /// Distance by which the wheel would move down, in addition to WheelContact::penetration(), if the rail were set to
+  /// the deflection that the forces of the last solution cause [m].
   double remainingDeflection() const { return remaining_deflection_; }
 
-  /// Takes over the forces of the wheel's last solution, and moves the rail to where they want it.
+  /// Takes the forces of the wheel's last solution and moves the rail towards the deflection that they cause.
   /// @param given_lateral  outward force, for LateralForce::topic [N]
-  /// @return how far it still is from there: settled up to 1
+  /// @return remaining difference over the allowed one; converged if at most 1
   double follow(bool loaded, double given_lateral);
 
-  /// The answer stands.
+  /// Accepts the last solution as the result.
   void finish(bool loaded);
 
-  /// Deflection and forces as they stand.
+  /// Present deflection and forces.
   const RailResult& result() const { return result_; }
 
  private:
   enum class Mode
   {
     held,    ///< no bending, or prescribed
-    mixed,   ///< deflections due and used brought together
-    solved,  ///< with the contact
+    mixed,   ///< deflection used and deflection caused by the forces are mixed
+    solved,  ///< deflection solved together with the contact
   };
 
   Eigen::Vector3d underLoad(double load) const;
@@ -74,7 +79,7 @@ class BendingRail
   void moveTo(const Eigen::Vector3d& own);
   double lateralForce(double of_contact, double given) const;
   RailForce takeForce(bool loaded, double given_lateral);
-  double slipOver() const;
+  double slipRatio() const;
   double effectLimit() const;
   double followContact(bool loaded);
   double mix(const RailForce& force);
@@ -85,11 +90,11 @@ class BendingRail
   PlacedRail undeflected_;
   Eigen::Matrix3d compliance_;
   Eigen::Vector3d offset_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d placed_ = Eigen::Vector3d::Zero();  ///< own deflection it is set to
-  Eigen::Vector3d own_ = Eigen::Vector3d::Zero();     ///< own deflection of the last answer
-  bool straight_ = false;                             ///< own deflection left out of the gap
-  bool straighten_ = false;                           ///< from the next state on
-  bool loaded_ = false;                               ///< in the last answer
+  Eigen::Vector3d placed_ = Eigen::Vector3d::Zero();  ///< own deflection to which the rail is set
+  Eigen::Vector3d own_ = Eigen::Vector3d::Zero();     ///< own deflection of the last result
+  bool straight_ = false;                             ///< own deflection is left out of the gap
+  bool straighten_ = false;                           ///< the same, from the next state on
+  bool loaded_ = false;                               ///< the wheel carried load in the last result
   double remaining_deflection_ = 0;                   ///< see remainingDeflection() [m]
   FixedPoint<3> mixing_;
   RailStep step_;

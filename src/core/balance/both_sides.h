@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core
 {
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
-/// Place of a side in arrays of both.
+/// Index of a side in arrays of both sides.
 constexpr std::size_t index(Side side)
 {
   return static_cast<std::size_t>(side);

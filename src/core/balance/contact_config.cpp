@@ -8,7 +8,7 @@ namespace wheel_rail_contact::core
 void validate(const ContactConfig& contact)
 {
   require(contact.tolerance > 0 && contact.tolerance < 1, "contact/tolerance", contact.tolerance,
-          "must lie between 0 and 1");
+          "must be between 0 and 1");
   const bool by_hand = contact.cells_along != 0 || contact.cells_across != 0;
   const auto fits = [](int cells) { return cells >= 4 && cells <= 256 && cells % 2 == 0; };
   require(!by_hand || fits(contact.cells_along), "contact/grid/along", contact.cells_along,

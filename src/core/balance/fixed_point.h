@@ -6,8 +6,8 @@
 
 namespace wheel_rail_contact::core
 {
-/// Anderson's mixing for a fixed point x = g(x) of N unknowns (Anderson 1965; Walker & Ni 2011, type II), full steps.
-/// On a single unknown it is the secant method.
+/// Anderson mixing for a fixed point x = g(x) of N unknowns (Anderson 1965; Walker & Ni 2011, type II), with full
+/// steps. For a single unknown it is the secant method.
 template <int N>
 class FixedPoint
 {
@@ -15,10 +15,10 @@ class FixedPoint
   /// The unknowns.
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  /// Forgets the steps before.
+  /// Discards the previous steps.
   void reset() { known_ = 0; }
 
-  /// Next x to try, after g(x) was found to be `image`.
+  /// Next x to try after g(x) was found to be `image`.
   Vector next(const Vector& x, const Vector& image)
   {
     const Vector residual = image - x;
@@ -41,11 +41,11 @@ class FixedPoint
   }
 
  private:
-  static constexpr int depth = 2;  ///< remembered steps
+  static constexpr int depth = 2;  ///< number of stored steps
   Eigen::Matrix<double, N, depth> residual_change_ = Eigen::Matrix<double, N, depth>::Zero();
   Eigen::Matrix<double, N, depth> image_change_ = Eigen::Matrix<double, N, depth>::Zero();
   Vector last_residual_ = Vector::Zero();
   Vector last_image_ = Vector::Zero();
-  int known_ = 0;  ///< steps seen
+  int known_ = 0;  ///< steps since the last reset
 };
 }  // namespace wheel_rail_contact::core

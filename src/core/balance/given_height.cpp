@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Height and roll given on rails that bend by a table: the rest of WheelsetBalance stands in wheelset_balance.cpp.
+// Given height and roll on rails that bend by a table. The other members of WheelsetBalance are in
+// wheelset_balance.cpp.
 #include <cmath>
 
 #include "core/balance/both_sides.h"
@@ -9,11 +10,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double height_share = 0.1;  ///< of contact/tolerance, left open in a given height, of the approach [-]
+constexpr double height_share = 0.1;  ///< allowed height error over the approach, per unit of contact/tolerance [-]
 }
 
-/// Load under which a wheel is expected to lie at the given height: the last one's, or that which lets the rail down as
-/// far; none if it does not reach the rail at rest.
+/// Expected load under which a wheel lies at the given height [N]: the last load, or the load that lowers the rail by
+/// the same distance. Zero if the wheel does not reach the rail at rest.
 double WheelsetBalance::expectedLoad(Side side)
 {
   const auto k = index(side);
@@ -28,7 +29,7 @@ double WheelsetBalance::expectedLoad(Side side)
   return warm_ && loaded_[k] ? rail.result().vertical_force : down / rail.deflectionPerLoad(touch);
 }
 
-/// True if the wheels lie at the given height; otherwise sets other loads for the next pass.
+/// True if the wheels lie at the given height. Otherwise sets other loads for the next pass.
 bool WheelsetBalance::heightsMeet()
 {
   bool all = true;

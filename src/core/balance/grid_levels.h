@@ -15,40 +15,40 @@
 
 namespace wheel_rail_contact::core
 {
-/// A method on a grid, and what to expect of it.
+/// A method on a grid, with its expected errors.
 struct GridLevel
 {
   GridSize size;          ///< cells of the grid
-  double ordinary_error;  ///< largest relative error that 98 % of ordinary patches stay below [-]
-  /// Estimates over those of the same patch on 24 × 56 cells, each the median over the patches that it decides; of the
-  /// area what the tails do not make [-].
+  double ordinary_error;  ///< relative error that 98 % of ordinary patches do not exceed [-]
+  /// Error estimates relative to those of the same patch on 24 × 56 cells. Each is the median over the patches in which
+  /// this error dominates. The area part excludes the error of narrow ends [-].
   ErrorEstimate typical;
   NormalSolver* solver = nullptr;  ///< the method
 };
 
-/// The normal method in use and the grids it may be used on, in the order of their cost. `method: auto` has conjugate
-/// gradients on all of them, and Hertz's closed form beside, which costs less than any and is exact between round
-/// bodies; any other method has one grid, given by hand or by the tolerance.
+/// The normal method and the grids on which it may be used, in the order of their cost. `method: auto` uses conjugate
+/// gradients on all of them. In addition it has Hertz's closed form, which is cheaper than any grid and exact between
+/// round bodies. Every other method has one grid, set by hand or chosen by the tolerance.
 class GridLevels
 {
  public:
-  /// Puts another solver in the place of the grids' method, which it is given, to watch or to time it.
+  /// Receives the method of the grids and returns the solver to be used instead, for observation or timing.
   using Wrap = std::function<std::unique_ptr<NormalSolver>(std::unique_ptr<NormalSolver>)>;
 
-  /// Copies what it needs of `config`, of which a balance that uses the ladder needs the same method, grid, tolerance
-  /// and rail bending; computes the coefficients of its grids.
+  /// Copies the required values of `config` and computes the coefficients of its grids. A balance that uses these
+  /// levels needs the same method, grid, tolerance and rail bending.
   explicit GridLevels(const ContactModelConfig& config, const Wrap& wrap = nullptr);
 
-  /// The method of the grids.
+  /// Method of the grids.
   NormalSolver& solver() const { return *solver_; }
   /// Number of grids, >= 1.
   std::size_t count() const { return levels_.size(); }
-  /// From 0, the cheapest grid.
+  /// Grid level by index; 0 is the cheapest grid.
   const GridLevel& at(std::size_t level) const { return levels_[level]; }
-  /// For the first pass from cold, where planes and boxes are still rough.
+  /// Grid of the first pass of a cold start, in which planes and boxes are still rough.
   const GridLevel& rough() const { return rough_; }
-  /// Hertz, in place of any grid; null but for `method: auto` on rails that do not bend by a table, which a closed form
-  /// does not solve together with the contact.
+  /// Hertz's closed form. Null except for `method: auto` on rails that do not bend by a table: the closed form cannot
+  /// be solved together with such a rail.
   const GridLevel* closedForm() const { return hertz_ ? &closed_form_ : nullptr; }
 
  private:
@@ -59,91 +59,97 @@ class GridLevels
   GridLevel closed_form_;
 };
 
-/// The rung that one wheel is on, kept from answer to answer.
+/// Grid level of one wheel, kept from result to result.
 class GridLevelChoice
 {
  public:
-  static constexpr std::size_t most_levels = 32;  ///< of a ladder
+  static constexpr std::size_t most_levels = 32;  ///< upper limit of GridLevels::count()
 
-  /// @param tolerance  wanted relative error [-]
+  /// @param tolerance  required relative error [-]
   GridLevelChoice(const GridLevels& levels, double tolerance) : levels_(&levels), tolerance_(tolerance) {}
 
-  /// The rung to solve on.
+  /// Level for the next solution.
   const GridLevel& level() const { return closed_form_ ? *levels_->closedForm() : levels_->at(level_); }
 
-  /// Sets out from cold, by the errors estimated on the rough grid: the cheapest rung that is promised to do or that
-  /// does in ordinary scenes, unless it is known to fail here. The closed form may be tried at once.
+  /// Cold start: chooses the cheapest level whose predicted error meets the tolerance, or which meets it for ordinary
+  /// patches. The prediction uses the errors estimated on the rough grid. Levels that have failed at this position are
+  /// skipped. The closed form may be tried at once.
   void start(const ErrorEstimate& rough);
-  /// Sets out for an answer with the wheelset at a place across the track [m]: where the rung has failed of late, one
-  /// that does is taken at once. It is where profiles change their curvature that coarse grids fail, and a wheelset
-  /// that runs to and fro comes by again.
+  /// Prepares a result at a lateral position of the wheelset [m]. If the present level has recently failed at this
+  /// position, takes the next one that has not. Coarse grids fail where a profile changes its curvature, and a hunting
+  /// wheelset returns to the same positions.
   void arrive(double place);
-  /// If an estimated error is above the tolerance, climbs to the next rung that promises to do; after a descent, no
-  /// farther than back. @return true if there is another rung to solve on.
+  /// If the estimated error exceeds the tolerance, changes to a finer level whose predicted error meets the tolerance;
+  /// directly after coarsening, no further than back to the previous level. A closed form whose estimated error exceeds
+  /// its limit is replaced by the grid.
+  /// @return true if there is another level to solve on
   bool refine(const ErrorEstimate& error);
-  /// Takes the cheapest rung for the next answer that promises to do, by the largest of the last answers' estimates,
-  /// which fade: one alone may be blind to a jump of curvature between its cells. After it had to climb back it waits,
-  /// longer each time, unless the promise is far better than asked for.
+  /// Chooses the cheapest level for the next result whose predicted error meets the tolerance. The prediction uses the
+  /// largest of the recent estimates, which decay, because a single estimate may miss a curvature jump between its
+  /// cells. After a coarser level has failed, waits before the next try, longer each time, unless the predicted error
+  /// is far below the tolerance.
   void coarsen(const ErrorEstimate& error);
-  /// Takes the closed form for the next solution if it promises to do for this one, found on a grid. Where it does not,
-  /// it is asked again some answers later.
+  /// Chooses the closed form for the next solution if its predicted error is small enough for this one, which was found
+  /// on a grid. Otherwise it is tried again some results later.
   void tryClosedForm(const NormalProblem& problem, const NormalSolution& solution);
-  /// Goes back to the grid it was on. @return false if it is on one.
+  /// Returns to the last grid. @return false if a grid is already in use
   bool leaveClosedForm();
 
  private:
-  static constexpr long remembered = 64;  ///< answers for which a failure is remembered; a power of two
+  static constexpr long remembered = 64;  ///< results for which a failure is stored; a power of two
   static constexpr std::size_t no_level = static_cast<std::size_t>(-1);
 
-  /// What was too coarse at a place.
+  /// Levels that were too coarse at one position.
   struct Failure
   {
-    long place = 0;                   ///< in units of same_place
-    long result = -remembered;        ///< of the last failure; from the start none has failed
-    std::bitset<most_levels> levels;  ///< that failed
-    ErrorEstimate normal;             ///< what the last of them promised on 24 × 56 cells
-    std::size_t did = no_level;       ///< one that did since, whatever was promised
+    long place = 0;                        ///< lateral position, in units of same_place
+    long result = -remembered;             ///< index of the result of the last failure; the initial value means none
+    std::bitset<most_levels> levels;       ///< levels that failed
+    ErrorEstimate normal;                  ///< error on 24 × 56 cells predicted from the last failure
+    std::size_t met_tolerance = no_level;  ///< level that has met the tolerance since, whatever its predicted error
   };
 
   double closedFormLimit() const;
-  /// Failures at this place, not too long ago; null if there are none.
+  /// Recent failures at this position; null if there are none.
   const Failure* failureHere() const;
-  /// The rung failed at this place of late, or what did promises that it would, clearly.
+  /// True if the level has recently failed at this position, or if its error predicted from the failure clearly exceeds
+  /// the tolerance.
   bool failsHere(std::size_t level) const;
-  /// The first rung above the present one, up to `highest`, that promises to do; if none does, the best of them; if
-  /// none promises better than the present one has shown, the first beyond that does (not after a descent), or else the
-  /// next. Those that failed here are passed over.
+  /// The first level above the present one, up to `highest`, whose predicted error meets the tolerance. If there is
+  /// none, the level with the least predicted error. If none is predicted to be better than the present estimate, the
+  /// first level beyond `highest` that is (not directly after coarsening), or else the next level. Levels that failed
+  /// here are skipped.
   std::size_t nextLevel(const ErrorEstimate& normal, std::size_t highest) const;
   static std::size_t slot(long place) { return static_cast<std::size_t>(place & (remembered - 1)); }
 
   const GridLevels* levels_;
   double tolerance_;
-  std::size_t level_ = 0;     ///< of the grids
-  bool closed_form_ = false;  ///< in place of the grid
-  int closed_form_wait_ = 0;  ///< answers before it is asked again
-  ErrorEstimate lately_;      ///< largest estimates of late, as of 24 × 56 cells, fading
-  bool coarsened_ = false;    ///< for the present answer
-  std::size_t before_ = 0;    ///< the rung that it has descended from
-  int wait_ = 0;              ///< answers before the next try to descend
+  std::size_t level_ = 0;     ///< index of the grid
+  bool closed_form_ = false;  ///< the closed form is used instead of the grid
+  int closed_form_wait_ = 0;  ///< results until the closed form is tried again
+  ErrorEstimate recent_;      ///< largest recent estimates, converted to 24 × 56 cells, decaying
+  bool coarsened_ = false;    ///< the level was made coarser for the present result
+  std::size_t before_ = 0;    ///< level before the last coarsening
+  int wait_ = 0;              ///< results until the next try to coarsen
   int next_wait_ = first_wait;
-  long place_ = 0;    ///< in units of same_place
-  long results_ = 0;  ///< so far
+  long place_ = 0;    ///< present lateral position, in units of same_place
+  long results_ = 0;  ///< number of results
   std::vector<ErrorEstimate> scratch_;
 
-  static constexpr double same_place = 5e-5;  ///< [m]
+  static constexpr double same_place = 5e-5;  ///< distance of the positions at which failures are stored [m]
   std::array<Failure, remembered> failures_{};
 
-  static constexpr double clear_failure = 1.5;  ///< promised error over the tolerance [-]
+  static constexpr double clear_failure = 1.5;  ///< predicted error over the tolerance [-]
   static constexpr int first_wait = 2;
   static constexpr int longest_wait = 64;
-  static constexpr std::size_t longest_refinement = 4;  ///< rungs at a time, if one of them promises better
-  static constexpr double coarsen_reserve = 0.8;        ///< promised error over the tolerance when descending [-]
-  static constexpr double large_reserve = 0.4;          ///< the same while it waits [-]
-  static constexpr double fading = 0.9;                 ///< of earlier estimates, with each answer [-]
-  /// Error of Hertz up to which bodies count as round [-]. Where they are less so, a wheelset's passes settle later by
-  /// its ellipse, which follows the curvature of a single place, than on a coarse grid: S1002 at 3 and 10 % took a
-  /// quarter more time.
+  static constexpr std::size_t longest_refinement = 4;  ///< in one refinement
+  static constexpr double coarsen_reserve = 0.8;        ///< predicted error over the tolerance at which to coarsen [-]
+  static constexpr double large_reserve = 0.4;          ///< the same during the wait [-]
+  static constexpr double decay = 0.9;                  ///< factor of earlier estimates per result [-]
+  /// Error of Hertz's solution up to which bodies count as round [-]. Between less round bodies the passes of a
+  /// wheelset converge later with the Hertz ellipse, which follows the curvature at a single point, than on a coarse
+  /// grid: S1002 at 3 and 10 % took a quarter more time.
   static constexpr double round_enough = 0.004;
-  static constexpr int between_tries = 16;  ///< answers from one look at the closed form to the next
+  static constexpr int between_tries = 16;  ///< results between two tries of the closed form
 };
 }  // namespace wheel_rail_contact::core

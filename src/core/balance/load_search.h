@@ -6,24 +6,25 @@
 
 namespace wheel_rail_contact::core
 {
-/// Finds the load under which a wheel lies at a given height on a rail that gives way. A rail on soft pads gives way
-/// fifty times as far as wheel and rail flatten; so what one pass finds at a load is carried on to the next by the
-/// secant, as long as that agrees with what the rail's compliance and Hertz's law let expect.
+/// Secant search for the load under which a wheel lies at a given height on a compliant rail. A rail on soft pads
+/// deflects fifty times as far as wheel and rail flatten. The secant is used if it agrees with the value expected from
+/// the rail's compliance and Hertz's law.
 class LoadSearch
 {
  public:
-  /// Sets out from an expected load [N].
+  /// Starts from an expected load [N].
   void begin(double load)
   {
     *this = LoadSearch();
     load_ = load;
   }
 
-  /// To be put on the wheel next [N].
+  /// Load for the next pass [N].
   double load() const { return load_; }
 
-  /// Takes in by how much the axle lies too high under load() [m], and how far it is expected to come down under a
-  /// newton more [m/N].
+  /// Records the result of a pass under load().
+  /// @param too_high  distance of the axle above the given height [m]
+  /// @param expected  expected downward displacement per unit load [m/N]
   void record(double too_high, double expected)
   {
     const double seen = (last_high_ - too_high) / (load_ - last_load_);
@@ -35,8 +36,8 @@ class LoadSearch
   }
 
  private:
-  static constexpr double most_off = 5;     ///< of the secant from what is expected [-]
-  static constexpr double most_change = 4;  ///< of the load from pass to pass [-]
+  static constexpr double most_off = 5;     ///< largest ratio of secant and expected value, either way [-]
+  static constexpr double most_change = 4;  ///< largest factor of the load from pass to pass [-]
 
   double load_ = 0;
   double last_load_ = 0;

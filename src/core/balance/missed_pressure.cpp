@@ -10,17 +10,18 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double missed_clearance = 0.1;  ///< strip about a grid in which edges alone tell, of the grid's size [-]
-constexpr double missed_share = 0.02;     ///< overlap beside a grid that is let pass, of the descent [-]
-constexpr double nearest_line = 1e-3;     ///< least distance from a group's line that counts, of its half-length [-]
-constexpr int most_groups = 8;            ///< in which the columns are taken together
+constexpr double missed_clearance = 0.1;  ///< width of the strip around a grid in which only the extrapolated edges
+                                          ///< count, relative to the size of the grid [-]
+constexpr double missed_share = 0.02;     ///< allowed overlap beside a grid, relative to the penetration [-]
+constexpr double nearest_line = 1e-3;  ///< smallest distance from the line of a group, relative to its half-length [-]
+constexpr int most_groups = 8;         ///< number of groups of columns
 
-/// How far a solved pressure pushes the bodies apart beside it: each group's load spread evenly over a line along the
-/// track, as long as the pressure.
-class PushBeside
+/// Displacement of both bodies beside a solved pressure. The columns are combined in groups. The load of each group is
+/// spread evenly over a line along the track with the length of the pressure.
+class DisplacementBeside
 {
  public:
-  PushBeside(const SolvedPatch& solved, const WheelPatch& patch)
+  DisplacementBeside(const SolvedPatch& solved, const WheelPatch& patch)
       : half_length_(std::max(patch.extent.half_length, solved.grid.dx)), center_x_(patch.center_x)
   {
     const Grid& grid = solved.grid;
@@ -45,7 +46,7 @@ class PushBeside
     spread_ = std::max(second_moment / total_ - center_y_ * center_y_, 0.0) + half_length_ * half_length_ / 3;
   }
 
-  /// Displacement of both bodies at place (x, y) of the patch frame [m].
+  /// Displacement of both bodies at position (x, y) of the patch frame [m].
   double at(double x, double y) const
   {
     const double ahead = half_length_ + (x - center_x_);
@@ -59,7 +60,7 @@ class PushBeside
     return sum;
   }
 
-  /// What it is at least: as if all of the load stood at the mean of its squared distances (1/sqrt is convex) [m].
+  /// Lower bound of at(): all of the load at the root mean square of its distances (1/sqrt is convex) [m].
   double atLeast(double x, double y) const
   {
     const double dx = x - center_x_;
@@ -69,16 +70,16 @@ class PushBeside
 
  private:
   double half_length_;   ///< [m]
-  double center_x_;      ///< of the load, patch frame [m]
-  double center_y_ = 0;  ///< likewise [m]
-  double spread_ = 0;    ///< mean squared distance of the load from there [m²]
-  double total_ = 0;     ///< of the shares [m]
+  double center_x_;      ///< x of the load's centre, patch frame [m]
+  double center_y_ = 0;  ///< y of the load's centre, patch frame [m]
+  double spread_ = 0;    ///< mean squared distance of the load from this centre [m²]
+  double total_ = 0;     ///< sum of the shares [m]
   std::size_t groups_ = 0;
-  std::array<double, most_groups> place_{};  ///< [m]
-  std::array<double, most_groups> share_{};  ///< [m]
+  std::array<double, most_groups> place_{};  ///< y of the lines, patch frame [m]
+  std::array<double, most_groups> share_{};  ///< load of the lines, as a displacement [m]
 };
 
-/// A grid and the strip about it in which the pressure's edges tell.
+/// A grid and the strip around it in which only the extrapolated edges of the pressure count.
 struct Surroundings
 {
   explicit Surroundings(const Grid& grid)
@@ -92,8 +93,8 @@ struct Surroundings
   double y_begin, y_end;  ///< patch frame [m]
 };
 
-/// Where along the track a yawed wheel comes nearest to the rail at a station, patch frame [m]; the plane's own place
-/// where nowhere.
+/// Position x along the track at which a yawed wheel comes nearest to the rail at a station, patch frame [m]; 0 if
+/// there is none.
 double nearestPlace(const PlacedWheel& wheel, const Station& station, const ContactPlane& plane)
 {
   SpacePoint locus;
@@ -105,17 +106,17 @@ double nearestPlace(const PlacedWheel& wheel, const Station& station, const Cont
 bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel, const std::vector<Station>& stations,
                             WheelPatch& patch)
 {
-  const double let_pass = missed_share * solved.penetration;
+  const double allowed_overlap = missed_share * solved.penetration;
   const double u_first = patch.columns.front().rail_u;
   const double u_last = patch.columns.back().rail_u;
   const bool yawed = !solved.grid.symmetric;
   const Surroundings near(solved.grid);
   const PlaneAxes axes(patch.plane);
-  std::optional<PushBeside> push;
+  std::optional<DisplacementBeside> displacement;
   bool missed = false;
   for (const Station& station : stations)
   {
-    if (station.depth < let_pass)
+    if (station.depth < allowed_overlap)
     {
       continue;
     }
@@ -127,13 +128,13 @@ bool growOverMissedPressure(const SolvedPatch& solved, const PlacedWheel& wheel,
     {
       continue;
     }
-    // Along the plane's normal.
-    const double overlap = (station.depth - let_pass) / (axes.cosine() + axes.sine() * station.slope);
-    if (!push)
+    // Overlap along the normal of the plane.
+    const double overlap = (station.depth - allowed_overlap) / (axes.cosine() + axes.sine() * station.slope);
+    if (!displacement)
     {
-      push.emplace(solved, patch);
+      displacement.emplace(solved, patch);
     }
-    if (overlap > push->atLeast(x, y) && overlap > push->at(x, y))
+    if (overlap > displacement->atLeast(x, y) && overlap > displacement->at(x, y))
     {
       missed = true;
       patch.extent.y_begin = std::min(patch.extent.y_begin, y);

@@ -10,30 +10,31 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double box_margin = 1.1;    ///< grid over pressure, lengthwise and across [-]
-constexpr double box_growth = 0.3;    ///< by which a box grows at a side that the pressure touches, of its size [-]
-constexpr double first_reach = 0.85;  ///< expected pressure against overlap at the first call [-]
+constexpr double box_margin = 1.1;  ///< size of the grid over the size of the pressure, along and across the track [-]
+constexpr double box_growth = 0.3;  ///< growth of a box at a side that cuts the pressure off, relative to its size [-]
+constexpr double first_reach = 0.85;  ///< expected extent of the pressure over that of the overlap, initial guess [-]
 
-constexpr double steepest_plane = 1.4;  ///< angle of a contact plane; flanks of flanges have 1.2 [rad]
+constexpr double steepest_plane = 1.4;  ///< largest angle of a contact plane; flange faces have up to 1.2 [rad]
 
-/// Grid on the ladder of cell aspects over `length` along and [begin, end] across, with a margin [m].
+/// Grid with a cell aspect ratio of the prepared series, over `length` along the track and [begin, end] across it, with
+/// a margin [m].
 Grid coveringGrid(double length, double begin, double end, const GridSize& size)
 {
-  const aspect_ladder::Cell cell =
-      aspect_ladder::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
+  const cell_aspect::Cell cell =
+      cell_aspect::coveringCell(box_margin * length, box_margin * (end - begin), size.along, size.across);
   return {size.along, size.across, cell.dx, cell.dy, 0.5 * (begin + end) - 0.5 * (size.across - 1) * cell.dy, false};
 }
 
-/// Turn that brings the plane square to the pressure-weighted normal, but where turns go back and forth (two lobes of
-/// one stretch that take the load from each other) half the last at most.
+/// Turn that makes the plane normal to the pressure-weighted mean normal [rad]. If the turns alternate (two lobes of
+/// one interval that exchange the load), at most half of the last turn.
 double nextTurn(const WheelPatch& patch)
 {
   const double turn = std::atan(patch.slope);
   return turn * patch.turned < 0 ? std::copysign(std::min(std::abs(turn), 0.5 * std::abs(patch.turned)), turn) : turn;
 }
 
-/// Plane through the rail's point `rail_u`, along the chord of the stretch and over the wheel's contact locus: no
-/// matter where in the stretch the bodies touch first, it moves steadily with them.
+/// Plane through the rail point `rail_u`, parallel to the chord of the interval, at the contact locus of the wheel. It
+/// moves continuously with the bodies, wherever in the interval they touch first.
 ContactPlane planeAt(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapInterval& interval, double rail_u)
 {
   InitialContact contact = interval.contact;
@@ -55,7 +56,7 @@ double halfWidth(const OverlapInterval& interval)
   return 0.5 * (interval.u_end - interval.u_begin);
 }
 
-/// The stretch made wider by a factor about its middle.
+/// The interval, enlarged by a factor about its middle.
 OverlapInterval widened(OverlapInterval interval, double factor)
 {
   const double middle = middleOf(interval);
@@ -65,7 +66,7 @@ OverlapInterval widened(OverlapInterval interval, double factor)
   return interval;
 }
 
-/// Widens the memory at sides where the grid cut the pressure off.
+/// Widens the stored extent at the sides at which the grid cut the pressure off.
 void growCut(const PressureExtent& extent, const Grid& grid, PatchMemory& memory)
 {
   const double width = memory.end - memory.begin;
@@ -116,8 +117,8 @@ void layPatch(const PlacedWheel& wheel, const PlacedRail& rail, const GridSize& 
   const double half = halfWidth(interval);
   ContactPlane& plane = patch.plane;
   plane = planeAt(wheel, rail, interval, middle + memory.center * half);
-  const bool symmetric = wheel.pose().yaw == 0;  // the bodies then are, about x = 0
-  plane.x += symmetric ? 0 : memory.shift_x;     // it may come from a yawed state
+  const bool symmetric = wheel.pose().yaw == 0;  // without yaw both bodies are symmetric about x = 0
+  plane.x += symmetric ? 0 : memory.shift_x;     // the memory may come from a yawed state
   plane.angle = std::clamp(plane.angle + memory.turn, -steepest_plane, steepest_plane);
   patch.turned = memory.turned;
 

@@ -7,7 +7,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Distance from the outermost loaded cell's centre to the edge, in cells, from its and its inner neighbour's pressure.
+/// Distance of the edge from the centre of the outermost loaded cell, in cells, from the pressures of this cell and its
+/// inner neighbour.
 double reachBeyond(double outer, double inner)
 {
   const double fall = inner * inner - outer * outer;

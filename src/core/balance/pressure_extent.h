@@ -7,30 +7,31 @@
 
 namespace wheel_rail_contact::core
 {
-/// Where in its grid a pressure lies. Edges are where the square of the crest's pressure, carried on from the two
-/// outermost loaded cells, falls to zero (it is linear in the distance from the edge of any smooth contact).
+/// Position of a pressure in its grid. Along each direction, an edge is where the square of the peak pressure of the
+/// rows or columns, extrapolated from the two outermost loaded ones, falls to zero. The square is linear in the
+/// distance from the edge of any smooth contact.
 struct PressureExtent
 {
-  int cells = 0;                           ///< with pressure, in the whole grid
-  int first_column = 0, last_column = -1;  ///< with pressure
-  int first_row = 0, last_row = -1;        ///< with pressure
-  double y_begin = 0, y_end = 0;           ///< edges across, patch frame [m]
-  double half_length = 0;                  ///< largest |x| of the edges along [m]
+  int cells = 0;                           ///< loaded cells of the whole grid
+  int first_column = 0, last_column = -1;  ///< loaded columns
+  int first_row = 0, last_row = -1;        ///< loaded rows
+  double y_begin = 0, y_end = 0;           ///< edges across the track, patch frame [m]
+  double half_length = 0;                  ///< largest |x| of the edges along the track [m]
 
-  /// No cell carries pressure.
+  /// True if no cell carries pressure.
   bool empty() const { return cells == 0; }
-  /// A spike between the cells: too few of them carry the pressure to tell where its edges are.
+  /// True if one or two cells carry the pressure: too few to determine its edges.
   bool spike() const { return cells > 0 && cells < 3; }
-  /// An edge lies outside the grid: it cuts the contact off.
+  /// True if the edge at y_begin lies outside the grid, which then cuts the contact off.
   bool cutBegin(const Grid& grid) const { return y_begin < grid.y(0) - 0.5 * grid.dy; }
-  /// Likewise at the other end across.
+  /// Same for the edge at y_end.
   bool cutEnd(const Grid& grid) const { return y_end > grid.y(grid.ny - 1) + 0.5 * grid.dy; }
-  /// Likewise along.
+  /// Same for the edges along the track.
   bool cutLength(const Grid& grid) const { return half_length > 0.5 * grid.nx * grid.dx; }
-  /// Any of them.
+  /// True if any edge is cut off.
   bool cut(const Grid& grid) const { return cutBegin(grid) || cutEnd(grid) || cutLength(grid); }
 };
 
-/// The extent of a pressure [Pa] on its grid's stored cells.
+/// Extent of a pressure [Pa], given on the stored cells of its grid.
 PressureExtent findExtent(const Grid& grid, const Eigen::ArrayXXd& pressure);
 }  // namespace wheel_rail_contact::core

@@ -6,17 +6,18 @@
 
 namespace wheel_rail_contact::core
 {
-/// Keeps a rail from swinging between two contacts: a solution that sees the tread only wants it inward, one that sees
-/// the flange only wants it outward, and only between them both are seen. Ways are cut to a longest one, and where they
-/// turn back to half of the last.
+/// Step limit that prevents a rail from oscillating between two contacts. A solution with the tread only moves the rail
+/// inward, one with the flange only moves it outward; only in between are both in contact. Each displacement is limited
+/// to a maximum. If the direction reverses, it is limited to half of the last one.
 class RailStep
 {
  public:
-  /// Forgets the steps before.
+  /// Discards the previous steps.
   void reset() { *this = RailStep(); }
 
-  /// Share of the wanted way that the rail is to be moved by [-]. `slip`: length of the way along the contact planes
-  /// [m], `lateral`: its lateral part, for its sense.
+  /// Share of a displacement of the rail that is to be applied [-].
+  /// @param slip     length of the displacement along the contact planes [m]
+  /// @param lateral  its lateral part, whose sign gives the direction
   double share(double slip, double lateral)
   {
     const bool turns_back = lateral * last_ < 0;
@@ -27,10 +28,10 @@ class RailStep
   }
 
  private:
-  static constexpr double longest = 0.4e-3;  ///< by which a rail may be moved along the contact planes at once [m]
-  static constexpr double growth = 1.5;      ///< of the limit where ways go on in one sense [-]
+  static constexpr double longest = 0.4e-3;  ///< largest displacement along the contact planes in one pass [m]
+  static constexpr double growth = 1.5;      ///< factor of the limit while the direction is unchanged [-]
 
   double limit_ = longest;
-  double last_ = 0;  ///< way moved last, with the sign of its lateral part [m]
+  double last_ = 0;  ///< last displacement, with the sign of its lateral part [m]
 };
 }  // namespace wheel_rail_contact::core

@@ -6,15 +6,15 @@
 
 namespace wheel_rail_contact::core
 {
-/// How a wheel's contact has changed from one answer to the next, for steps to the side that follow one another: the
-/// next answer is then close to where the last two point.
+/// Change of a wheel's contact from one result to the next. For consecutive lateral steps, the next result is
+/// extrapolated from the last two.
 class ResultTrend
 {
  public:
-  /// Forgets all answers.
+  /// Discards all results.
   void reset() { *this = ResultTrend(); }
 
-  /// Sets out for a state `moved` beside the last answer [m].
+  /// Prepares a state that lies `moved` to the side of the last result [m].
   void begin(double moved)
   {
     const bool alike = last_.moved != 0 && std::abs(moved) <= longest_step * std::abs(last_.moved);
@@ -22,12 +22,14 @@ class ResultTrend
     moved_ = moved;
   }
 
-  /// Factor of the descent to be expected [-].
+  /// Expected factor of the penetration [-].
   double penetration() const { return std::exp(std::clamp(share_ * last_.growth, -most_growth, most_growth)); }
-  /// Turn of the plane against its stretch to be expected [rad].
+  /// Expected turn of the plane relative to its overlap interval [rad].
   double turn() const { return std::clamp(share_ * last_.turn, -most_turn, most_turn); }
 
-  /// Takes in an answer: its descent at unit load [m], and the plane's angle against its stretch [rad].
+  /// Records a result.
+  /// @param penetration  penetration at unit load, with its exponent 2/3 [m/N^(2/3)]
+  /// @param angle        angle of the plane relative to its overlap interval [rad]
   void finish(double penetration, double angle)
   {
     const bool both = penetration_ > 0;
@@ -39,19 +41,19 @@ class ResultTrend
  private:
   struct Step
   {
-    double moved = 0;   ///< to the side [m]; 0: not known
-    double growth = 0;  ///< logarithm of the descents' ratio [-]
+    double moved = 0;   ///< lateral step [m]; 0: unknown
+    double growth = 0;  ///< logarithm of the ratio of the penetrations [-]
     double turn = 0;    ///< [rad]
   };
 
-  static constexpr double longest_step = 1.5;  ///< over the step before [-]
+  static constexpr double longest_step = 1.5;  ///< largest ratio to the previous step [-]
   static constexpr double most_growth = 0.1;
   static constexpr double most_turn = 0.02;  ///< [rad]
 
   Step last_;
-  double share_ = 0;        ///< of the last step's changes to be expected in this one [-]
+  double share_ = 0;        ///< expected share of the changes of the last step [-]
   double moved_ = 0;        ///< step to the present state [m]
-  double penetration_ = 0;  ///< of the last answer; 0: none [m]
-  double angle_ = 0;        ///< likewise [rad]
+  double penetration_ = 0;  ///< of the last result [m/N^(2/3)]; 0: none
+  double angle_ = 0;        ///< of the last result [rad]
 };
 }  // namespace wheel_rail_contact::core

@@ -7,20 +7,21 @@
 
 namespace wheel_rail_contact::core
 {
-/// Keeps the search for the roll from swinging between two contacts. Each pass gives the difference of the axle's
-/// heights as seen from either side; it falls with the roll. While it shrinks fast, the rolls proposed from rigid touch
-/// are taken; once it does not, or turns back, the secant of the passes themselves takes over, with steps that are
-/// halved when they turn back.
+/// Prevents the search for the roll from oscillating between two contacts. Each pass gives the difference of the axle
+/// heights calculated from the two wheels. This difference decreases with the roll. While it shrinks fast from pass to
+/// pass, the rolls proposed from rigid contact are used. If it shrinks too slowly or oscillates, the secant of the
+/// passes takes over. Its steps are halved when they change direction.
 class RollSecant
 {
  public:
-  static constexpr double least_fall = 0.1;  ///< of the difference with the roll, to be believed [m]
+  static constexpr double least_fall = 0.1;  ///< least credible decrease of the difference with the roll [m]
 
-  /// Forgets the passes before.
+  /// Discards the previous passes.
   void reset() { *this = RollSecant(); }
 
-  /// Takes over from the start, where rigid touch tells nothing: with the first roll to try [rad] and an estimate of
-  /// how the difference falls with it [m].
+  /// Lets the secant take over from the first pass, where rigid contact gives no prediction.
+  /// @param roll  first roll to try [rad]
+  /// @param fall  estimated decrease of the difference with the roll [m]
   void start(double roll, double fall)
   {
     reset();
@@ -29,8 +30,8 @@ class RollSecant
     fall_ = std::clamp(fall, least_fall, greatest_fall);
   }
 
-  /// True if the last two passes were at one roll [rad] and found about the same height difference [m]: planes that do
-  /// not fit yet hardly change it any more.
+  /// True if the last two passes had the same roll [rad] and nearly the same height difference [m]. The remaining
+  /// errors of the planes then hardly change the difference.
   bool steady(double roll, double difference)
   {
     const bool same = roll == seen_roll_;
@@ -40,13 +41,13 @@ class RollSecant
     return same && change < steady_change * std::abs(difference);
   }
 
-  /// Takes in the height difference [m] that a pass found at its roll [rad].
+  /// Records the height difference [m] that a pass found at its roll [rad].
   void record(double roll, double difference)
   {
     const double fall = passes_ > 0 ? (last_difference_ - difference) / (roll - last_roll_) : fall_;
     fall_ = fall > least_fall && fall < greatest_fall ? fall : fall_;
-    const bool swings = passes_ > 0 && difference * last_difference_ < 0;
-    const bool slow = (swings || passes_ >= free_passes) && std::abs(difference) > 0.5 * std::abs(last_difference_);
+    const bool oscillates = passes_ > 0 && difference * last_difference_ < 0;
+    const bool slow = (oscillates || passes_ >= free_passes) && std::abs(difference) > 0.5 * std::abs(last_difference_);
     takes_over_ = takes_over_ || slow;
     last_step_ = passes_ > 0 ? roll - last_roll_ : 0;
     last_roll_ = roll;
@@ -54,7 +55,7 @@ class RollSecant
     ++passes_;
   }
 
-  /// True if the next roll is to be taken from here.
+  /// True if the next roll is to be taken from roll().
   bool takesOver() const { return takes_over_; }
 
   /// Roll to try [rad].
@@ -68,16 +69,16 @@ class RollSecant
 
  private:
   static constexpr int free_passes = 3;          ///< passes before the secant may take over
-  static constexpr double longest_first = 1e-3;  ///< of the steps, after start() [rad]
-  static constexpr double steady_change = 0.3;   ///< of the difference at one roll, relative [-]
-  static constexpr double greatest_fall = 5.0;   ///< of the difference with the roll, to be believed [m]
+  static constexpr double longest_first = 1e-3;  ///< limit of the first step after start() [rad]
+  static constexpr double steady_change = 0.3;   ///< relative change of the difference at one roll [-]
+  static constexpr double greatest_fall = 5.0;   ///< largest credible decrease of the difference with the roll [m]
 
-  double fall_ = 1.5;  ///< of the difference with the roll [m]; to start with, the distance of the wheels
+  double fall_ = 1.5;  ///< decrease of the difference with the roll [m]; initially the distance of the wheels
   double last_roll_ = 0;
   double last_difference_ = 0;
   double last_step_ = 0;
-  double seen_roll_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last pass, recorded or not [rad]
-  double seen_difference_ = 0;                                   ///< likewise [m]
+  double seen_roll_ = std::numeric_limits<double>::quiet_NaN();  ///< roll of the last pass, recorded or not [rad]
+  double seen_difference_ = 0;                                   ///< height difference of that pass [m]
   int passes_ = 0;
   bool takes_over_ = false;
 };

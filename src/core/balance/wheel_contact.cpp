@@ -13,14 +13,14 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr int most_boxes = 10;                   ///< grids tried in one call
-constexpr int estimate_steps = 4;                ///< fixed-point steps of the descent's estimate
-constexpr double penetration_error_limit = 0.1;  ///< of the descent a gap was built for, to be solved on [-]
-constexpr double far_slip = 1e-4;  ///< way of the rail beyond which it is to be set anew before boxes are looked at [m]
-constexpr double penetration_allowance =
-    1.02;  ///< descent above its estimate at which the stretches are looked at again [-]
+constexpr int most_boxes = 10;                   ///< limit of the grids in one call
+constexpr int estimate_steps = 4;                ///< fixed-point steps of estimatePenetration()
+constexpr double penetration_error_limit = 0.1;  ///< largest penetrationError() of an accepted solution [-]
+constexpr double far_slip = 1e-4;  ///< displacement of the rail along the planes above which the rail is set again
+                                   ///< before the boxes are checked further [m]
+constexpr double penetration_allowance = 1.02;  ///< see boxesHold() [-]
 
-/// Leaves to the neighbouring patches what lies beyond the patch's stretch.
+/// Removes the bodies beyond the interval of the patch. The pressure there belongs to the neighbouring patches.
 void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
 {
   for (std::size_t j = 0; j < patch.columns.size(); ++j)
@@ -210,7 +210,7 @@ WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
   return status;
 }
 
-/// Memory of the contact in this stretch, a guess if there is none.
+/// Memory of the contact in this interval; an initial guess if there is none.
 PatchMemory& WheelContact::recall(const OverlapInterval& interval)
 {
   PatchMemory* nearest = nullptr;
@@ -255,7 +255,7 @@ bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
     {
       return false;
     }
-    fillUnseenSlope(gap, [&patch](Eigen::Index j) { return patch.columns[static_cast<std::size_t>(j)].parting; });
+    fillUnseenSlope(gap, [&patch](Eigen::Index j) { return patch.columns[static_cast<std::size_t>(j)].gap_slope; });
     gap.gap += gap.weight * boxed_penetration_;
     clearBeyond(patch, gap.gap);
     patch.least_gap = leastGap(gap.grid, gap.gap);
@@ -302,7 +302,8 @@ void WheelContact::learn()
   }
 }
 
-/// Where the bodies overlap in a patch's stretch at this separation [m]; without yaw, beside the grid's columns.
+/// Finds the stations at which the bodies overlap in the interval of a patch at this separation [m]; without yaw, only
+/// those beside the columns of the grid.
 void WheelContact::findStations(std::size_t patch, double separation)
 {
   const OverlapInterval& interval = patches_[patch].interval;
@@ -310,7 +311,7 @@ void WheelContact::findStations(std::size_t patch, double separation)
   stations_.clear();
   if (problem_.patches[patch].grid.symmetric)
   {
-    // A grid laid as remembered may lie all beside the stretch.
+    // A grid laid from the memory may lie completely beside the interval.
     search_.addStationsBetween(interval.u_begin, std::min(columns.front().rail_u, interval.u_end), separation,
                                stations_);
     search_.addStationsBetween(std::max(columns.back().rail_u, interval.u_begin), interval.u_end, separation,
@@ -338,6 +339,8 @@ bool WheelContact::missesPressure(const RigidTouch& touch)
   return missed;
 }
 
+/// True if the boxes contain all of the pressure. If the penetration exceeds its estimate by penetration_allowance,
+/// also checks that no further overlap interval is in contact.
 bool WheelContact::boxesHold(const RigidTouch& touch)
 {
   const bool missed = missesPressure(touch);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What WheelContact tells of its last solution: the rest of it stands in wheel_contact.cpp.
+// Measures of the last solution of WheelContact. The other members of WheelContact are in wheel_contact.cpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,9 +10,9 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double rigid_tilt = 0.1;  ///< turn of a plane against the normal of its first touch [rad]
+constexpr double rigid_tilt = 0.1;  ///< see tilts() [rad]
 
-/// The largest of the errors that `error_of(k)` tells of so many patches [-].
+/// Largest value of `error_of(k)` over the patches [-].
 template <typename ErrorOf>
 double largestError(std::size_t patches, const ErrorOf& error_of)
 {
@@ -38,7 +38,7 @@ const std::vector<ErrorEstimate>& WheelContact::estimateErrors()
   return errors_;
 }
 
-/// What a way of the wheel along the plane [m] that its gap does not know makes of a patch [-].
+/// Relative error of a patch by a displacement of the wheel along the plane [m] that is not included in its gap [-].
 double WheelContact::slipError(std::size_t patch, double slip) const
 {
   const WheelPatch& p = patches_[patch];
@@ -52,14 +52,14 @@ double WheelContact::slipError(std::size_t patch, double slip) const
   return p.extent.empty() ? 0 : (most - least) * std::abs(slip) / (2 * patchApproach(patch));
 }
 
-/// Way of the wheel along the plane as it comes down by what the rail has yielded [m]. The rail's own way down does not
-/// count: where both go down together nothing slides.
+/// Displacement of the wheel along the plane as it moves down with the deflection of the rail [m]. The rail's own
+/// downward displacement is subtracted: if both move down together, nothing slides.
 double WheelContact::deflectionSlip(const WheelPatch& patch) const
 {
   return (deflected_ + railDisplacement(patch)[1]) * std::sin(patch.plane.angle);
 }
 
-/// Way of the wheel along the plane since the gap was built [m].
+/// Displacement of the wheel along the plane since the gap was built [m].
 double WheelContact::slip(const WheelPatch& patch) const
 {
   return (solution_.approach - boxed_penetration_) * std::sin(patch.plane.angle) + deflectionSlip(patch);
@@ -76,14 +76,13 @@ double WheelContact::layoutError(std::size_t patch, double open_roll) const
   return slipError(patch, slip(p)) + std::abs(p.slope * std::tan(p.plane.angle)) + rollError(patch, open_roll);
 }
 
-/// At constant load the wheel's roll moves a patch along its plane: sideways by its depth below the axle, and with that
-/// up the plane.
+/// At constant load, roll moves a patch sideways by its depth below the axle, and thereby up its plane.
 double WheelContact::rollError(std::size_t patch, double open_roll) const
 {
   const WheelPatch& p = patches_[patch];
   const double slip = (wheel_->pose().z - p.plane.z) / std::cos(p.plane.angle) * open_roll;
-  const double parted = std::cos(p.plane.angle) * (leverOf(p) - lever()) * open_roll;
-  return slipError(patch, slip) + std::abs(parted) / patchApproach(patch);
+  const double normal_displacement = std::cos(p.plane.angle) * (leverOf(p) - lever()) * open_roll;
+  return slipError(patch, slip) + std::abs(normal_displacement) / patchApproach(patch);
 }
 
 double WheelContact::rollError(double open_roll) const
@@ -143,7 +142,7 @@ bool WheelContact::tilts() const
   return tilt > rigid_tilt;
 }
 
-double WheelContact::rise() const
+double WheelContact::heightSlope() const
 {
   double vertical = 0;
   double sum = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the rail under a wheel's contact is set, loaded and yields: the rest of WheelContact stands in wheel_contact.cpp.
+// Position, forces and deflection of the rail under a wheel. The other members of WheelContact are in
+// wheel_contact.cpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +11,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double steepest_slope = 3.0;   ///< of flanks that may touch [-]
+constexpr double steepest_slope = 3.0;   ///< steepest slope of surfaces that may touch [-]
 constexpr double rail_head_size = 0.08;  ///< [m]
 }  // namespace
 
@@ -51,7 +52,7 @@ double WheelContact::heightOverReference() const
   return force > 0 ? moment / force : 0;
 }
 
-/// Brings the problem to where the rail has yielded to.
+/// Moves the problem to the deflected position of the rail.
 void WheelContact::settleSupport()
 {
   deflected_ = 0;
@@ -62,17 +63,17 @@ void WheelContact::settleSupport()
   const Eigen::Vector3d along(forces_.outward, -forces_.vertical, forces_.moment);
   const Eigen::Vector3d coordinates =
       support_.compliant ? solution_.support : Eigen::Vector3d(support_.compliance * along);
-  const Eigen::Vector3d way = coordinates - support_.placed;
-  deflected_ = along.dot(way) / forces_.vertical;
+  const Eigen::Vector3d move = coordinates - support_.placed;
+  deflected_ = along.dot(move) / forces_.vertical;
   problem_.support.placed = coordinates;
   if (support_.compliant)
   {
-    takeIntoGaps(way);
+    takeIntoGaps(move);
   }
 }
 
-/// Gaps, first touches and approach as if the rail had been set at the end of the way.
-void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
+/// Converts gaps, first touches and approach to those of a rail that had been set at the end of the displacement.
+void WheelContact::takeIntoGaps(const Eigen::Vector3d& move)
 {
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
@@ -80,7 +81,7 @@ void WheelContact::takeIntoGaps(const Eigen::Vector3d& way)
     PatchGap& gap = problem_.patches[k];
     for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
     {
-      gap.gap.col(j) += gap.opening.row(j).matrix().dot(way) - gap.weight * deflected_;
+      gap.gap.col(j) += gap.opening.row(j).matrix().dot(move) - gap.weight * deflected_;
     }
     const double before = patch.least_gap;
     patch.least_gap = leastGap(gap.grid, gap.gap);
@@ -105,7 +106,7 @@ double WheelContact::railSlip() const
   return slip;
 }
 
-double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
+double WheelContact::effectOf(const Eigen::Vector3d& move, double limit)
 {
   double effect = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k)
@@ -115,7 +116,7 @@ double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
     double most = -least;
     for (Eigen::Index j = extent.first_column; !extent.empty() && j <= extent.last_column; ++j)
     {
-      const double opened = problem_.patches[k].opening.row(j).matrix().dot(way);
+      const double opened = problem_.patches[k].opening.row(j).matrix().dot(move);
       least = std::min(least, opened);
       most = std::max(most, opened);
     }
@@ -127,7 +128,7 @@ double WheelContact::effectOf(const Eigen::Vector3d& way, double limit)
   {
     return effect;
   }
-  const double reach = steepest_slope * (std::hypot(way[0], way[1]) + rail_head_size * std::abs(way[2]));
+  const double reach = steepest_slope * (std::hypot(move[0], move[1]) + rail_head_size * std::abs(move[2]));
   search_.overlapIntervals(touch_separation_ + solution_.approach + reach, intervals_);
   return intervals_.size() == patches_.size() ? effect : std::numeric_limits<double>::infinity();
 }

@@ -7,8 +7,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// How far the parabola through three gaps falls below the middle one, which is the least; zero beside no body, whose
-/// gap stands out whatever has been added to all of them.
+/// Distance of the minimum of the parabola through three gaps below the middle one, which is the least. Zero next to a
+/// cell without a body, whose gap is very large whatever has been added to all of them.
 double fall(double before, double least, double after)
 {
   const double bend = before - 2 * least + after;
@@ -16,8 +16,8 @@ double fall(double before, double least, double after)
   return bodies && bend > 0 ? (after - before) * (after - before) / (8 * bend) : 0;
 }
 
-/// The same across, but where the gap bends less beside the least one, as beside a kink, at most twice as far as a
-/// parabola of that bend may fall.
+/// The same across the track. Next to a kink, where the gap bends less beside the least cell, the distance is limited
+/// to twice that of a parabola with this bend.
 double fallAcross(const Eigen::ArrayXXd& gap, Eigen::Index i, Eigen::Index j)
 {
   const auto inside = [&](Eigen::Index column) { return column > 0 && column + 1 < gap.cols(); };
@@ -39,7 +39,7 @@ double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
 {
   Eigen::Index i = 0, j = 0;
   const double least = gap.minCoeff(&i, &j);
-  const bool peak = grid.symmetric && i == 0;  // its neighbour is its mirror image
+  const bool peak = grid.symmetric && i == 0;  // the neighbour of this cell is its mirror image
   const bool inside = (peak || i > 0) && i + 1 < gap.rows();
   const double along = inside ? fall(peak ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0;
   return least - along - fallAcross(gap, i, j);

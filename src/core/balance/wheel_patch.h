@@ -9,45 +9,46 @@
 
 namespace wheel_rail_contact::core
 {
-/// Cells of the grid laid over a patch.
+/// Number of cells of a patch's grid.
 struct GridSize
 {
-  int along = 0;   ///< cells along the track
-  int across = 0;  ///< cells across
+  int along = 0;   ///< along the track
+  int across = 0;  ///< across the track
 };
 
-/// True if both are the same.
+/// Equality of both numbers.
 inline bool operator==(const GridSize& one, const GridSize& other)
 {
   return one.along == other.along && one.across == other.across;
 }
 
-/// One patch as solved, beside its pressure.
+/// A solved patch, except its pressure.
 struct WheelPatch
 {
-  OverlapInterval interval;        ///< stretch it was laid over
+  OverlapInterval interval;        ///< overlap interval of the patch
   double touch_gap = 0;            ///< vertical gap at the first touch of the whole wheel [m]
-  double least_gap = 0;            ///< leastGap() along the normal, the axle at the first touch [m]
+  double least_gap = 0;            ///< leastGap() along the normal, with the axle at the first touch [m]
   double half_overlap = 0;         ///< half-length of the overlap along the track [m]
-  double expected_width = 0;       ///< of the pressure, for which the grid was laid [m]
-  double expected_length = 0;      ///< likewise, along the track [m]
-  ContactPlane plane;              ///< in which it was solved
-  double turned = 0;               ///< by how much the plane was turned after the last solution of the same state [rad]
+  double expected_width = 0;       ///< expected width of the pressure when the grid was laid [m]
+  double expected_length = 0;      ///< the same along the track [m]
+  ContactPlane plane;              ///< plane of the solution
+  double turned = 0;               ///< turn of the plane after the last solution of the same state [rad]
   std::vector<GapColumn> columns;  ///< one for each column of the grid
-  PressureExtent extent;           ///< of the pressure
-  double slope = 0;                ///< pressure-weighted mean of the common normal's slope against the plane [-]
-  double center_x = 0;             ///< pressure's centre in the patch frame [m]
-  double center_y = 0;             ///< [m]
+  PressureExtent extent;           ///< extent of the pressure
+  double slope = 0;                ///< pressure-weighted mean slope of the common normal relative to the plane [-]
+  double center_x = 0;             ///< x of the pressure centre, patch frame [m]
+  double center_y = 0;             ///< y of the pressure centre, patch frame [m]
 };
 
-/// Parameter of the rail's profile at place `t` of the patch frame [m], from the columns, carried on beyond them.
+/// Rail profile parameter at position `t` of the patch frame [m], interpolated between the columns and extrapolated
+/// beyond them.
 double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t);
 
-/// The least of a gap [m], between its cells by the parabolas along and across through the least one and its
-/// neighbours.
+/// Minimum of a gap [m], also between the cells: from parabolas along and across the track through the lowest cell and
+/// its neighbours.
 double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap);
 
-/// Finds the pressure's centre, mean normal and extent.
+/// Determines centre, mean normal and extent of the pressure.
 void measurePatch(const Grid& grid, const Eigen::ArrayXXd& pressure, WheelPatch& patch);
 
 /// True if all of the pressure lies on both profiles.

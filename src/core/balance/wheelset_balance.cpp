@@ -11,18 +11,18 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr int most_passes = 60;
-constexpr int strict_passes = 16;    ///< after these, planes and roll may be left open by late_slack times as much
-constexpr double late_slack = 10.0;  ///< where contact jumps between tread and flange [-]
-/// Where a state is not found from cold, it is approached from beside it, nearer to the track's centre [m].
+constexpr int strict_passes = 16;    ///< after these passes, planes and roll may have late_slack times the errors
+constexpr double late_slack = 10.0;  ///< for contacts that jump between tread and flange [-]
+/// If a state is not solved from a cold start, it is approached from states nearer to the track centre [m].
 constexpr std::array<double, 2> detours{0.05e-3, 0.2e-3};
-constexpr double roll_per_tolerance = 3e-4;  ///< roll left open for each unit of contact/tolerance [rad]
-constexpr double plane_per_tolerance = 0.1;  ///< plane error left open for each unit of contact/tolerance [rad]
-// A pass is far from the balance while a plane, a descent or the roll is off by more than this.
+constexpr double roll_per_tolerance = 3e-4;  ///< allowed roll error per unit of contact/tolerance [rad]
+constexpr double plane_per_tolerance = 0.1;  ///< allowed plane error per unit of contact/tolerance [rad]
+// A pass is far from the balance if a plane, a penetration or the roll is off by more than these values.
 constexpr double far_plane = 0.05;       ///< [rad]
 constexpr double far_penetration = 0.1;  ///< relative [-]
 constexpr double far_roll = 1e-4;        ///< [rad]
-constexpr double least_load = 1e-9;      ///< of a wheel; the approach under less is rounding of its place [N]
-constexpr double least_fill = 0.8;       ///< share of its expected size that a pressure must have
+constexpr double least_load = 1e-9;  ///< smallest wheel load; below it, the approach is of the order of rounding [N]
+constexpr double least_fill = 0.8;   ///< smallest boxFill() [-]
 }  // namespace
 
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
@@ -65,7 +65,7 @@ ContactStatus WheelsetBalance::failed(WheelStatus status)
     case WheelStatus::off_profile:
       return fail(ContactStatus::off_profile, "contact lies beyond the end of a profile");
     case WheelStatus::box_not_found:
-      return fail(ContactStatus::not_converged, "no grid was found that holds all of the contact");
+      return fail(ContactStatus::not_converged, "no grid was found that covers the whole contact");
     case WheelStatus::spike:
       return fail(ContactStatus::not_converged, "pressure on fewer than three cells");
     default:
@@ -108,7 +108,8 @@ WheelStatus WheelsetBalance::solveWheels(bool rough)
   return WheelStatus::solved;
 }
 
-/// Moves the rails to where the last solutions want them. Returns how far they still are from it: settled up to 1.
+/// Moves the rails towards the deflections that the last solutions cause. Returns the remaining difference over the
+/// allowed one; converged if at most 1.
 double WheelsetBalance::moveRails()
 {
   double open = 0;
@@ -121,8 +122,8 @@ double WheelsetBalance::moveRails()
   return open;
 }
 
-/// True if planes and boxes fit the pressure; otherwise they are laid anew in the next pass. What the wheel has slid
-/// along the planes since the gaps were built is given no slack.
+/// True if planes and boxes fit the pressure. Otherwise they are laid again in the next pass. The slack does not apply
+/// to slipError().
 bool WheelsetBalance::layoutFits(double slack)
 {
   bool all = true;
@@ -143,7 +144,8 @@ bool WheelsetBalance::layoutFits(double slack)
   return all;
 }
 
-/// True if the roll left open [rad] is small, and small for each patch: there no slack is given.
+/// True if the remaining roll error [rad] and its effect on each patch are small. The slack does not apply to the
+/// effect on the patches.
 bool WheelsetBalance::isLevel(double open_roll, double slack) const
 {
   const double tolerance = config_.contact.tolerance;
@@ -155,7 +157,7 @@ bool WheelsetBalance::isLevel(double open_roll, double slack) const
   return level;
 }
 
-/// True if a pass is so far from the balance that a rough grid tells as well where to go.
+/// True if a pass is so far from the balance that a rough grid is sufficient.
 bool WheelsetBalance::isFar(double roll_change) const
 {
   bool far = std::abs(roll_change) > far_roll;
@@ -168,7 +170,7 @@ bool WheelsetBalance::isFar(double roll_change) const
   return far;
 }
 
-/// True if the estimated errors meet the tolerance or cannot be made smaller; otherwise finer grids are chosen.
+/// True if the estimated errors meet the tolerance or cannot be reduced. Otherwise finer grids are chosen.
 bool WheelsetBalance::fineEnough()
 {
   bool enough = true;
@@ -181,7 +183,7 @@ bool WheelsetBalance::fineEnough()
   return enough;
 }
 
-/// Chooses grids after the last rough pass.
+/// Chooses the grids after the last rough pass.
 void WheelsetBalance::chooseGrids()
 {
   for (const Side side : sides)
@@ -192,7 +194,8 @@ void WheelsetBalance::chooseGrids()
   }
 }
 
-/// Their ellipses follow the curvature of a single place, which may keep passes from settling.
+/// Replaces closed forms by grids. A Hertz ellipse follows the curvature at a single point, which may prevent
+/// convergence of the passes.
 void WheelsetBalance::leaveClosedForms()
 {
   for (GridLevelChoice& choice : choice_)
@@ -210,7 +213,7 @@ void WheelsetBalance::tryClosedForm(Side side)
   }
 }
 
-/// Sets out from the last answer: wheel loads, and descents to be expected under them.
+/// Starts from the last result: wheel loads and expected penetrations. Returns false if a wheel is beside its rail.
 bool WheelsetBalance::begin(const WheelsetState& state)
 {
   const double moved = state.y - state_.y;
@@ -234,7 +237,7 @@ bool WheelsetBalance::begin(const WheelsetState& state)
   }
   if (warm_)
   {
-    foresee(moved);
+    predictRoll(moved);
   }
   else if (!touchFirst())
   {
@@ -264,14 +267,14 @@ bool WheelsetBalance::heightOnBendingRails() const
   return !config_.wheelset.solve_height_and_roll && config_.rail_bending.model == RailBendingConfig::Model::compliance;
 }
 
-/// From the last answer, from cold, and from beside the state.
+/// Solves a state from the last result, from a cold start, and from results next to the state.
 ContactStatus WheelsetBalance::searchAround(const WheelsetState& state)
 {
   const bool warm = warm_;
   ContactStatus status = search(state);
   if (!isUsable(status) && warm)
   {
-    status = search(state);  // from cold
+    status = search(state);  // from a cold start
   }
   std::string_view reason = reason_;
   for (auto beside = detours.begin(); !isUsable(status) && beside != detours.end(); ++beside)
@@ -316,29 +319,29 @@ ContactStatus WheelsetBalance::search(const WheelsetState& state)
     const double slack = pass < strict_passes ? 1.0 : late_slack;
     const bool fits = layoutFits(slack);
     const bool level = isLevel(roll_change, slack);
-    const bool high = heightsMeet();
-    const bool settled = fits && level && high && open <= 1;
+    const bool heights_meet = heightsMeet();
+    const bool converged = fits && level && heights_meet && open <= 1;
     const bool far = (isFar(roll_change) || open > 1) && pass < strict_passes;
     if (rough && !far)
     {
       chooseGrids();
     }
-    if (!rough && settled && fineEnough())
+    if (!rough && converged && fineEnough())
     {
       finish(roll_change);
       return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
     }
-    rough = far && (rough || (pass == 0 && levels_.count() > 1));  // a grid given by hand is kept while warm
+    rough = far && (rough || (pass == 0 && levels_.count() > 1));  // a grid set by hand is kept in warm starts
     const bool steady = secant_.steady(roll_, difference);
     if (fits || steady || !secant_.takesOver())
     {
       secant_.record(roll_, difference);
     }
   }
-  return fail(ContactStatus::not_converged, "height, roll and rail deflection found no common balance");
+  return fail(ContactStatus::not_converged, "no balance of height, roll and rail deflection was found");
 }
 
-/// Height and roll from the last pass; what the roll was still off is made up for to first order.
+/// Height and roll from the last pass, corrected to first order for the remaining roll error.
 void WheelsetBalance::finish(double roll_change)
 {
   warm_ = true;

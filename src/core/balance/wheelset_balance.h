@@ -13,41 +13,46 @@
 
 namespace wheel_rail_contact::core
 {
-/// Vertical balance of both wheels of a wheelset, together with the rails' deflection.
+/// Vertical balance of both wheels of a wheelset, together with the deflection of the rails.
 ///
-/// Unknown are the roll and, with model compliance, the displacement of both rail heads. One pass places the wheelset
-/// at the roll that lets both axle ends agree with the descents known so far (rigid touch only, cheap), solves both
-/// wheels there, and compares: heights of the axle from either side, deflections used and deflections due, planes used
-/// and pressure-weighted normals. Passes go on until all agree. Where height and roll are given and rails bend by a
-/// table, the wheel loads are unknown instead.
+/// The unknowns are the roll and, with the model `compliance`, the displacements of both rail heads. One pass does the
+/// following:
+/// - It places the wheelset at the roll at which both wheels give the same axle height with the present penetrations.
+///   This uses rigid contact only.
+/// - It solves both wheels at this roll.
+/// - It compares the axle heights of the two wheels, the deflections used with those that the forces cause, and the
+///   planes with the pressure-weighted normals.
+///
+/// Passes are repeated until all of them agree. If height and roll are given and the rails bend by a table, the wheel
+/// loads are unknown instead.
 class WheelsetBalance
 {
  public:
-  /// Refers to `config` and `ladder`, which must outlive it.
+  /// Keeps references to `config` and `levels`, which must outlive this.
   WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels);
   WheelsetBalance(const WheelsetBalance&) = delete;
   WheelsetBalance& operator=(const WheelsetBalance&) = delete;
 
-  /// Solves a valid state, from the last answer; if that does not get there, from cold, and then from beside it. The
-  /// reason stands in reason() where the status is not ok.
+  /// Solves a valid state, starting from the last result. If this fails, solves it from a cold start, and then from
+  /// results next to it. If the status is not ok, reason() gives the reason.
   ContactStatus solve(const WheelsetState& state);
 
-  /// One sentence; empty where the status is ok.
+  /// One sentence; empty if the status is ok.
   std::string_view reason() const { return reason_; }
-  /// Axle centre, track frame [m].
+  /// Height of the axle centre, track frame [m].
   double height() const { return height_; }
-  /// Track frame [rad].
+  /// Roll, track frame [rad].
   double roll() const { return roll_; }
-  /// What the last pass left open of the roll [rad]: roll() contains it, the wheels as last solved do not.
+  /// Remaining roll error of the last pass [rad]. It is included in roll(), but not in the solutions of the wheels.
   double openRoll() const { return open_roll_; }
-  /// One wheel as last solved.
+  /// Last solution of one wheel.
   const WheelContact& wheel(Side side) const { return wheel_[static_cast<std::size_t>(side)]; }
-  /// False where the wheel carries nothing.
+  /// False if the wheel carries no load.
   bool loaded(Side side) const { return loaded_[static_cast<std::size_t>(side)]; }
-  /// One rail's deflection and forces.
+  /// Deflection and forces of one rail.
   const RailResult& rail(Side side) const { return rail_[static_cast<std::size_t>(side)].result(); }
 
-  /// Forgets the last answer.
+  /// Discards the last result.
   void reset();
 
  private:
@@ -73,7 +78,7 @@ class WheelsetBalance
   bool layoutFits(double slack);
   bool isLevel(double open_roll, double slack) const;
   bool isFar(double roll_change) const;
-  void foresee(double moved);
+  void predictRoll(double moved);
   bool fineEnough();
   void chooseGrids();
   void tryClosedForm(Side side);
@@ -87,13 +92,13 @@ class WheelsetBalance
   WheelsetState state_;
   std::array<double, 2> load_{};  ///< vertical wheel loads [N]
   std::array<bool, 2> loaded_{};
-  std::array<double, 2> penetration_{};  ///< known so far [m]
+  std::array<double, 2> penetration_{};  ///< present penetrations [m]
   std::array<RigidTouch, 2> touch_;
   std::array<GridLevelChoice, 2> choice_;
   std::array<ErrorEstimate, 2> error_;
-  SolveStatus normal_status_ = SolveStatus::converged;  ///< of the last solution that failed
+  SolveStatus normal_status_ = SolveStatus::converged;  ///< status of the last solution that failed
   RollSecant secant_;
-  bool finds_loads_;  ///< under which the wheels lie at the height and roll given
+  bool finds_loads_;  ///< the wheel loads are unknown, height and roll are given
   std::array<LoadSearch, 2> load_search_;
   double height_ = 0;
   double roll_ = 0;

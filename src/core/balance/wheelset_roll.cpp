@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the wheelset is placed and its roll found: the rest of WheelsetBalance stands in wheelset_balance.cpp.
+// Placement of the wheelset and search for its roll. The other members of WheelsetBalance are in wheelset_balance.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -13,13 +13,13 @@ namespace
 constexpr int most_roll_steps = 60;
 constexpr double roll_limit = 0.2;        ///< [rad]
 constexpr double roll_step_limit = 5e-3;  ///< [rad]
-/// Difference of both axle ends' heights left open for each unit of contact/tolerance, in finding the roll [m].
+/// Allowed difference of the axle heights of both sides in the search for the roll, per unit of contact/tolerance [m].
 constexpr double height_per_tolerance = 1e-5;
-/// The same in the first pass: a tenth of the roll that an answer may leave open, which is made up for to first order.
+/// The same in the first pass: a tenth of the roll error that a result may have, which is corrected to first order.
 constexpr double first_height_per_tolerance = 5e-5;
 }  // namespace
 
-/// The state's pose at a roll, seen from a side; its height is left open.
+/// Pose of the state at a given roll, in side axes, without height.
 WheelsetPose WheelsetBalance::poseOf(Side side, double roll) const
 {
   return toSide(side, {state_.y, 0, state_.yaw, roll});
@@ -39,8 +39,9 @@ double WheelsetBalance::heightDifference() const
   return (touch_[0].axle_height - penetration_[0]) - (touch_[1].axle_height - penetration_[1]);
 }
 
-/// The roll at which both axle ends agree, with the descents known so far: the height seen from the left falls with the
-/// roll, that from the right rises. Newton's steps, kept within the bracket seen so far.
+/// Finds the roll at which both wheels give the same axle height with the present penetrations: the height from the
+/// left wheel decreases with the roll, that from the right wheel increases. Newton steps, kept within the present
+/// bracket.
 bool WheelsetBalance::findRoll(bool first)
 {
   const double open = (first ? first_height_per_tolerance : height_per_tolerance) * config_.contact.tolerance;
@@ -66,7 +67,7 @@ bool WheelsetBalance::findRoll(bool first)
   return false;
 }
 
-/// First touch from cold, on rails that give way to a flange.
+/// First touch of a cold start. A compliant rail may be moved outward from under the flange.
 bool WheelsetBalance::touchFirst()
 {
   if (!touchBoth(roll_))
@@ -76,38 +77,38 @@ bool WheelsetBalance::touchFirst()
   for (const Side side : sides)
   {
     const std::size_t k = index(side);
-    touch_[k] = rail_[k].letFlangeDown(touch_[k], poseOf(side, roll_), load_[k]);
+    touch_[k] = rail_[k].clearFlange(touch_[k], poseOf(side, roll_), load_[k]);
   }
   return touch_[0].found && touch_[1].found;
 }
 
-/// Rolls the wheelset as its last contacts ask for after it has moved sideways [m]. Where the load is carried elsewhere
-/// than at the first touch, rigid touch does not tell better, and the roll goes on from there.
-void WheelsetBalance::foresee(double moved)
+/// Predicts the roll after a lateral displacement [m] from the last contacts. If a contact tilts(), rigid contact gives
+/// no better prediction, and the secant takes over from this roll.
+void WheelsetBalance::predictRoll(double moved)
 {
-  double rise = 0;
+  double slope = 0;
   bool tilts = false;
   for (const Side side : sides)
   {
-    rise += loaded_[index(side)] ? wheel_[index(side)].rise() : touch_[index(side)].contact.slope;
+    slope += loaded_[index(side)] ? wheel_[index(side)].heightSlope() : touch_[index(side)].contact.slope;
     tilts = tilts || (loaded_[index(side)] && wheel_[index(side)].tilts());
   }
   const double levers = std::max(leverSum(), RollSecant::least_fall);
-  roll_ += std::clamp(rise * moved / levers, -roll_step_limit, roll_step_limit);
+  roll_ += std::clamp(slope * moved / levers, -roll_step_limit, roll_step_limit);
   if (tilts)
   {
     secant_.start(roll_, levers);
   }
 }
 
-/// Places the wheelset for the next pass, or the first one.
+/// Places the wheelset for the next pass.
 bool WheelsetBalance::place(bool first)
 {
   if (!config_.wheelset.solve_height_and_roll)
   {
     return touchBoth(roll_);
   }
-  if (secant_.takesOver())  // as long as planes and boxes do not fit, the roll stays
+  if (secant_.takesOver())  // the roll does not change while planes and boxes do not fit
   {
     roll_ = secant_.roll();
     return touchBoth(roll_);

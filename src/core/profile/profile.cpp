@@ -30,7 +30,7 @@ CurveExpansion evaluate(const ArcSection& arc, double t)
           -third * c};
 }
 
-/// Horner's scheme for a polynomial and its first three derivatives.
+/// Horner scheme for a polynomial and its first three derivatives.
 CurveExpansion evaluate(const PolynomialSection& law, double t)
 {
   const double y = law.y0 + t;
@@ -59,7 +59,7 @@ CurveExpansion evaluate(const CubicSection& law, double t)
           6.0 * z[3]};
 }
 
-/// Nothing to check: lines and cubics are defined by any finite numbers.
+/// Lines and cubics need no check: any finite numbers define them.
 template <typename Law>
 void checkLaw(const Law&)
 {
@@ -92,7 +92,7 @@ void checkSection(const ProfileSection& section)
   std::visit([](const auto& law) { checkLaw(law); }, section.law);
 }
 
-/// Sections per bucket stay below one on average, so that most look-ups need no search at all.
+/// With several buckets for each section, most look-ups need no search.
 constexpr std::size_t buckets_per_section = 4;
 }  // namespace
 
@@ -106,7 +106,7 @@ Profile::Profile(std::string name, const std::vector<ProfileSection>& sections) 
 {
   if (sections.empty())
   {
-    throw std::invalid_argument("profile: '" + name_ + "' has no section");
+    throw std::invalid_argument("profile: '" + name_ + "' has no sections");
   }
   for (const ProfileSection& section : sections)
   {
@@ -134,7 +134,7 @@ std::size_t Profile::sectionAt(double u) const
   const std::size_t last = bucket_.size() - 1;
   const std::size_t k = position < static_cast<double>(last) ? static_cast<std::size_t>(position) : last - 1;
   std::size_t section = bucket_[k];
-  // Rounding of the bucket's border may leave u a hair before the bucket's first section.
+  // By rounding of the bucket boundary, u may be just before the first section of its bucket.
   if (u < start_[section])
   {
     return section - 1;
@@ -161,7 +161,7 @@ void ProfileCursor::moveTo(double u)
   end_ = section_ + 2 == start.size() ? infinity : start[section_ + 1];
 }
 
-/// Moves to a place; returns its distance from the section's start [m].
+/// Moves to the parameter u. Returns its distance from the start of its section [m].
 double ProfileCursor::offsetOf(double u)
 {
   if (!(u >= begin_ && u < end_))

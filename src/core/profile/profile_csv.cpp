@@ -8,11 +8,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Length unit of the columns [m], or nothing if the line states none.
+/// Length unit of the columns [m]; nothing if the line states none.
 std::optional<double> statedUnit(const std::string& line)
 {
   const std::vector<std::string> fields = splitFields(line[0] == '#' ? trim(line.substr(1)) : line);
-  // What follows the second name after white space is a remark.
+  // Text after the second name, separated by white space, is a comment.
   const std::string second = fields.size() > 1 ? fields[1].substr(0, fields[1].find_first_of(" \t")) : "";
   if (fields[0] == "y_mm" && second == "z_mm")
   {

@@ -49,7 +49,7 @@ std::string contentOf(const std::string& path)
   }
   if (std::any_of(text.begin(), text.end(), isBinary))
   {
-    refuse("holds binary data: not a profile");
+    refuse("contains binary data: not a profile");
   }
   if (text.find_first_not_of(std::string(white_space) + "\n") == std::string::npos)
   {
@@ -87,7 +87,7 @@ bool ProfileFile::next()
   ++number_;
   if (end - position_ > longest_line)
   {
-    refuse("line of more than " + std::to_string(longest_line) + " characters: not a profile");
+    refuse("line has more than " + std::to_string(longest_line) + " characters: not a profile");
   }
   line_ = trim(text_.substr(position_, end - position_));
   position_ = end + 1;

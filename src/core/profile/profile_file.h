@@ -11,23 +11,26 @@
 
 namespace wheel_rail_contact::core
 {
-/// Text file read line by line within bounds; every refusal names the file and the line.
+/// Text file that is read line by line, with limits for its size. Every error message contains the file and the line.
 class ProfileFile
 {
  public:
   /// Reads the whole file.
-  /// @throw ProfileError if it is no readable text file or too large.
+  /// @throw ProfileError if it is not a readable text file, empty or too large.
   explicit ProfileFile(const std::string& path);
 
-  /// Moves to the next line; false behind the last.
+  /// Moves to the next line.
+  /// @return false after the last line.
+  /// @throw ProfileError if the line is too long.
   bool next();
-  /// The present line without white space at its ends.
+  /// Current line, without white space at its ends.
   const std::string& line() const { return line_; }
+  /// Number of the current line, from 1.
   std::size_t number() const { return number_; }
 
-  /// Refuses the file because of the present line.
+  /// Throws a ProfileError for the current line.
   [[noreturn]] void refuse(const std::string& reason) const;
-  /// Refuses the file because of a line counted from 1, or as a whole for 0.
+  /// Throws a ProfileError for the line with the given number, from 1; 0: for the file as a whole.
   [[noreturn]] void refuse(std::size_t line, const std::string& reason) const;
 
  private:
@@ -38,43 +41,49 @@ class ProfileFile
   std::size_t number_ = 0;
 };
 
-/// A point as the file gives it, with the line it stands in.
+/// Point as listed in a file, with the number of its line.
 struct FilePoint
 {
   SampledPoint point;
   std::size_t line;
 };
 
-/// Content of a file in the profile frame [m]; the points may run either way.
+/// Content of a file in the profile frame [m]. The points may run in either direction.
 struct FileProfile
 {
   std::vector<FilePoint> points;
   double noise = 0;               ///< expected standard deviation across the curve [m]
-  double overlap = 0;             ///< by how much a measurement may run back [m]
-  bool height_from_tape = false;  ///< z counts from the profile's own height at y = 0
+  double overlap = 0;             ///< largest distance over which a measurement may run back [m]
+  bool height_from_tape = false;  ///< z is counted from the height of the profile itself at y = 0
 };
 
+/// Reads a Simpack file.
+/// @throw ProfileError if it is malformed, truncated or of the other kind.
 FileProfile readSimpack(ProfileFile& file, ProfileKind kind);
+/// Reads a MiniProf file.
+/// @throw ProfileError if it is malformed or truncated.
 FileProfile readMiniProf(ProfileFile& file, ProfileKind kind);
+/// Reads a CSV file.
+/// @throw ProfileError if it is malformed.
 FileProfile readCsv(ProfileFile& file);
 
-/// Checks that the content is a plausible profile of that kind, and returns its points in order from the gauge (flange)
-/// side to the field side, without those that are too near the one before.
-/// @throw ProfileError with the line and the rule that is broken.
+/// Checks that the content is a plausible profile of the given kind. Returns its points in order from the gauge
+/// (flange) side to the field side, without points too close to the preceding one.
+/// @throw ProfileError with the line and the broken rule.
 std::vector<SampledPoint> orderedPoints(const ProfileFile& file, const FileProfile& content, ProfileKind kind);
 
-/// Adds a point.
-/// @throw ProfileError if the file has too many.
+/// Appends a point.
+/// @throw ProfileError if the file has too many points.
 void addPoint(const ProfileFile& file, FileProfile& content, const SampledPoint& point);
 
-/// The number a word consists of, or nothing; finite, with a decimal point whatever the locale.
+/// Converts a word to a finite number, with a decimal point in any locale; nothing if it is not one.
 std::optional<double> parseNumber(const std::string& word);
-/// The words of a line, separated by white space.
+/// Words of a line, separated by white space.
 std::vector<std::string> splitWords(const std::string& line);
-/// The fields of a line, separated by commas, without white space at their ends.
+/// Fields of a line, separated by commas, without white space at their ends.
 std::vector<std::string> splitFields(const std::string& line);
-/// Without white space at its ends.
+/// Text without white space at its ends.
 std::string trim(const std::string& text);
-/// With the letters A to Z in lower case.
+/// Text with the letters A to Z in lower case.
 std::string lowerCase(std::string text);
 }  // namespace wheel_rail_contact::core

@@ -12,9 +12,9 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double mm = 1e-3;                 ///< [m]
-constexpr double tape_circle = 70.0;        ///< from the flange back, unless the file states another [mm]
-constexpr double overlap = 1.0;             ///< by how much a measurement in two strokes may run back [mm]
-constexpr const char* old_style = "#MINI";  ///< first line of files whose header is free text
+constexpr double tape_circle = 70.0;        ///< default distance of the running circle from the flange back [mm]
+constexpr double overlap = 1.0;             ///< largest overlap of a measurement in two strokes [mm]
+constexpr const char* old_style = "#MINI";  ///< start of the first line of old files, whose header is free text
 
 class MiniProfReader
 {
@@ -25,18 +25,18 @@ class MiniProfReader
 
  private:
   void readHeader(std::string line);
-  /// A header's number; nothing stated is 0.
+  /// Number in the header; 0 if the value is empty.
   double number(const std::string& key, const std::string& value) const;
   void readColumns(const std::string& definition);
   void readPoint(const std::vector<std::string>& words);
-  /// Refuses points that do not reach across a wheel's running circle.
+  /// @throw ProfileError if the points of a wheel do not extend across its running circle.
   void checkTapeCircle() const;
-  /// From X, Y [mm] to the profile frame [m].
+  /// Converts X and Y [mm] to the profile frame [m].
   SampledPoint toFrame(double x, double y) const;
 
   ProfileFile& file_;
   ProfileKind kind_;
-  std::size_t columns_ = 0;  ///< 0: not stated, X and Y come first
+  std::size_t columns_ = 0;  ///< number of columns; 0: not stated, X and Y are the first two
   std::size_t x_column_ = 0;
   std::size_t y_column_ = 1;
   double x_offset_ = 0;               ///< [mm]
@@ -72,8 +72,8 @@ FileProfile MiniProfReader::read()
   }
   if (static_cast<double>(content_.points.size()) < stated_points_)
   {
-    file_.refuse("file ends after " + std::to_string(content_.points.size()) + " points of " +
-                 std::to_string(static_cast<long>(stated_points_)) + " (XYPoints): cut off");
+    file_.refuse("file ends after " + std::to_string(content_.points.size()) + " of " +
+                 std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
   }
   checkTapeCircle();
   content_.noise = miniprof_noise;
@@ -93,8 +93,8 @@ void MiniProfReader::checkTapeCircle() const
   if (left->point.y > 0.0 || right->point.y < 0.0)
   {
     std::ostringstream text;
-    text << "points of X = " << left->point.y / mm + tape_circle_ << " to " << right->point.y / mm + tape_circle_
-         << " mm do not reach across the running circle, X = " << tape_circle_
+    text << "points from X = " << left->point.y / mm + tape_circle_ << " to " << right->point.y / mm + tape_circle_
+         << " mm do not extend across the running circle, X = " << tape_circle_
          << " mm (WheelDiameterTaperline): X must be counted from the flange back to the field side";
     file_.refuse(0, text.str());
   }
@@ -106,7 +106,7 @@ void MiniProfReader::readHeader(std::string line)
   const std::size_t equals = line.find('=');
   if (equals == std::string::npos)
   {
-    file_.refuse("neither key=value nor a point: not a MiniProf profile");
+    file_.refuse("line is neither key=value nor a point: not a MiniProf profile");
   }
   const std::string key = lowerCase(trim(line.substr(0, equals)));
   const std::string value = trim(line.substr(equals + 1));
@@ -132,7 +132,7 @@ void MiniProfReader::readHeader(std::string line)
   }
   else if (key == "tilt" && number(key, value) != 0.0)
   {
-    file_.refuse("Tilt is not 0: the profile must be turned before it is stored");
+    file_.refuse("Tilt is not 0: the rotation must be applied before the profile is stored");
   }
 }
 
@@ -168,7 +168,7 @@ void MiniProfReader::readPoint(const std::vector<std::string>& words)
   if (words.size() < 2 || (columns_ > 0 && words.size() != columns_))
   {
     file_.refuse("number of columns is " + std::to_string(words.size()) +
-                 (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) : ", at least X and Y are needed"));
+                 (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) : ", at least X and Y are required"));
   }
   const auto value_of = [&](std::size_t column)
   {

@@ -18,13 +18,14 @@ constexpr double least_width = 0.020;
 constexpr double most_width = 0.300;
 constexpr double most_height = 0.120;
 constexpr double widest_gap = 0.025;
-/// Nearer points give no curvature: files have 1e-6 ... 1e-4 mm of rounding.
+/// Least distance of neighbouring points [m]. Closer points do not determine a curvature: the rounding in files is 1e-6
+/// to 1e-4 mm.
 constexpr double least_distance = 5e-5;
-/// How far the curve at y = 0 may be from the origin's height; wear is less.
+/// Largest distance of the curve from the origin at y = 0 [m]. Wear is less.
 constexpr double origin_tolerance = 0.005;
-/// By how much a flange is lower than the field side, at least.
+/// Least height difference between the field side and the flange tip [m].
 constexpr double least_flange_height = 0.010;
-/// Share of the points that may be left out because the measurement runs back there.
+/// Largest share of the points that may be omitted because the measurement runs back there.
 constexpr double most_left_out = 0.05;
 
 double distance(const FilePoint& a, const FilePoint& b)
@@ -53,7 +54,7 @@ struct Box
     highest = top->point;
   }
   double width() const { return y_max - y_min; }
-  /// Place across the profile, 0 at its gauge end and 1 at its field end.
+  /// Relative position across the profile: 0 at its smallest y, 1 at its largest y.
   double share(double y) const { return (y - y_min) / width(); }
 
   double y_min, y_max;
@@ -71,7 +72,7 @@ void checkSize(const ProfileFile& file, const FilePoints& points)
   {
     if (!std::isfinite(p.point.y) || !std::isfinite(p.point.z))
     {
-      file.refuse(p.line, "point is beyond all numbers");
+      file.refuse(p.line, "coordinate of the point is too large");
     }
   }
   const Box box(points);
@@ -88,7 +89,8 @@ void checkSize(const ProfileFile& file, const FilePoints& points)
   }
 }
 
-/// The points from one end to the other; the last one stays and the one before gives way.
+/// Points without those too close to the preceding kept one. The last point is always kept: it replaces the last kept
+/// one.
 FilePoints withoutNearPoints(const FilePoints& points)
 {
   FilePoints kept{points.front()};
@@ -106,7 +108,8 @@ FilePoints withoutNearPoints(const FilePoints& points)
   return kept;
 }
 
-/// Leaves out points where the measurement runs back by less than the overlap; refuses longer ways back and gaps.
+/// Points without those at which the measurement runs back by up to the overlap.
+/// @throw ProfileError if it runs back further, too often, or has a gap.
 FilePoints alongTheCurve(const ProfileFile& file, const FilePoints& points, double overlap)
 {
   FilePoints kept;
@@ -158,8 +161,8 @@ void checkExtent(const ProfileFile& file, const FilePoints& points)
   const double between_ends = points.back().point.y - points.front().point.y;
   if (between_ends < 0.7 * width)
   {
-    file.refuse(0, "ends are " + millimetres(between_ends) + " apart across a profile of " + millimetres(width) +
-                       ": a closed outline or not a profile");
+    file.refuse(0, "ends are " + millimetres(between_ends) + " apart, profile is " + millimetres(width) +
+                       " wide: a closed outline or not a profile");
   }
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -168,8 +171,8 @@ void checkExtent(const ProfileFile& file, const FilePoints& points)
   }
   if (length > 3.0 * width)
   {
-    file.refuse(0, "curve is " + millimetres(length) + " long in a width of " + millimetres(width) +
-                       ": not in order along the profile or not a profile");
+    file.refuse(0, "curve is " + millimetres(length) + " long, profile is " + millimetres(width) +
+                       " wide: points not in order along the profile or not a profile");
   }
 }
 
@@ -185,7 +188,7 @@ void checkOrigin(const ProfileFile& file, const FilePoints& points)
     }
   }
   file.refuse(0, "profile does not pass within " + millimetres(origin_tolerance) +
-                     " of its origin, which must be the running circle of a wheel, the crown of a rail");
+                     " of its origin, which must be the running circle of a wheel or the crown of a rail");
 }
 
 void checkRail(const ProfileFile& file, const FilePoints& points)
@@ -209,7 +212,7 @@ void checkWheel(const ProfileFile& file, const FilePoints& points)
   if (box.share(box.lowest.y) > 0.6)
   {
     file.refuse(0,
-                "lowest point is on the field side: not a wheel with its flange at the gauge side, or an axis is "
+                "lowest point is on the field side: not a wheel with its flange on the gauge side, or an axis is "
                 "reversed");
   }
   if (points.back().point.z - box.lowest.z < least_flange_height || box.share(box.lowest.y) > 0.4)
@@ -218,7 +221,8 @@ void checkWheel(const ProfileFile& file, const FilePoints& points)
   }
 }
 
-/// Turned by half a turn a tread looks as before, but the flange stands up on the field side.
+/// Detects a wheel profile that is rotated by 180 degrees: its tread is as before, but its flange points up, on the
+/// field side.
 void checkFlangeReachesDown(const ProfileFile& file, const FilePoints& points)
 {
   if (Box(points).lowest.z > -least_flange_height)

@@ -11,7 +11,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr std::size_t least_points = 4;
-constexpr double longest_polygon = 10.0;  ///< [m]; bounds the memory of a spline
+constexpr double longest_polygon = 10.0;  ///< [m]; limits the memory of a spline
 
 [[noreturn]] void refuse(const std::string& reason)
 {

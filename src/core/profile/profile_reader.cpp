@@ -29,7 +29,8 @@ const char* nameOf(ProfileKind kind)
   return kind == ProfileKind::wheel ? "wheel" : "rail";
 }
 
-/// @throw ProfileError if the extension is none that is read, or one of the other kind.
+/// Extension of the path, in lower case.
+/// @throw ProfileError if the extension is unknown or belongs to the other kind of profile.
 std::string checkedExtension(const std::string& path, ProfileKind kind)
 {
   std::string extension = lowerCase(std::filesystem::path(path).extension().string());
@@ -38,12 +39,12 @@ std::string checkedExtension(const std::string& path, ProfileKind kind)
   if (!of_wheel && !of_rail && extension != ".csv")
   {
     throw ProfileError(path, 0,
-                       "neither a standard profile (S1002, 60E1, UIC60_manchester) nor a file .prw, .prr, .whl, .ban "
-                       "or .csv");
+                       "neither the name of a standard profile (S1002, 60E1, UIC60_manchester) nor a .prw, .prr, .whl, "
+                       ".ban or .csv file");
   }
   if (kind == ProfileKind::wheel ? of_rail : of_wheel)
   {
-    throw ProfileError(path, 0, "extension " + extension + " is not that of a " + nameOf(kind) + " profile");
+    throw ProfileError(path, 0, "extension " + extension + " does not belong to a " + nameOf(kind) + " profile");
   }
   return extension;
 }
@@ -57,7 +58,7 @@ FileProfile readContent(ProfileFile& file, const std::string& extension, Profile
   return extension[1] == 'p' ? readSimpack(file, kind) : readMiniProf(file, kind);
 }
 
-/// Lowers the curve of cubics so that it passes through the origin; it crosses y = 0.
+/// Moves a curve of cubic sections vertically to make it pass through the origin. The curve must cross y = 0.
 void setHeightFromTape(std::vector<ProfileSection>& sections)
 {
   const Profile curve("", sections);
@@ -86,8 +87,8 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind)
     }
     if (standard.kind != kind)
     {
-      throw std::invalid_argument("profile '" + name_or_path + "' is that of a " + nameOf(standard.kind) + ", a " +
-                                  nameOf(kind) + " is wanted");
+      throw std::invalid_argument("profile '" + name_or_path + "' belongs to a " + nameOf(standard.kind) + "; a " +
+                                  nameOf(kind) + " profile is required");
     }
     return standard.make();
   }

@@ -9,7 +9,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// The values used where a file does not state one.
+/// Settings that apply if they are not stated in a file.
 SimpackSettings defaultSettings()
 {
   return {{"approx.smooth", 0.0}, {"point.dist.min", 0.0}, {"shift.y", 0.0},     {"shift.z", 0.0},
@@ -18,14 +18,14 @@ SimpackSettings defaultSettings()
           {"units.len.f", 1.0},   {"units.ang.f", 1.0}};
 }
 
-/// Keywords of the point data's origin, which have no influence.
+/// True for keywords without influence on the profile.
 bool isRemark(const std::string& key)
 {
   const std::vector<std::string> remarks = {"file", "file.mtime", "comment", "type", "units.len", "units.ang"};
   return std::find(remarks.begin(), remarks.end(), key) != remarks.end();
 }
 
-/// The line up to a comment sign outside quotes.
+/// Line up to the first comment sign (!) outside quotes.
 std::string withoutComment(const std::string& line)
 {
   bool quoted = false;
@@ -56,7 +56,7 @@ class SimpackReader
     points
   };
 
-  /// True if the line opens or closes a block.
+  /// Processes a line that opens or closes a block. Returns false for other lines.
   bool changeBlock(const std::string& line);
   void move(Block from, Block to);
   void readSetting(const std::string& line);
@@ -140,7 +140,7 @@ void SimpackReader::move(Block from, Block to)
 {
   if (block_ != from)
   {
-    file_.refuse("'" + withoutComment(file_.line()) + "' is out of place: not a Simpack profile or a damaged one");
+    file_.refuse("'" + withoutComment(file_.line()) + "' is out of place: not a Simpack profile, or damaged");
   }
   if (to == Block::points && points_ended_)
   {
@@ -154,7 +154,7 @@ void SimpackReader::readSetting(const std::string& line)
   const std::size_t equals = line.find('=');
   if (equals == std::string::npos || block_ == Block::outside)
   {
-    file_.refuse("neither comment nor block nor keyword: not a Simpack profile");
+    file_.refuse("line is neither a comment nor a block nor a keyword: not a Simpack profile");
   }
   const std::string key = trim(line.substr(0, equals));
   if (block_ == Block::spline && isRemark(key))
@@ -199,8 +199,8 @@ void SimpackReader::readHeader(const std::string& key, double value)
   }
   if ((value == 1.0) != (kind_ == ProfileKind::wheel))
   {
-    file_.refuse(value == 1.0 ? "profile of a wheel where a rail is wanted"
-                              : "profile of a rail where a wheel is wanted");
+    file_.refuse(value == 1.0 ? "wheel profile; a rail profile is required"
+                              : "rail profile; a wheel profile is required");
   }
   type_known_ = true;
 }
@@ -210,7 +210,7 @@ void SimpackReader::readPoint(const std::string& line)
   const std::vector<std::string> words = splitWords(line);
   if (words.size() < 2 || words.size() > 3)
   {
-    file_.refuse("not a point of two coordinates and perhaps a weight");
+    file_.refuse("not a point: two coordinates and an optional weight are required");
   }
   double values[3] = {0.0, 0.0, 1.0};
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -240,11 +240,11 @@ void SimpackReader::checkComplete() const
   }
   if (!points_ended_)
   {
-    file_.refuse("file ends before point.end: cut off");
+    file_.refuse("file ends before point.end: truncated");
   }
   if (!spline_ended_)
   {
-    file_.refuse("file ends before spline.end: cut off");
+    file_.refuse("file ends before spline.end: truncated");
   }
 }
 

@@ -9,10 +9,11 @@
 
 namespace wheel_rail_contact::core
 {
-/// Edits and units a Simpack file states, by keyword.
+/// Edits and units that are stated in a Simpack file, by keyword.
 using SimpackSettings = std::map<std::string, double>;
 
-/// Applies the edits in Simpack's order to points as listed in the file, z down, and brings them to the profile frame.
+/// Applies the edits in Simpack's own order to the points as listed in the file (z down), and converts them to the
+/// profile frame [m].
 /// @throw std::out_of_range if a setting is missing.
 void applySimpackEdits(const SimpackSettings& settings, std::vector<FilePoint>& points);
 }  // namespace wheel_rail_contact::core

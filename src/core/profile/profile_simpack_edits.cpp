@@ -10,7 +10,7 @@ namespace
 {
 using FilePoints = std::vector<FilePoint>;
 
-/// 1: leaves out points too near the one before.
+/// 1: omits points too close to the preceding one.
 void thinOut(double least, FilePoints& points)
 {
   FilePoints kept;
@@ -24,7 +24,7 @@ void thinOut(double least, FilePoints& points)
   points = kept;
 }
 
-/// 2 and 3: shift, then rotation about x from y towards z.
+/// 2 and 3: shift, then rotation about x, from y towards z.
 void shiftAndRotate(const SimpackSettings& settings, FilePoints& points)
 {
   const double angle = settings.at("rotate") / settings.at("units.ang.f");
@@ -39,7 +39,7 @@ void shiftAndRotate(const SimpackSettings& settings, FilePoints& points)
   }
 }
 
-/// 4: leaves out points outside the bounds; a lower bound above the upper one means none.
+/// 4: omits points outside the bounds. A lower bound above the upper bound switches the bounds off.
 void cutToBounds(const SimpackSettings& settings, FilePoints& points)
 {
   const auto outside = [&settings](double value, const std::string& axis)
@@ -53,7 +53,7 @@ void cutToBounds(const SimpackSettings& settings, FilePoints& points)
                points.end());
 }
 
-/// 5 and 6.
+/// 5 and 6: mirror, then reversal of the order.
 void mirrorAndInvert(const SimpackSettings& settings, FilePoints& points)
 {
   for (FilePoint& p : points)
@@ -67,7 +67,7 @@ void mirrorAndInvert(const SimpackSettings& settings, FilePoints& points)
   }
 }
 
-/// 7: to metres; and from z down to z up.
+/// 7: converts to metres, and from z down to z up.
 void convertUnits(double unit, FilePoints& points)
 {
   for (FilePoint& p : points)

@@ -16,15 +16,15 @@ namespace
 {
 using Column = std::vector<double>;
 
-/// Uniform cubic B-splines: four of them cover every interval.
+/// Number of uniform cubic B-splines that are non-zero in an interval.
 constexpr std::size_t cover = 4;
 constexpr double knot_distance = 0.5e-3;  ///< [m]
-/// Third difference, the penalty's row.
+/// Coefficients of the third difference: one row of the penalty.
 constexpr std::array<double, cover> third_difference = {-1.0, 3.0, -3.0, 1.0};
-/// Bounds of the curvature by which the penalty is relaxed [1/m]: below the crown's and above the corner's.
+/// The penalty is multiplied by (reference_curvature / curvature)², with a curvature of at least least_curvature [1/m].
 constexpr double least_curvature = 3.0;
 constexpr double reference_curvature = 10.0;
-/// A corner relaxes the penalty this far beyond its ends [m].
+/// Distance beyond the ends of a corner over which the penalty is also reduced [m].
 constexpr double corner_reach = 2e-3;
 
 std::array<double, cover> basis(double t)
@@ -34,27 +34,27 @@ std::array<double, cover> basis(double t)
           t * t * t / 6.0};
 }
 
-/// Least-squares fit of both coordinates by penalised B-splines.
+/// Least-squares fit of both coordinates by B-splines with a penalty.
 class PenalisedFit
 {
  public:
   explicit PenalisedFit(const std::vector<SampledPoint>& points);
 
-  /// Strongest penalty whose weighted mean square deviation is at most `target` [m²].
+  /// Fits with the strongest penalty for which the weighted mean square deviation is at most `target` [m²].
   void fitTo(double target);
-  /// Makes the penalty follow the curvature of the present fit.
+  /// Adapts the penalty to the curvature of the present fit.
   void relaxAtCorners();
   std::vector<ProfileSection> sections() const;
 
  private:
-  /// Lower triangle of a symmetric matrix with three diagonals below the main one, by columns.
+  /// Lower triangle of a symmetric band matrix with three diagonals below the main one, by columns.
   using Band = std::vector<std::array<double, cover>>;
 
   struct Sample
   {
     std::size_t interval;
     std::array<double, cover> basis;
-    SampledPoint point;  ///< weights have mean 1
+    SampledPoint point;  ///< weights scaled to the mean 1
   };
 
   void fit(double penalty);
@@ -65,8 +65,8 @@ class PenalisedFit
 
   std::vector<Sample> samples_;
   std::size_t intervals_ = 0;
-  double step_ = 0;  ///< between knots [m]
-  Band normal_;      ///< of the least squares without penalty
+  double step_ = 0;  ///< distance of the knots [m]
+  Band normal_;      ///< normal matrix of the least squares, without penalty
   Column right_y_, right_z_;
   Column relaxation_;  ///< factor of the penalty in each row [-]
   Column y_, z_;       ///< coefficients [m]
@@ -182,7 +182,7 @@ double PenalisedFit::meanSquare() const
 
 void PenalisedFit::fitTo(double target)
 {
-  // Logarithms of a hardly felt and of an overwhelming penalty; the deviation grows with the penalty.
+  // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
   double low = -15.0;
   double high = 25.0;
   for (int halving = 0; halving < 30; ++halving)
@@ -194,7 +194,7 @@ void PenalisedFit::fitTo(double target)
   fit(std::exp(low));
 }
 
-/// Curvature at the middle of coefficient i's B-spline [1/m], i from 1 to the last but one.
+/// Curvature at the middle of B-spline i [1/m], with i from 1 to the second-last.
 double PenalisedFit::curvature(std::size_t i) const
 {
   const double dy = 0.5 * (y_[i + 1] - y_[i - 1]);

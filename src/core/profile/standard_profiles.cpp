@@ -10,16 +10,16 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double mm = 1e-3;  ///< [m]; the standards state their figures in millimetres
+constexpr double mm = 1e-3;  ///< [m]; the standards give their values in millimetres
 
-/// The half of a circle an arc lies on; arcs run to growing y, so the upper half is run clockwise.
+/// Half of the circle that contains an arc. Arcs run in the direction of growing y: clockwise on the upper half.
 enum class Half
 {
   upper,
   lower
 };
 
-/// Arc from y = y_start to y = y_end (all figures in mm).
+/// Arc from y = y_start to y = y_end (all values in mm).
 ProfileSection arc(Half half, double yc, double zc, double radius, double y_start, double y_end)
 {
   const double turn = half == Half::upper ? -1.0 : 1.0;
@@ -29,14 +29,14 @@ ProfileSection arc(Half half, double yc, double zc, double radius, double y_star
   return {ArcSection{yc * mm, zc * mm, radius * mm, start, turn}, radius * mm * sweep};
 }
 
-/// Straight piece between two points [mm].
+/// Straight section between two points [mm].
 ProfileSection line(double y0, double z0, double y1, double z1)
 {
   const double length = std::hypot(y1 - y0, z1 - z0);
   return {LineSection{y0 * mm, z0 * mm, (y1 - y0) / length, (z1 - z0) / length}, length * mm};
 }
 
-/// z = -sum down[k] y^k, with the coefficients of the standard's law [mm^(1-k)], whose z points down.
+/// Section z = -sum down[k] y^k, with the coefficients of the standard [mm^(1-k)], in which z points down.
 template <std::size_t Count>
 ProfileSection polynomial(const std::array<double, Count>& down, double y_start, double y_end)
 {
@@ -51,20 +51,20 @@ ProfileSection polynomial(const std::array<double, Count>& down, double y_start,
   return {law, (y_end - y_start) * mm};
 }
 
-/// What tells one rail head of arcs R300, R80, R13 and 1:20 sides from another [mm, y out, z up from the crown].
+/// Dimensions in which rail heads of arcs R300, R80 and R13 and 1:20 sides differ [mm]; y outward, z up from the crown.
 struct RailHead
 {
   double crown_half_width;      ///< y where R300 meets R80
   double corner_yc, corner_zc;  ///< centre of the R13 arc
-  double side_depth;            ///< depth at which the side ends
+  double side_depth;            ///< depth of the lower end of the side
 };
 
 constexpr double crown_radius = 300.0;
 constexpr double shoulder_radius = 80.0;
 constexpr double corner_radius = 13.0;
-constexpr double side_slope = 20.0;  ///< steepness of the head's side, 1:20
+constexpr double side_slope = 20.0;  ///< slope of the sides of the head (1:20)
 
-/// Centre of the R80 arc: it lies with R300's centre and their joint on one straight line.
+/// Centre of the R80 arc. It is on a straight line with the centre of R300 and the point at which both arcs meet.
 struct ShoulderCentre
 {
   explicit ShoulderCentre(double crown_half_width)
@@ -76,14 +76,14 @@ struct ShoulderCentre
   double yc, zc;  ///< [mm]
 };
 
-/// The y distance from the corner's centre to its joint with the side [mm].
+/// y distance from the centre of the R13 arc to the point at which it meets the side [mm].
 double cornerReach()
 {
   return corner_radius * side_slope / std::hypot(1.0, side_slope);
 }
 
-/// Field half and its mirror image. R80 and R13 meet on the line through their centres, R13 and side where R13 has the
-/// side's slope, so no joint has a kink.
+/// Sections of a rail head: the field half and its mirror image. R80 and R13 meet on the line through their centres.
+/// R13 and the side meet where R13 has the slope of the side. No section boundary therefore has a kink.
 std::vector<ProfileSection> railSections(const RailHead& head)
 {
   const double crown_y = head.crown_half_width;
@@ -146,7 +146,7 @@ Profile railUic60Manchester()
 {
   constexpr double crown_half_width = 10.5;
   constexpr double side_half_width = 36.0;
-  // Fitted to the benchmark's points to 1e-6 mm; tangency with R80 would give -14.908927.
+  // Fitted to the points of the benchmark, to 1e-6 mm. Tangency with R80 would give -14.908927.
   constexpr double corner_zc = -14.908972;
   constexpr double side_depth = 37.5;
   return {"UIC60_manchester", railSections({crown_half_width, side_half_width - cornerReach(), corner_zc, side_depth})};

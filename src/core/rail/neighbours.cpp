@@ -12,10 +12,10 @@ namespace
 [[noreturn]] void refuse(const std::vector<RailInfluence>& listed, double distance)
 {
   std::ostringstream text;
-  text << "rail_bending/neighbours/distance = " << distance << " m must lie within the distances of the table: ";
+  text << "rail_bending/neighbours/distance = " << distance << " m must be within the distances of the table: ";
   if (listed.empty())
   {
-    text << "it has none";
+    text << "the table has none";
   }
   else
   {
@@ -24,7 +24,7 @@ namespace
   throw std::invalid_argument(text.str());
 }
 
-/// Between `a` at share 0 and `b` at share 1.
+/// Linear interpolation from `a` (share 0) to `b` (share 1).
 ComplianceTable between(const ComplianceTable& a, const ComplianceTable& b, double share)
 {
   const auto mean = [share](double at_a, double at_b) { return (1 - share) * at_a + share * at_b; };

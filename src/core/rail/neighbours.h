@@ -7,27 +7,27 @@
 
 namespace wheel_rail_contact::core
 {
-/// What a force on a rail does to the same rail's head some way along it. The entries are those of a compliance table,
-/// of any sign: a rail on pads rises beside its load.
+/// Deflection of a rail head by unit forces on the same rail at a distance along it. The table has the entries of a
+/// compliance table, here of any sign: next to a load, a rail on pads rises.
 struct RailInfluence
 {
-  double distance = 0;        ///< along the rail, in either direction [m], > 0
-  ComplianceTable influence;  ///< what unit forces do there
+  double distance = 0;        ///< distance along the rail, in either direction [m], > 0
+  ComplianceTable influence;  ///< deflection by unit forces at this distance
 };
 
-/// Influence at a distance [m]; between two listed ones linear in the distance.
-/// @param listed distances rising
-/// @throw std::invalid_argument if the distance lies outside those listed.
+/// Influence at a distance [m], interpolated linearly between the listed distances.
+/// @param listed in the order of increasing distance
+/// @throw std::invalid_argument if the distance is outside the range of the listed ones.
 ComplianceTable influenceAt(const std::vector<RailInfluence>& listed, double distance);
 
-/// Force of another wheelset's wheel on the same rail, and what it does here.
+/// Force of a wheel of another wheelset on the same rail, with its influence on this wheelset.
 struct NeighbourForce
 {
-  ComplianceTable influence;  ///< at the distance of that wheel
-  RailForce force;            ///< axes of the rail's side, at the other wheel
+  ComplianceTable influence;  ///< influence at the distance of the other wheel
+  RailForce force;            ///< force at the other wheel, in the axes of the side of the rail
 };
 
-/// Deflection by all of them: their sum, small displacements. Track axes of the rail's side, the rail inclined by
-/// `inclination` [rad] towards the track's centre.
+/// Deflection of a rail head by the forces of all neighbouring wheels: the sum of small displacements, in track axes
+/// (outward, up). The rail is inclined by `inclination` [rad] towards the track centre.
 RailDeflection neighbourDeflection(const std::vector<NeighbourForce>& neighbours, double inclination);
 }  // namespace wheel_rail_contact::core

@@ -39,7 +39,8 @@ void ComplianceTable::validate() const
   if (lateral_roll * lateral_roll > lateral_lateral * roll_roll)
   {
     throw std::invalid_argument(
-        "rail_bending/table: lateral_roll² exceeds lateral_lateral * roll_roll: the rail would do work on its own");
+        "rail_bending/table: lateral_roll² is greater than lateral_lateral * roll_roll: the compliance matrix must be "
+        "positive semidefinite");
   }
 }
 
@@ -52,7 +53,7 @@ RailDeflection deflection(const ComplianceTable& table, const RailForce& force)
 
 RailDeflection deflectionInTrack(const ComplianceTable& table, const RailForce& force, double inclination)
 {
-  // The rail's axes: outward (cos, sin) and up (-sin, cos) in the track's (outward, up).
+  // Axes of the rail in track axes (outward, up): its outward direction is (cos, sin), its up direction (-sin, cos).
   const double cosine = std::cos(inclination);
   const double sine = std::sin(inclination);
   const RailForce own{cosine * force.lateral - sine * force.vertical, sine * force.lateral + cosine * force.vertical,
@@ -64,9 +65,9 @@ RailDeflection deflectionInTrack(const ComplianceTable& table, const RailForce& 
 void validate(const RailBendingConfig& bending)
 {
   const RailDeflection& given = bending.prescribed;
-  requireWithin("rail_bending/prescribed/lateral", given.lateral, 0.1, "must lie within 0.1 m");
-  requireWithin("rail_bending/prescribed/vertical", given.vertical, 0.1, "must lie within 0.1 m");
-  requireWithin("rail_bending/prescribed/roll", given.roll, 0.2, "must lie within 0.2 rad");
+  requireWithin("rail_bending/prescribed/lateral", given.lateral, 0.1, "must be within ±0.1 m");
+  requireWithin("rail_bending/prescribed/vertical", given.vertical, 0.1, "must be within ±0.1 m");
+  requireWithin("rail_bending/prescribed/roll", given.roll, 0.2, "must be within ±0.2 rad");
   require(std::isfinite(bending.lateral_force_value), "rail_bending/lateral_force", bending.lateral_force_value,
           "must be a finite number");
   bending.table.validate();

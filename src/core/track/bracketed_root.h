@@ -5,9 +5,10 @@
 
 namespace wheel_rail_contact::core
 {
-/// Root of `f` between `a` and `b`, where f(a) and f(b) have opposite signs (Dowell & Jarratt 1971, the Illinois form
-/// of regula falsi, with a bisection whenever the bracket did not halve). Ends when the bracket is below `tolerance`,
-/// or after 100 evaluations.
+/// Root of `f` between `a` and `b`, where f(a) = value_a and f(b) = value_b have opposite signs.
+///
+/// Illinois form of regula falsi (Dowell & Jarratt 1971). A bisection follows if three steps have not halved the
+/// bracket. Ends when the bracket or the last step is below `tolerance`, at an exact zero, or after 100 evaluations.
 template <typename Function>
 double bracketedRoot(Function f, double a, double value_a, double b, double value_b, double tolerance)
 {

@@ -9,8 +9,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// How far from a column's crest the wheel's profile is told by its derivatives there, if no joint lies within [m]: the
-/// fourth derivative leaves 1e-11 m on arcs of 13 mm.
+/// Largest distance from the middle of a column over which the third-order expansion of the wheel profile is used [m].
+/// The fourth derivative causes an error of 1e-11 m on arcs of 13 mm.
 constexpr double expansion_reach = 1.5e-4;
 
 using Numbers = ColumnGroup::Numbers;
@@ -21,7 +21,7 @@ struct Tangents
   Numbers y, z, dy, dz;
 };
 
-/// The profile `shift` beside the crests.
+/// Points and tangents of the profile at a distance `shift` along it, from the expansion.
 Tangents beside(const ColumnGroup::Points& p, const Numbers& shift)
 {
   const Numbers half = 0.5 * shift;
@@ -56,7 +56,8 @@ ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& seen, 
 {
 }
 
-/// Two steps of Newton's method from the crest on its expansion; where that does not reach, on the profile itself.
+/// Heights at x [m] from the origin of the plane: two Newton steps on the expansion. Where the expansion is not
+/// accurate, Newton's method on the profile itself.
 Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) const
 {
   const SectionPoint<Numbers> start = seen_.at<Numbers>(columns.profile, plane_x_ + x);
@@ -79,7 +80,7 @@ Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) 
   return n;
 }
 
-/// Through the crest and two places fore.
+/// Even polynomials through the middle and two points in front of it.
 HeightPolynomials ColumnHeights::evenPolynomials(const ColumnGroup& columns, int count) const
 {
   const double inner = 0.6 * reach_;
@@ -95,7 +96,7 @@ HeightPolynomials ColumnHeights::evenPolynomials(const ColumnGroup& columns, int
   return c;
 }
 
-/// Through the crest and two places fore and aft each.
+/// Polynomials through the middle, two points in front of it and two points behind it.
 HeightPolynomials ColumnHeights::fullPolynomials(const ColumnGroup& columns, int count) const
 {
   const double h = 0.5 * reach_;

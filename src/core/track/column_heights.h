@@ -8,19 +8,22 @@
 
 namespace wheel_rail_contact::core
 {
-/// Distance along the plane at which a point counts as found [m]; the rest is made up for by the slope there, which
-/// leaves an error of curvature * tolerance² / 2 < 1e-10 m on the sharpest arcs.
+/// Distance along the plane below which the search for a point ends [m]. The slope corrects for the remaining distance.
+/// The error is then curvature * tolerance² / 2 < 1e-10 m on the sharpest arcs.
 constexpr double tangential_tolerance = 1e-6;
 
-/// A point seen from the plane.
+/// Height and slope of a curve relative to a contact plane.
 struct LocalPoint
 {
-  double n = 0;      ///< height over the plane [m]
+  double n = 0;      ///< height above the plane [m]
   double slope = 0;  ///< dn/dt [-]
 };
 
-/// Finds the point of a plane curve over place `t` of the plane. `at(u, point)` gives the curve's point in the plane's
-/// axes, false where it has none; `u` is a guess and takes the result.
+/// Finds the point of a curve above the position `t` [m] of a contact plane, by Newton's method.
+/// @param at  at(u, point) computes the point at the parameter u, in the axes of the plane; returns false if there is
+/// none
+/// @param u   initial guess; the result on return
+/// @return false if no point was found.
 template <typename Curve>
 bool pointOver(double t, Curve at, double& u, LocalPoint& out)
 {
@@ -45,11 +48,11 @@ bool pointOver(double t, Curve at, double& u, LocalPoint& out)
   return false;
 }
 
-/// Columns of a gap that are worked on at once, each with the wheel's profile under its crest (the middle of the
-/// column).
+/// Group of gap columns that are computed at the same time (SIMD). For each column, it holds the point of the wheel
+/// profile above the middle of the column (x = 0).
 struct ColumnGroup
 {
-  static constexpr int together = 8;
+  static constexpr int together = 8;  ///< number of columns in a group
   using Numbers = Eigen::Array<double, together, 1>;
 
   /// Profile points and derivatives, as in CurveExpansion.
@@ -59,29 +62,35 @@ struct ColumnGroup
     Numbers ddy = Numbers::Zero(), ddz = Numbers::Zero(), dddy = Numbers::Zero(), dddz = Numbers::Zero();
   };
 
-  Points profile;
-  Numbers u = Numbers::Zero();      ///< parameter of the wheel's profile [m]
-  Numbers t = Numbers::Zero();      ///< place in the plane [m]
-  Numbers n = Numbers::Zero();      ///< height of the wheel over the plane at the crest [m]
-  Numbers reach = Numbers::Zero();  ///< how far along the profile the expansion holds [m]
+  Points profile;                   ///< points of the wheel profile
+  Numbers u = Numbers::Zero();      ///< parameter of the wheel profile [m]
+  Numbers t = Numbers::Zero();      ///< position of the column in the plane [m]
+  Numbers n = Numbers::Zero();      ///< height of the wheel above the plane at the middle of the column [m]
+  Numbers reach = Numbers::Zero();  ///< distance along the profile within which the expansion is accurate [m]
 
+  /// Sets the values of one column. `discontinuity_distance`: distance along the profile to the nearest discontinuity
+  /// [m].
   void set(int column, double place, double parameter, const CurveExpansion& point, double height,
            double discontinuity_distance);
 };
 
-/// Height of the wheel over a group's columns as polynomials of x, from the plane's origin [m]: coefficients by column
-/// and power; NaN where the wheel has no point over the column.
+/// Heights of the wheel above the columns of a group [m], as polynomials of x, with x from the origin of the plane.
+/// Rows: columns of the group; columns: coefficients of x^0 to x^4. NaN if the wheel has no point above a column.
 using HeightPolynomials = Eigen::Array<double, ColumnGroup::together, 5>;
 
-/// Heights of the wheel over columns, away from their crests.
+/// Computes the heights of the wheel along columns of a gap.
 class ColumnHeights
 {
  public:
-  /// `seen` are the wheel's sections in the plane's axes (t and n), `plane_x` the plane's origin; keeps a reference
-  /// to `profile` alone. The polynomials are those of columns that reach `reach` [m] fore and aft.
+  /// Keeps a reference to `profile`.
+  /// @param profile    of the wheel
+  /// @param seen       sections of the wheel in the axes t and n of the plane
+  /// @param plane_x    x of the origin of the plane [m]
+  /// @param reach      half the length of the columns [m]
+  /// @param symmetric  the gap is even in x (no yaw)
   ColumnHeights(const Profile& profile, const WheelSections& seen, double plane_x, double reach, bool symmetric);
 
-  /// The polynomials of columns `0` to `count`, not included.
+  /// Polynomials of the first `count` columns of the group.
   HeightPolynomials polynomials(const ColumnGroup& columns, int count) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outlines, stations and stretches; single contacts are made exact in exact_contact.cpp.
+// ContactSearch: outlines, stations and overlap intervals. exact_contact.cpp refines single contacts.
 #include "core/track/contact_search.h"
 
 #include <algorithm>
@@ -11,11 +11,10 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t fine_stations = 8;  ///< stretches of fewer stations are measured by their curvature
-
+constexpr std::size_t fine_stations = 8;  ///< intervals of fewer stations: their width follows from the curvature
 }  // namespace
 
-/// Parameters of points of a profile about `spacing` apart.
+/// Parameters of equidistant points of a profile, about `spacing` apart, including both ends.
 std::vector<double> ContactSearch::sample(const Profile& profile)
 {
   const long count = std::max(2L, std::lround(profile.length() / spacing) + 1);
@@ -56,7 +55,7 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
     group_begin_.push_back(*least);
     group_end_.push_back(*most);
   }
-  // A rail is never wider than its profile is long: room for any place of it.
+  // The width of a rail never exceeds the length of its profile: memory for any position of the rail.
   const Stations most{0, spacing, static_cast<std::size_t>(rail.length() / spacing) + 2};
   wheel_outline_.start(most);
   rail_outline_.start(most);
@@ -84,7 +83,7 @@ void ContactSearch::setRail(const PlacedRail& rail)
   separation_.resize(stations_.count);
 }
 
-/// The first of the wheel's points that may lie over the rail, and the one behind the last, in whole groups.
+/// Range of the wheel points that can be above the rail, in whole groups: first point, and end (exclusive).
 std::pair<std::size_t, std::size_t> ContactSearch::pointsOverRail(const PlacedWheel& wheel) const
 {
   const double least = stations_.first - wheel.lateralBound();
@@ -92,16 +91,16 @@ std::pair<std::size_t, std::size_t> ContactSearch::pointsOverRail(const PlacedWh
   const auto beside = [&](std::size_t group)
   { return wheel.across(group_end_[group]) < least || wheel.across(group_begin_[group]) > most; };
   std::size_t first = 0;
-  std::size_t behind = group_begin_.size();
-  while (first < behind && beside(first))
+  std::size_t end = group_begin_.size();
+  while (first < end && beside(first))
   {
     ++first;
   }
-  while (first < behind && beside(behind - 1))
+  while (first < end && beside(end - 1))
   {
-    --behind;
+    --end;
   }
-  const std::size_t with_next = std::min(behind + 1, group_begin_.size());
+  const std::size_t with_next = std::min(end + 1, group_begin_.size());
   return {first * WheelPoints::together, with_next * WheelPoints::together};
 }
 
@@ -109,9 +108,9 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
 {
   wheel_ = wheel;
   wheel_outline_.start(stations_);
-  const auto [first, behind] = pointsOverRail(wheel);
-  wheel.loci(wheel_points_, first, behind, wheel_line_.y.data(), wheel_line_.z.data());
-  wheel_outline_.add(wheel_line_, first, behind);
+  const auto [first, end] = pointsOverRail(wheel);
+  wheel.loci(wheel_points_, first, end, wheel_line_.y.data(), wheel_line_.z.data());
+  wheel_outline_.add(wheel_line_, first, end);
   wheel_outline_.above(rail_outline_, separation_);
   findMinima();
   nearest_station_ = no_station;
@@ -139,8 +138,8 @@ void ContactSearch::findMinima()
   }
 }
 
-/// How far a minimum may lie below the lowest of its stations [m]: by the parabola through three stations, doubled, and
-/// the error of straight segments on a steep flank.
+/// Upper bound of the depth of a minimum below its lowest station [m]: twice that of the parabola through three
+/// stations, plus the error of straight segments on a steep flank.
 double ContactSearch::depthBelowStation(std::size_t k) const
 {
   if (k == 0 || k + 1 >= stations_.count)
@@ -150,7 +149,7 @@ double ContactSearch::depthBelowStation(std::size_t k) const
   return 0.25 * (separation_[k - 1] - 2 * separation_[k] + separation_[k + 1]) + 4 * station_error;
 }
 
-/// Stations `first` to `last` with the stretch's edges between stations, without its contact.
+/// Interval of the stations `first` to `last`, with its ends interpolated between stations. Its contact is not set.
 OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t last, double separation) const
 {
   OverlapInterval interval;
@@ -167,8 +166,9 @@ OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t la
   return interval;
 }
 
-/// Measures a stretch narrower than the stations can tell by its osculating parabola. False if it vanishes.
-bool ContactSearch::narrow(double separation, OverlapInterval& interval)
+/// Sets the width of an interval that the stations do not resolve, from the osculating parabola of its separation.
+/// @return false if the interval is empty.
+bool ContactSearch::setWidthByCurvature(double separation, OverlapInterval& interval)
 {
   const InitialContact& contact = interval.contact;
   const double depth = separation - contact.separation;
@@ -186,14 +186,15 @@ bool ContactSearch::narrow(double separation, OverlapInterval& interval)
   return interval.u_end > interval.u_begin;
 }
 
-std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t behind) const
+std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t end) const
 {
   const auto begin = separation_.begin();
-  return static_cast<std::size_t>(
-      std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(behind)) - begin);
+  return static_cast<std::size_t>(std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(end)) -
+                                  begin);
 }
 
-/// First and last of the stations below `separation` that follow on a station without a gap; that one counts.
+/// First and last station of the uninterrupted series of stations below `separation` around station k. Station k
+/// belongs to it in any case.
 std::pair<std::size_t, std::size_t> ContactSearch::belowAround(std::size_t k, double separation) const
 {
   std::size_t first = k;
@@ -219,7 +220,7 @@ OverlapInterval ContactSearch::intervalAround(const InitialContact& contact, dou
   interval.contact = contact;
   if (last - first + 1 < fine_stations)
   {
-    narrow(separation, interval);
+    setWidthByCurvature(separation, interval);
   }
   return interval;
 }
@@ -230,7 +231,7 @@ double ContactSearch::railAngle(std::size_t k) const
   return std::atan2(rail.dz, rail.dy);
 }
 
-/// Of the outline, from the stations beside; of the profile where the outline breaks off there.
+/// Slope of the rail outline from the neighbouring stations; of the profile where the outline ends there.
 double ContactSearch::railSlope(std::size_t k) const
 {
   const std::size_t before = k > 0 ? k - 1 : k;
@@ -239,7 +240,7 @@ double ContactSearch::railSlope(std::size_t k) const
   return std::isfinite(slope) ? slope : std::tan(railAngle(k));
 }
 
-/// Adds the stretch of stations `first` to `last`, divided where it bends too much for one plane.
+/// Appends the interval of the stations `first` to `last`. It is divided where it turns too much for one plane.
 void ContactSearch::addIntervals(std::size_t first, std::size_t last, double separation,
                                  std::vector<OverlapInterval>& intervals) const
 {
@@ -255,9 +256,9 @@ void ContactSearch::addIntervals(std::size_t first, std::size_t last, double sep
                                                    separation_.begin());
       addIntervals(first, divide, separation, intervals);
       intervals.back().u_most = intervals.back().u_end = rail_outline_.u(divide);
-      const std::size_t behind = intervals.size();
+      const std::size_t second = intervals.size();
       addIntervals(divide, last, separation, intervals);
-      intervals[behind].u_least = intervals[behind].u_begin = rail_outline_.u(divide);
+      intervals[second].u_least = intervals[second].u_begin = rail_outline_.u(divide);
       return;
     }
   }
@@ -268,10 +269,10 @@ void ContactSearch::addIntervals(std::size_t first, std::size_t last, double sep
 void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const
 {
   intervals.clear();
-  std::size_t behind = 0;  // the last stretch
+  std::size_t end = 0;  // of the stations already processed
   for (const std::size_t minimum : minima_)
   {
-    if (minimum < behind)
+    if (minimum < end)
     {
       continue;
     }
@@ -279,14 +280,14 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     if (separation_[minimum] < separation)
     {
       const auto [first, last] = belowAround(minimum, separation);
-      behind = last + 1;
-      if (behind - first >= fine_stations)
+      end = last + 1;
+      if (end - first >= fine_stations)
       {
         addIntervals(first, last, separation, intervals);
         continue;
       }
       interval = intervalBetween(first, last, separation);
-      interval.contact = refined(lowestStation(first, behind));
+      interval.contact = refined(lowestStation(first, end));
     }
     else if (separation_[minimum] < separation + depthBelowStation(minimum))
     {
@@ -296,17 +297,17 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     {
       continue;
     }
-    if (narrow(separation, interval))
+    if (setWidthByCurvature(separation, interval))
     {
       intervals.push_back(interval);
     }
   }
   mergeNeighbours(intervals);
-  keepApart(intervals);
+  setLimits(intervals);
 }
 
-/// The first of the stations that the rail's profile passes between two of its parameters, and the one behind the last,
-/// or a few more. Where the rail overhangs, its furthest points need not be those at the parameters.
+/// Range of stations that contains the rail between two parameters of its profile: first station, and end (exclusive).
+/// It may contain a few more stations. Where the rail overhangs, its outermost points need not be at the parameters.
 std::pair<std::size_t, std::size_t> ContactSearch::stationsOfRail(double u_begin, double u_end) const
 {
   if (!(u_begin < u_end))
@@ -326,8 +327,8 @@ std::pair<std::size_t, std::size_t> ContactSearch::stationsOfRail(double u_begin
 void ContactSearch::addStationsBetween(double u_begin, double u_end, double separation,
                                        std::vector<Station>& stations) const
 {
-  const auto [first, behind] = stationsOfRail(u_begin, u_end);
-  for (std::size_t k = first; k < behind; ++k)
+  const auto [first, end] = stationsOfRail(u_begin, u_end);
+  for (std::size_t k = first; k < end; ++k)
   {
     const double depth = separation - separation_[k];
     const double u = rail_outline_.u(k);
@@ -346,7 +347,7 @@ void ContactSearch::mergeNeighbours(std::vector<OverlapInterval>& intervals) con
     const OverlapInterval& here = intervals[i];
     const double wider = std::max(before.u_end - before.u_begin, here.u_end - here.u_begin);
     const double turn = std::abs(std::atan(here.contact.slope) - std::atan(before.contact.slope));
-    const bool divided = before.u_most == here.u_least;  // halves of a stretch
+    const bool divided = before.u_most == here.u_least;  // halves of one interval
     if (divided || here.u_begin - before.u_end > wider || turn > merge_angle)
     {
       ++i;
@@ -363,8 +364,9 @@ void ContactSearch::mergeNeighbours(std::vector<OverlapInterval>& intervals) con
   }
 }
 
-/// Sets where one stretch ends for the other's sake: half-way between neighbours that are not halves of one.
-void ContactSearch::keepApart(std::vector<OverlapInterval>& intervals)
+/// Sets the limits between neighbouring intervals. They are in the middle between two intervals, unless both are halves
+/// of a divided one.
+void ContactSearch::setLimits(std::vector<OverlapInterval>& intervals)
 {
   for (std::size_t i = 1; i < intervals.size(); ++i)
   {

@@ -12,79 +12,85 @@
 
 namespace wheel_rail_contact::core
 {
-/// A place where the wheel comes nearest to the rail: the outlines are parallel there.
+/// Position at which the separation of wheel and rail has a local minimum; their outlines are parallel there.
 struct InitialContact
 {
-  double y = 0;           ///< side axes [m]
-  double separation = 0;  ///< vertical distance of wheel above rail [m], negative: overlap
+  double y = 0;           ///< lateral position, side axes [m]
+  double separation = 0;  ///< vertical distance of the wheel above the rail [m]; negative: overlap
   double slope = 0;       ///< common slope dz/dy of the outlines [-]
   double curvature = 0;   ///< d²(separation)/dy² [1/m], positive at a minimum
-  double wheel_u = 0;     ///< parameter of the wheel's profile [m]
-  double rail_u = 0;      ///< parameter of the rail's profile [m]
+  double wheel_u = 0;     ///< parameter of the wheel profile [m]
+  double rail_u = 0;      ///< parameter of the rail profile [m]
 };
 
-/// A stretch across the track in which the separation is below a given value.
+/// Interval across the track in which the separation is below a given value.
 struct OverlapInterval
 {
-  double u_begin = 0;                                         ///< parameter of the rail's profile [m]
-  double u_end = 0;                                           ///< [m]
-  InitialContact contact;                                     ///< its deepest place
-  bool at_profile_end = false;                                ///< the stretch is cut off by the end of a profile
-  double u_least = -std::numeric_limits<double>::infinity();  ///< beyond these is the neighbouring stretch's side [m]
-  double u_most = std::numeric_limits<double>::infinity();    ///< likewise [m]
+  double u_begin = 0;           ///< parameter of the rail profile at the end on the gauge side [m]
+  double u_end = 0;             ///< parameter of the rail profile at the end on the field side [m]
+  InitialContact contact;       ///< position of the smallest separation in it
+  bool at_profile_end = false;  ///< the interval is cut off by the end of a profile
+  /// Smallest parameter of the rail profile that belongs to this interval rather than to its neighbour [m].
+  double u_least = -std::numeric_limits<double>::infinity();
+  /// Largest parameter of the rail profile that belongs to this interval rather than to its neighbour [m].
+  double u_most = std::numeric_limits<double>::infinity();
 };
 
-/// A place across the track where the separation is below a given value.
+/// Station at which the separation is below a given value.
 struct Station
 {
-  double wheel_u;  ///< parameter of the wheel's profile [m]
-  double rail_u;   ///< parameter of the rail's profile [m]
-  double y, z;     ///< of the rail's outline, side axes [m]
-  double slope;    ///< dz/dy of the rail's outline there [-]
-  double depth;    ///< that value less the vertical distance of the outlines [m], > 0
+  double wheel_u;  ///< parameter of the wheel profile [m]
+  double rail_u;   ///< parameter of the rail profile [m]
+  double y, z;     ///< point of the rail outline, side axes [m]
+  double slope;    ///< slope dz/dy of the rail outline [-]
+  double depth;    ///< given value minus separation [m], > 0
 };
 
-/// Search for contact between a placed wheel and a placed rail. Own algorithm:
+/// Search for contact between a placed wheel and a placed rail. The algorithm is our own:
 ///
-/// Both outlines (the wheel's contact locus projected along x, and the rail's profile) are written as heights over the
-/// same equidistant stations: the lower envelope of the wheel, the upper envelope of the rail. Writing them segment by
-/// segment needs no ordering of the curves, so folds of the locus at large yaw do no harm, and every place of contact
-/// is seen at once. Their difference is the separation; its minima are then made exact on the profiles themselves, at
-/// the change of sign of the difference of slopes.
+/// * Both outlines are sampled as heights at the same equidistant stations: the contact locus of the wheel, projected
+///   along x, as its lower envelope; the rail profile as its upper envelope.
+/// * The outlines are evaluated segment by segment, in any order. Folds of the locus at large yaw therefore need no
+///   special case, and all contact positions are found at the same time.
+/// * The difference of the heights is the separation. Its minima are refined on the exact profiles: there the
+///   difference of the slopes changes its sign.
 class ContactSearch
 {
  public:
-  /// Samples the profiles; keeps no reference to them.
+  /// Samples the profiles. Keeps no reference to them.
   ContactSearch(const Profile& wheel, const Profile& rail);
 
-  /// Takes over a new place of the rail.
+  /// Sets the position of the rail. setWheel() must follow.
   void setRail(const PlacedRail& rail);
-  /// Takes over a new place of the wheel, and finds the separation at all stations. Call setRail() first.
+  /// Sets the position of the wheel and computes the separation at all stations. setRail() must have been called.
   void setWheel(const PlacedWheel& wheel);
 
-  /// The nearest place of all. @return false if wheel and rail share no station: the wheel is beside the rail.
+  /// Finds the position of the smallest separation.
+  /// @return false if wheel and rail have no common station: the wheel is beside the rail.
   bool nearest(InitialContact& contact);
 
-  /// The stretch around a contact (as nearest() gave it) in which the separation is below `separation` [m].
+  /// Interval around a contact (from nearest()) in which the separation is below `separation` [m].
   OverlapInterval intervalAround(const InitialContact& contact, double separation) const;
 
-  /// All stretches in which the separation is below `separation` [m], from the gauge side on. Neighbours whose distance
-  /// is less than the wider one's width and whose planes differ by less than `merge_angle` count as one.
+  /// Finds all intervals in which the separation is below `separation` [m], from the gauge side to the field side.
+  ///
+  /// Two intervals are merged if the distance between them is less than the width of the wider one and if their planes
+  /// differ by less than `merge_angle`. An interval is divided where it turns by more than `split_angle`.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const;
 
-  /// Largest angle between the planes of two stretches that count as one [rad].
+  /// Largest angle between the planes of two intervals that are merged [rad].
   static constexpr double merge_angle = 0.1;
-  /// Angle between two minima from which on a stretch that holds both is divided where the separation between them is
-  /// greatest [rad].
+  /// Angle between the planes of two minima above which the interval that contains both is divided [rad], at the
+  /// largest separation between them.
   static constexpr double split_angle = 1.0;
 
-  /// Adds the stations between two parameters of the rail's profile (neither of them included) at which the separation
-  /// is below `separation` [m], from the gauge side on.
+  /// Appends the stations between two parameters of the rail profile (both exclusive) at which the separation is below
+  /// `separation` [m], from the gauge side to the field side.
   void addStationsBetween(double u_begin, double u_end, double separation, std::vector<Station>& stations) const;
 
  private:
-  static constexpr double spacing = 2.5e-4;  ///< of stations, and of samples on the profiles [m]
-  /// Greatest error of the separation at stations from straight segments on radii of 10 mm: 2 * spacing² / (8 * 10 mm).
+  static constexpr double spacing = 2.5e-4;  ///< distance of the stations, and of the samples on the profiles [m]
+  /// Largest error of the separation at stations, by straight segments on radii of 10 mm on both bodies [m].
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
   static constexpr std::size_t no_station = std::numeric_limits<std::size_t>::max();
@@ -95,33 +101,34 @@ class ContactSearch
   double railSlope(std::size_t k) const;
   void addIntervals(std::size_t first, std::size_t last, double separation,
                     std::vector<OverlapInterval>& intervals) const;
-  std::size_t lowestStation(std::size_t first, std::size_t behind) const;
+  std::size_t lowestStation(std::size_t first, std::size_t end) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
   std::pair<std::size_t, std::size_t> stationsOfRail(double u_begin, double u_end) const;
   InitialContact refined(std::size_t k) const;
-  bool settles(std::size_t k, InitialContact& contact) const;
+  bool findByNewton(std::size_t k, InitialContact& contact) const;
   bool isNear(const InitialContact& contact, std::size_t k) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
   OverlapInterval intervalBetween(std::size_t first, std::size_t last, double separation) const;
-  static bool narrow(double separation, OverlapInterval& interval);
+  static bool setWidthByCurvature(double separation, OverlapInterval& interval);
   void mergeNeighbours(std::vector<OverlapInterval>& intervals) const;
-  static void keepApart(std::vector<OverlapInterval>& intervals);
+  static void setLimits(std::vector<OverlapInterval>& intervals);
 
   static std::vector<double> sample(const Profile& profile);
 
   WheelPoints wheel_points_;
-  std::vector<double> group_begin_, group_end_;  ///< least and largest y of WheelPoints::together points and the next
+  /// Smallest and largest y of each group of WheelPoints::together points and the point after it [m].
+  std::vector<double> group_begin_, group_end_;
   std::vector<CurvePoint> rail_points_;
-  OutlinePoints wheel_line_, rail_line_;  ///< those points where they have been placed
+  OutlinePoints wheel_line_, rail_line_;  ///< the sampled points in side axes
   Stations stations_;
   Outline wheel_outline_{Outline::Envelope::lower};
   Outline rail_outline_{Outline::Envelope::upper};
   std::vector<double> separation_;
-  std::vector<std::size_t> minima_;           ///< stations where the separation is lowest, in their order
-  std::size_t nearest_station_ = no_station;  ///< whose contact is known
-  InitialContact nearest_;                    ///< its contact
+  std::vector<std::size_t> minima_;           ///< stations of the local minima of the separation, in increasing order
+  std::size_t nearest_station_ = no_station;  ///< station of the last result of nearest()
+  InitialContact nearest_;                    ///< last result of nearest()
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
 };

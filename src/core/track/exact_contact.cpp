@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a contact is made exact on the profiles: the rest of ContactSearch stands in contact_search.cpp.
+// ContactSearch: refinement of a contact on the exact profiles. contact_search.cpp contains the rest of the class.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,11 +14,12 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int newton_iterations = 30;
 constexpr double newton_tolerance = 1e-11;  ///< [m]
-constexpr double root_tolerance = 1e-8;     ///< of a contact's place along the rail's profile [m]
-constexpr int most_place_steps = 5;         ///< of Newton's method for that place
+constexpr double root_tolerance = 1e-8;     ///< of the position of a contact along the rail profile [m]
+constexpr int most_place_steps = 5;         ///< of Newton's method for this position
 }  // namespace
 
-/// Finds the wheel's profile point whose locus lies at y, from a guess of its parameter.
+/// Finds the point of the wheel profile whose locus is at y.
+/// @param u  parameter of the profile: initial guess; the result on return
 bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const
 {
   double step = 0;
@@ -35,7 +36,7 @@ bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& 
     {
       return true;
     }
-    // Secant on the locus; to start with, its derivative is close to that of the profile.
+    // Secant method. The first step uses the derivative of the profile, which is close to that of the locus.
     const double slope = i > 0 ? (miss_before - miss) / step : point.dy;
     step = miss / slope;
     miss_before = miss;
@@ -44,7 +45,8 @@ bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& 
   return false;
 }
 
-/// Both bodies at a point of the rail, on the profiles themselves; `contact.wheel_u` is a guess of the wheel's point.
+/// Evaluates both bodies at a point of the rail, on the exact profiles. On entry, `contact.wheel_u` is a guess of the
+/// wheel point. @return false if a body has no suitable point there.
 bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_difference) const
 {
   const CurvePoint rail_point = rail_->profile().at(rail_u);
@@ -62,22 +64,22 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   contact.separation = locus.z - rail.z;
   contact.slope = rail.dz / rail.dy;
   slope_difference = wheel.dz / wheel.dy - contact.slope;
-  const double interval = 1 + contact.slope * contact.slope;
-  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * interval * std::sqrt(interval);
+  const double length_squared = 1 + contact.slope * contact.slope;  // of the tangent, per unit of y
+  contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * length_squared * std::sqrt(length_squared);
   return std::isfinite(contact.separation) && std::isfinite(slope_difference);
 }
 
-/// True if a contact lies beside its station and no higher than there: where an outline hides a fold of its profile,
-/// the way from one station to the next along the profile may lead elsewhere.
+/// True if a contact is next to its station and not higher. Where an outline hides a fold of its profile, the path
+/// along the profile from one station to the next may lead to another contact.
 bool ContactSearch::isNear(const InitialContact& contact, std::size_t k) const
 {
   return std::abs(contact.y - stations_.y(k)) < 1.5 * spacing &&
          contact.separation < separation_[k] + 4 * station_error;
 }
 
-/// The contact near a station by Newton's method, from the lowest point of the parabola through the separations there.
-/// False unless it settles between the stations beside it, at a minimum.
-bool ContactSearch::settles(std::size_t k, InitialContact& contact) const
+/// Finds the contact near a station by Newton's method, starting at the lowest point of the parabola through the
+/// separations there. @return false unless it converges to a minimum between the neighbouring stations.
+bool ContactSearch::findByNewton(std::size_t k, InitialContact& contact) const
 {
   if (k == 0 || k + 1 >= separation_.size())
   {
@@ -116,7 +118,8 @@ bool ContactSearch::settles(std::size_t k, InitialContact& contact) const
   return false;
 }
 
-/// The contact near a station: where the difference of slopes changes its sign between the stations beside it.
+/// Contact near a station: the position between the neighbouring stations at which the difference of the slopes changes
+/// its sign. The station itself if there is none.
 InitialContact ContactSearch::refined(std::size_t k) const
 {
   if (k == nearest_station_)
@@ -124,7 +127,7 @@ InitialContact ContactSearch::refined(std::size_t k) const
     return nearest_;
   }
   InitialContact trial;
-  if (settles(k, trial) && isNear(trial, k))
+  if (findByNewton(k, trial) && isNear(trial, k))
   {
     return trial;
   }

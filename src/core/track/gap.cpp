@@ -11,7 +11,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// The wheel's sections with a plane's axes t and n for coordinates.
+/// Sections of a wheel in the axes t and n of a plane.
 WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel)
 {
   const WheelCoordinate& y = wheel.y;
@@ -28,14 +28,15 @@ WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel)
   return seen;
 }
 
-/// Likewise of a rail.
+/// Frame of a rail in the axes t and n of a plane.
 RailFrame seenFrom(const PlaneAxes& axes, const RailFrame& rail)
 {
   const PlanePoint origin = rail.at({0, 0, 1, 0, 0, 0});
   return {axes.t(origin), axes.n(origin), axes.dt(origin), axes.dn(origin)};
 }
 
-/// By value: to the compiler, what is written may change any number it does not hold itself.
+/// Evaluates the polynomial c at the cells of a column. Arguments are copies: the compiler would otherwise assume that
+/// writing to `height` changes them, and load them again.
 void fillColumn(Grid grid, std::array<double, 5> c, double* height)
 {
   for (int row = 0; row < grid.rows(); ++row)
@@ -45,12 +46,15 @@ void fillColumn(Grid grid, std::array<double, 5> c, double* height)
   }
 }
 
-/// Where to look for the bodies' points of column after column: as far from the last column but one as that lies from
-/// the third last, twice. The last one itself is left out, so that a processor can work on both at once.
+/// Starting parameters for the points of successive columns. They are extrapolated linearly over two columns from the
+/// second-last and third-last column. The last column is not used, so that the processor can overlap the work on two
+/// columns.
 class ColumnStarts
 {
  public:
-  /// The first column lies at `t` and the others `step` apart [m], near a plane that is tangent at `origin`.
+  /// @param origin  column at the origin of the plane, where the plane is tangent to both bodies
+  /// @param t       position of the first column in the plane [m]
+  /// @param step    distance from column to column [m], negative towards smaller t
   ColumnStarts(const GapColumn& origin, double t, double step)
   {
     for (GapColumn& column : last_)
@@ -76,7 +80,7 @@ class ColumnStarts
   std::array<GapColumn, 3> last_;
 };
 
-/// Builds the columns of a gap in the order of their neighbourhood.
+/// Builds the columns of a gap one after the other, each starting from its neighbours.
 class GapBuilder
 {
  public:
@@ -91,8 +95,9 @@ class GapBuilder
   {
   }
 
-  /// Columns `first`, first + step, … to the grid's edge, from a plane that is tangent to both bodies at `origin`.
-  /// @return false if none has both bodies.
+  /// Builds the columns `first`, first + step, … up to the edge of the grid. The plane is tangent to both bodies at
+  /// `origin`.
+  /// @return false if none of these columns has points of both bodies.
   bool build(int first, int step, const GapColumn& origin, Eigen::ArrayXXd& gap, std::vector<GapColumn>& columns)
   {
     ColumnStarts starts(origin, grid_.y(first), step * grid_.dy);
@@ -130,8 +135,9 @@ class GapBuilder
   }
 
  private:
-  /// Both bodies over place t of the plane; `column` holds the starting parameters and takes the result, the group's
-  /// place `k` the wheel's.
+  /// Finds the points of both bodies above the position t of the plane. On entry, `column` contains the starting
+  /// parameters. The result is written to `column`, that of the wheel also to place `k` of the group.
+  /// @return false if a body has no point there.
   bool findMiddle(double t, GapColumn& column, int k)
   {
     const auto rail_curve = [this](double u, PlanePoint& point)
@@ -154,13 +160,14 @@ class GapBuilder
       return false;
     }
     column.slope = 0.5 * (rail.slope + wheel.slope);
-    column.parting = wheel.slope - rail.slope;
+    column.gap_slope = wheel.slope - rail.slope;
     column.rail_height = rail.n;
     columns_.set(k, t, u, profile, wheel.n, wheel_profile_.reach());
     return true;
   }
 
-  /// Fills the columns of the group's first `count` places. @return false if none has both bodies.
+  /// Fills the gap in the columns of the first `count` places of the group. @return false if the wheel has no
+  /// point somewhere along each of them.
   bool fillGroup(int count, const std::vector<GapColumn>& columns, Eigen::ArrayXXd& gap) const
   {
     bool found_any = false;
@@ -193,7 +200,7 @@ class GapBuilder
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;
   ColumnGroup columns_;
-  std::array<int, ColumnGroup::together> place_{};  ///< column of each of the group's places
+  std::array<int, ColumnGroup::together> place_{};  ///< column of the grid at each place of the group
 };
 }  // namespace
 

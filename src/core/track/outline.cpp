@@ -12,26 +12,26 @@ void Outline::start(const Stations& stations)
   u_.resize(stations.count);
 }
 
-/// Places of points and steepness of the segments behind them. Divisions are slow: loops without a branch do several at
-/// once.
-void Outline::measureSegments(const OutlinePoints& points, std::size_t first_point, std::size_t behind)
+/// Computes the positions of the points and the derivatives on the segments. Divisions are slow; loops without branches
+/// compute several at once.
+void Outline::measureSegments(const OutlinePoints& points, std::size_t first_point, std::size_t end_point)
 {
   const std::size_t count = points.y.size();
   place_.resize(count);
-  rise_.resize(count);
-  shift_.resize(count);
+  dz_dy_.resize(count);
+  du_dy_.resize(count);
   const double *y = points.y.data(), *z = points.z.data(), *u = points.u.data();
-  double *place = place_.data(), *rise = rise_.data(), *shift = shift_.data();
+  double *place = place_.data(), *dz_dy = dz_dy_.data(), *du_dy = du_dy_.data();
   const double first = stations_.first, per_spacing = 1 / stations_.spacing, sign = sign_;
-  for (std::size_t i = first_point; i < behind; ++i)
+  for (std::size_t i = first_point; i < end_point; ++i)
   {
     place[i] = (y[i] - first) * per_spacing;
   }
-  for (std::size_t i = first_point; i + 1 < behind; ++i)
+  for (std::size_t i = first_point; i + 1 < end_point; ++i)
   {
     const double per_run = 1 / (y[i + 1] - y[i]);
-    rise[i] = sign * (z[i + 1] - z[i]) * per_run;
-    shift[i] = (u[i + 1] - u[i]) * per_run;
+    dz_dy[i] = sign * (z[i + 1] - z[i]) * per_run;
+    du_dy[i] = (u[i + 1] - u[i]) * per_run;
   }
 }
 
@@ -47,27 +47,27 @@ void Outline::above(const Outline& other, std::vector<double>& distance) const
   }
 }
 
-void Outline::add(const OutlinePoints& points, std::size_t first_point, std::size_t behind)
+void Outline::add(const OutlinePoints& points, std::size_t first_point, std::size_t end_point)
 {
-  measureSegments(points, first_point, behind);
-  // To the compiler, what is written may change any number it does not hold itself.
+  measureSegments(points, first_point, end_point);
+  // Copies: the compiler would otherwise assume that writing to `height` changes them, and load them again.
   double *height = height_.data(), *parameter = u_.data();
-  const double *place = place_.data(), *rise = rise_.data(), *shift = shift_.data();
+  const double *place = place_.data(), *dz_dy = dz_dy_.data(), *du_dy = du_dy_.data();
   const double *y = points.y.data(), *z = points.z.data(), *u = points.u.data();
   const double first = stations_.first, spacing = stations_.spacing, sign = sign_;
   const double last = static_cast<double>(stations_.count) - 1;
-  double walked = -1;  // place up to which stations lie behind
-  double station = 0;  // the first one beyond it
-  long k = 0;          // the same; signed numbers convert faster
-  for (std::size_t i = first_point; i + 1 < behind; ++i)
+  double done = -1;    // end of the preceding segment, in units of stations
+  double station = 0;  // first station beyond it
+  long k = 0;          // the same as an integer; signed integers convert faster
+  for (std::size_t i = first_point; i + 1 < end_point; ++i)
   {
     const double begin = std::min(place[i], place[i + 1]);
     const double end = std::min(std::max(place[i], place[i + 1]), last);
     if (!(end >= 0) || !(end > begin))
     {
-      continue;  // beside the stations, or y is not a number
+      continue;  // the segment is beside all stations, or y is NaN
     }
-    if (begin != walked)
+    if (begin != done)
     {
       k = static_cast<long>(std::max(begin, 0.0));
       k += static_cast<double>(k) < begin ? 1 : 0;
@@ -76,14 +76,14 @@ void Outline::add(const OutlinePoints& points, std::size_t first_point, std::siz
     for (; station <= end; station += 1, ++k)
     {
       const double run = first - y[i] + station * spacing;
-      const double here = sign * z[i] + rise[i] * run;
+      const double here = sign * z[i] + dz_dy[i] * run;
       if (here < height[k])
       {
         height[k] = here;
-        parameter[k] = u[i] + shift[i] * run;
+        parameter[k] = u[i] + du_dy[i] * run;
       }
     }
-    walked = end;
+    done = end;
   }
 }
 }  // namespace wheel_rail_contact::core

@@ -7,61 +7,62 @@
 
 namespace wheel_rail_contact::core
 {
-/// Equidistant places across the track, side axes: y = first + k spacing [m].
+/// Equidistant positions across the track, in side axes: y = first + k spacing [m].
 struct Stations
 {
-  double first = 0;       ///< y of the first [m]
+  double first = 0;       ///< y of the first station [m]
   double spacing = 0;     ///< [m], > 0
-  std::size_t count = 0;  ///< number of places
+  std::size_t count = 0;  ///< number of stations
 
-  /// Place k, side axes [m].
+  /// y of station k, in side axes [m].
   double y(std::size_t k) const { return first + static_cast<double>(k) * spacing; }
 };
 
-/// Points of a line, one after the other.
+/// Consecutive points of a curve in the y-z plane.
 struct OutlinePoints
 {
-  std::vector<double> y;  ///< outward, side axes [m]; NaN: the line is broken here
+  std::vector<double> y;  ///< outward, side axes [m]; NaN: the curve is interrupted here
   std::vector<double> z;  ///< up [m]
-  std::vector<double> u;  ///< parameter of the body's profile [m]
+  std::vector<double> u;  ///< parameter of the profile [m]
 };
 
-/// Outline of a body seen along the track: its lower or upper envelope as heights over stations. Where parts of its
-/// line lie over one another the outer one stays.
+/// Outline of a body seen along the track, as heights at stations. Where parts of its curve are above one another, the
+/// outline is their lower or upper envelope.
 class Outline
 {
  public:
-  /// Which of several heights over a station stays.
+  /// Envelope that the outline keeps.
   enum class Envelope
   {
-    lower,  ///< the lowest: a wheel
-    upper   ///< the highest: a rail
+    lower,  ///< lowest height: for a wheel
+    upper   ///< highest height: for a rail
   };
 
-  /// An outline without segments.
+  /// Outline without segments.
   explicit Outline(Envelope envelope) : sign_(envelope == Envelope::lower ? 1 : -1) {}
 
-  /// Forgets all lines. Allocates only for more stations than before.
+  /// Removes all segments. Allocates memory only for more stations than before.
   void start(const Stations& stations);
-  /// Writes the straight segments between points `first_point` to `behind` (not included). Allocates only for more
-  /// points than before.
-  void add(const OutlinePoints& points, std::size_t first_point, std::size_t behind);
+  /// Adds the straight segments between the points `first_point` to `end_point` (exclusive). Allocates memory only for
+  /// more points than before.
+  void add(const OutlinePoints& points, std::size_t first_point, std::size_t end_point);
 
-  /// Height at a station [m]; infinite (up for a lower envelope, down for an upper one) where there is no body.
+  /// Height at a station [m]. Where there is no body: +infinity for a lower envelope, -infinity for an upper one.
   double z(std::size_t k) const { return sign_ * height_[k]; }
-  /// Height over another outline at every station [m], into as many places; infinite where either has no body.
+  /// Height above another outline at every station [m]; infinite where one of the bodies is missing. `distance` must
+  /// have one element for each station.
   void above(const Outline& other, std::vector<double>& distance) const;
-  /// Profile parameter there [m]; any number where there is no body.
+  /// Parameter of the profile at a station [m]; undefined where there is no body.
   double u(std::size_t k) const { return u_[k]; }
 
  private:
-  void measureSegments(const OutlinePoints& points, std::size_t first_point, std::size_t behind);
+  void measureSegments(const OutlinePoints& points, std::size_t first_point, std::size_t end_point);
 
   double sign_;
   Stations stations_;
-  std::vector<double> height_;  ///< sign * z
+  std::vector<double> height_;  ///< sign * z at each station [m]
   std::vector<double> u_;
-  std::vector<double> place_;         ///< of the points, in stations
-  std::vector<double> rise_, shift_;  ///< of the segments: change of sign * z and of u with y [-]
+  std::vector<double> place_;          ///< position of each point, in units of stations
+  std::vector<double> dz_dy_, du_dy_;  ///< derivatives of sign * z and of u with respect to y on each segment [-]
 };
 }  // namespace wheel_rail_contact::core

@@ -25,7 +25,7 @@ WheelsetPose toSide(Side side, const WheelsetPose& pose)
 
 namespace
 {
-/// Spacing at which a rail's profile is looked over for its highest point and its gauge point [m].
+/// Spacing of the points at which a rail profile is searched for its highest point and its gauge point [m].
 constexpr double scan_spacing = 1e-4;
 constexpr double root_tolerance = 1e-12;  ///< [m]
 }  // namespace
@@ -36,7 +36,7 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
   const int count = std::max(2, static_cast<int>(profile_->length() / scan_spacing));
   const double step = profile_->length() / count;
   const auto height = [this](double u) { return at(u).z; };
-  const auto rise = [this](double u) { return at(u).dz; };
+  const auto dz_du = [this](double u) { return at(u).dz; };
 
   int top = 0;
   for (int i = 1; i <= count; ++i)
@@ -47,9 +47,9 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
     }
   }
   double u_top = top * step;
-  if (top > 0 && top < count && rise(u_top - step) > 0 && rise(u_top + step) < 0)
+  if (top > 0 && top < count && dz_du(u_top - step) > 0 && dz_du(u_top + step) < 0)
   {
-    u_top = bracketedRoot(rise, u_top - step, rise(u_top - step), u_top + step, rise(u_top + step), root_tolerance);
+    u_top = bracketedRoot(dz_du, u_top - step, dz_du(u_top - step), u_top + step, dz_du(u_top + step), root_tolerance);
   }
   frame_.z = -height(u_top);
 
@@ -61,8 +61,9 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
   }
   if (below < 0)
   {
-    throw std::invalid_argument("track/gauge_depth = " + std::to_string(track.gauge_depth) + " m: the rail profile " +
-                                profile_->name() + " does not reach that far below its highest point");
+    throw std::invalid_argument("track/gauge_depth = " + std::to_string(track.gauge_depth) +
+                                " m: on the gauge side, the rail profile " + profile_->name() +
+                                " does not reach that far below its highest point");
   }
   const auto above = [&](double u) { return height(u) + track.gauge_depth; };
   const double low = below * step;
@@ -106,7 +107,7 @@ void PlacedRail::turn(double angle)
 PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose)
     : profile_(&profile), pose_(pose)
 {
-  // Fixed-axis roll, then yaw: axle = Rz(yaw) Rx(roll) (0, 1, 0).
+  // Roll, then yaw, about fixed axes: axle direction = Rz(yaw) Rx(roll) (0, 1, 0).
   const double ax = -std::sin(pose.yaw) * std::cos(pose.roll);
   const double ay = std::cos(pose.yaw) * std::cos(pose.roll);
   const double az = std::sin(pose.roll);
@@ -118,9 +119,9 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
 
 namespace
 {
-/// Where the normal of a wheel's surface has no x component on the circle through a profile point, or on several: at
-/// angle t from its lowest point. e = cos(t) down + sin(t) forward; normal = e - r' a; its x component
-/// sin(t) forward_x - r' ax vanishes. There is no such place unless the sine lies between -1 and 1.
+/// Point of the contact locus on the wheel circle through one or several profile points. It is at the angle t from the
+/// lowest point of the circle, with the radial direction e = cos(t) down + sin(t) forward. The surface normal is
+/// e - r' a. Its x component, sin(t) forward_x - r' a_x, vanishes. There is no such point unless |sin(t)| < 1.
 template <typename Number>
 struct LocusOnCircle
 {
@@ -131,13 +132,13 @@ struct LocusOnCircle
     cosine = sqrt(1 - sine * sine);
   }
 
-  /// Its y or z [m].
+  /// y or z of the point [m].
   Number at(const WheelCoordinate& c) const
   {
     return c.origin + c.along * along + radius * (cosine * c.down + sine * c.forward);
   }
 
-  Number along, radius;  ///< of the circle: place on the axle and size [m]
+  Number along, radius;  ///< position on the axle and radius of the circle [m]
   Number sine, cosine;   ///< of t
 };
 }  // namespace
@@ -150,13 +151,14 @@ bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
   return std::abs(locus.sine) < 1;
 }
 
-void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const
+void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t end, double* y, double* z) const
 {
-  constexpr std::size_t at_once = 4;  // with more, numbers would no longer all stay in registers
-  static_assert(WheelPoints::together % at_once == 0, "points come in groups");
+  constexpr std::size_t at_once = 4;  // with more, not all values would fit into registers
+  static_assert(WheelPoints::together % at_once == 0, "the number of points must be a multiple");
   using Group = Eigen::Array<double, at_once, 1>;
-  const WheelSections sections = sections_;  // to the compiler, what is written may change any number of this object
-  for (std::size_t i = first; i < behind; i += at_once)
+  // Copy: the compiler would otherwise assume that writing to y and z changes this object, and load it again.
+  const WheelSections sections = sections_;
+  for (std::size_t i = first; i < end; i += at_once)
   {
     const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
     const LocusOnCircle<Group> locus(sections, group(points.y), group(points.z), group(points.slope));
@@ -167,7 +169,7 @@ void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t
 
 double PlacedWheel::lateralBound() const
 {
-  constexpr double highest_flange = 2;  // no circle of a wheel has more of its rolling radius
+  constexpr double highest_flange = 2;  // no wheel circle has more than twice the rolling radius
   return highest_flange * sections_.radius * (std::abs(sections_.y.down) + std::abs(sections_.y.forward));
 }
 

@@ -12,37 +12,39 @@
 
 namespace wheel_rail_contact::core
 {
-/// Side axes, used for the calculation on either rail: x forward, y outward (to the field side), z up, origin in the
-/// track frame's origin. They equal the track axes on the left and are their mirror image on the right, where y, roll
-/// and yaw change sign; so both sides run through the same arithmetic and mirror symmetry is exact.
+/// Pose of a wheelset in track axes or in side axes.
+///
+/// Side axes are used for the calculation on both rails: x forward, y outward (to the field side), z up; the origin is
+/// that of the track frame. On the left they are the track axes. On the right they are the mirror image of the track
+/// axes: y, roll and yaw change sign. Both sides use the same arithmetic. Mirror symmetry is therefore exact.
 struct WheelsetPose
 {
-  double y = 0;     ///< axle centre [m]
-  double z = 0;     ///< axle centre [m]
-  double yaw = 0;   ///< about z [rad]
-  double roll = 0;  ///< about x, before the yaw (fixed axes) [rad]
+  double y = 0;     ///< y of the axle centre [m]
+  double z = 0;     ///< z of the axle centre [m]
+  double yaw = 0;   ///< rotation about z [rad]
+  double roll = 0;  ///< rotation about x, before the yaw (fixed axes) [rad]
 };
 
 /// +1 on the left, -1 on the right.
 double sideSign(Side side);
 
-/// The pose seen from a side; its own inverse.
+/// Converts a pose from track axes to side axes, or back: the function is its own inverse.
 WheelsetPose toSide(Side side, const WheelsetPose& pose);
 
-/// Point of a plane curve in side axes with its tangent.
+/// Point and tangent of a plane curve, in side axes unless stated otherwise.
 struct PlanePoint
 {
   double y, z;    ///< [m]
-  double dy, dz;  ///< derivative with respect to the profile's parameter [-]
+  double dy, dz;  ///< derivatives with respect to the parameter of the profile [-]
 };
 
-/// Where a rail's profile lies in any two coordinates (y and z, or others turned against them).
+/// Position of a rail profile in two coordinates: y and z, or axes that are rotated relative to them.
 struct RailFrame
 {
-  double y = 0, z = 0;          ///< of the profile's origin [m]
-  double cosine = 1, sine = 0;  ///< of the profile's angle against the coordinates
+  double y = 0, z = 0;          ///< origin of the profile [m]
+  double cosine = 1, sine = 0;  ///< of the angle of the profile relative to the coordinates
 
-  /// Place and tangent of a point of the profile frame.
+  /// Converts a point and its tangent from the profile frame.
   PlanePoint at(const CurvePoint& p) const
   {
     return {y + cosine * p.y - sine * p.z, z + sine * p.y + cosine * p.z, cosine * p.dy - sine * p.dz,
@@ -50,28 +52,29 @@ struct RailFrame
   }
 };
 
-/// A rail in side axes: its profile turned by the inclination, set to gauge, and displaced by the rail's deflection.
+/// Rail in side axes: its profile is turned by the inclination, moved to gauge and displaced by the deflection.
 class PlacedRail
 {
  public:
-  /// Undeflected rail: highest point at z = 0, gauge measured `gauge_depth` below it.
-  /// @throw std::invalid_argument if the profile does not reach down to the gauge depth on its gauge side.
+  /// Undeflected rail. Its highest point is at z = 0. Its innermost point down to z = -gauge_depth is at half the gauge
+  /// from the track centre.
+  /// @throw std::invalid_argument if the profile ends above the gauge depth on its gauge side.
   PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track);
 
-  /// The same rail with its head displaced from the undeflected place.
+  /// The same rail with its head displaced by `deflection` from its present position.
   PlacedRail deflected(const RailDeflection& deflection) const;
 
-  /// In its own frame.
+  /// Profile of the rail, in the profile frame.
   const Profile& profile() const { return *profile_; }
-  /// The point at the profile's parameter u [m].
+  /// Point at the parameter u [m] of the profile, in side axes.
   PlanePoint at(double u) const;
-  /// A point of the profile frame (on the profile or not) in side axes.
+  /// Converts a point from the profile frame to side axes. The point need not be on the profile.
   PlanePoint place(const CurvePoint& point) const { return frame_.at(point); }
-  /// All of that, in side axes.
+  /// Position of the profile in side axes.
   const RailFrame& frame() const { return frame_; }
-  /// Angle of the rail's own axes against the side axes [rad]: the inclination less the outward roll.
+  /// Angle of the rail relative to the side axes [rad]: inclination minus outward roll.
   double angle() const;
-  /// The head's reference point (ComplianceTable::reference_depth below the crown) [m].
+  /// Reference point of the head, ComplianceTable::reference_depth below the crown [m].
   PlanePoint referencePoint() const;
 
  private:
@@ -87,7 +90,7 @@ struct SpacePoint
   double x, y, z;  ///< forward, outward, up
 };
 
-/// Points of a wheel's profile, ready for PlacedWheel::loci().
+/// Points of a wheel profile in the form that PlacedWheel::loci() requires.
 struct WheelPoints
 {
   static constexpr std::size_t together = 8;  ///< the number of points is a multiple of it
@@ -97,82 +100,89 @@ struct WheelPoints
   std::vector<double> slope;  ///< CurvePoint::slope() [-]
 };
 
-/// A coordinate of a wheel's points as a linear function of where they lie in the wheel.
+/// One coordinate of the points of a wheel, as a linear function of their position in the wheel.
+///
+/// The position is given along three orthogonal directions: along the axle (outward), down (normal to the axle, without
+/// x component) and forward (normal to both).
 struct WheelCoordinate
 {
-  double origin = 0;   ///< of the axle's centre [m]
-  double along = 0;    ///< for each metre along the axle, outward [-]
-  double down = 0;     ///< for each metre from the axle, without x, down [-]
-  double forward = 0;  ///< for each metre square to both, forward [-]
+  double origin = 0;   ///< coordinate of the axle centre [m]
+  double along = 0;    ///< change per unit length along the axle [-]
+  double down = 0;     ///< change per unit length down [-]
+  double forward = 0;  ///< change per unit length forward [-]
 };
 
-/// Point of a wheel's section at constant x with its tangent, or several of them.
+/// Point and tangent of the section of a wheel at constant x; or several points, if Number is an array.
 template <typename Number>
 struct SectionPoint
 {
-  Number down;    ///< from the axle [m]; not positive, or NaN, where x is beyond the point's circle
+  Number down;    ///< distance below the axle [m]; not positive, or NaN, where x is outside the circle of the point
   Number y, z;    ///< [m]
-  Number dy, dz;  ///< derivative with respect to the profile's parameter at constant x [-]
+  Number dy, dz;  ///< derivatives with respect to the parameter of the profile, at constant x [-]
 };
 
-/// A wheel's sections square to the track in any two coordinates (y and z, or others that are linear in them).
+/// Sections of a wheel at constant x, in two coordinates: y and z, or linear functions of them.
 struct WheelSections
 {
-  double radius = 0;         ///< of the running circle [m]
-  double half_base = 0;      ///< from the axle's centre to the profile's origin [m]
-  double axle_x = 0;         ///< of the axle's direction, outward [-]
-  double per_forward_x = 1;  ///< 1 / that of the forward direction [-]
-  WheelCoordinate y, z;      ///< the coordinates
+  double radius = 0;         ///< radius of the running circle [m]
+  double half_base = 0;      ///< distance from the axle centre to the origin of the profile [m]
+  double axle_x = 0;         ///< x component of the axle direction (outward) [-]
+  double per_forward_x = 1;  ///< 1 / (x component of the forward direction) [-]
+  WheelCoordinate y, z;      ///< both coordinates
 
-  /// The lower point at `x` of the circle through a profile point: a CurvePoint, or several with their y, z, dy and dz
-  /// as arrays.
+  /// Lower point at `x` of the wheel circle through a profile point `p`: a CurvePoint, or several points whose y, z, dy
+  /// and dz are arrays.
   template <typename Number, typename Point>
   SectionPoint<Number> at(const Point& p, double x) const;
-  /// The same of one point. @return false if x is beyond the circle.
+  /// Same for one point. @return false if x is outside the circle.
   bool at(const CurvePoint& p, double x, PlanePoint& out) const;
 };
 
-/// A wheel in side axes: its profile as a surface of revolution about the wheelset's axle.
+/// Wheel in side axes: the surface of revolution of its profile about the axle.
 class PlacedWheel
 {
  public:
-  /// Refers to `profile`, which must outlive it.
+  /// Keeps a reference to `profile`, which must outlive the object.
+  /// @param pose  pose of the wheelset in side axes
   PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose);
 
-  /// Moves the axle's centre to another height, side axes [m].
+  /// Moves the axle centre to another height [m].
   void setHeight(double z) { pose_.z = sections_.z.origin = z; }
 
-  /// The contact locus: the point of the wheel's circle through profile point `p` at which the surface's normal has no
-  /// component along x. The projection of the locus on the y-z plane is the wheel's outline seen along the track; since
-  /// the rail is a prism along x, wheel and rail touch exactly where this outline touches the rail's profile.
-  /// Closed form: with axle direction a and radial direction e, the normal e - (dr/ds) a has no x component.
-  /// @return false where no such point exists (profile too steep for the yaw).
+  /// Point of the contact locus on the wheel circle through the profile point `p`: the point at which the surface
+  /// normal has no x component.
+  ///
+  /// Closed form: with the axle direction a and the radial direction e, the normal is e - (dr/ds) a. The projection of
+  /// the locus along x is the outline of the wheel seen along the track. The rail is a prism along x. Wheel and rail
+  /// therefore touch where this outline touches the rail profile.
+  /// @return false if there is no such point (the profile is too steep for the yaw).
   bool locus(const CurvePoint& p, SpacePoint& out) const;
-  /// y and z of the loci of points `first` to `behind`, both multiples of WheelPoints::together; NaN where there is
-  /// none. `y` and `z` are as long as the points are many.
-  void loci(const WheelPoints& points, std::size_t first, std::size_t behind, double* y, double* z) const;
-  /// Where a profile's y lies on the axle, seen along the track [m]: a locus lies within sway() of it.
+  /// y and z of the locus for the points `first` to `end` (exclusive); NaN where there is none. Both indices are
+  /// multiples of WheelPoints::together. `y` and `z` have one element for each point.
+  void loci(const WheelPoints& points, std::size_t first, std::size_t end, double* y, double* z) const;
+  /// y in side axes of the point on the axle line that belongs to the profile coordinate `y` [m]. The point of the
+  /// locus is within lateralBound() of it.
   double across(double y) const { return pose_.y + sections_.y.along * (sections_.half_base + y); }
-  /// Bound of a locus's distance from across() [m].
+  /// Upper bound of the lateral distance between a point of the locus and across() [m].
   double lateralBound() const;
 
-  /// The lower point at `x` of the wheel's circle through profile point `p`, with the derivative of y and z along the
-  /// profile at constant x. @return false if x is beyond the circle.
+  /// Lower point at `x` of the wheel circle through the profile point `p`, with the derivatives of y and z along the
+  /// profile at constant x. @return false if x is outside the circle.
   bool section(const CurvePoint& p, double x, PlanePoint& out) const { return sections_.at(p, x, out); }
 
-  /// All sections, in side axes.
+  /// Sections of the wheel, in side axes.
   const WheelSections& sections() const { return sections_; }
 
-  /// In its own frame.
+  /// Profile of the wheel, in the profile frame.
   const Profile& profile() const { return *profile_; }
-  /// As given, but for the height (setHeight()); side axes.
+  /// Pose of the wheelset in side axes, with the height last set.
   const WheelsetPose& pose() const { return pose_; }
 
  private:
   const Profile* profile_;
   WheelsetPose pose_;
   WheelSections sections_;
-  double forward_x_;  ///< of the forward direction [-]
+  double forward_x_;  ///< x component of the forward direction [-]
 };
 
 template <typename Number, typename Point>

@@ -9,7 +9,7 @@ void validate(const TrackConfig& track)
 {
   requirePositive("track/gauge", track.gauge);
   requirePositive("track/gauge_depth", track.gauge_depth);
-  requireWithin("track/rail_inclination", track.rail_inclination, 0.2, "must lie within 0.2 rad");
+  requireWithin("track/rail_inclination", track.rail_inclination, 0.2, "must be within ±0.2 rad");
 }
 
 void validate(const WheelsetConfig& wheelset)

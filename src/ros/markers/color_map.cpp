@@ -27,7 +27,7 @@ float evaluate(const Polynomial& polynomial, double t)
 
 std_msgs::ColorRGBA colorOf(double value)
 {
-  const double t = value > 0 ? std::min(value, 1.0) : 0.0;  // not a number: 0
+  const double t = value > 0 ? std::min(value, 1.0) : 0.0;  // 0 for NaN
   std_msgs::ColorRGBA color;
   color.r = evaluate(red, t);
   color.g = evaluate(green, t);

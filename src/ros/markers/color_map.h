@@ -5,8 +5,10 @@
 
 namespace wheel_rail_contact
 {
-/// Colour of a value between 0 (dark violet) and 1 (yellow), clamped: perceptually even, readable with the common kinds
-/// of colour blindness and in grey. Polynomials of degree 6 fitted by least squares to the colour map viridis (van der
-/// Walt and Smith, 2015, placed in the public domain), within 0.017 of it.
+/// Colour of a value from 0 (dark violet) to 1 (yellow); values outside are clamped, and NaN gives the colour of 0.
+///
+/// The colours are polynomials of degree 6, fitted by least squares to the colour map viridis (van der Walt and Smith
+/// 2015, public domain), with deviations of at most 0.017. Viridis is perceptually uniform, and readable in grey and
+/// with the common types of colour blindness.
 std_msgs::ColorRGBA colorOf(double value);
 }  // namespace wheel_rail_contact

@@ -21,8 +21,9 @@ bool isShown(core::Side side, const SceneOptions& options)
   return std::find(sides.begin(), sides.end(), side) != sides.end();
 }
 
-/// The result with its rails' deflections scaled, and the patches where they are on these rails.
-core::WheelsetResult exaggerated(const core::WheelsetResult& result, const core::PlacedRail& at_rest, double scale)
+/// The result with scaled rail deflections, and with patches that have moved with these rails.
+core::WheelsetResult withScaledDeflection(const core::WheelsetResult& result, const core::PlacedRail& at_rest,
+                                          double scale)
 {
   core::WheelsetResult drawn = result;
   for (core::RailResult& rail : drawn.rail)
@@ -38,7 +39,7 @@ core::WheelsetResult exaggerated(const core::WheelsetResult& result, const core:
   return drawn;
 }
 
-/// What shows a patch's pressure.
+/// Surfaces and outline of the pressure of a patch.
 void addPressure(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
                  MarkerArray& markers)
 {
@@ -79,7 +80,7 @@ void addPatch(const PatchPicture& picture, const SceneOptions& options, const st
   }
 }
 
-/// @param shift along the track from where the points were to where they are drawn [m]
+/// @param shift displacement of the drawn points along the track [m]
 void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn, const core::PlacedRail* at_rest,
               double shift, const SceneOptions& options, const std_msgs::Header& header, MarkerArray& markers)
 {
@@ -108,7 +109,7 @@ void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult&
   {
     addRails(model, options.track, header, x, {drawn.rail[0].deflection, drawn.rail[1].deflection}, markers);
   }
-  if (options.ghost)
+  if (options.rails_at_rest)
   {
     addRailsAtRest(model, options.track, header, x - 0.5 * options.track.rail_length, markers);
   }
@@ -129,7 +130,7 @@ SceneOptions sceneOptions(const MarkerConfig& config)
   options.patch.force_scale = config.force_scale;
   options.track.rail_length = config.rail_length;
   options.outlines = false;
-  options.ghost = false;
+  options.rails_at_rest = false;
   options.reason = true;
   return options;
 }
@@ -149,12 +150,12 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
   }
   const double x = options.at_origin ? 0 : output.x();
   const std::optional<core::PlacedRail> at_rest = restingRail(model);
-  std::optional<core::WheelsetResult> exaggeration;
+  std::optional<core::WheelsetResult> scaled_result;
   if (at_rest && options.deflection_scale != 1)
   {
-    exaggeration = exaggerated(*output.result, *at_rest, options.deflection_scale);
+    scaled_result = withScaledDeflection(*output.result, *at_rest, options.deflection_scale);
   }
-  const core::WheelsetResult& drawn = exaggeration ? *exaggeration : *output.result;
+  const core::WheelsetResult& drawn = scaled_result ? *scaled_result : *output.result;
   if (model)
   {
     addTrack(*model, drawn, output.pose(), x, options, output.header, markers);

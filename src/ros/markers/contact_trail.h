@@ -6,35 +6,35 @@
 #include <cstddef>
 #include <deque>
 
-#include "ros/node/contact_evaluator.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 namespace wheel_rail_contact
 {
-/// Where the contact points were on the rails, and how much they carried.
+/// An earlier contact point on a rail, with its highest pressure.
 struct TrailPoint
 {
-  core::Side side = core::Side::left;  ///< of the rail
-  core::PatchPose pose;                ///< x of the track frame; the rest on the rail at rest (see carriedByRail())
+  core::Side side = core::Side::left;  ///< side of the rail
+  core::PatchPose pose;                ///< patch frame in the track frame; y, z and angle on the rail at rest
   double max_pressure = 0;             ///< [Pa]
 };
 
-/// The latest contact points, oldest first. A stamp before the last one starts a new trail.
+/// The latest contact points, oldest first. If a stamp decreases, the trail restarts.
 class ContactTrail
 {
  public:
-  /// Adds the patches of a usable answer. `at_rest` tells how the rail's deflection is taken off; without it the
-  /// points are kept where they are.
+  /// Adds the patches of an output; none if it is unusable.
+  /// @param at_rest rail at rest, to which the points are moved back (carriedByRail()); null: they stay where they are
   void add(const ContactOutput& output, const core::PlacedRail* at_rest);
-  /// Keeps at most so many points.
+  /// Removes the oldest points until at most `count` remain.
   void limit(std::size_t count);
-  /// Forgets all points.
+  /// Removes all points.
   void clear() { points_.clear(); }
 
-  /// Oldest first.
+  /// Points, oldest first.
   const std::deque<TrailPoint>& points() const { return points_; }
 
  private:
-  ros::Time last_;
+  ros::Time last_;  ///< stamp of the last output
   std::deque<TrailPoint> points_;
 };
 }  // namespace wheel_rail_contact

@@ -58,12 +58,12 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id,
 }
 
 Marker makeText(const std_msgs::Header& header, const std::string& ns, int id, const Vector3d& place, double height,
-                const std::string& words)
+                const std::string& text)
 {
   Marker marker = makeMarker(header, ns, id, Marker::TEXT_VIEW_FACING, makeColor(0.95, 0.95, 0.95));
   marker.pose.position = toPoint(place);
   marker.scale.z = height;
-  marker.text = words;
+  marker.text = text;
   return marker;
 }
 

@@ -11,40 +11,45 @@
 
 namespace wheel_rail_contact
 {
-
-/// Shares of red, green, blue and opacity [-], in [0, 1].
+/// Colour from the shares of red, green, blue and opacity [-], each in [0, 1].
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
-/// The same three numbers.
+/// Point as a message.
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 
-/// A marker to add, placed at the origin of its frame with unit scale.
+/// A marker with action ADD, at the origin of its frame, with unit scale.
 visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id, int type,
                                       const std_msgs::ColorRGBA& color);
 
-/// A text marker whose letters have the given height [m].
+/// A text marker.
+/// @param height height of the letters [m]
 visualization_msgs::Marker makeText(const std_msgs::Header& header, const std::string& ns, int id,
-                                    const Eigen::Vector3d& place, double height, const std::string& words);
+                                    const Eigen::Vector3d& place, double height, const std::string& text);
 
-/// Points of a surface, row by row; all rows are of equal length.
+/// Points of a surface, row by row. All rows have the same length.
 using SurfacePoints = std::vector<std::vector<Eigen::Vector3d>>;
 
-/// Appends the triangles of a quadrilateral mesh to a TRIANGLE_LIST, its colour shaded as under light from above (rviz
-/// draws triangles without colours at their points too dark, and with them without shades). They face to where the
-/// rows' direction crossed with the direction within a row points, or to the other side if `flipped`.
+/// Appends the triangles of a quadrilateral mesh to a TRIANGLE_LIST, in its colour, shaded as under light from above.
+/// The shades are necessary because rviz draws triangles with colours at their points without shading, and triangles
+/// without such colours too dark.
+///
+/// The front of the triangles is on the side of a × b, where a points from row to row and b points along a row; on the
+/// other side if `flipped`.
 void addSurface(const SurfacePoints& points, bool flipped, visualization_msgs::Marker& marker);
-/// Appends two triangles with a colour at each of the four corners, which go round.
+/// Appends two triangles with a colour at each corner. The four corners are given in order around the quadrilateral.
 void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::vector<std_msgs::ColorRGBA>& colors,
                       visualization_msgs::Marker& marker);
 
-/// What makes a marker the same in rviz: namespace and number.
+/// Namespace and number of a marker, which identify it in rviz.
 using MarkerKey = std::pair<std::string, int>;
-/// Of several markers.
+/// Keys of several markers.
 using MarkerKeys = std::set<MarkerKey>;
 
-/// Keys of all of them.
+/// Keys of all markers of an array.
 MarkerKeys keysOf(const visualization_msgs::MarkerArray& markers);
 
-/// Appends a DELETE for every marker that was shown before and is no more. @return the keys of what is shown now.
+/// Appends a DELETE for each marker that was shown before and is not in the array.
+/// @param before keys of the markers shown before
+/// @return keys of the markers shown now
 MarkerKeys appendDeletions(const MarkerKeys& before, const std_msgs::Header& header,
                            visualization_msgs::MarkerArray& markers);
 }  // namespace wheel_rail_contact

@@ -16,9 +16,9 @@ using visualization_msgs::Marker;
 namespace
 {
 constexpr int ids_per_side = 16;
-constexpr double true_size_lift = 2e-4;  ///< of the patch over the rail, so that both can be seen [m]
-constexpr double zoom_spacing = 0.0017;  ///< between magnified patches, in lengths that are magnified [m]
-constexpr double head_ratio = 2.5;       ///< of an arrow's head, diameter and length, to its shaft's diameter [-]
+constexpr double true_size_lift = 2e-4;  ///< height of the patch above the rail, so that the rail does not hide it [m]
+constexpr double zoom_spacing = 0.0017;  ///< between magnified patches, before magnification [m]
+constexpr double head_ratio = 2.5;       ///< diameter and length of the head of an arrow / diameter of its shaft [-]
 
 double zoomedWidth(const core::PatchResult& patch, double zoom)
 {
@@ -30,7 +30,7 @@ Vector3d gridMiddle(const core::PatchGrid& grid)
   return {0, grid.ny > 0 ? 0.5 * (grid.y(0) + grid.y(grid.ny - 1)) : 0.0, 0};
 }
 
-/// Patches of one side, ordered across the track, each at its own place.
+/// Patches of one side, in order of y, with each magnified picture at its patch.
 std::vector<PatchPicture> patchesOf(const core::WheelsetResult& result, core::Side side, double x)
 {
   std::vector<PatchPicture> pictures;
@@ -50,7 +50,8 @@ std::vector<PatchPicture> patchesOf(const core::WheelsetResult& result, core::Si
   return pictures;
 }
 
-/// Surface magnified about the patch frame's origin: height and colour by pressure.
+/// Appends the triangles of a surface, magnified about the origin of the patch frame. The pressure gives height and
+/// colour.
 void addPressure(const PressureSurface& surface, double zoom, double height, double max_pressure,
                  const Eigen::Isometry3d& to_track, Marker& marker)
 {
@@ -62,7 +63,7 @@ void addPressure(const PressureSurface& surface, double zoom, double height, dou
   }
 }
 
-/// Patch frame, its lengths magnified, to the track frame.
+/// Transform from the patch frame with magnified lengths to the track frame.
 Eigen::Isometry3d zoomedToTrack(const PatchPicture& picture, double zoom)
 {
   const Vector3d middle = zoom * gridMiddle(picture.patch->grid);
@@ -76,7 +77,7 @@ Eigen::Isometry3d liftedToTrack(const PatchPicture& picture)
   return picture.to_track * Eigen::Translation3d(0, 0, true_size_lift);
 }
 
-/// Places magnified pictures side by side about the mean of their true places.
+/// Places the magnified pictures side by side, centred at the mean y of their patches.
 void spread(std::vector<PatchPicture>& pictures, double zoom)
 {
   const double spacing = zoom_spacing * zoom;
@@ -171,13 +172,12 @@ Marker forceArrow(const PatchPicture& picture, const PatchStyle& style, const st
 
 Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
 {
-  char words[64];
-  std::snprintf(words, sizeof words, "%.0f MPa\n%.0f mm²", picture.patch->max_pressure / 1e6,
-                picture.patch->area * 1e6);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.0f MPa\n%.0f mm²", picture.patch->max_pressure / 1e6, picture.patch->area * 1e6);
   const double half_width = 0.5 * zoomedWidth(*picture.patch, style.zoom);
-  const double rise = half_width * std::abs(std::sin(picture.patch->pose.angle));
+  const double edge_height = half_width * std::abs(std::sin(picture.patch->pose.angle));
   const double share = std::min(picture.patch->max_pressure / style.max_pressure, 1.0);
-  const Vector3d above(0, 0, style.pressure_height * share + rise + 1.8 * style.letter_height);
-  return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, words);
+  const Vector3d above(0, 0, style.pressure_height * share + edge_height + 1.8 * style.letter_height);
+  return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, text);
 }
 }  // namespace wheel_rail_contact

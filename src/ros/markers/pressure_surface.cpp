@@ -9,9 +9,9 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int rim = 2;  ///< cells added on every side, so that the outermost points are 0
+constexpr int rim = 2;  ///< number of empty cells added on each side, so that the pressure at the outermost points is 0
 
-/// Squares of the pressures, with the rim round them.
+/// Squared pressures, with the rim around them.
 Eigen::ArrayXXd squares(const Eigen::ArrayXXd& pressure)
 {
   Eigen::ArrayXXd q = Eigen::ArrayXXd::Zero(pressure.rows() + 2 * rim, pressure.cols() + 2 * rim);
@@ -19,8 +19,9 @@ Eigen::ArrayXXd squares(const Eigen::ArrayXXd& pressure)
   return q;
 }
 
-/// What a cell without pressure gets: the mean of the linear continuations from its neighbours, never positive.
-double continued(const Eigen::ArrayXXd& q, Eigen::Index i, Eigen::Index j)
+/// Value for a cell without pressure: the mean of the linear extrapolations from its loaded neighbours in rows and
+/// columns, each at most 0; without such neighbours, minus the largest value of the diagonal neighbours.
+double extrapolated(const Eigen::ArrayXXd& q, Eigen::Index i, Eigen::Index j)
 {
   double sum = 0, largest = 0;
   int count = 0;
@@ -41,10 +42,10 @@ double continued(const Eigen::ArrayXXd& q, Eigen::Index i, Eigen::Index j)
   return count > 0 ? sum / count : -largest;
 }
 
-/// The squares with the cells beside the edge continued below zero.
-Eigen::ArrayXXd continuedSquares(const Eigen::ArrayXXd& pressure)
+/// Squared pressures, extrapolated below zero in the cells beside the edge.
+Eigen::ArrayXXd extrapolatedSquares(const Eigen::ArrayXXd& pressure)
 {
-  // One more ring of zeros, so that two neighbours can be asked for everywhere.
+  // Two more rings of zeros, so that each cell has two neighbours in each direction.
   const Eigen::ArrayXXd q = squares(pressure);
   Eigen::ArrayXXd wide = Eigen::ArrayXXd::Zero(q.rows() + 4, q.cols() + 4);
   wide.block(2, 2, q.rows(), q.cols()) = q;
@@ -55,20 +56,21 @@ Eigen::ArrayXXd continuedSquares(const Eigen::ArrayXXd& pressure)
     {
       if (!(q(i, j) > 0))
       {
-        result(i, j) = continued(wide, i + 2, j + 2);
+        result(i, j) = extrapolated(wide, i + 2, j + 2);
       }
     }
   }
   return result;
 }
 
-/// Parts into which a cell is divided.
+/// Number of parts into which a cell is divided in one direction.
 int refinement(int cells, int points)
 {
   return std::max(1, (points + cells - 1) / std::max(cells, 1));
 }
 
-/// Value between four cell centres; point `a` of `factor` in each cell.
+/// Bilinear interpolation between four cell centres, at the point (a, b) of a grid with `factor_a` × `factor_b` points
+/// for each cell.
 double between(const Eigen::ArrayXXd& q, Eigen::Index a, int factor_a, Eigen::Index b, int factor_b)
 {
   const Eigen::Index i = std::min(a / factor_a, q.rows() - 2), j = std::min(b / factor_b, q.cols() - 2);
@@ -80,7 +82,7 @@ double between(const Eigen::ArrayXXd& q, Eigen::Index a, int factor_a, Eigen::In
 
 PressureSurface::PressureSurface(const core::PatchGrid& grid, const Eigen::ArrayXXd& pressure, int points)
 {
-  const Eigen::ArrayXXd q = continuedSquares(pressure);
+  const Eigen::ArrayXXd q = extrapolatedSquares(pressure);
   const int along = refinement(grid.nx, points), across = refinement(grid.ny, points);
   dx_ = grid.dx / along;
   dy_ = grid.dy / across;
@@ -132,7 +134,7 @@ std::vector<PressureSurface::Point> PressureSurface::triangles() const
   std::vector<Point> points, loaded;
   for (const Triangle& triangle : allTriangles())
   {
-    // The loaded part of a triangle: a polygon of up to four corners.
+    // The loaded part of a triangle is a polygon of up to four corners.
     loaded.clear();
     for (std::size_t k = 0; k < 3; ++k)
     {

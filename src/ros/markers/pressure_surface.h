@@ -9,54 +9,54 @@
 
 namespace wheel_rail_contact
 {
-/// A pressure field resampled for drawing, finer than its cells and with a smooth edge.
+/// A pressure field for drawing, resampled with more points than cells and with a smooth edge.
 ///
-/// Near the edge of a contact the pressure's square falls linearly (Hertz; Johnson 1985, ch. 4.2). So the square is
-/// continued linearly into the cells beside the edge, interpolated bilinearly between cell centres, and its root taken
-/// where it is positive. For pictures only: cell centres keep their values.
+/// Near the edge of a contact the squared pressure falls linearly (Hertz; Johnson 1985, ch. 4.2). The squared pressure
+/// is therefore extrapolated linearly into the cells beside the edge and interpolated bilinearly between the cell
+/// centres. The contact is the region in which it is positive. At the cell centres the pressure is unchanged.
 class PressureSurface
 {
  public:
-  /// @param pressure nx × ny [Pa] of a grid that is not symmetric
-  /// @param points least number of points in either direction; cells are divided until there are so many
+  /// @param pressure nx × ny [Pa]
+  /// @param points minimum number of points in each direction; the cells are divided accordingly
   PressureSurface(const core::PatchGrid& grid, const Eigen::ArrayXXd& pressure, int points);
 
-  /// Points along.
+  /// Number of points along the track.
   int rows() const { return static_cast<int>(square_.rows()); }
-  /// Points across.
+  /// Number of points across the track.
   int columns() const { return static_cast<int>(square_.cols()); }
-  /// Patch frame [m].
+  /// x of a row of points, patch frame [m].
   double x(int row) const { return x0_ + row * dx_; }
-  /// Patch frame [m].
+  /// y of a column of points, patch frame [m].
   double y(int column) const { return y0_ + column * dy_; }
-  /// [Pa], >= 0.
+  /// Pressure at a point [Pa], >= 0.
   double pressure(int row, int column) const;
 
-  /// A point of the surface.
+  /// Point of the surface.
   struct Point
   {
     double x, y;      ///< patch frame [m]
     double pressure;  ///< [Pa]
   };
-  /// The contact area in triangles, three points each. Every rectangle of points is cut in two triangles, and these at
-  /// the contact's edge, where the continued square is zero.
+  /// Triangles that cover the contact, three points each. Each rectangle of points is divided into two triangles, and
+  /// these are cut at the edge of the contact, where the extrapolated squared pressure is zero.
   std::vector<Point> triangles() const;
-  /// The edge in straight pieces, two points each, in no order.
+  /// Edge of the contact: line segments of two points each, in no particular order.
   std::vector<Point> outline() const;
 
  private:
   struct Corner
   {
     double x, y;    ///< [m]
-    double square;  ///< [Pa²]
+    double square;  ///< squared pressure [Pa²]; negative outside the contact
   };
   using Triangle = std::array<Corner, 3>;
-  /// Where the square is zero between two corners of which one is loaded.
+  /// Point between two corners at which the squared pressure is zero. One of the corners must be loaded.
   static Point crossing(const Corner& from, const Corner& to);
   Corner cornerAt(int row, int column) const;
   std::vector<Triangle> allTriangles() const;
 
   double x0_, y0_, dx_, dy_;  ///< first point and spacings [m]
-  Eigen::ArrayXXd square_;    ///< of the pressure [Pa²]; not positive where there is none, as on the rim
+  Eigen::ArrayXXd square_;  ///< squared pressure [Pa²]; not positive outside the contact, nor at the outermost points
 };
 }  // namespace wheel_rail_contact

@@ -8,14 +8,15 @@
 
 namespace wheel_rail_contact
 {
-/// The model's rail, straight; none without a model.
+/// Undeflected rail of the model; none without a model.
 std::optional<core::PlacedRail> restingRail(const core::ContactModelConfig* model);
 
-/// The deflection, every part times `scale`.
+/// Deflection with each component multiplied by `scale`.
 core::RailDeflection scaled(const core::RailDeflection& deflection, double scale);
 
-/// A pose that is fixed to the rail's head, after the head has moved from one deflection to another. For pictures with
-/// exaggerated deflections: patches stay on the rail that is drawn.
+/// Pose of a patch that moves with the rail head from one deflection to another. Used for pictures with magnified
+/// deflections, in which the patches stay on the drawn rail.
+/// @param pose track frame
 core::PatchPose carriedByRail(const core::PlacedRail& at_rest, core::Side side, const core::RailDeflection& from,
                               const core::RailDeflection& to, const core::PatchPose& pose);
 }  // namespace wheel_rail_contact

@@ -18,10 +18,10 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-constexpr int profile_points = 60;     ///< drawn points of a profile
-constexpr double row_spacing = 0.075;  ///< of rows of points round a tread, about the axle [rad]
+constexpr int profile_points = 60;     ///< number of drawn points of a profile
+constexpr double row_spacing = 0.075;  ///< angle between rows of points on a wheel, about the axle [rad]
 constexpr int circle_points = 96;
-constexpr double axle_radius = 0.008;  ///< drawn much thinner than it is, so that it hides nothing [m]
+constexpr double axle_radius = 0.008;  ///< much smaller than the true radius, so that the axle hides nothing [m]
 constexpr double pi = 3.14159265358979323846;
 
 std_msgs::ColorRGBA railColor(double alpha)
@@ -46,7 +46,7 @@ double parameterAt(const core::Profile& profile, int i)
   return profile.length() * i / (profile_points - 1);
 }
 
-/// A rail's outline at x, track frame [m].
+/// Section of a rail at x, track frame [m].
 std::vector<Vector3d> railOutline(const core::PlacedRail& rail, core::Side side, double x)
 {
   std::vector<Vector3d> points;
@@ -64,7 +64,8 @@ Eigen::Isometry3d toTrack(const core::WheelsetPose& pose, double x)
          Eigen::AngleAxisd(pose.roll, Vector3d::UnitX());
 }
 
-/// Point of a wheel in the wheelset's own frame; `turn` about the axle from the lowest point forward [rad].
+/// Point of a wheel in the frame of the wheelset [m].
+/// @param turn angle about the axle, from the lowest point forward [rad]
 Vector3d wheelPoint(const core::WheelsetConfig& wheelset, core::Side side, const core::CurvePoint& p, double turn)
 {
   const double radius = wheelset.rolling_radius - p.z;
@@ -93,7 +94,7 @@ Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, con
   return marker;
 }
 
-/// The wheel's profile where its drawn part begins, behind the contact.
+/// Wheel profile at the rear end of the drawn surface, behind the contact.
 Marker wheelProfile(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                     core::Side side, const Eigen::Isometry3d& to_track)
 {
@@ -114,7 +115,7 @@ void addSegment(const Vector3d& begin, const Vector3d& end, Marker& marker)
   marker.points.push_back(toPoint(end));
 }
 
-/// Circles through both ends of the profile and through the flange's tip, as a LINE_LIST.
+/// Circles of a wheel through the flange tip and through the end of the profile, as a LINE_LIST.
 Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                core::Side side, const Eigen::Isometry3d& to_track)
 {
@@ -167,7 +168,7 @@ Marker railAtRest(const core::PlacedRail& rail, const TrackStyle& style, const s
   return marker;
 }
 
-/// A bar of the pressure colours between the rails, with figures in MPa.
+/// Colour scale of the pressure between the rails, with labels in MPa.
 void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& markers)
 {
   constexpr int steps = 32, labels = 5;
@@ -184,10 +185,10 @@ void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& 
   for (int i = 0; i < labels; ++i)
   {
     const double share = static_cast<double>(i) / (labels - 1);
-    char words[32];
-    std::snprintf(words, sizeof words, i + 1 == labels ? "%.0f MPa" : "%.0f", share * max_pressure / 1e6);
+    char text[32];
+    std::snprintf(text, sizeof text, i + 1 == labels ? "%.0f MPa" : "%.0f", share * max_pressure / 1e6);
     markers.markers.push_back(
-        makeText(header, "scale", i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, words));
+        makeText(header, "scale", i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, text));
   }
 }
 }  // namespace

@@ -11,31 +11,34 @@
 
 namespace wheel_rail_contact
 {
-/// How rails and wheelset are drawn.
+/// Style of rails and wheelset.
 struct TrackStyle
 {
-  std::vector<core::Side> sides{core::Side::left, core::Side::right};  ///< those drawn
-  double rail_length = 0.4;                                            ///< [m], >= 0
-  double wheel_sweep = 0.30;          ///< half the drawn part of a tread, about the axle [rad], in (0, pi]
-  double wheel_alpha = 0.5;           ///< of the tread [-], in [0, 1]
-  double profile_line_width = 0.004;  ///< [m]
-  double rail_alpha = 1;              ///< of the rails' surface [-], in [0, 1]
-  double line_width = 0.002;          ///< of the wheels' circles and of a rail at rest [m]
+  std::vector<core::Side> sides{core::Side::left, core::Side::right};  ///< sides that are drawn
+  double rail_length = 0.4;                                            ///< drawn length of the rails [m], >= 0
+  double wheel_sweep = 0.30;          ///< half the angle of the drawn part of a wheel about the axle [rad], in (0, pi]
+  double wheel_alpha = 0.5;           ///< opacity of the wheel surface [-], in [0, 1]
+  double profile_line_width = 0.004;  ///< width of the line along the wheel profile [m]
+  double rail_alpha = 1;              ///< opacity of the rail surface [-], in [0, 1]
+  double line_width = 0.002;          ///< width of the circles of the wheels and of a rail at rest [m]
 };
 
-/// The rails, deflected as given by Side, as short surfaces about `header`'s x = `x` [m]: markers "rail".
+/// Rails as surfaces, centred at `x` [m] along the track: markers "rail".
+/// @param deflection of each rail by Side; side axes
 void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
               const std::array<core::RailDeflection, 2>& deflection, visualization_msgs::MarkerArray& markers);
 
-/// The rails at rest, their section at `x` [m] as a line: markers "rail_at_rest".
+/// Section of the undeflected rails at `x` [m] along the track, as lines: markers "rail_at_rest".
 void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                     double x, visualization_msgs::MarkerArray& markers);
 
-/// The wheelset: the part of each tread that is near the rail as surface, with the profile along its rear end; circles
-/// of each wheel and the axle as lines: markers "wheel", "wheel_profile", "wheel_lines".
+/// Wheelset: the lower part of each wheel as a surface ("wheel"); its profile at the rear end of the surface, as a line
+/// ("wheel_profile"); two circles of each wheel as lines, and the axle as a thin cylinder ("wheel_lines").
+/// @param x position of the axle centre along the track [m]
 void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                  double x, const core::WheelsetPose& pose, visualization_msgs::MarkerArray& markers);
 
-/// What does not change: both rails at rest as lines ("rail_at_rest") and the scale of pressure colours ("scale").
+/// Markers that never change: both rails at rest as lines ("rail_at_rest"), and the colour scale of the pressure
+/// ("scale").
 visualization_msgs::MarkerArray profileMarkers(const NodeConfig& config);
 }  // namespace wheel_rail_contact

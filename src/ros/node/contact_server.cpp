@@ -14,11 +14,11 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t queue_size = 1000;       ///< of roscpp's queues
-constexpr std::uint32_t marker_queue_size = 2;   ///< pictures are only worth seeing when new
+constexpr std::uint32_t queue_size = 1000;       ///< of the queues of roscpp [messages]
+constexpr std::uint32_t marker_queue_size = 2;   ///< small, because old markers are of no use [messages]
 constexpr double diagnostics_period = 1.0;       ///< [s]
 constexpr double transform_poll_period = 0.002;  ///< [s]
-constexpr double warning_period = 10.0;          ///< between warnings of one node [s]
+constexpr double warning_period = 10.0;          ///< shortest time between two warnings [s]
 }  // namespace
 
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -52,7 +52,7 @@ ContactServer::~ContactServer()
   inputs_.close();
   if (!ros::isShuttingDown())
   {
-    worker_.join();  // the answer in hand is still published
+    worker_.join();  // the result of the current evaluation is still published
   }
   reportUnevaluated();
   if (worker_.joinable())
@@ -69,10 +69,10 @@ void ContactServer::reportUnevaluated()
   {
     return;
   }
-  const std::string text = private_nh_.getNamespace() + " ends, inputs unanswered: " + std::to_string(unevaluated);
+  const std::string text = private_nh_.getNamespace() + " ends, inputs not evaluated: " + std::to_string(unevaluated);
   if (ros::isShuttingDown())
   {
-    std::cerr << text << std::endl;  // the log is closed
+    std::cerr << text << std::endl;  // the ROS log is closed
   }
   else
   {
@@ -142,7 +142,7 @@ void ContactServer::subscribeToNeighbours()
     if (nh_.resolveName(topic) == private_nh_.resolveName("contact"))
     {
       throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
-                                  topic + " is this node's own");
+                                  topic + " is published by this node itself");
     }
     subscribeAtOnce<NeighbourResult>(topic,
                                      [this, i](const boost::shared_ptr<const NeighbourResult>& output)
@@ -176,7 +176,7 @@ void ContactServer::work()
 /// reduce their rate.
 void ContactServer::waitForTransform(const ContactInput& input) const
 {
-  const ros::WallTime deadline = input.arrival + ros::WallDuration(InputPreparation::transform_patience);
+  const ros::WallTime deadline = input.arrival + ros::WallDuration(InputPreparation::transform_timeout);
   while (!preparation_.isReady(input, transforms_) && ros::WallTime::now() < deadline && !inputs_.closed())
   {
     ros::WallDuration(transform_poll_period).sleep();
@@ -207,7 +207,7 @@ void ContactServer::evaluate(const ContactInput& input)
     const std::lock_guard<std::mutex> lock(mutex_);
     if (ros::isShuttingDown())
     {
-      return;  // nobody gets this answer
+      return;  // the result is not published any more
     }
     statistics_.count(output, solve_time);
     statistics_.messages_built += wants_message ? 1U : 0U;
@@ -228,8 +228,9 @@ void ContactServer::warn(const std::string& beyond_linear_range)
   }
 }
 
-/// At the wanted rate, and for the last answer before a pause: it is drawn when its time comes, unless a newer input
-/// does.
+/// True if the current result is to be drawn. Markers are drawn at most at the configured rate. Before the time of the
+/// next markers, the function waits for this time: the result is drawn then, unless a newer input arrives first. The
+/// last result before a pause is therefore always drawn.
 bool ContactServer::pictureIsDue()
 {
   const double left = (next_picture_ - ros::WallTime::now()).toSec();

@@ -11,31 +11,34 @@
 #include <thread>
 #include <vector>
 
+#include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/contact_input.h"
+#include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/neighbour_forces.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/node/contact_evaluator.h"
-#include "ros/node/contact_input.h"
-#include "ros/node/contact_statistics.h"
 #include "ros/node/immediate_callbacks.h"
-#include "ros/node/neighbour_forces.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {
-/// The live contact server behind node and nodelet: topics in, answers, markers and diagnostics out.
+/// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics.
 ///
-/// Callbacks only pair what comes in, as it arrives; a thread of its own evaluates the pairs in order and publishes. If
-/// more comes in than can be answered, the newest inputs are kept and the others counted. No input stops the server.
+/// The callbacks only pair the messages, at arrival. A separate thread evaluates the pairs in order and publishes the
+/// results. If inputs arrive faster than they are evaluated, the newest ones are kept; the dropped ones are counted. No
+/// input stops the server.
 class ContactServer
 {
  public:
-  /// Greatest number of complete inputs that wait for evaluation.
+  /// Largest number of complete inputs that wait for evaluation.
   static constexpr std::size_t input_capacity = 200;
-  /// Reads the parameters, subscribes and starts.
-  /// @throw std::invalid_argument for parameters that cannot be used (see readNodeConfig()).
+
+  /// Reads the parameters, advertises and subscribes to the topics, and starts the evaluation.
+  /// @throw std::invalid_argument for invalid parameters (readNodeConfig()), or if the topic of a neighbour is that of
+  /// this node.
   ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
-  /// Ends after the evaluation in hand. Tells how many inputs have no answer: those that wait, and those whose answer
-  /// came too late to be published.
+  /// Ends after the current evaluation. Logs the number of inputs without a published result: the waiting ones, and
+  /// those whose evaluation ended after ROS had shut down.
   ~ContactServer();
   ContactServer(const ContactServer&) = delete;
   ContactServer& operator=(const ContactServer&) = delete;
@@ -43,11 +46,11 @@ class ContactServer
  private:
   void advertise();
   void subscribe();
-  /// `take` gives a message to the pairing.
+  /// @param take adds a message to the pairing
   template <typename Message, typename Take>
   void subscribeToInput(const std::string& topic, const Take& take);
   void subscribeToNeighbours();
-  /// `receive` is called as each message arrives: none waits in a queue that could drop it.
+  /// Calls `receive` at the arrival of each message; no message waits in a queue that could drop it.
   template <typename Message>
   void subscribeAtOnce(const std::string& topic,
                        const boost::function<void(const boost::shared_ptr<const Message>&)>& receive);
@@ -71,20 +74,20 @@ class ContactServer
   tf2_ros::TransformListener listener_;
   NewestQueue<ContactInput> inputs_;
 
-  std::mutex mutex_;               ///< guards the statistics, the inputs' number and the pairing
-  ContactStatistics statistics_;   ///< of what was answered before ROS shut down
-  ContactStatistics reported_;     ///< as they were at the last report
-  std::uint64_t input_count_ = 0;  ///< pushed to `inputs_`
+  std::mutex mutex_;               ///< guards `statistics_`, `reported_`, `input_count_` and `pairing_`
+  ContactStatistics statistics_;   ///< without results after ROS has shut down
+  ContactStatistics reported_;     ///< statistics at the last report
+  std::uint64_t input_count_ = 0;  ///< number of inputs pushed to `inputs_`
 
-  std::mutex neighbours_mutex_;  ///< guards the neighbours' forces
+  std::mutex neighbours_mutex_;  ///< guards `neighbours_`
   NeighbourForces neighbours_;
 
   ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
-  MarkerKeys shown_markers_;    ///< by the last array published, worker only
-  ros::WallTime next_picture_;  ///< worker only
-  ros::WallTime next_warning_;  ///< worker only
+  MarkerKeys shown_markers_;    ///< markers of the last published array; worker only
+  ros::WallTime next_picture_;  ///< earliest time of the next markers; worker only
+  ros::WallTime next_warning_;  ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::thread worker_;

@@ -5,15 +5,16 @@
 
 namespace wheel_rail_contact
 {
-/// A callback queue of roscpp that is none: it calls each callback at once, in the thread in which the message arrived.
-/// For short callbacks that must see every message: nothing waits in roscpp, so roscpp has nothing to drop. Those of
-/// one subscription never run side by side, those of several may.
+/// Callback queue interface that runs each callback immediately, in the thread that received the message.
+///
+/// For short callbacks that must receive every message: no message waits in roscpp, so roscpp drops none. The callbacks
+/// of one subscription never run concurrently; those of different subscriptions may.
 class ImmediateCallbacks : public ros::CallbackQueueInterface
 {
  public:
-  /// Calls it.
+  /// Runs the callback.
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t /*owner_id*/) override { callback->call(); }
-  /// There are none to remove.
+  /// Does nothing, because no callback is stored.
   void removeByID(std::uint64_t /*owner_id*/) override {}
 };
 }  // namespace wheel_rail_contact

@@ -12,16 +12,16 @@
 
 namespace wheel_rail_contact
 {
-/// Bounded queue between a thread that must not wait and one that works: when it is full the oldest entry makes room,
-/// and is counted. Thread-safe.
+/// Bounded queue between a writer that must not wait and a reader. If it is full, a new entry replaces the oldest one,
+/// and the dropped entry is counted. Thread-safe.
 template <typename Entry>
 class NewestQueue
 {
  public:
-  /// @param capacity greatest number of entries, >= 1
+  /// @param capacity largest number of entries, >= 1
   explicit NewestQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Never blocks for long. Ignored after close().
+  /// Adds an entry, without waiting for the reader. Ignored after close().
   void push(Entry entry)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -38,7 +38,7 @@ class NewestQueue
     wake_.notify_one();
   }
 
-  /// Waits for the oldest entry; nothing once the queue is closed.
+  /// Waits for an entry and removes the oldest one. @return it, or nothing if the queue is closed.
   std::optional<Entry> pop()
   {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -52,7 +52,7 @@ class NewestQueue
     return entry;
   }
 
-  /// Waits for at most so long [s]. @return true as soon as there is an entry, or the queue is closed.
+  /// Waits for an entry, at most the given time [s]. @return true if there is an entry or the queue is closed.
   bool waitForEntry(double seconds)
   {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -60,7 +60,7 @@ class NewestQueue
                           [this] { return closed_ || !entries_.empty(); });
   }
 
-  /// Lets go whoever waits; what is left in the queue is not delivered any more.
+  /// Ends all waiting. The remaining entries are not delivered.
   void close()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -75,7 +75,7 @@ class NewestQueue
     return closed_;
   }
 
-  /// Number of entries pushed out by newer ones.
+  /// Number of entries replaced by newer ones.
   std::uint64_t dropped() const
   {
     const std::lock_guard<std::mutex> lock(mutex_);

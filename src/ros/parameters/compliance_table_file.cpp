@@ -31,7 +31,7 @@ core::ComplianceTable readCompliances(ParameterReader& reader, const NumberRule&
 
 std::vector<core::RailInfluence> readNeighbours(ParameterReader& reader)
 {
-  reader.require("neighbours", "every key of the table is required; [] if there is none");
+  reader.require("neighbours", "every key of the table is required; [] without neighbours");
   std::vector<core::RailInfluence> neighbours;
   for (ParameterReader& neighbour : reader.readGroups("neighbours"))
   {
@@ -39,7 +39,7 @@ std::vector<core::RailInfluence> readNeighbours(ParameterReader& reader)
     readRequired(neighbour, "distance", rules::positive, distance);
     if (!neighbours.empty() && distance <= neighbours.back().distance)
     {
-      neighbour.refuse("distance", "greater than the one before it");
+      neighbour.refuse("distance", "greater than the previous distance");
     }
     neighbours.push_back({distance, readCompliances(neighbour, rules::finite)});
     neighbour.refuseUnknown();
@@ -47,7 +47,8 @@ std::vector<core::RailInfluence> readNeighbours(ParameterReader& reader)
   return neighbours;
 }
 
-/// Takes the remarks for readers out of the tree.
+/// Removes the group `provenance`, which documents the source of the numbers, from the tree.
+/// @throw std::invalid_argument if it is missing.
 void takeProvenance(ParameterTree& tree, const std::string& file)
 {
   const std::string group = "provenance/";
@@ -59,7 +60,7 @@ void takeProvenance(ParameterTree& tree, const std::string& file)
   }
   if (first == last)
   {
-    throw std::invalid_argument(file + ": provenance is missing: say where the numbers come from");
+    throw std::invalid_argument(file + ": provenance is missing: state the source of the numbers");
   }
   tree.erase(first, last);
 }
@@ -80,7 +81,7 @@ ComplianceTableFile readComplianceTable(const std::string& file)
   if (!(table.lateral_lateral * table.roll_roll > table.lateral_roll * table.lateral_roll))
   {
     reader.refuse("lateral_roll",
-                  "smaller than the root of lateral_lateral times roll_roll (positive definite matrix)");
+                  "below sqrt(lateral_lateral * roll_roll) in absolute value (positive definite matrix)");
   }
   readRequired(reader, "linear_range_lateral_to_vertical", positive_or_infinite, result.linear_range);
   result.neighbours = readNeighbours(reader);

@@ -9,16 +9,17 @@
 
 namespace wheel_rail_contact
 {
-/// A rail's compliance as it stands in a file (config/rails/*.yaml; the schema stands at the head of each).
+/// Contents of a file with a compliance table (config/rails/*.yaml; the schema is at the head of each file).
 struct ComplianceTableFile
 {
   std::string name;                                               ///< of the rail and its supports
   core::ComplianceTable table;                                    ///< of the upright rail
-  double linear_range = std::numeric_limits<double>::infinity();  ///< largest |Y|/Q for which the table holds [-]
-  std::vector<core::RailInfluence> neighbours;  ///< of forces along the rail, distances rising; may be empty
+  double linear_range = std::numeric_limits<double>::infinity();  ///< largest |Y|/Q for which the table is valid [-]
+  std::vector<core::RailInfluence> neighbours;  ///< effect of forces at a distance, in order of distance; may be empty
 };
 
-/// Reads a compliance table strictly: every key required, none unknown, the matrix positive definite.
-/// @throw std::invalid_argument with file, key, value and rule.
+/// Reads a compliance table strictly: all keys are required, unknown keys are refused, and the matrix must be positive
+/// definite.
+/// @throw std::invalid_argument with file, key, value and violated rule.
 ComplianceTableFile readComplianceTable(const std::string& file);
 }  // namespace wheel_rail_contact

@@ -26,7 +26,7 @@ std::string packageFile(const std::string& name)
   return slash == std::string::npos ? root : root + name.substr(slash);
 }
 
-std::vector<std::string> places(const std::string& name, const std::string& directory)
+std::vector<std::string> candidates(const std::string& name, const std::string& directory)
 {
   if (name.rfind(package_scheme, 0) == 0)
   {
@@ -36,28 +36,28 @@ std::vector<std::string> places(const std::string& name, const std::string& dire
   {
     return {name};
   }
-  std::vector<std::string> found{(std::filesystem::path(directory) / name).string()};
+  std::vector<std::string> paths{(std::filesystem::path(directory) / name).string()};
   const std::string own = ros::package::getPath("wheel_rail_contact");
   if (!own.empty())
   {
-    found.push_back(own + "/" + name);
+    paths.push_back(own + "/" + name);
   }
-  return found;
+  return paths;
 }
 }  // namespace
 
 std::string resolveFile(const std::string& name, const std::string& directory)
 {
-  std::string sought;
-  for (const auto& place : places(name, directory))
+  std::string searched;
+  for (const auto& path : candidates(name, directory))
   {
     std::error_code error;
-    if (std::filesystem::is_regular_file(place, error))
+    if (std::filesystem::is_regular_file(path, error))
     {
-      return place;
+      return path;
     }
-    sought += (sought.empty() ? "" : ", ") + place;
+    searched += (searched.empty() ? "" : ", ") + path;
   }
-  throw std::invalid_argument("no such file: " + name + " (sought: " + sought + ")");
+  throw std::invalid_argument("no such file: " + name + " (searched: " + searched + ")");
 }
 }  // namespace wheel_rail_contact

@@ -5,8 +5,8 @@
 
 namespace wheel_rail_contact
 {
-/// The file that `name` stands for: `package://name/...` by ROS's package path, an absolute name as it is, a relative
-/// one in `directory` or else in this package.
-/// @throw std::invalid_argument naming the places where the file was sought.
+/// Path of an existing file. `package://PACKAGE/...` is resolved with the ROS package path; an absolute name is used as
+/// it is; a relative name is searched in `directory`, then in this package.
+/// @throw std::invalid_argument with all searched paths if there is no such file.
 std::string resolveFile(const std::string& name, const std::string& directory);
 }  // namespace wheel_rail_contact

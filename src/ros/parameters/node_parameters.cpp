@@ -11,7 +11,7 @@ NodeConfig readNodeParameters(const ros::NodeHandle& private_nh)
 {
   const std::string& name = private_nh.getNamespace();
   XmlRpc::XmlRpcValue value;
-  ros::param::get(name, value);  // false if the node has no parameter at all: the tree is empty then
+  ros::param::get(name, value);  // without any parameter of the node the value, and the tree, stay empty
   return readNodeConfig(parameterTree(toYaml(value)), name + "/", std::filesystem::current_path().string());
 }
 }  // namespace wheel_rail_contact

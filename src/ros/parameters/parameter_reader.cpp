@@ -15,13 +15,13 @@ namespace rules
 const NumberRule finite{"a finite number", [](double v) { return std::isfinite(v); }};
 const NumberRule positive{"a finite number > 0", [](double v) { return std::isfinite(v) && v > 0; }};
 const NumberRule not_negative{"a finite number >= 0", [](double v) { return std::isfinite(v) && v >= 0; }};
-const NumberRule whole{"a whole number within 1000000",
+const NumberRule whole{"a whole number from -1000000 to 1000000",
                        [](double v) { return std::abs(v) <= 1e6 && std::floor(v) == v; }};
 }  // namespace rules
 
 namespace
 {
-/// The number that the whole text stands for, with YAML's words for infinity and not-a-number.
+/// Value of a text that consists of a number, including YAML's names of infinity and not-a-number; else nothing.
 std::optional<double> parseNumber(const std::string& text)
 {
   const std::size_t sign = (text.rfind('-', 0) == 0 || text.rfind('+', 0) == 0) ? 1 : 0;
@@ -63,7 +63,7 @@ ParameterReader::ParameterReader(ParameterTree tree, std::string prefix)
 
 const YAML::Node* ParameterReader::find(const std::string& name)
 {
-  asked_.insert(name);
+  known_.insert(name);
   const auto entry = tree_.find(name);
   if (entry == tree_.end())
   {
@@ -128,7 +128,7 @@ void ParameterReader::read(const std::string& name, std::string& value)
 {
   if (const YAML::Node* node = find(name))
   {
-    value = scalar(name, *node, "a word");
+    value = scalar(name, *node, "a string");
   }
 }
 
@@ -141,12 +141,12 @@ void ParameterReader::read(const std::string& name, std::vector<std::string>& wo
   }
   if (!node->IsSequence())
   {
-    refuse(name, "a list of words");
+    refuse(name, "a list of strings");
   }
   words.clear();
   for (const auto& entry : *node)
   {
-    words.push_back(scalar(name, entry, "a list of words"));
+    words.push_back(scalar(name, entry, "a list of strings"));
   }
 }
 
@@ -191,10 +191,10 @@ void ParameterReader::refuseUnknown() const
 {
   for (const auto& entry : tree_)
   {
-    if (asked_.count(entry.first) == 0)
+    if (known_.count(entry.first) == 0)
     {
       throw std::invalid_argument("parameter " + prefix_ + entry.first +
-                                  " is unknown; known names there: " + siblingsOf(entry.first));
+                                  " is unknown; known names in this group: " + siblingsOf(entry.first));
     }
   }
 }
@@ -217,7 +217,7 @@ void ParameterReader::refuseChoice(const std::string& name, const std::vector<st
   refuse(name, "one of " + joined(words));
 }
 
-/// The known names in the nearest known group around `name`.
+/// Known names in the innermost group of `name` that has any.
 std::string ParameterReader::siblingsOf(const std::string& name) const
 {
   std::string group = name;
@@ -226,7 +226,7 @@ std::string ParameterReader::siblingsOf(const std::string& name) const
   {
     const auto slash = group.rfind('/');
     group = slash == std::string::npos ? "" : group.substr(0, slash);
-    for (const auto& candidate : asked_)
+    for (const auto& candidate : known_)
     {
       if (group.empty() || candidate.rfind(group + "/", 0) == 0)
       {

@@ -10,61 +10,64 @@
 
 namespace wheel_rail_contact
 {
-/// What a number must meet, and how to say so: "must be " + text.
+/// Rule for a number, with its text for the message "... must be TEXT".
 struct NumberRule
 {
-  const char* text;       ///< what the value must be
-  bool (*holds)(double);  ///< true for a value that is
+  const char* text;       ///< noun phrase, for example "a finite number > 0"
+  bool (*holds)(double);  ///< true for a valid value
 };
 
+/// Common rules; `whole` permits whole numbers from -1000000 to 1000000.
 namespace rules
 {
 extern const NumberRule finite, positive, not_negative, whole;
 }  // namespace rules
 
-/// Reads a tree of parameters strictly: each value by its name, its type and its rule. A value that is not given leaves
-/// the variable as it is, so that defaults stand where the variable is declared and nowhere else. Values given but
-/// never asked for are unknown names.
+/// Reads a tree of parameters strictly: each value by name, with a check of its type and its rule. The variable of a
+/// parameter that is not given stays unchanged. Defaults are therefore defined only where the variables are declared.
+/// Given parameters that were never read have unknown names.
 ///
-/// Every error is a std::invalid_argument with the full name, the value and the broken rule.
+/// Every error is a std::invalid_argument with the full name, the value and the violated rule.
 class ParameterReader
 {
  public:
-  /// @param prefix is written before every name in messages: the node's namespace, or a file and ": "
+  /// @param prefix text before every name in messages: the namespace of the node with '/', or a file and ": "
   ParameterReader(ParameterTree tree, std::string prefix);
 
-  /// True if a value is given.
+  /// True if the parameter is given.
   bool has(const std::string& name) const { return tree_.count(name) > 0; }
 
-  /// A number, or a string that is a number from end to end (YAML 1.1 readers deliver 210e9 as a string).
+  /// Reads a number, or a string that consists of a number: YAML 1.1 parsers read 210e9 as a string.
   void read(const std::string& name, const NumberRule& rule, double& value);
-  /// Likewise, a whole number.
+  /// Reads a number with a rule that permits only whole numbers in the range of int.
   void read(const std::string& name, const NumberRule& rule, int& value);
-  /// Reads `value` = N from a word 1:N. @return false, and `value` unchanged, if the parameter is not given or is not
-  /// such a word.
+  /// Reads `value` = N from a string 1:N. The rule is that for N.
+  /// @return false if the parameter is not given or does not begin with "1:"; `value` is unchanged then.
   bool readRatio(const std::string& name, const NumberRule& rule, double& value);
-  /// A word; a number counts as the text it is written as.
+  /// Reads a string. A number is read as its text.
   void read(const std::string& name, std::string& value);
-  /// A list of words.
+  /// Reads a list of strings.
   void read(const std::string& name, std::vector<std::string>& words);
-  /// One of several words.
+  /// Reads one of several words, and sets `value` to its constant.
   template <typename Choice>
   void read(const std::string& name, const std::vector<std::pair<std::string, Choice>>& choices, Choice& value);
-  /// A list of groups: a reader for each, whose messages begin with this name. Each must be asked refuseUnknown().
+  /// Reads a list of groups. Call refuseUnknown() of each returned reader.
+  /// @return a reader for each group, with this name in its prefix
   std::vector<ParameterReader> readGroups(const std::string& name);
 
-  /// True if the value is written as a number; false if it is a word, a list, or not given.
+  /// True if the value is a number; false if it is another string, a list, or not given.
   bool isNumber(const std::string& name) const;
 
-  /// @throw if `name` is not given. `why` completes the sentence "... is missing: ".
+  /// @param why end of the message "... is missing: WHY"
+  /// @throw std::invalid_argument if `name` is not given.
   void require(const std::string& name, const std::string& why) const;
-  /// @throw if a name was given that nobody asked for.
+  /// @throw std::invalid_argument if a given parameter was never read.
   void refuseUnknown() const;
-  /// Throws for the parameter `name`: full name, value if given, and the rule.
+  /// @throw std::invalid_argument "parameter NAME = VALUE must be RULE", always.
   [[noreturn]] void refuse(const std::string& name, const std::string& rule) const;
 
-  /// Every name that was asked for, given or not.
-  const std::set<std::string>& askedNames() const { return asked_; }
+  /// Names of all parameters that were read, given or not.
+  const std::set<std::string>& knownNames() const { return known_; }
 
  private:
   const YAML::Node* find(const std::string& name);
@@ -74,7 +77,7 @@ class ParameterReader
 
   ParameterTree tree_;
   std::string prefix_;
-  std::set<std::string> asked_;
+  std::set<std::string> known_;  ///< names that were read
 };
 
 template <typename Choice>

@@ -10,18 +10,18 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int deepest = 16;          ///< groups within one another
-constexpr int most_entries = 10000;  ///< by aliases a short file can hold any number, and itself
+constexpr int max_depth = 16;       ///< of nested groups
+constexpr int max_entries = 10000;  ///< necessary because of aliases: a short file can have any number of entries
 
-/// Takes the parameters of a document out of its groups.
+/// Collects the parameters of nested groups in one tree.
 class Collector
 {
  public:
   void collect(const YAML::Node& group, const std::string& prefix, int depth)
   {
-    if (depth > deepest)
+    if (depth > max_depth)
     {
-      throw std::invalid_argument("parameters: more than " + std::to_string(deepest) + " groups within one another");
+      throw std::invalid_argument("parameters: more than " + std::to_string(max_depth) + " nested groups");
     }
     for (const auto& entry : group)
     {
@@ -36,11 +36,11 @@ class Collector
   {
     if (!key.IsScalar())
     {
-      throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is no name");
+      throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is not a name");
     }
-    if (++entries_ > most_entries)
+    if (++entries_ > max_entries)
     {
-      throw std::invalid_argument("parameters: more than " + std::to_string(most_entries) + " names");
+      throw std::invalid_argument("parameters: more than " + std::to_string(max_entries) + " names");
     }
     const std::string name = prefix + key.Scalar();
     if (value.IsMap())
@@ -68,7 +68,7 @@ std::string digits(double value)
 YAML::Node listToYaml(const XmlRpc::XmlRpcValue& value)
 {
   YAML::Node node(YAML::NodeType::Sequence);
-  int i = 0;  // the iterators of XmlRpcValue are for groups only
+  int i = 0;  // XmlRpcValue has iterators for groups only
   while (i < value.size())
   {
     node.push_back(toYaml(value[i++]));
@@ -95,7 +95,7 @@ ParameterTree parameterTree(const YAML::Node& document)
   }
   if (!document.IsMap())
   {
-    throw std::invalid_argument("parameters: a map of names and values is wanted");
+    throw std::invalid_argument("parameters: the document must be a map of names and values");
   }
   Collector collector;
   collector.collect(document, "", 1);
@@ -138,7 +138,7 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value)
     case XmlRpcValue::TypeStruct:
       return groupToYaml(value);
     default:
-      throw std::invalid_argument("parameters: dates and binary data are no parameter values");
+      throw std::invalid_argument("parameters: dates and binary data are not permitted");
   }
 }
 

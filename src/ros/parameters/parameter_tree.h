@@ -9,22 +9,23 @@
 
 namespace wheel_rail_contact
 {
-/// Parameters by their full name, groups separated by '/': "track/gauge". Every value is a scalar, a list or null.
+/// Parameters by full name, with groups separated by '/': "track/gauge". Each value is a scalar, a list or null.
 using ParameterTree = std::map<std::string, YAML::Node>;
 
-/// Parameters of a YAML document; an empty document gives none.
-/// @throw std::invalid_argument if it is no map of named groups and values, or gives a name twice.
+/// Parameters of a YAML document; none for an empty document.
+/// @throw std::invalid_argument if the document is not a map of named groups and values, contains a name twice, or
+/// exceeds the limits of depth or size.
 ParameterTree parameterTree(const YAML::Node& document);
 
 /// Parameters of a YAML file.
-/// @throw std::invalid_argument naming the file if it cannot be read or is no map of parameters.
+/// @throw std::invalid_argument with the file name if the file cannot be read or parameterTree() throws.
 ParameterTree readParameterFile(const std::string& file);
 
-/// A namespace of the parameter server as a YAML document. Numbers keep their value to the last bit (17 digits), so a
-/// parameter is the same whether it comes from the server or from the file.
-/// @throw std::invalid_argument for values that parameters of this package never have (dates, binary data).
+/// A namespace of the parameter server as a YAML document. Numbers are written with 17 digits and keep their exact
+/// value: a parameter from the server is identical to one from the file.
+/// @throw std::invalid_argument for dates and binary data.
 YAML::Node toYaml(const XmlRpc::XmlRpcValue& value);
 
-/// `upper` laid over `base`: its values win.
+/// Union of both trees. For names in both, the value is that of `upper`.
 ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper);
 }  // namespace wheel_rail_contact

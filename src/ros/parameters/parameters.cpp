@@ -16,34 +16,34 @@ namespace wheel_rail_contact
 {
 namespace
 {
-const NumberRule seconds{"a number of seconds >= 0 and <= 60", [](double v) { return v >= 0 && v <= 60; }};
+const NumberRule seconds{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= 60; }};
 
-/// Values that name files; they are opened after all other values have been found right.
+/// Names of files and shipped profiles. They are opened after all other values have been checked.
 struct FileNames
 {
   std::string wheel_profile, rail_profile, table;
 };
 
-/// Rail inclination [rad] from a number in radians or from a ratio such as 1:40, which is atan(1/40).
+/// Reads the rail inclination [rad], given as an angle in radians or as a ratio such as 1:40, which is atan(1/40).
 ///
-/// YAML 1.1 parsers (rosparam, roslaunch) read an unquoted 1:40 as the sexagesimal number 60 + 40. No angle in radians
-/// lies in that range, so such a number is taken as the ratio it was written as.
+/// YAML 1.1 parsers (rosparam, roslaunch) read an unquoted 1:N, with N below 60, as the sexagesimal number 60 + N. No
+/// valid angle is in this range. A number between 60 and 120 is therefore read as the ratio 1:N.
 void readInclination(ParameterReader& reader, double& inclination)
 {
   constexpr double sexagesimal = 60;
+  constexpr const char* rule = "a finite number [rad] or a ratio 1:N with a finite N > 0";
   const std::string name = "track/rail_inclination";
   if (reader.has("track/cant"))
   {
     reader.refuse("track/cant", "renamed to track/rail_inclination (cant is the superelevation of the track)");
   }
-  const NumberRule run{"a finite number [rad] or a ratio 1:N with N > 0", [](double v) { return v > 0; }};
   double denominator = 0;
-  if (reader.readRatio(name, run, denominator))
+  if (reader.readRatio(name, {rule, rules::positive.holds}, denominator))
   {
     inclination = std::atan(1 / denominator);
     return;
   }
-  reader.read(name, {run.text, rules::finite.holds}, inclination);
+  reader.read(name, {rule, rules::finite.holds}, inclination);
   if (inclination > sexagesimal && inclination < 2 * sexagesimal)
   {
     inclination = std::atan(1 / (inclination - sexagesimal));
@@ -59,7 +59,7 @@ void readTrack(ParameterReader& reader, NodeConfig& config)
   reader.read("track/frame", config.track_frame);
   if (config.track_frame.empty() || config.track_frame[0] == '/')
   {
-    reader.refuse("track/frame", "the tf name of a frame, without a slash before it");
+    reader.refuse("track/frame", "the name of a tf frame, without a leading slash");
   }
 }
 
@@ -112,9 +112,9 @@ NeighbourConfig readNeighbour(ParameterReader& reader)
   std::string reason;
   if (neighbour.topic.empty() || neighbour.topic[0] == '~' || !ros::names::validate(neighbour.topic, reason))
   {
-    reader.refuse("topic", "the name of a topic, not private");
+    reader.refuse("topic", "the name of a topic that is not private");
   }
-  reader.require("distance", "how far the other wheelset is along the track [m]");
+  reader.require("distance", "the distance to the other wheelset along the track [m]");
   reader.read("distance", rules::positive, neighbour.distance);
   reader.refuseUnknown();
   return neighbour;
@@ -129,7 +129,7 @@ void readNeighbours(ParameterReader& reader, NodeConfig& config)
     config.neighbours.push_back(readNeighbour(group));
     if (!topics.insert(config.neighbours.back().topic).second)
     {
-      group.refuse("topic", "given once only");
+      group.refuse("topic", "given only once");
     }
   }
   if (!config.neighbours.empty() && config.model.rail_bending.model != core::RailBendingConfig::Model::compliance)
@@ -157,7 +157,7 @@ void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, 
   {
     for (const char* name : {"lateral", "vertical", "roll"})
     {
-      reader.require(std::string("rail_bending/prescribed/") + name, "rail_bending/model prescribed needs it");
+      reader.require(std::string("rail_bending/prescribed/") + name, "required if rail_bending/model is prescribed");
     }
   }
 }
@@ -187,7 +187,7 @@ void readMarkers(ParameterReader& reader, MarkerConfig& markers)
   reader.read("markers/pressure_height", rules::not_negative, markers.pressure_height);
 }
 
-/// Every parameter is asked for here, given or not.
+/// Reads all parameters; the names that are not read here are unknown.
 void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
 {
   readTrack(reader, config);
@@ -203,7 +203,9 @@ void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
   readMarkers(reader, config.markers);
 }
 
-/// Runs `open` on the value of a parameter that names a file; errors get the parameter's name.
+/// Opens the file of the parameter `name`.
+/// @param open function that opens the file `value`
+/// @throw std::invalid_argument with the name of the parameter and the reason if `open` throws.
 template <typename Open>
 auto openFile(const std::string& name, const std::string& value, const Open& open)
 {
@@ -219,11 +221,11 @@ auto openFile(const std::string& name, const std::string& value, const Open& ope
   }
 }
 
-/// What the rail's name 60E1 becomes where ROS takes it for a number: `_rail/profile:=60E1` on a command line, or a
-/// <param> without a type in a launch file.
+/// ROS reads the name 60E1 as the number 60e1 in `_rail/profile:=60E1` on a command line, and in a <param> without a
+/// type in a launch file.
 const std::string rail_60e1_as_number = "600";
 
-/// Names of shipped profiles have no dot and no slash, those of files have.
+/// Opens a shipped profile, or a file if the value contains a dot or a slash.
 std::shared_ptr<const core::Profile> openProfile(const std::string& value, core::ProfileKind kind,
                                                  const std::string& directory)
 {
@@ -235,7 +237,7 @@ std::shared_ptr<const core::Profile> openProfile(const std::string& value, core:
   return std::make_shared<core::Profile>(core::loadProfile(is_file ? resolveFile(value, directory) : value, kind));
 }
 
-/// Opens the files, and lets the core check the ranges of its own options.
+/// Opens the files and checks the ranges of the core's options.
 void complete(const FileNames& files, const std::string& directory, NodeConfig& config)
 {
   core::ContactModelConfig& model = config.model;
@@ -268,8 +270,8 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
   FileNames files;
   readAll(reader, config, files);
   reader.refuseUnknown();
-  reader.require("wheel/profile", "name of a profile, or a file");
-  reader.require("rail/profile", "name of a profile, or a file");
+  reader.require("wheel/profile", "give the name of a profile or a file");
+  reader.require("rail/profile", "give the name of a profile or a file");
   try
   {
     complete(files, directory, config);
@@ -287,6 +289,6 @@ std::set<std::string> parameterNames()
   NodeConfig config;
   FileNames files;
   readAll(reader, config, files);
-  return reader.askedNames();
+  return reader.knownNames();
 }
 }  // namespace wheel_rail_contact

@@ -6,35 +6,40 @@
 #include <string>
 #include <vector>
 
-#include "ros/markers/marker_config.h"
+#include "ros/parameters/marker_config.h"
 #include "ros/parameters/parameter_tree.h"
 #include "wheel_rail_contact/core/config.h"
 
 namespace wheel_rail_contact
 {
-/// Another wheelset on the same track, whose forces bend the rails here too.
+/// Another wheelset on the same rails, whose forces also deflect the rails here.
 struct NeighbourConfig
 {
-  std::string topic;                ///< of its answers (WheelsetContact), as subscribed to
+  std::string topic;                ///< topic of its results (WheelsetContact), unresolved
   double distance = 0;              ///< along the track [m], > 0
-  core::ComplianceTable influence;  ///< at that distance, from the table
+  core::ComplianceTable influence;  ///< compliances at this distance, from the table
 };
 
-/// Everything the live node and the replay are told by parameters.
+/// All parameters of the live node and the replay.
 struct NodeConfig
 {
-  core::ContactModelConfig model;  ///< what the core is told
-  /// Largest |Y|/Q up to which the compliance table holds [-]; infinite without a table.
+  core::ContactModelConfig model;  ///< parameters of the core
+  /// Largest |Y|/Q for which the compliance table is valid [-]; infinite without a table.
   double linear_range = std::numeric_limits<double>::infinity();
-  std::vector<NeighbourConfig> neighbours;  ///< none unless the rails bend by a table
+  std::vector<NeighbourConfig> neighbours;  ///< empty unless rail_bending/model is compliance
   std::string track_frame = "track";        ///< tf name of the track frame
-  double slop = 0;                          ///< largest distance of the stamps of one pair [s], >= 0; 0: equal stamps
-  MarkerConfig markers;                     ///< how markers are drawn
+  double slop = 0;                          ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
+  MarkerConfig markers;                     ///< appearance of the markers
 };
 
-/// Reads all parameters of the node. Schema (defaults: the structs above; config/default.yaml lists every name):
+/// Reads all parameters of the node. The defaults are those of the structs above; config/default.yaml lists all names.
+/// Schema:
 ///
-///   track/{gauge, gauge_depth, rail_inclination}            [m, m, rad]
+///   track/{gauge, gauge_depth}                  [m]
+///   track/rail_inclination                      [rad], or a ratio 1:N, which is atan(1/N). A number between 60 and
+///                                               120 is the ratio 1:N with N = number - 60: YAML 1.1 parsers (rosparam,
+///                                               roslaunch) read an unquoted 1:N as the sexagesimal number 60 + N.
+///                                               The former name track/cant is refused
 ///   track/frame                                 tf name
 ///   wheelset/{rolling_radius, flange_back_distance, tape_circle}   [m]
 ///   wheelset/free                               [z, roll] (solved from the load) or [] (taken from the pose)
@@ -47,17 +52,17 @@ struct NodeConfig
 ///   rail_bending/prescribed/{lateral, vertical, roll}   [m, m, rad], required with model prescribed
 ///   contact/method                              auto, conjugate_gradient, hertz, kik_piotrowski, seidel
 ///                                               or seidel_printed
-///   contact/tolerance                           relative
-///   contact/grid/{along, across}                cells; 0: chosen from the tolerance
+///   contact/tolerance                           relative error [-]
+///   contact/grid/{along, across}                number of cells; 0: chosen from the tolerance
 ///   sync/slop                                   [s]
 ///   markers/{rate, rail_length, force_scale, max_pressure, zoom, zoom_height, pressure_height}
 ///
-/// Files: `package://name/...`, absolute, or relative to `directory` or else to this package.
-/// @param prefix is written before each name in messages (the node's namespace with '/')
-/// @throw std::invalid_argument with the full name, the value and the broken rule, for a wrong type or value, a missing
-/// required value, or an unknown name; with file and reason for a file that cannot be used.
+/// Files: `package://PACKAGE/...`, absolute, or relative to `directory` or else to this package.
+/// @param prefix text before each name in messages (the namespace of the node with '/')
+/// @throw std::invalid_argument with the full name, the value and the violated rule, for a wrong type or value, a
+/// missing required value, or an unknown name; with file and reason for an invalid file.
 NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const std::string& directory);
 
-/// The names of all parameters.
+/// Names of all parameters.
 std::set<std::string> parameterNames();
 }  // namespace wheel_rail_contact

@@ -17,7 +17,8 @@ def _parser():
     parser.add_argument("--out", required=True, metavar="F.gif", type=pathlib.Path, help="file to write")
     parser.add_argument("--label", action="append", default=[], help="title of a bag, once per bag (default: its name)")
     parser.add_argument("--side", choices=SIDES, default="left", help="side to draw (default: left)")
-    parser.add_argument("--frames", type=int, default=60, help="number of pictures, evenly spaced over the results (default: 60)")
+    parser.add_argument("--frames", type=int, default=60,
+                        help="number of pictures, evenly spaced over the results (default: 60)")
     parser.add_argument("--rate", type=float, default=15, help="pictures per second [Hz] (default: 15)")
     parser.add_argument("--wheelset", metavar="NAME", help="namespace, if a bag contains several wheelsets")
     return parser

@@ -35,7 +35,7 @@ class Picture:
         step *= next(m for m in (1, 2, 5, 10) if m * step * LEVELS >= self.highest)
         self.levels = step * np.arange(int(np.ceil(self.highest / step)) + 1)
         self.colours = matplotlib.colors.BoundaryNorm(self.levels, 256)
-        self.map = matplotlib.colormaps["viridis"]
+        self.map = plot.get_cmap("viridis")
         self.figure = plot.figure(figsize=SIZE, dpi=DPI)
         self._arrange()
         self._histories()

@@ -41,7 +41,7 @@ def _text(message, side, lateral, force, pressure):
 
 
 def read_run(path, label, side, frames, wheelset):
-    """Reads the results of a bag. Raises Failure if the bag lacks the outlines of the profiles, or contacts to draw."""
+    """Reads the results of a bag. Raises Failure if it contains no outlines of the profiles, or no contact."""
     results, topic = read(path, wheelset)
     if "reference" not in results.outlines:
         raise Failure(f"{path}: does not contain the outlines of the profiles; write the results with contact_replay")

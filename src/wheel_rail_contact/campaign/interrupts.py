@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Handling of Ctrl-C that does not lose it."""
+"""Reliable handling of Ctrl-C."""
 import signal
 
 

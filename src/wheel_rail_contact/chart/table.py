@@ -7,7 +7,7 @@ from pathlib import Path
 
 INTEGERS = ("cells_along", "cells_across", "samples")
 TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason", "solver")
-SOLVED = "answered"  # status of a row with a result, as contact_chart_runner writes it
+SOLVED = "solved"  # status of a row with a result, as contact_chart_runner writes it
 
 
 @dataclass(frozen=True)

@@ -76,8 +76,8 @@ class Study:
         return 0.6 if self.supports == "seats" else math.inf
 
 
-def _require(rule, message):
-    if not rule:
+def _require(satisfied, message):
+    if not satisfied:
         raise Failure(message)
 
 

@@ -83,7 +83,7 @@ def _columns(titles):
     if ("Q_left" in columns) != ("Q_right" in columns):
         raise Failure("Q_left and Q_right must be given together")
     if "Q_left" in columns and ("force_z" in columns or "torque_x" in columns):
-        raise Failure("the load is given twice: by force_z and torque_x, or by Q_left and Q_right")
+        raise Failure("the load must be given either by force_z and torque_x, or by Q_left and Q_right")
     if "torque_x" in columns and "force_z" not in columns:
         raise Failure("torque_x requires force_z")
     return columns

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where `method: auto` takes Hertz's closed form, and where it does not.
+// Choice of Hertz's closed form by `method: auto`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double load = 1e5;  ///< of each wheel [N]
+constexpr double load = 1e5;  ///< load of each wheel [N]
 
 std::set<std::string_view> methodsOf(const WheelsetResult& result)
 {
@@ -30,16 +30,16 @@ std::set<std::string_view> methodsOf(const WheelsetResult& result)
 
 const std::set<std::string_view> closed_form{"hertz"}, grids{"conjugate_gradient"};
 
-/// Largest difference of the left wheel's pressure, area and approach from another answer, relative.
-double apart(const PatchResult& found, double max_pressure, double area, double approach)
+/// Largest relative difference of pressure, area and approach of a patch from given values [-].
+double largestDifference(const PatchResult& found, double max_pressure, double area, double approach)
 {
   return std::max({std::abs(found.max_pressure / max_pressure - 1), std::abs(found.area / area - 1),
                    std::abs(found.approach / approach - 1)});
 }
 
-// What an arc differs from a parabola over 6 mm of half-width is (6 / 300)² / 4 = 1e-4 of its height; the cone's own
-// curvature across is left out by the exact figures, too. 0.1 %, or the tolerance if that is stricter.
-TEST(ClosedForm, IsTakenBetweenRoundBodiesAndIsRight)
+// Over a half-width of 6 mm, an arc differs from a parabola by (6 / 300)² / 4 = 1e-4 of its height. The exact solution
+// also neglects the curvature of the cone across the track. Limit: 0.1 %.
+TEST(ClosedForm, IsChosenBetweenRoundBodiesAndIsAccurate)
 {
   for (const double slope : {0.0, 0.05})
   {
@@ -55,14 +55,14 @@ TEST(ClosedForm, IsTakenBetweenRoundBodiesAndIsRight)
         EXPECT_EQ(methodsOf(result), closed_form) << "y = " << y << ", tolerance " << tolerance;
         const HertzContact exact = round_bodies::exactContact(scene, slope, y, load);
         const PatchResult& left = result.patches.front();
-        EXPECT_LT(apart(left, exact.max_pressure, exact.area, exact.approach), 1e-3) << "y = " << y;
+        EXPECT_LT(largestDifference(left, exact.max_pressure, exact.area, exact.approach), 1e-3) << "y = " << y;
         EXPECT_NEAR(left.normal_force, load * std::hypot(1, slope), 1e-4 * load);
       }
     }
   }
 }
 
-TEST(ClosedForm, IsNotTakenOnTheTreadOfS1002)
+TEST(ClosedForm, IsNotChosenOnTheTreadOfS1002)
 {
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
   {
@@ -76,8 +76,8 @@ TEST(ClosedForm, IsNotTakenOnTheTreadOfS1002)
   }
 }
 
-// A rail that bends under the contact is solved together with it, which Hertz's closed form cannot.
-TEST(ClosedForm, IsNotTakenOnRailsThatBend)
+// A rail that bends under the contact is solved together with it. Hertz's closed form cannot do this.
+TEST(ClosedForm, IsNotChosenOnRailsThatBend)
 {
   ContactModelConfig scene = round_bodies::scene(0.05);
   scene.rail_bending.model = RailBendingConfig::Model::compliance;
@@ -86,7 +86,7 @@ TEST(ClosedForm, IsNotTakenOnRailsThatBend)
   EXPECT_EQ(methodsOf(contact.evaluate(stateAt(0, load))), grids);
 }
 
-/// Wheel of one hollow arc of 600 mm, whose slope at the running circle is 0.045.
+/// Wheel with one hollow arc of 600 mm, whose slope at the running circle is 0.045.
 Profile hollowWheel()
 {
   constexpr double radius = 0.6, reach = 0.06;
@@ -97,10 +97,11 @@ Profile hollowWheel()
             2 * reach}}};
 }
 
-// On the rail head's crown of 300 mm a hollow tread moves its contact as far as itself, from the middle to the joint
-// with the arc of 80 mm. Round at the one end, not at the other. Each answer is within the tolerance of 1 %, by
-// whatever method, and 64 × 128 cells are within 0.2 %.
-TEST(ClosedForm, IsLeftAtTheDiscontinuityOfTwoArcs)
+// On the crown of 300 mm radius, the contact of a hollow tread moves by the same distance as the wheelset, from the
+// middle to the transition to the arc of 80 mm. The bodies are round at one end of this motion and not at the other.
+// Each result is within the tolerance of 1 %, whatever its method. The reference grid of 64 × 128 cells is accurate to
+// 0.2 %.
+TEST(ClosedForm, IsReplacedByTheGridAtTheCurvatureDiscontinuity)
 {
   ContactModelConfig scene = manchesterScene();
   scene.wheel_profile = std::make_shared<Profile>(hollowWheel());
@@ -119,7 +120,8 @@ TEST(ClosedForm, IsLeftAtTheDiscontinuityOfTwoArcs)
     for (std::size_t k = 0; k < result.patches.size(); ++k)
     {
       const PatchResult& fine_patch = truth.patches[k];
-      EXPECT_LT(apart(result.patches[k], fine_patch.max_pressure, fine_patch.area, fine_patch.approach), 0.012)
+      EXPECT_LT(largestDifference(result.patches[k], fine_patch.max_pressure, fine_patch.area, fine_patch.approach),
+                0.012)
           << "y = " << y << ", " << result.patches[k].method;
     }
     seen.merge(methodsOf(result));
@@ -127,8 +129,8 @@ TEST(ClosedForm, IsLeftAtTheDiscontinuityOfTwoArcs)
   EXPECT_EQ(seen, (std::set<std::string_view>{"conjugate_gradient", "hertz"}));
 }
 
-// Setting out anew from a rough solution asks for the closed form at once, however lately it would not do.
-TEST(ClosedForm, IsAskedForAtOnceAfterAJump)
+// After a start from a rough solution, the closed form is tried at once, even if it has just been rejected.
+TEST(ClosedForm, IsTriedAtOnceAfterARestart)
 {
   const GridLevels levels{ContactModelConfig()};
   const Grid grid = problems::centredGrid(8, 24, 0.014, 0.014, true);
@@ -141,15 +143,14 @@ TEST(ClosedForm, IsAskedForAtOnceAfterAJump)
   GridLevelChoice choice(levels, 0.01);
   choice.tryClosedForm(discontinuity, on_discontinuity);
   choice.tryClosedForm(round, on_round);
-  EXPECT_FALSE(choice.leaveClosedForm()) << "asked again too soon";
+  EXPECT_FALSE(choice.leaveClosedForm()) << "tried again too soon";
   choice.start(ErrorEstimate());
   choice.tryClosedForm(round, on_round);
   EXPECT_TRUE(choice.leaveClosedForm());
 }
 
-// Between any two states the method may change. An answer from the last one and one from cold are each within the
-// tolerance of 1 %.
-TEST(ClosedForm, JumpsAreEvaluatedAsFromCold)
+// The method may change between two states. A warm and a cold result are each within the tolerance of 1 %.
+TEST(ClosedForm, WarmAndColdResultsAgreeAfterJumps)
 {
   constexpr unsigned long seed = 41;
   std::cout << "seed " << seed << ", 60 states\n";
@@ -171,7 +172,8 @@ TEST(ClosedForm, JumpsAreEvaluatedAsFromCold)
     for (std::size_t k = 0; k < result.patches.size(); ++k)
     {
       const PatchResult& other = fresh.patches[k];
-      EXPECT_LT(apart(result.patches[k], other.max_pressure, other.area, other.approach), 0.02) << "state " << i;
+      EXPECT_LT(largestDifference(result.patches[k], other.max_pressure, other.area, other.approach), 0.02)
+          << "state " << i;
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact and bending rail solved together: against rails held where they went, and where the plain iteration between
-// the two fails.
+// Contact and rail deflection solved together, compared with rails held in the deflected position. Also shows where the
+// simple iteration between contact and rail fails.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,9 +25,9 @@ ContactModelConfig onPads(const ComplianceTable& table)
   return config;
 }
 
-/// Lateral deflections [m] of the plain iteration: contact on a rail held still, rail moved to where the forces put it,
-/// and again. One wheel on the side it is pushed to, `y` outward, no roll.
-std::vector<double> plainIteration(double y, int steps)
+/// Lateral deflections [m] of the simple iteration: the contact is solved on a fixed rail, the rail is moved to the
+/// deflection that the forces cause, and again. One wheel, `y` outward, without roll.
+std::vector<double> simpleIteration(double y, int steps)
 {
   const ContactModelConfig config = onPads(verySoftPads());
   const PlacedRail straight(config.rail_profile, config.track);
@@ -39,7 +39,7 @@ std::vector<double> plainIteration(double y, int steps)
   {
     wheel.reset();
     wheel.setRail(straight.deflected(deflection));
-    for (int pass = 0; pass < 5; ++pass)  // plane and box settle
+    for (int pass = 0; pass < 5; ++pass)  // until plane and box converge
     {
       if (wheel.solveLoad(wheel.touch({y, 0, 0, 0}), wheel_load, {16, 64}) != WheelStatus::solved)
       {
@@ -56,14 +56,14 @@ std::vector<double> plainIteration(double y, int steps)
 }
 }  // namespace
 
-// By symmetry both rails bend alike, and can be held there. On one grid both solutions differ by the residual they
-// leave, 2e-5, and by where their planes and boxes came to lie.
-TEST(Coupling, RailsHeldWhereTheyWentCarryTheSameForces)
+// By symmetry both rails have the same deflection, and both can be held in it. On one grid the two solutions differ by
+// their residual, 2e-5, and by the positions of their planes and boxes.
+TEST(Coupling, RailsHeldInTheDeflectedPositionCarryTheSameForces)
 {
   ContactModelConfig config = onPads(softPads());
   config.contact.cells_along = 32;
   config.contact.cells_across = 128;
-  config.contact.tolerance = 0.001;  // for planes and rails, the grid being given
+  config.contact.tolerance = 0.001;  // tolerance of planes and rails; the grid is fixed
   WheelsetContact bending(config);
   const WheelsetResult a = bending.evaluate(stateAt(0, wheel_load));
   ASSERT_EQ(a.status, ContactStatus::ok) << a.reason;
@@ -75,20 +75,20 @@ TEST(Coupling, RailsHeldWhereTheyWentCarryTheSameForces)
   EXPECT_NEAR(a.rail[0].lateral_force / b.rail[0].lateral_force, 1, 1e-3);
   EXPECT_NEAR(wheelTotal(a, Side::left).max_pressure / wheelTotal(b, Side::left).max_pressure, 1, 5e-4);
   EXPECT_NEAR(wheelTotal(a, Side::left).area / wheelTotal(b, Side::left).area, 1, 1e-3);
-  EXPECT_NEAR(a.z, b.z, 1e-3 * 1e-4);  // of an approach of 0.1 mm
+  EXPECT_NEAR(a.z, b.z, 1e-3 * 1e-4);  // relative to an approach of 0.1 mm
 }
 
-TEST(Coupling, PlainIterationSettlesOnTheTread)
+TEST(Coupling, SimpleIterationConvergesOnTheTread)
 {
-  const std::vector<double> lateral = plainIteration(0, 12);
+  const std::vector<double> lateral = simpleIteration(0, 12);
   ASSERT_FALSE(lateral.empty());
   EXPECT_NEAR(lateral.back(), lateral[lateral.size() - 2], 1e-6);
 }
 
-// On the flange the rail's answer to a force takes the force away.
-TEST(Coupling, PlainIterationSwingsAtTheFlange)
+// On the flange, the deflection of the rail relieves the force that causes it.
+TEST(Coupling, SimpleIterationOscillatesAtTheFlange)
 {
-  const std::vector<double> lateral = plainIteration(6.5e-3, 16);
+  const std::vector<double> lateral = simpleIteration(6.5e-3, 16);
   ASSERT_FALSE(lateral.empty());
   const auto [least, most] = std::minmax_element(lateral.end() - 6, lateral.end());
   EXPECT_GT(*most - *least, 0.5e-3);
@@ -106,10 +106,10 @@ TEST(Coupling, SoftRailAtTheFlangeIsSolved)
   }
 }
 
-// The height fixes the sum of what rail and contact give way; the rail gives way fifty times as far. A load is found to
-// what a tenth of the tolerance of the approach is on the rail's compliance, and the height itself is known to the
-// tolerance of the approach.
-TEST(Coupling, SolvedHeightAndRollGivenBackCarryTheSameLoads)
+// The height determines the sum of the deflections of rail and contact. The rail deflects fifty times as far. The
+// height is known within the tolerance times the approach; a tenth of this, over the compliance of the rail, is the
+// accuracy of the load.
+TEST(Coupling, SolvedHeightAndRollAsInputGiveTheSameLoads)
 {
   for (const ComplianceTable& table : {softPads(), verySoftPads()})
   {
@@ -134,8 +134,9 @@ TEST(Coupling, SolvedHeightAndRollGivenBackCarryTheSameLoads)
   }
 }
 
-// The same states on the same grid with the rails' bending left out where it is judged too small, and always in.
-TEST(Coupling, LeavingItOutNeverCostsMoreThanTheTolerance)
+// Compares the same states on the same grid, with the bending of the rails left out where its effect is small, and
+// always included.
+TEST(Coupling, LeavingTheBendingOutChangesNoResultByMoreThanTheTolerance)
 {
   constexpr int seed = 17;
   std::mt19937_64 random(seed);
@@ -190,8 +191,8 @@ TEST(Coupling, LeavingItOutNeverCostsMoreThanTheTolerance)
   EXPECT_GT(left_out, 400);
 }
 
-// 0.05 mm a message, from the middle to the gauge corner.
-TEST(Coupling, WarmSweepTakesAHandfulOfSolutions)
+// 0.05 mm per message, from the track centre to the gauge corner.
+TEST(Coupling, WarmSweepNeedsFewSolutions)
 {
   const ContactModelConfig config = onPads(softPads());
   const GridLevels levels(config);

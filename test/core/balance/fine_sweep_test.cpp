@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the middle to the flange in steps of 25 um, on rigid rails: what doc/theory.md says of refusals.
+// Sweep from the track centre to the flange in steps of 25 um on rigid rails. Checks the statement of doc/theory.md on
+// failed states.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -40,8 +41,9 @@ void sweep(const ContactModelConfig& config, double wheel_load, bool cold, Count
 }
 }  // namespace
 
-// Where one stretch holds tread and flange, rounding may decide: other instruction sets may find one that is refused.
-TEST(FineSweep, FindsTheBalanceAllTheWayOntoTheFlange)
+// Where one overlap interval contains tread and flange, rounding may decide. With other instruction sets one state may
+// fail.
+TEST(FineSweep, FindsTheBalanceFromTheTrackCentreToTheFlange)
 {
   Count count;
   for (const bool standard : {false, true})
@@ -57,7 +59,7 @@ TEST(FineSweep, FindsTheBalanceAllTheWayOntoTheFlange)
       sweep(config, wheel_load, true, count);
     }
   }
-  std::printf("%d of %d states refused\n", count.refused, count.states);
+  std::printf("%d of %d states without a solution\n", count.refused, count.states);
   EXPECT_LE(count.refused, 1);
 }
 }  // namespace wheel_rail_contact::core

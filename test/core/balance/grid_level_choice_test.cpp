@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which grid `method: auto` takes, and what it remembers of places where one was too coarse.
+// Choice of the grid by `method: auto`, and its memory of positions at which a grid was too coarse.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,14 +18,14 @@ const GridLevels& levels()
   return all;
 }
 
-/// What a contact shows on a grid whose errors are those typical of one kind of contact; `size` [-] is its error on
-/// 24 × 56 cells.
+/// Error estimate on a grid level for a contact with errors of one typical kind; `size` [-] is its error on 24 × 56
+/// cells.
 ErrorEstimate ofJump(const GridLevel& level, double size)
 {
   return {size * level.typical.max_pressure, 0, 0, 0};
 }
 
-ErrorEstimate ofTail(const GridLevel& level, double size)
+ErrorEstimate ofNarrowEnd(const GridLevel& level, double size)
 {
   return {0, size * level.typical.narrow_ends, 0, size * level.typical.narrow_ends};
 }
@@ -40,9 +40,9 @@ int cells(const GridLevel& level)
   return level.size.along * level.size.across;
 }
 
-constexpr ErrorEstimate hopeless{1, 1, 1, 1};  ///< no grid promises to bring that below the tolerance
+constexpr ErrorEstimate too_large{1, 1, 1, 1};  ///< on no grid is the predicted error below the tolerance
 
-/// Sets out from cold on the coarsest grid and climbs until an answer would do, in at most four steps.
+/// Starts cold on the coarsest grid and refines until the error meets the tolerance, in at most four steps.
 template <typename Errors>
 GridLevelChoice settled(Errors errors)
 {
@@ -50,18 +50,18 @@ GridLevelChoice settled(Errors errors)
   choice.arrive(0);
   choice.start(ErrorEstimate());
   EXPECT_EQ(cells(choice.level()), cells(levels().at(0)));
-  int climbs = 0;
+  int refinements = 0;
   while (choice.refine(errors(choice.level())))
   {
-    ++climbs;
+    ++refinements;
   }
-  EXPECT_LE(climbs, 4);
+  EXPECT_LE(refinements, 4);
   return choice;
 }
 
 constexpr double just_within = 0.95 * tolerance;
 
-/// On 24 × 56 cells, which the approach there just needs.
+/// On 24 × 56 cells, the coarsest grid that is sufficient for the approach.
 GridLevelChoice onUnitGrid()
 {
   GridLevelChoice choice = settled([](const GridLevel& level) { return ofApproach(level, just_within); });
@@ -69,9 +69,9 @@ GridLevelChoice onUnitGrid()
   return choice;
 }
 
-constexpr double elsewhere = 1e-3;  ///< [m]
+constexpr double elsewhere = 1e-3;  ///< another position [m]
 
-/// A step down from there at another place, with a jump of the curvature, which needs less.
+/// One step coarser, at another position, with a curvature jump that needs fewer cells.
 GridLevelChoice aStepBelowUnitGrid()
 {
   GridLevelChoice choice = onUnitGrid();
@@ -81,21 +81,22 @@ GridLevelChoice aStepBelowUnitGrid()
   return choice;
 }
 
-TEST(GridLevelChoice, JumpsOfTheCurvatureTakeCellsAcrossAndTailsCellsAlong)
+TEST(GridLevelChoice, CurvatureJumpsLeadToCellsAcrossAndNarrowEndsToCellsAlong)
 {
   const GridLevel& jump = settled([](const GridLevel& level) { return ofJump(level, 0.95 * tolerance); }).level();
   EXPECT_EQ(jump.size.along, 16);
   EXPECT_EQ(jump.size.across, 64);
-  const GridLevel& narrow_end = settled([](const GridLevel& level) { return ofTail(level, 0.8 * tolerance); }).level();
+  const GridLevel& narrow_end =
+      settled([](const GridLevel& level) { return ofNarrowEnd(level, 0.8 * tolerance); }).level();
   EXPECT_EQ(narrow_end.size.along, 24);
   EXPECT_EQ(narrow_end.size.across, 56);
 }
 
-// A tail of 1.1 times the tolerance finds 32 × 96 cells: the grids before that have no more cells along than the 24 ×
-// 56 that failed, promise worse, and are passed over.
-TEST(GridLevelChoice, EachStepIsBetterThanWhatFailed)
+// A narrow end with an error of 1.1 times the tolerance leads to 32 × 96 cells. The grids before it have no more cells
+// along the track than the 24 × 56 that failed. Their predicted error is larger, and they are skipped.
+TEST(GridLevelChoice, EachRefinementHasALowerError)
 {
-  const auto narrow_end = [](const GridLevel& level) { return ofTail(level, 1.1 * tolerance).largest(); };
+  const auto narrow_end = [](const GridLevel& level) { return ofNarrowEnd(level, 1.1 * tolerance).largest(); };
   double before = INFINITY;
   GridLevelChoice choice(levels(), tolerance);
   choice.arrive(0);
@@ -104,12 +105,12 @@ TEST(GridLevelChoice, EachStepIsBetterThanWhatFailed)
   {
     EXPECT_LT(narrow_end(choice.level()), before);
     before = narrow_end(choice.level());
-  } while (choice.refine(ofTail(choice.level(), 1.1 * tolerance)));
+  } while (choice.refine(ofNarrowEnd(choice.level(), 1.1 * tolerance)));
   EXPECT_EQ(cells(choice.level()), 32 * 96);
 }
 
-// What the algebra leaves is the same on all grids.
-TEST(GridLevelChoice, AnErrorThatNoGridPredictsToLowerTakesTheNextOne)
+// The error from the residual is the same on all grids.
+TEST(GridLevelChoice, AnErrorThatNoGridReducesLeadsToTheNextGrid)
 {
   GridLevelChoice choice(levels(), tolerance);
   choice.arrive(0);
@@ -120,8 +121,8 @@ TEST(GridLevelChoice, AnErrorThatNoGridPredictsToLowerTakesTheNextOne)
   EXPECT_EQ(cells(choice.level()), cells(levels().at(1)));
 }
 
-// Far too coarse, as its promise tells, or by a tenth, as it itself has shown.
-TEST(GridLevelChoice, AGridThatWasTooCoarseAtAPlaceIsNotTakenThereFor64Results)
+// The grid is far too coarse by its predicted error, or too coarse by a tenth by its own estimate.
+TEST(GridLevelChoice, AGridThatWasTooCoarseAtAPositionIsNotUsedThereFor64Results)
 {
   constexpr double here = 0;  // [m]
   for (const double size : {0.5 * tolerance, 1.1 * tolerance / levels().at(0).typical.max_pressure})
@@ -136,51 +137,52 @@ TEST(GridLevelChoice, AGridThatWasTooCoarseAtAPlaceIsNotTakenThereFor64Results)
         choice.arrive(elsewhere);
         choice.coarsen(ofJump(choice.level(), 1e-4 * tolerance));
       }
-      ASSERT_LT(cells(choice.level()), cells(needed)) << "easy places let it come down";
+      ASSERT_LT(cells(choice.level()), cells(needed)) << "no coarser grid at an easy position";
       choice.arrive(here);
-      EXPECT_EQ(hard(choice.level()).largest() <= tolerance, away < 63) << away << " answers later";
+      EXPECT_EQ(hard(choice.level()).largest() <= tolerance, away < 63) << away << " results later";
     }
   }
 }
 
-TEST(GridLevelChoice, APenetrationThatFailsGoesNoFartherThanBackToWhereItCameFrom)
+TEST(GridLevelChoice, AfterAFailedCoarseningTheFirstRefinementReturnsToThePreviousGrid)
 {
   GridLevelChoice choice = aStepBelowUnitGrid();
-  ASSERT_TRUE(choice.refine(hopeless));
+  ASSERT_TRUE(choice.refine(too_large));
   EXPECT_EQ(cells(choice.level()), 24 * 56);
-  ASSERT_TRUE(choice.refine(hopeless));
-  EXPECT_GT(cells(choice.level()), 24 * 56) << "the next climb is free";
+  ASSERT_TRUE(choice.refine(too_large));
+  EXPECT_GT(cells(choice.level()), 24 * 56) << "the second refinement is not limited";
 }
 
-TEST(GridLevelChoice, AGridThatDoesIsKeptWhateverAFailureHasPredicted)
+TEST(GridLevelChoice, AGridThatMeetsTheToleranceIsKeptDespiteAnEarlierPrediction)
 {
   GridLevelChoice choice = aStepBelowUnitGrid();
-  ASSERT_TRUE(choice.refine(hopeless));
+  ASSERT_TRUE(choice.refine(too_large));
   choice.coarsen(ofApproach(choice.level(), just_within));
   choice.arrive(elsewhere);
   EXPECT_EQ(cells(choice.level()), 24 * 56);
 }
 
-// Having come down matters to the next answer alone, not to one from a new start.
-TEST(GridLevelChoice, ANewStartForgetsAPenetration)
+// A coarsening affects the next result only, not one after a new start.
+TEST(GridLevelChoice, ANewStartDiscardsACoarsening)
 {
   GridLevelChoice choice = aStepBelowUnitGrid(), fresh(levels(), tolerance);
   for (GridLevelChoice* one : {&choice, &fresh})
   {
     one->arrive(elsewhere);
     one->start(ErrorEstimate());
-    ASSERT_TRUE(one->refine(hopeless));
+    ASSERT_TRUE(one->refine(too_large));
   }
   EXPECT_EQ(cells(choice.level()), cells(fresh.level()));
 }
 
-// One answer without a tail does not yet lead to a grid on which tails would be several times worse.
-TEST(GridLevelChoice, ATailOfTheLastResultsCounts)
+// One result without a narrow end does not yet lead to a grid on which the error of narrow ends is several times
+// larger.
+TEST(GridLevelChoice, ANarrowEndInARecentResultCounts)
 {
   GridLevelChoice choice = onUnitGrid();
   choice.arrive(elsewhere);
-  choice.coarsen(ofTail(choice.level(), 0.5 * tolerance));
+  choice.coarsen(ofNarrowEnd(choice.level(), 0.5 * tolerance));
   choice.coarsen(ErrorEstimate());
-  EXPECT_LE(ofTail(choice.level(), 0.45 * tolerance).largest(), 0.8 * tolerance);
+  EXPECT_LE(ofNarrowEnd(choice.level(), 0.45 * tolerance).largest(), 0.8 * tolerance);
 }
 }  // namespace

@@ -20,10 +20,10 @@ ContactModelConfig hertzScene(double slope)
 }
 }  // namespace
 
-// A cylinder or cone on one arc is Hertz's case. 0.1 % is wanted of pressure and approach. The mesh of 128² adds
-// 2 * (1 / 116)² = 1.5e-4 to the pressure (an ellipse's top over a cell), less to the approach; the area is counted to
-// a fraction of a cell along its edge, 0.5 %.
-TEST(HertzChainTest, ConesOnAnArcGiveHertzsPressureAndApproach)
+// A cylinder or cone on one arc is a Hertz contact. Required accuracy of pressure and approach: 0.1 %. The mesh of 128²
+// cells adds 2 * (1 / 116)² = 1.5e-4 to the pressure (curvature of the ellipsoid's top over a cell), and less to the
+// approach. The area is determined to a fraction of a cell along its edge: 0.5 %.
+TEST(HertzChainTest, ConesOnAnArcHaveThePressureAndApproachOfHertz)
 {
   for (const double slope : {0.0, 0.025, 0.05})
   {
@@ -41,8 +41,8 @@ TEST(HertzChainTest, ConesOnAnArcGiveHertzsPressureAndApproach)
                 patch.max_pressure / hertz.max_pressure - 1, patch.approach / hertz.approach - 1,
                 patch.area / hertz.area - 1);
     EXPECT_NEAR(patch.normal_force, load * std::hypot(1, slope), 1e-4 * load);
-    // Half-width over the rail's radius; the outermost of the 116 loaded columns' centres lie within one cell of the
-    // edge.
+    // Half-width over the radius of the rail. The centres of the outermost of the 116 loaded columns lie within one
+    // cell of the edge.
     EXPECT_NEAR(patch.half_space_ratio, hertz.semi_axis_y / round_bodies::crown_radius,
                 0.02 * hertz.semi_axis_y / round_bodies::crown_radius);
     EXPECT_NEAR(patch.max_pressure, hertz.max_pressure, 1.15e-3 * hertz.max_pressure);
@@ -51,8 +51,8 @@ TEST(HertzChainTest, ConesOnAnArcGiveHertzsPressureAndApproach)
   }
 }
 
-// A cylinder touches the crown at the running radius above it: the axle sinks by the approach.
-TEST(HertzChainTest, AxleSinksByTheApproach)
+// A cylinder touches the crown at its rolling radius: the axle moves down by the approach.
+TEST(HertzChainTest, AxleMovesDownByTheApproach)
 {
   const ContactModelConfig scene = hertzScene(0);
   WheelsetContact contact(scene);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a co-simulation at 1 kHz relies on: on one grid and with one patch a wheel, an evaluation allocates no memory.
+// Requirement of a co-simulation at 1 kHz: with a fixed grid and one patch per wheel, an evaluation allocates no
+// memory.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,7 +17,7 @@ bool counting = false;
 
 extern "C" void* __libc_malloc(std::size_t size);
 
-// Counts every allocation of the program, those of Eigen and of operator new included.
+// Counts every allocation of the program, including those of Eigen and operator new.
 extern "C" void* malloc(std::size_t size)
 {
   allocations += counting ? 1 : 0;
@@ -43,7 +44,7 @@ long allocationsOnThirdSweep(const ContactModelConfig& config, double yaw = 0)
 {
   WheelsetContact contact(config);
   sweep(contact, yaw);
-  sweep(contact, yaw);  // has met the jump back from one end to the other, too
+  sweep(contact, yaw);  // includes the jump back from one end to the other
   allocations = 0;
   counting = true;
   sweep(contact, yaw);
@@ -77,7 +78,8 @@ TEST(HotPath, AYawedWheelsetAllocatesNothing)
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid(), 0.005), 0);
 }
 
-// Grids without symmetry are prepared ahead, too: what is left at their first message is room for twice the cells.
+// Grids without symmetry are prepared in advance, too. The first yawed message allocates only memory for twice the
+// cells.
 TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)
 {
   WheelsetContact contact(onOneGrid());
@@ -86,7 +88,8 @@ TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)
   counting = true;
   sweep(contact, 0.005);
   counting = false;
-  // A set of coefficients alone takes more than this: tables of the grid's rows and columns, spectrum, factors.
+  // One set of coefficients takes more allocations than this: tables of the rows and columns of the grid, spectrum,
+  // factors.
   EXPECT_LE(allocations, 40);
 }
 

@@ -30,7 +30,7 @@ Eigen::ArrayXXd paraboloid(const Grid& grid, double x0, double y0)
   return gap;
 }
 
-TEST(LeastGap, IsTheParaboloidsWhereverItsVertexLiesBetweenTheCells)
+TEST(LeastGap, IsTheVertexOfAParaboloidAtAnyPositionBetweenTheCells)
 {
   constexpr unsigned long seed = 17;
   std::cout << "seed " << seed << "\n";
@@ -47,7 +47,7 @@ TEST(LeastGap, IsTheParaboloidsWhereverItsVertexLiesBetweenTheCells)
   }
 }
 
-TEST(LeastGap, IsTheLeastCellsBesideNoBody)
+TEST(LeastGap, IsThatOfTheLowestCellNextToCellsWithoutABody)
 {
   const Grid grid = problems::centredGrid(8, 9, 8e-3, 4e-3, false);
   Eigen::ArrayXXd gap = paraboloid(grid, 0.4e-3, 0.1e-3);
@@ -58,9 +58,9 @@ TEST(LeastGap, IsTheLeastCellsBesideNoBody)
   EXPECT_EQ(leastGap(grid, gap), gap.minCoeff());
 }
 
-// Beside a kink, where the parabola through the least cell leads far below the gap, what it bends on the kink's other
-// side is the limit: the gap's own least is lower than the cells by no more.
-TEST(LeastGap, FallsNoFartherBesideAKinkThanItMayOnTheOtherSide)
+// Next to a kink, the parabola through the lowest cell may lead far below the gap. The bend on the other side of the
+// kink limits its depth: the minimum of the gap is not lower than the cells by more than that.
+TEST(LeastGap, NextToAKinkIsLimitedByTheBendOnTheOtherSide)
 {
   const Grid grid = problems::centredGrid(8, 9, 8e-3, 4e-3, true);
   for (const double vertex : {-0.2e-3, -0.1e-3, 0.0, 0.1e-3})
@@ -76,10 +76,10 @@ TEST(LeastGap, FallsNoFartherBesideAKinkThanItMayOnTheOtherSide)
   }
 }
 
-// The rail's crown and gauge corner: what a patch's approach is does not depend on where the cells lie. By the least of
-// the cells it was off by 0.5 % at y = 4.9 mm on 16 × 32 cells. What is left is the coarse grid's own error of the
-// descent, 0.07 % there.
-TEST(LeastGap, MakesApproachesThatDoNotDependOnTheCells)
+// Crown and gauge corner: the approach of a patch must not depend on the position of the cells. With the lowest cell in
+// place of the minimum it was wrong by 0.5 % at y = 4.9 mm on 16 × 32 cells. The remaining difference is the error of
+// the penetration on the coarse grid, 0.07 % there.
+TEST(LeastGap, MakesTheApproachIndependentOfTheCells)
 {
   for (const double y : {0.0, 3e-3, 4.9e-3})
   {

@@ -34,7 +34,7 @@ std::vector<const PatchResult*> patchesOf(const WheelsetResult& result, Side sid
   return found;
 }
 
-/// Bit by bit: no tolerance.
+/// Equal bits, no tolerance.
 void expectMirrorImage(const PatchResult& patch, const PatchResult& image)
 {
   EXPECT_EQ(patch.pose.x, image.pose.x);
@@ -95,8 +95,8 @@ class MirrorSymmetryTest : public testing::Test
 };
 }  // namespace
 
-// Mirror images go through the same arithmetic: bit-equal, from cold and along
-// a sweep, on rigid and on soft rails.
+// Both sides use the same arithmetic. The results are bit-equal from a cold start and along a sweep, on rigid and on
+// soft rails.
 TEST_F(MirrorSymmetryTest, MirroredStateHasTheMirroredResult)
 {
   for (const bool soft : {false, true})

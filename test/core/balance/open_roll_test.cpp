@@ -12,18 +12,18 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double running_slope = 0.05;  ///< of the tread [-]
+constexpr double running_slope = 0.05;  ///< slope of the tread [-]
 constexpr double fillet = 0.014;        ///< radius between tread and flank [m]
 constexpr double tread_begins = -0.03;  ///< [m]
 
-/// A conical tread, a fillet and a flange's flank of 70 degrees: tread and flank touch a rail far apart.
+/// Conical tread, fillet and flange face of 70 degrees. Tread and flange touch a rail at distant positions.
 Profile straightFlanked()
 {
   constexpr double flank_length = 0.014, tread_length = 0.09;
   const double tread = std::atan(running_slope), flank = 70 * M_PI / 180;
   const double centre_y = tread_begins + fillet * std::sin(tread);
   const double centre_z = tread_begins * running_slope - fillet * std::cos(tread);
-  const double begin = 0.5 * M_PI + flank;  // of the arc, seen from its centre
+  const double begin = 0.5 * M_PI + flank;  // start angle of the arc, from its centre
   const double y = centre_y + fillet * std::cos(begin), z = centre_z + fillet * std::sin(begin);
   const double c = std::cos(flank), s = std::sin(flank);
   return {"straight flank",
@@ -65,10 +65,10 @@ double difference(const PatchResult& one, const PatchResult& other)
 }
 }  // namespace
 
-TEST(OpenRoll, DoesNotPartTreadAndFlange)
+TEST(OpenRoll, DoesNotSeparateTreadAndFlange)
 {
-  // A tenth of tolerance would leave up to 3e-5 rad open for a single contact: 14 um sideways at the rail, which is as
-  // much as the flank's own approach where it begins to carry.
+  // With a tolerance of 0.1, a roll error of up to 3e-5 rad would be allowed for a single contact. This is 14 um of
+  // lateral displacement at the rail, as much as the approach of the flange face when it begins to carry load.
   WheelsetContact loose(scene(0.1, 8, 24)), strict(scene(0.003, 24, 56));
   double worst = 0;
   int two = 0;

@@ -12,7 +12,7 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Distance of a point in side axes from a placed rail, by sampling and a parabola's worth of refinement [m].
+/// Distance of a point in side axes from a placed rail, by sampling and refinement [m].
 double distanceFrom(const PlacedRail& rail, double y, double z)
 {
   const auto distance = [&](double u) { return std::hypot(rail.at(u).y - y, rail.at(u).z - z); };
@@ -53,14 +53,14 @@ TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
     ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
     for (const PatchResult& patch : result.patches)
     {
-      EXPECT_LT(distanceFrom(rail, sideSign(patch.side) * patch.pose.y, patch.pose.z), 1e-9);  // 1e-12 m of rounding
+      EXPECT_LT(distanceFrom(rail, sideSign(patch.side) * patch.pose.y, patch.pose.z), 1e-9);  // rounding: 1e-12 m
     }
   }
 }
 
-// The plane follows the pressure's mean normal, so at its origin the rail may be steeper or flatter by what the rail
-// and the wheel turn over the patch: half a width of 8 mm on 80 mm is 0.05 rad on the tread.
-TEST_F(PatchFrameTest, NormalPointsOutOfTheRailAndIsSquareToIt)
+// The plane is normal to the pressure-weighted mean normal. At its origin the slope of the rail may differ by the turn
+// of rail and wheel over the patch: half a width of 8 mm on 80 mm is 0.05 rad on the tread.
+TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
 {
   WheelsetContact contact(scene_);
   for (const double y : {0.0, 2e-3, -4e-3})
@@ -71,13 +71,13 @@ TEST_F(PatchFrameTest, NormalPointsOutOfTheRailAndIsSquareToIt)
     {
       EXPECT_EQ(patch.contact_angle, std::abs(patch.pose.angle));
       EXPECT_GT(std::cos(patch.pose.angle), 0);
-      EXPECT_GT(sideSign(patch.side) * patch.pose.angle, 0);  // the rail rises to the field side
+      EXPECT_GT(sideSign(patch.side) * patch.pose.angle, 0);  // towards the field side the plane rises
       EXPECT_LT(patch.contact_angle, 0.15);
     }
   }
 }
 
-TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndMakesTheNormalForce)
+TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndSumsToTheNormalForce)
 {
   WheelsetContact contact(scene_);
   for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
@@ -92,18 +92,18 @@ TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndMakesTheNormalForce)
       EXPECT_GE(p.minCoeff(), 0);
       EXPECT_GT(p.maxCoeff(), 0);
       EXPECT_NEAR(p.sum() * patch.grid.cellArea(), patch.normal_force, 1e-9 * patch.normal_force);
-      // The highest pressure lies between cells: on a grid of n cells across it is above the highest cell by less than
-      // 2 / n² of an ellipse's top each way, 2 % on the coarsest one. Beside a joint of the profiles cells hold too
-      // much by up to 2 % of what the joint makes of the pressure, here by less than 1 %.
+      // The highest pressure lies between cells. On a grid of n cells across it exceeds the highest cell by less than
+      // 2/n² of the peak in each direction: 2 % on the coarsest grid. Next to a curvature discontinuity the highest
+      // cell is too high by up to 2 % of the effect of the discontinuity, here by less than 1 %.
       EXPECT_GT(patch.max_pressure, 0.99 * p.maxCoeff());
       EXPECT_LT(patch.max_pressure, 1.02 * p.maxCoeff());
     }
   }
 }
 
-// Grids are laid a tenth wider than the pressure: of 64 cells it takes 58, and the outer ones stay empty. (On coarse
-// grids the margin is less than a cell, and the pressure's edge lies inside the outer one.)
-TEST_F(PatchFrameTest, PressureKeepsOffTheBorderOfAFineGrid)
+// A grid is a tenth wider than the pressure, which covers 58 of 64 cells; the outer cells stay empty. On coarse grids
+// the margin is less than a cell, and the edge of the pressure lies inside the outer cell.
+TEST_F(PatchFrameTest, PressureDoesNotReachTheBorderOfAFineGrid)
 {
   scene_.contact.method = NormalMethod::conjugate_gradient;
   scene_.contact.cells_along = 64;
@@ -122,10 +122,9 @@ TEST_F(PatchFrameTest, PressureKeepsOffTheBorderOfAFineGrid)
   }
 }
 
-// Between tread and flange's root a wheel rests on two patches. Both close by one descent of the wheel, each by its
-// share along its own normal; the shares are found again by the contact search at the solved pose. The residual roll
-// left open and the descent for which the gap was built are worth 1 % of a descent, and neighbouring search stations
-// 0.1 um.
+// Between tread and flange root a wheel has two patches. Both are compressed by the same penetration of the wheel, each
+// by its component along its own normal. The contact search at the solved pose gives the same overlaps. Tolerance: the
+// remaining errors of roll and penetration are 1 % of a penetration, and neighbouring search stations differ by 0.1 um.
 TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOnePenetration)
 {
   scene_ = manchesterScene();

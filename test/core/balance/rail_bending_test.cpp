@@ -10,7 +10,8 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Moment of a rail's forces about its reference point, acting at the pressure's centre; side axes, one patch [N m].
+/// Moment of the forces on a rail about its reference point, acting at the centre of the pressure; side axes, one patch
+/// [N m].
 double momentOf(const WheelsetResult& result, Side side, const PlacedRail& bent)
 {
   const RailResult& rail = result.rail[static_cast<std::size_t>(side)];
@@ -44,8 +45,8 @@ class RailBendingTest : public testing::Test
     scene_.rail_bending.lateral_force = source;
   }
 
-  /// Answers of the scene, whose rails others push by `offset`, are those of a straight track whose rails stand farther
-  /// apart by `outward` each.
+  /// Displaces the rails of the scene by `offset` as other wheelsets do. Expects the results of a straight track with
+  /// each rail displaced outward by `outward`.
   void expectWiderGauge(double offset)
   {
     ContactModelConfig wider = scene_;
@@ -77,8 +78,8 @@ class RailBendingTest : public testing::Test
 };
 }  // namespace
 
-// Two ways to say the same track: the same arithmetic up to the rounding of the rails' places, which the solution's
-// stopping tests may turn into steps of the residual (3e-4) at most.
+// Two descriptions of the same track: the arithmetic is the same up to the rounding of the rail positions. The stopping
+// criteria of the solution may turn this into steps of the residual (3e-4) at most.
 TEST_F(RailBendingTest, BothRailsOutwardIsAWiderGauge)
 {
   scene_.rail_bending.model = RailBendingConfig::Model::prescribed;
@@ -86,16 +87,16 @@ TEST_F(RailBendingTest, BothRailsOutwardIsAWiderGauge)
   expectWiderGauge(0);
 }
 
-// What other wheelsets do to a rail that does not give way itself. Tolerance as above.
-TEST_F(RailBendingTest, BothRailsPushedOutwardByOthersIsAWiderGauge)
+// Displacement by other wheelsets, on rails without an own deflection. Tolerance as above.
+TEST_F(RailBendingTest, BothRailsDisplacedOutwardByOtherWheelsetsIsAWiderGauge)
 {
   scene_.rail_bending.model = RailBendingConfig::Model::compliance;
   expectWiderGauge(outward);
 }
 
-// Small displacements add up, whether the rail's own are solved with the contact or mixed. Each rail has an offset of
-// its own. Tolerance: deflection and forces fit the table to 1e-6 of the deflection where they are mixed.
-TEST_F(RailBendingTest, WhatOthersDoAddsToTheRailsOwnDeflection)
+// Small displacements add up, whether the own deflection is solved with the contact or mixed. Each rail has its own
+// offset. Tolerance: mixed deflections and forces agree with the table to 1e-6 of the deflection.
+TEST_F(RailBendingTest, DisplacementByOtherWheelsetsAddsToTheOwnDeflection)
 {
   for (const auto source : {RailBendingConfig::LateralForce::contact, RailBendingConfig::LateralForce::constant})
   {
@@ -118,9 +119,10 @@ TEST_F(RailBendingTest, WhatOthersDoAddsToTheRailsOwnDeflection)
   }
 }
 
-// Deflection, forces and moment of one answer fit the table to 1e-6 of the displacements' size, with the answer's own
-// moment and with the one that its roll shows. This one is compared with the forces at the pressure's centre in the
-// plane: on the rail it lies up to (3 mm)² / (2 * 80 mm) = 60 um lower, worth less than 1 N m with 10 kN outward.
+// Deflection, forces and moment of one result agree with the table to 1e-6 of the displacement, with the moment of the
+// result and with the moment calculated from its roll. The latter is compared with the moment of the forces at the
+// centre of the pressure in the plane. On the rail this centre lies up to (3 mm)² / (2 * 80 mm) = 60 um lower: less
+// than 1 N m with 10 kN outward.
 TEST_F(RailBendingTest, DeflectionIsTheTableTimesTheForces)
 {
   useTable(RailBendingConfig::LateralForce::contact);
@@ -155,7 +157,7 @@ TEST_F(RailBendingTest, DeflectionIsTheTableTimesTheForces)
   }
 }
 
-TEST_F(RailBendingTest, GivenLateralForcesBendTheRailsTheyAreGivenFor)
+TEST_F(RailBendingTest, GivenLateralForcesBendTheirRails)
 {
   useTable(RailBendingConfig::LateralForce::topic);
   WheelsetContact contact(scene_);

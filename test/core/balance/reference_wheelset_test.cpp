@@ -13,24 +13,25 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// One wheel of a state of the Manchester benchmark as the program CONTACT answers it (Vollebregt and Kalker, open
-/// version of July 2025; rigid region of interpenetration on a grid of 0.1 mm, iteration to 1e-8, roll solved for equal
-/// loads). Its figures turned into the axes and signs used here. Its own error: grid 0.5 -> 0.1 mm changes max pressure
-/// by up to 0.7 % (1.2 % on the flange), area by up to 2.5 % (15 %), height by up to 0.03 um (2 um).
+/// One wheel of a state of the Manchester benchmark, solved by the program CONTACT (Vollebregt and Kalker, open version
+/// of July 2025). Settings: rigid region of interpenetration on a grid of 0.1 mm, iteration to 1e-8, roll solved for
+/// equal loads. The results are converted to the axes and signs used here. Own error: refining the grid from 0.5 to 0.1
+/// mm changes max pressure by up to 0.7 % (1.2 % on the flange), area by up to 2.5 % (15 %), height by up to 0.03 um (2
+/// um).
 struct ReferenceWheel
 {
   const char* scene;
-  double load;           ///< vertical, of each wheel [N]
-  double rails_outward;  ///< both rails displaced [m]
-  double y, yaw, roll;   ///< of the wheelset [m, rad]
+  double load;           ///< vertical load of each wheel [N]
+  double rails_outward;  ///< outward displacement of both rails [m]
+  double y, yaw, roll;   ///< pose of the wheelset [m, rad]
   Side side;
-  double height;         ///< of the axle's centre [m]
-  double outward_force;  ///< on the rail [N]
+  double height;         ///< height of the axle centre [m]
+  double outward_force;  ///< outward force on the rail [N]
   double max_pressure;   ///< [Pa]
   double area;           ///< [m²]
   double approach;       ///< along the normal [m]
   double contact_angle;  ///< [rad]
-  bool several;          ///< several elastic areas, or one across very different normals, forced into one plane there
+  bool several;          ///< CONTACT has one plane for several areas or for one with very different normals
 };
 
 constexpr std::array<ReferenceWheel, 50> reference_wheels{{
@@ -164,13 +165,13 @@ WheelSum wheelSum(const WheelsetResult& result, Side side)
 WheelsetContact contactOnRails(double outward)
 {
   ContactModelConfig scene = manchesterScene();
-  scene.contact.tolerance = 0.001;  // so that what is left is not the cells'
+  scene.contact.tolerance = 0.001;  // makes the error of the cells negligible
   scene.rail_bending.model = RailBendingConfig::Model::prescribed;
   scene.rail_bending.prescribed.lateral = outward;
   return WheelsetContact(scene);
 }
 
-/// One state, answered from cold; rows 2 k (left wheel) and 2 k + 1 (right wheel) of the table.
+/// One state, solved from a cold start; rows 2 k (left wheel) and 2 k + 1 (right wheel) of the table.
 class ReferenceStateTest : public testing::TestWithParam<std::size_t>
 {
  protected:
@@ -196,7 +197,7 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
   }
   static bool onFlange() { return std::abs(row(Side::left).y) > 6.5e-3; }
 
-  /// Angle by which the force on a rail is steeper than the reference's [rad].
+  /// Angle between the force on a rail and that of the reference, positive if steeper to the outside [rad].
   double turn(Side side) const
   {
     const double outward = result_.rail.at(static_cast<std::size_t>(side)).lateral_force;
@@ -205,45 +206,46 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
 
   void print(Side side) const
   {
-    const ReferenceWheel& wanted = row(side);
+    const ReferenceWheel& reference = row(side);
     const WheelSum found = wheelSum(result_, side);
     const double outward = result_.rail.at(static_cast<std::size_t>(side)).lateral_force;
     std::printf(
         "%-25s y %5.1f mm %-5s: max pressure %+5.2f %%, area %+5.2f %%, height %+6.2f um, outward force %+5.2f %% "
         "(%+.4f rad)%s\n",
-        wanted.scene, wanted.y * 1e3, side == Side::left ? "left" : "right",
-        100 * relative(found.max_pressure, wanted.max_pressure), 100 * relative(found.area, wanted.area),
-        (result_.z - wanted.height) * 1e6, 100 * relative(outward, wanted.outward_force), turn(side),
-        wanted.several ? ", several areas" : "");
+        reference.scene, reference.y * 1e3, side == Side::left ? "left" : "right",
+        100 * relative(found.max_pressure, reference.max_pressure), 100 * relative(found.area, reference.area),
+        (result_.z - reference.height) * 1e6, 100 * relative(outward, reference.outward_force), turn(side),
+        reference.several ? ", several areas" : "");
   }
 
   WheelsetResult result_;
 };
 }  // namespace
 
-// Wanted: max pressure within 1.5 % (2.5 % on the flange), area within 2 % (5 % below 50 mm², where the reference's own
-// cells are coarse). Where several areas are forced into one plane there, planes up to 0.3 rad apart change loads and
-// lengths by up to 1 / cos(0.3) - 1 = 5 %: a sanity bound.
-TEST_P(ReferenceStateTest, PressureAndAreaAreThoseOfTheReference)
+// Required: max pressure within 1.5 % (2.5 % on the flange), area within 2 % (5 % below 50 mm², where the cells of the
+// reference are coarse). Where the reference has one plane for several areas, planes up to 0.3 rad apart change loads
+// and lengths by up to 1 / cos(0.3) - 1 = 5 %. This limit is only a plausibility check.
+TEST_P(ReferenceStateTest, PressureAndAreaAgreeWithTheReference)
 {
   for (const Side side : {Side::left, Side::right})
   {
-    const ReferenceWheel& wanted = row(side);
+    const ReferenceWheel& reference = row(side);
     const WheelSum found = wheelSum(result_, side);
     print(side);
-    EXPECT_LT(std::abs(relative(found.max_pressure, wanted.max_pressure)), wanted.several ? 0.05
-                                                                           : onFlange()   ? 0.025
-                                                                                          : 0.015);
-    EXPECT_LT(std::abs(relative(found.area, wanted.area)), wanted.several || wanted.area < 50e-6 ? 0.05 : 0.02);
+    EXPECT_LT(std::abs(relative(found.max_pressure, reference.max_pressure)), reference.several ? 0.05
+                                                                              : onFlange()      ? 0.025
+                                                                                                : 0.015);
+    EXPECT_LT(std::abs(relative(found.area, reference.area)),
+              reference.several || reference.area < 50e-6 ? 0.05 : 0.02);
   }
 }
 
-// Wanted: within 3 um. On the flange the height also tells how steep the force is: at a contact angle a, the load Q
-// makes a normal force Q / cos(a), an approach that grows like its power 2/3, and a descent of approach / cos(a). So a
-// force steeper by da lowers that wheel by 5/3 approach sin(a) / cos²(a) da, and the axle's centre by half of it: 10 of
-// the 12 um found at y = -7 mm under 100 kN, where da = 0.013 rad. That share is the next test's; the rest is held to 3
-// um.
-TEST_P(ReferenceStateTest, HeightIsThatOfTheReference)
+// Required: within 3 um. On the flange the height also depends on the direction of the force. At a contact angle a, the
+// load Q causes a normal force Q / cos(a), an approach proportional to its power 2/3, and a penetration of approach /
+// cos(a). A force steeper by da therefore lowers this wheel by 5/3 approach sin(a) / cos²(a) da, and the axle centre by
+// half of it. At y = -7 mm under 100 kN, with da = 0.013 rad, this is 10 of the 12 um found. The direction is checked
+// by the next test; the remaining difference must be within 3 um.
+TEST_P(ReferenceStateTest, HeightAgreesWithTheReference)
 {
   double by_direction = 0;
   for (const Side side : {Side::left, Side::right})
@@ -255,12 +257,12 @@ TEST_P(ReferenceStateTest, HeightIsThatOfTheReference)
   EXPECT_NEAR(result_.z - by_direction, row(Side::left).height, 3e-6);
 }
 
-// The force's direction is the pressure-weighted mean normal of both bodies in their solved place here, and the normal
-// at a weighted centre of interpenetration there. The two centres may be 0.2 mm apart (two of its cells): on the
-// tread's smallest mean radius of 80 mm that turns the normal by 2.5 mrad, on the flange root's 13 mm by 15 mrad. Where
-// one plane stands for several, by as much as planes are apart. (That the direction here agrees with the work of the
-// vertical force is a test of its own: outward_force_test.cpp.)
-TEST_P(ReferenceStateTest, OutwardForceDiffersByTheChoiceOfTheNormalOnly)
+// Here, the direction of the force is the pressure-weighted mean normal of both bodies in their solved position. In the
+// reference it is the normal at a weighted centre of interpenetration. The two centres may be 0.2 mm apart (two cells
+// of the reference). On the smallest mean radius of the tread, 80 mm, this turns the normal by 2.5 mrad; on the 13 mm
+// of the flange root by 15 mrad. Where one plane replaces several, the difference is the angle between them.
+// outward_force_test.cpp checks the direction against the work of the vertical force.
+TEST_P(ReferenceStateTest, OutwardForceDiffersOnlyByTheChoiceOfTheNormal)
 {
   for (const Side side : {Side::left, Side::right})
   {

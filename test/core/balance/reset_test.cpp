@@ -35,13 +35,13 @@ void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
   }
 }
 
-/// States as different as a run can meet.
+/// States that differ strongly from one another.
 const WheelsetState varied_states[] = {stateAt(0, 1e5), stateAt(3e-3, 2e4), stateAt(-5.2e-3, 1e5, 0.005),
                                        stateAt(7e-3, 8e4), stateAt(-1e-3, 1e3)};
 
 }  // namespace
 
-TEST(ResetTest, ResetMakesAnObjectAsNew)
+TEST(ResetTest, AfterAResetResultsEqualThoseOfANewObject)
 {
   const ContactModelConfig scene = manchesterScene();
   WheelsetContact used(scene);
@@ -57,9 +57,9 @@ TEST(ResetTest, ResetMakesAnObjectAsNew)
   }
 }
 
-// Three centimetres off the track no search finds an answer, with loads found or with the height given to the normal
+// At y = 30 mm no search finds a solution, neither with unknown loads nor with the height passed to the normal
 // solution.
-TEST(ResetTest, AFailureWithHeightGivenOnBendingRailsLeavesNothing)
+TEST(ResetTest, AFailureWithGivenHeightOnBendingRailsHasNoLastingEffect)
 {
   ContactModelConfig scene = manchesterScene();
   scene.rail_bending.model = RailBendingConfig::Model::compliance;

@@ -7,13 +7,13 @@
 #include "core/normal/solvers/hertz.h"
 #include "wheelset_scene.h"
 
-/// A cone on a rail head of one arc: Hertz's case.
+/// A cone on a rail head of one arc: a Hertz contact.
 namespace wheel_rail_contact::core::round_bodies
 {
 constexpr double crown_radius = 0.3;
 constexpr double half_head = 0.036;
 
-/// Rail head of one arc, wide enough for the wheel, with upright sides for the gauge.
+/// Rail head of one arc, wide enough for the wheel, with vertical sides for the gauge.
 inline Profile arcRail()
 {
   const double half_angle = std::asin(half_head / crown_radius);
@@ -25,7 +25,7 @@ inline Profile arcRail()
            {LineSection{half_head, edge, 0, -1}, depth}}};
 }
 
-/// Wheel of one straight line, rising to the field side by `slope`.
+/// Wheel of one straight line that rises to the field side by `slope`.
 inline Profile coneWheel(double slope)
 {
   const double length = std::hypot(1, slope);
@@ -41,8 +41,8 @@ inline ContactModelConfig scene(double slope)
   return scene;
 }
 
-/// The left wheel's contact under a load of each wheel [N], the wheelset at `y`: gap A x² + B y² with
-/// A = cos(a) / (2 R) at the touch (radius of the cone's normal section, R / cos(a)) and B = 1 / (2 * 300 mm).
+/// Contact of the left wheel under a load of each wheel [N], with the wheelset at `y`. The gap is A x² + B y² with A =
+/// cos(a)/(2R), where R/cos(a) is the radius of the cone's normal section at the touch, and B = 1/(2 * 300 mm).
 inline HertzContact exactContact(const ContactModelConfig& scene, double slope, double y, double load)
 {
   const double cosine = 1 / std::hypot(1, slope);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pressures by which no grid can be laid: on fewer than three cells, or on all of them. Other grids are tried, a
-// bounded number of them; in the end the wheel is refused by name.
+// Pressures from which no grid can be laid: on fewer than three cells, or on all cells. A limited number of other grids
+// is tried. Then the wheel has no solution, and its status gives the reason.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace
 {
 using Pressure = Eigen::ArrayXXd;
 
-/// Conjugate gradients whose first answers are spoiled.
+/// Conjugate gradients whose first solutions are made unusable.
 class SpoiledSolver : public NormalSolver
 {
  public:
@@ -42,22 +42,22 @@ class SpoiledSolver : public NormalSolver
   int solutions_ = 0;
 };
 
-/// Leaves the highest cell, or two on a grid of which half is stored.
+/// Keeps the highest cell only; on a grid of which half is stored, this is two cells.
 void sharpen(Pressure& pressure)
 {
   pressure = (pressure < pressure.maxCoeff()).select(0.0, pressure);
 }
 
-/// As far as the grid goes.
+/// Spreads the pressure over the whole grid.
 void flatten(Pressure& pressure)
 {
   pressure.setConstant(pressure.mean());
 }
 
-constexpr int most_grids = 10;  ///< laid in one call
+constexpr int most_grids = 10;  ///< limit of the grids in one call
 constexpr int always = 1000;
 
-/// The left wheel, centred.
+/// The left wheel of a centred wheelset.
 class UnusableGrid : public ::testing::Test
 {
  protected:
@@ -71,8 +71,8 @@ class UnusableGrid : public ::testing::Test
 };
 }  // namespace
 
-// The first one is a guess: another is laid after it anyway.
-TEST_F(UnusableGrid, TwiceIsMendedByAnother)
+// The first grid is an initial guess and always followed by another.
+TEST_F(UnusableGrid, TwoUnusableGridsAreFollowedByUsableOnes)
 {
   SpoiledSolver sound(0, sharpen), spike(2, sharpen), cut(2, flatten);
   EXPECT_EQ(solve(sound), WheelStatus::solved);
@@ -82,14 +82,14 @@ TEST_F(UnusableGrid, TwiceIsMendedByAnother)
   EXPECT_GT(cut.solutions(), sound.solutions());
 }
 
-TEST_F(UnusableGrid, PressureOnFewerThanThreeCellsOfEachIsRefusedByName)
+TEST_F(UnusableGrid, PressureOnFewerThanThreeCellsOfEachGridHasItsOwnStatus)
 {
   SpoiledSolver spike(always, sharpen);
   EXPECT_EQ(solve(spike), WheelStatus::spike);
   EXPECT_LE(spike.solutions(), most_grids);
 }
 
-TEST_F(UnusableGrid, PressureThatEachCutsOffIsRefusedByName)
+TEST_F(UnusableGrid, PressureCutOffByEachGridHasItsOwnStatus)
 {
   SpoiledSolver cut(always, flatten);
   EXPECT_EQ(solve(cut), WheelStatus::box_not_found);

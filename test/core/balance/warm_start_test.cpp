@@ -39,7 +39,7 @@ void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
   }
 }
 
-/// Where a patch carries pressure across the track [m].
+/// Loaded interval of a patch across the track [m].
 struct LoadedInterval
 {
   explicit LoadedInterval(const PatchResult& patch)
@@ -63,14 +63,14 @@ bool liesBeside(const PatchResult& one, const PatchResult& other)
   return a.end < b.begin || b.end < a.begin;
 }
 
-/// States as different as a run can meet.
+/// States that differ strongly from one another.
 const WheelsetState varied_states[] = {stateAt(0, 1e5), stateAt(3e-3, 2e4), stateAt(-5.2e-3, 1e5, 0.005),
                                        stateAt(7e-3, 8e4), stateAt(-1e-3, 1e3)};
 
 class WarmStartTest : public testing::Test
 {
  protected:
-  /// Largest relative differences of warm and cold answers along a sweep.
+  /// Largest differences of warm and cold results along a sweep: pressure and area relative, height [m].
   struct Difference
   {
     double max_pressure = 0, area = 0, height = 0;
@@ -106,7 +106,8 @@ class WarmStartTest : public testing::Test
 };
 }  // namespace
 
-// Steps of 0.05 to 0.1 mm, both ways: each answer is within the tolerance, so two of them within twice of it.
+// Steps of 0.05 to 0.1 mm, both ways. Each result is within the tolerance; the difference of two results is within
+// twice the tolerance.
 TEST_F(WarmStartTest, WarmResultsEqualColdResultsWithinTheTolerance)
 {
   for (const double amplitude : {3e-3, 6e-3})
@@ -119,7 +120,7 @@ TEST_F(WarmStartTest, WarmResultsEqualColdResultsWithinTheTolerance)
                   amplitude * 1e3, tolerance, worst.max_pressure, worst.area, worst.height * 1e6);
       EXPECT_LT(worst.max_pressure, 2 * tolerance);
       EXPECT_LT(worst.area, 2 * tolerance);
-      EXPECT_LT(worst.height, 2 * tolerance * 1e-4);  // of a descent of 100 um
+      EXPECT_LT(worst.height, 2 * tolerance * 1e-4);  // relative to a penetration of 100 um
     }
   }
 }
@@ -134,10 +135,10 @@ TEST_F(WarmStartTest, SameMessagesGiveTheSameBits)
   }
 }
 
-TEST_F(WarmStartTest, YawThatEndsLeavesNothingBehind)
+TEST_F(WarmStartTest, YawHasNoEffectAfterItHasEnded)
 {
-  // Without yaw both bodies are even about x = 0. A yawed wheel touches up to yaw * 0.46 m times the slope beside it;
-  // half a patch laid there would be mirrored at the wrong place.
+  // Without yaw both bodies are symmetric about x = 0. A yawed wheel touches at an x of up to yaw * 0.46 m times the
+  // slope. Half a patch laid there would be mirrored at the wrong position.
   const WheelsetState straight = stateAt(6e-3, 1e5);
   WheelsetContact warm(scene_);
   WheelsetContact cold(scene_);
@@ -152,7 +153,7 @@ TEST_F(WarmStartTest, YawThatEndsLeavesNothingBehind)
   }
 }
 
-// A message repeated: the answer does not creep.
+// Repeated messages: the result does not drift.
 TEST_F(WarmStartTest, SteadySceneIsSteady)
 {
   WheelsetContact contact(scene_);
@@ -173,7 +174,7 @@ TEST_F(WarmStartTest, SteadySceneIsSteady)
   }
 }
 
-// An unusable message in between must not disturb what follows.
+// An invalid message must not affect the following results.
 TEST_F(WarmStartTest, GoodResultFollowsABadMessage)
 {
   WheelsetContact contact(scene_);
@@ -184,8 +185,8 @@ TEST_F(WarmStartTest, GoodResultFollowsABadMessage)
   expectSameBits(contact.evaluate(stateAt(1.05e-3, 1e5)), undisturbed.evaluate(stateAt(1.05e-3, 1e5)));
 }
 
-// The box over one contact may reach over the next one, which is then counted in its own patch alone. It was counted in
-// both, and the larger box kept itself alive: the highest pressure was 3 to 70 % off.
+// The box of one contact may reach over the next contact, whose pressure must count in its own patch only. When it
+// counted in both, the larger box was found again and again, and the highest pressure was wrong by 3 to 70 %.
 TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
 {
   struct Place
@@ -230,9 +231,9 @@ TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
   }
 }
 
-// A yawed wheel comes nearest to the rail's gauge corner ahead of the tread's contact, where a second lobe may lie
-// beyond the end of the box: the highest pressure was 5 % off at an estimate of 0.7 %.
-TEST_F(WarmStartTest, PressureAheadOfABoxIsNotMissed)
+// A yawed wheel comes nearest to the gauge corner in front of the contact of the tread. A second lobe may lie there,
+// beyond the end of the box. When it was missed, the highest pressure was wrong by 5 % at an estimate of 0.7 %.
+TEST_F(WarmStartTest, PressureInFrontOfABoxIsNotMissed)
 {
   scene_.track.gauge = 1.430977;
   scene_.track.rail_inclination = 1.0 / 20;
@@ -261,7 +262,7 @@ TEST_F(WarmStartTest, PressureAheadOfABoxIsNotMissed)
     {
       estimate = patch.side == Side::left ? std::max(estimate, patch.error_estimate) : estimate;
     }
-    EXPECT_LT(error, std::max(estimate, scene_.contact.tolerance)) << "unsaid, at offset " << offset;
+    EXPECT_LT(error, std::max(estimate, scene_.contact.tolerance)) << "above the estimate, at offset " << offset;
     EXPECT_LT(error, 0.05) << "at offset " << offset;
   }
 }

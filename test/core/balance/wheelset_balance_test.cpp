@@ -11,7 +11,7 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Loads of the wheels: force and moment about the axle's centre, carried at the running circles.
+/// Load of a wheel [N]: force and moment about the axle centre, supported at the running circles.
 double wheelLoad(const ContactModelConfig& config, const WheelsetState& state, Side side)
 {
   const double transfer = state.torque_x / (2 * config.wheelset.halfBase());
@@ -46,16 +46,16 @@ class WheelsetBalanceTest : public testing::Test
 };
 }  // namespace
 
-TEST_F(WheelsetBalanceTest, CentredWheelsetStandsUprightAndLoadsBothWheelsAlike)
+TEST_F(WheelsetBalanceTest, CentredWheelsetHasNoRollAndLoadsBothWheelsEqually)
 {
   WheelsetContact contact(scene_);
   const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
   ASSERT_EQ(result.status, ContactStatus::ok);
-  EXPECT_NEAR(result.roll, 0, 1e-15);  // rounding of the axle's height over its length
+  EXPECT_NEAR(result.roll, 0, 1e-15);  // rounding of the axle height over the axle length
   EXPECT_EQ(result.rail[0].lateral_force, result.rail[1].lateral_force);
 }
 
-// The normal solution holds the load by construction; 1e-6 leaves room for the sums over cells alone.
+// The normal solution holds the load by construction; 1e-6 covers the rounding of the sums over cells.
 TEST_F(WheelsetBalanceTest, EachWheelCarriesItsShareOfForceAndMoment)
 {
   WheelsetContact contact(scene_);
@@ -68,7 +68,7 @@ TEST_F(WheelsetBalanceTest, EachWheelCarriesItsShareOfForceAndMoment)
   }
 }
 
-TEST_F(WheelsetBalanceTest, LoadsStayTrueAfterManyWarmMessages)
+TEST_F(WheelsetBalanceTest, LoadsRemainCorrectAfterManyWarmMessages)
 {
   WheelsetContact contact(scene_);
   for (int i = 0; i < 1000; ++i)
@@ -80,10 +80,10 @@ TEST_F(WheelsetBalanceTest, LoadsStayTrueAfterManyWarmMessages)
   }
 }
 
-// Height and roll given back as they were found must carry the loads again, within half the tolerance of 1 %: the
-// balance leaves open a roll that changes a wheel's height by 2 um of a descent of 100 um, made up for to first order,
-// and a descent within 1 % of that for which the gap was built. Measured: 0.09 %.
-TEST_F(WheelsetBalanceTest, SolvedHeightAndRollGivenBackCarryTheSameLoads)
+// Solved height and roll as input must give the same loads within half the tolerance of 1 %. The balance has two
+// remaining errors: a roll that changes a wheel's height by 2 um of a penetration of 100 um, corrected to first order,
+// and a penetration within 1 % of that of the gap. Measured: 0.09 %.
+TEST_F(WheelsetBalanceTest, SolvedHeightAndRollAsInputGiveTheSameLoads)
 {
   ContactModelConfig given_scene = scene_;
   given_scene.wheelset.solve_height_and_roll = false;
@@ -136,8 +136,8 @@ TEST_F(WheelsetBalanceTest, UnloadedWheelLiftsOffAndTheOtherCarriesAll)
   }
 }
 
-// What rounding leaves of two forces that should cancel is no load.
-TEST_F(WheelsetBalanceTest, LoadOfRoundingIsNone)
+// The rounding error of two forces that should cancel does not count as a load.
+TEST_F(WheelsetBalanceTest, RoundingErrorIsNotALoad)
 {
   for (const double left : {1e-11, 1e-15, 1e-300})
   {
@@ -152,7 +152,7 @@ TEST_F(WheelsetBalanceTest, LoadOfRoundingIsNone)
   }
 }
 
-TEST_F(WheelsetBalanceTest, WheelsetWithoutLoadTouchesAndCarriesNothing)
+TEST_F(WheelsetBalanceTest, WheelsetWithoutLoadIsPlacedWithoutPatches)
 {
   WheelsetContact contact(scene_);
   for (const double force : {0.0, 1e4})
@@ -167,7 +167,7 @@ TEST_F(WheelsetBalanceTest, WheelsetWithoutLoadTouchesAndCarriesNothing)
   }
 }
 
-// Lift-off is no lasting damage: the next loaded state is answered as before.
+// Lift-off has no lasting effect: the next loaded state has the same result as before.
 TEST_F(WheelsetBalanceTest, WheelsetComesDownAgainAfterLiftOff)
 {
   WheelsetContact contact(scene_);
@@ -175,13 +175,13 @@ TEST_F(WheelsetBalanceTest, WheelsetComesDownAgainAfterLiftOff)
   contact.evaluate(stateAt(1e-3, 0));
   const WheelsetResult after = contact.evaluate(stateAt(1e-3, 1e5));
   ASSERT_EQ(after.status, ContactStatus::ok);
-  EXPECT_NEAR(after.z, before.z, 1e-7);  // 0.1 % of a descent of 80 um
+  EXPECT_NEAR(after.z, before.z, 1e-7);  // 0.1 % of a penetration of 80 um
   EXPECT_NEAR(wheelTotal(after, Side::left).max_pressure, wheelTotal(before, Side::left).max_pressure,
               0.02 * wheelTotal(before, Side::left).max_pressure);  // twice the tolerance
 }
 
-// A body of linear material: between 10 N and 1 MN the pressure grows without a break.
-TEST_F(WheelsetBalanceTest, LightAndHeavyLoadsAreEvaluated)
+// With a linear material, the pressure increases steadily from 10 N to 1 MN.
+TEST_F(WheelsetBalanceTest, PressureIncreasesFromLightToHeavyLoads)
 {
   WheelsetContact contact(scene_);
   for (const double y : {0.0, 3e-3})

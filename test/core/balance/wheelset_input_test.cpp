@@ -17,7 +17,7 @@ void expectRefused(const ContactModelConfig& config, const std::string& option)
   try
   {
     const WheelsetContact contact(config);
-    ADD_FAILURE() << "a bad " << option << " was accepted";
+    ADD_FAILURE() << "an invalid " << option << " was accepted";
   }
   catch (const std::invalid_argument& error)
   {
@@ -39,7 +39,7 @@ class WheelsetInputTest : public testing::Test
 };
 }  // namespace
 
-TEST_F(WheelsetInputTest, ValuesThatAreNoNumbersOrHugeAreRefusedWithAReason)
+TEST_F(WheelsetInputTest, NonFiniteOrHugeValuesAreRejectedWithAReason)
 {
   WheelsetContact contact(scene_);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -69,7 +69,7 @@ TEST_F(WheelsetInputTest, ValuesThatAreNoNumbersOrHugeAreRefusedWithAReason)
   EXPECT_EQ(contact.evaluate(stateAt(0, 1e5)).status, ContactStatus::ok);
 }
 
-TEST_F(WheelsetInputTest, GivenHeightAndRollAreCheckedToo)
+TEST_F(WheelsetInputTest, GivenHeightAndRollAreChecked)
 {
   scene_.wheelset.solve_height_and_roll = false;
   WheelsetContact contact(scene_);
@@ -94,7 +94,7 @@ TEST_F(WheelsetInputTest, WheelBesideItsRailIsOffTheProfile)
   EXPECT_EQ(contact.evaluate(stateAt(0, 1e5)).status, ContactStatus::ok);
 }
 
-TEST_F(WheelsetInputTest, RaisedWheelsetTouchesNothing)
+TEST_F(WheelsetInputTest, RaisedWheelsetHasNoContact)
 {
   scene_.wheelset.solve_height_and_roll = false;
   WheelsetContact contact(scene_);
@@ -106,9 +106,10 @@ TEST_F(WheelsetInputTest, RaisedWheelsetTouchesNothing)
   EXPECT_EQ(result.z, 0.47);
 }
 
-TEST_F(WheelsetInputTest, RefusalOfTheNormalMethodIsHandedOn)
+TEST_F(WheelsetInputTest, FailureOfTheNormalMethodIsReported)
 {
-  // Just before the flange the patch is long and narrow: on such cells the paper's point forces make no sound matrix.
+  // Just before flange contact the patch is long and narrow. On such cells the influence matrix of the point forces of
+  // the paper is not positive definite.
   scene_.contact.method = NormalMethod::seidel_printed;
   scene_.contact.cells_along = 8;
   scene_.contact.cells_across = 16;
@@ -118,7 +119,7 @@ TEST_F(WheelsetInputTest, RefusalOfTheNormalMethodIsHandedOn)
   EXPECT_EQ(result.reason, toString(SolveStatus::indefinite));
 }
 
-TEST_F(WheelsetInputTest, ImpossibleOptionsAreRefusedByName)
+TEST_F(WheelsetInputTest, InvalidOptionsAreRejectedByName)
 {
   const double nan = std::nan("");
   ContactModelConfig config = scene_;
@@ -159,7 +160,7 @@ TEST_F(WheelsetInputTest, ImpossibleOptionsAreRefusedByName)
   expectRefused(config, "material/rail/poisson");
 }
 
-TEST_F(WheelsetInputTest, ImpossibleGridsAndRailsAreRefusedByName)
+TEST_F(WheelsetInputTest, InvalidGridsAndRailsAreRejectedByName)
 {
   ContactModelConfig config = scene_;
   config.contact.cells_along = 16;

@@ -7,7 +7,7 @@
 
 namespace wheel_rail_contact::core
 {
-/// A state under a load of each wheel [N].
+/// State at `y` [m] with the same load on each wheel [N].
 inline WheelsetState stateAt(double y, double wheel_load, double yaw = 0)
 {
   WheelsetState state;
@@ -17,12 +17,12 @@ inline WheelsetState stateAt(double y, double wheel_load, double yaw = 0)
   return state;
 }
 
-/// What a wheel's patches sum up to.
+/// Sums over the patches of a wheel.
 struct WheelTotal
 {
   int patches = 0;
   double vertical = 0;      ///< [N]
-  double max_pressure = 0;  ///< [Pa]
+  double max_pressure = 0;  ///< largest [Pa]
   double area = 0;          ///< [m²]
 };
 

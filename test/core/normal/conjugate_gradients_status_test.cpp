@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the solver tells beside a pressure, and what it refuses.
+// Status and flags of the solver, and the problems that it rejects.
 #include "core/normal/solvers/conjugate_gradients.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ NormalSolution solved(const NormalProblem& problem, const ConjugateGradientsOpti
   return solution;
 }
 
-/// Of a contact that is solved to a residual in at most so many products.
+/// Solution of a contact to a residual in at most `max_products` products.
 NormalSolution solvedTo(double residual, int max_products)
 {
   ConjugateGradientsOptions options;
@@ -32,7 +32,7 @@ NormalSolution solvedTo(double residual, int max_products)
   return solved(hertzCase(2, 16, 32, true).problem, options);
 }
 
-TEST(ConjugateGradients, PatchThatStaysApartCarriesNothing)
+TEST(ConjugateGradients, SeparatePatchCarriesNoLoad)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.patches.push_back(problem.patches[0]);
@@ -52,11 +52,12 @@ TEST(ConjugateGradients, FlagsABoxThatCutsThePatch)
   {
     EXPECT_TRUE(solved(hertzCase(2, 16, 32, symmetric, 0.9).problem).patches[0].touches_border);
     EXPECT_FALSE(solved(hertzCase(2, 16, 32, symmetric, 1.2).problem).patches[0].touches_border);
-    EXPECT_TRUE(solved(hertzCase(2, 16, 32, symmetric, 1.2, 5).problem).patches[0].touches_border) << "cut on one side";
+    EXPECT_TRUE(solved(hertzCase(2, 16, 32, symmetric, 1.2, 5).problem).patches[0].touches_border)
+        << "cut on one side only";
   }
 }
 
-TEST(ConjugateGradients, NothingTouchesAtASmallApproach)
+TEST(ConjugateGradients, ReportsNoContactAtASmallApproach)
 {
   auto hertz = hertzCase(2, 16, 32, true);
   hertz.problem.control = NormalProblem::Control::approach;
@@ -68,7 +69,7 @@ TEST(ConjugateGradients, NothingTouchesAtASmallApproach)
   EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
 }
 
-TEST(ConjugateGradients, TellsAnInvalidProblem)
+TEST(ConjugateGradients, RejectsAnInvalidProblem)
 {
   const auto status = [](auto spoil)
   {
@@ -89,15 +90,15 @@ TEST(ConjugateGradients, TellsAnInvalidProblem)
   EXPECT_EQ(status([&](NormalProblem& p) { p.value = nan; }), SolveStatus::invalid_problem);
 }
 
-TEST(ConjugateGradients, SaysWhenItWasStoppedTooEarly)
+TEST(ConjugateGradients, ReportsTheIterationLimit)
 {
   const NormalSolution solution = solvedTo(1e-9, 3);
   EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
   EXPECT_FALSE(isUsable(solution.status));
 }
 
-// Rounding leaves a residual of some 1e-16, which no product makes smaller.
-TEST(ConjugateGradients, SaysWhenTheResidualStopsFalling)
+// Rounding leaves a residual of about 1e-16, which further products do not decrease.
+TEST(ConjugateGradients, ReportsAStalledResidual)
 {
   const NormalSolution solution = solvedTo(1e-18, 100000);
   EXPECT_EQ(solution.status, SolveStatus::stalled);
@@ -105,8 +106,8 @@ TEST(ConjugateGradients, SaysWhenTheResidualStopsFalling)
   EXPECT_LT(solution.residual, 1e-12);
 }
 
-// A support that comes towards what presses on it, farther than the half-spaces give way.
-TEST(ConjugateGradients, RefusesAMatrixWithANegativeDirection)
+// A support that moves towards the load, farther than the half-spaces deflect.
+TEST(ConjugateGradients, RejectsAnIndefiniteMatrix)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   PatchGap& patch = problem.patches[0];
@@ -122,7 +123,7 @@ TEST(ConjugateGradients, RefusesAMatrixWithANegativeDirection)
   EXPECT_FALSE(isUsable(solution.status));
 }
 
-TEST(ConjugateGradients, RefusesOptionsByName)
+TEST(ConjugateGradients, RejectsInvalidOptionsByName)
 {
   const auto message = [](double residual, int max_products) -> std::string
   {
@@ -140,7 +141,7 @@ TEST(ConjugateGradients, RefusesOptionsByName)
     }
   };
   EXPECT_EQ(message(1e-4, 10), "accepted");
-  EXPECT_EQ(message(0, 10), "residual = 0.000000: must lie in (0, 1)");
+  EXPECT_EQ(message(0, 10), "residual = 0.000000: must be in (0, 1)");
   EXPECT_EQ(message(1e-4, 0), "max_products = 0: must be positive");
 }
 

@@ -25,7 +25,7 @@ ConjugateGradients strictSolver()
   return ConjugateGradients(options);
 }
 
-/// Largest depth of interpenetration, the scale of the residual [m].
+/// Largest depth of interpenetration [m], the scale of the residual.
 double depth(const NormalProblem& problem, double approach)
 {
   double deepest = 0;
@@ -50,7 +50,7 @@ class HertzContact : public testing::TestWithParam<double>
 {
 };
 
-TEST_P(HertzContact, MaxPressureAndApproachWithinATenthOfAPercent)
+TEST_P(HertzContact, MaxPressureApproachAndAreaAreWithinATenthOfAPercent)
 {
   for (const bool symmetric : {true, false})
   {
@@ -66,7 +66,7 @@ TEST_P(HertzContact, MaxPressureAndApproachWithinATenthOfAPercent)
 
 INSTANTIATE_TEST_SUITE_P(Curvatures, HertzContact, testing::Values(1.0, 2.0, 5.0, 10.0, 0.2));
 
-TEST(ConjugateGradients, AgreesWithTheDenseOracle)
+TEST(ConjugateGradients, AgreesWithTheDenseReference)
 {
   constexpr unsigned seed = 11;
   std::mt19937_64 random(seed);
@@ -88,12 +88,12 @@ TEST(ConjugateGradients, AgreesWithTheDenseOracle)
   }
 }
 
-TEST(ConjugateGradients, AgreesWithTheDenseOracleOn32By32Cells)
+TEST(ConjugateGradients, AgreesWithTheDenseReferenceOn32By32Cells)
 {
   const auto rail = [](double x, double y)
   {
-    const double discontinuity =
-        y - 2e-3;  // a rail's curvature jumps from 1/300 to 1/80 per mm beside the contact's middle
+    // The rail curvature jumps from 1/300 to 1/80 per mm next to the middle of the contact.
+    const double discontinuity = y - 2e-3;
     return x * x / 0.92 + 0.5 * y * y * (1 / 0.3 - 2.0) +
            (discontinuity > 0 ? 0.5 * discontinuity * discontinuity * (1 / 0.08 - 1 / 0.3) : 0);
   };
@@ -146,7 +146,7 @@ TEST(ConjugateGradients, MeetsTheContactConditionsToTheStatedResidual)
 
 TEST(ConjugateGradients, NeedsFewProducts)
 {
-  // A cold start takes 3 to 7 products on these, a start from the neighbouring position 2 to 5.
+  // These problems take 3 to 7 products from a cold start, and 2 to 5 from a neighbouring position.
   ConjugateGradients solver;
   for (const double ratio : {1.0, 2.0, 5.0, 10.0})
   {
@@ -159,7 +159,7 @@ TEST(ConjugateGradients, NeedsFewProducts)
   }
 }
 
-TEST(ConjugateGradients, SymmetricGridGivesTheFullGridsResult)
+TEST(ConjugateGradients, SymmetricGridGivesTheResultOfTheFullGrid)
 {
   ConjugateGradients solver = strictSolver();
   NormalSolution full, half;
@@ -205,7 +205,7 @@ TEST(ConjugateGradients, WarmStartGivesTheColdResult)
     NormalProblem problem = randomProblem(random, 1 + k % 2);
     NormalSolution warm, cold;
     solver.solve(problem, false, warm);
-    // The next message: another place, load and cell size; aspects stay in half of the cases.
+    // The next message: another position, load and cell size. The cell aspects stay the same in half of the cases.
     for (PatchGap& patch : problem.patches)
     {
       patch.gap +=
@@ -227,7 +227,7 @@ TEST(ConjugateGradients, WarmStartGivesTheColdResult)
   }
 }
 
-TEST(ConjugateGradients, StartsAfreshFromAPressureThatWasChanged)
+TEST(ConjugateGradients, SolvesAgainAfterThePressureWasChanged)
 {
   ConjugateGradients solver;
   const auto hertz = hertzCase(2, 16, 32, true);
@@ -246,7 +246,7 @@ TEST(ConjugateGradients, StartsAfreshFromAPressureThatWasChanged)
   EXPECT_EQ(solution.status, SolveStatus::converged);
 }
 
-TEST(ConjugateGradients, LoadsOnOneToEightCells)
+TEST(ConjugateGradients, SolvesContactsOfOneToEightCells)
 {
   ConjugateGradients solver = strictSolver();
   int fewest = 1000;
@@ -266,7 +266,7 @@ TEST(ConjugateGradients, LoadsOnOneToEightCells)
   EXPECT_LE(fewest, 2);
 }
 
-TEST(ConjugateGradients, ApproachAndLoadAreTwoWaysToTheSameContact)
+TEST(ConjugateGradients, ApproachControlAndLoadControlAgree)
 {
   ConjugateGradients solver = strictSolver();
   auto hertz = hertzCase(4, 16, 32, true);
@@ -279,7 +279,7 @@ TEST(ConjugateGradients, ApproachAndLoadAreTwoWaysToTheSameContact)
   EXPECT_DOUBLE_EQ(by_approach.approach, by_load.approach);
 }
 
-TEST(ConjugateGradients, GapsOffsetMovesTheApproachOnly)
+TEST(ConjugateGradients, GapOffsetChangesOnlyTheApproach)
 {
   ConjugateGradients solver = strictSolver();
   auto hertz = hertzCase(4, 16, 32, true);

@@ -19,7 +19,7 @@ double areaOf(const Eigen::ArrayXXd& pressure, double aspect, bool mirrored = fa
   return polygon.cells(aspect);
 }
 
-/// Roots of a paraboloid, askew to the cells and off their middle.
+/// Root of a paraboloid whose axes are oblique to the cells and off their middle.
 Eigen::ArrayXXd askewPressure(std::mt19937& random)
 {
   std::uniform_real_distribution<double> part(-1, 1);
@@ -36,10 +36,10 @@ Eigen::ArrayXXd askewPressure(std::mt19937& random)
   return pressure;
 }
 
-TEST(ContactEdge, AreaIsTheSameFromWhereverOneLooks)
+TEST(ContactEdge, AreaIsIndependentOfOrientationAndScale)
 {
   constexpr unsigned seed = 5;
-  constexpr double aspect = 2.3, tolerance = 1e-5;  // sums of single precision, in cells
+  constexpr double aspect = 2.3, tolerance = 1e-5;  // sums in single precision [cells]
   std::cout << "seed " << seed << "\n";
   std::mt19937 random(seed);
   for (int k = 0; k < 20; ++k)
@@ -68,7 +68,7 @@ TEST(ContactEdge, AreaOfAStoredHalfIsHalfOfTheWhole)
   }
 }
 
-/// Islands of a pressure, less holes.
+/// Number of islands of a pressure minus the number of holes.
 int islandsOf(const Eigen::ArrayXXd& pressure, bool mirrored = false)
 {
   EdgePolygon polygon;
@@ -98,7 +98,7 @@ TEST(ContactEdge, TwoIslandsHaveTwiceTheAreaOfOne)
   }
 }
 
-TEST(ContactEdge, ARingIsAnIslandLessAHole)
+TEST(ContactEdge, AHoleIsSubtractedFromTheIslands)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
   pressure.block(2, 3, 8, 9) = 1;
@@ -106,13 +106,13 @@ TEST(ContactEdge, ARingIsAnIslandLessAHole)
   EXPECT_EQ(islandsOf(pressure), 0);
   pressure(6, 7) = 1;
   EXPECT_EQ(islandsOf(pressure), 1);
-  pressure(5, 6) = 1;  // touches the ring, the one in its middle only by a corner
+  pressure(5, 6) = 1;  // touches the ring; touches the cell in its middle only at a corner
   EXPECT_EQ(islandsOf(pressure), 1);
 }
 
-// A cell barely loaded beside a much higher island, over an empty one: without a limit on what shows at a crossing the
-// area would be off by the ratio of the two.
-TEST(ContactEdge, AnIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
+// A barely loaded cell near a much higher island, with an empty cell between them. Without a limit for the relative
+// pressures at a crossing, the area error would be the ratio of the two pressures.
+TEST(ContactEdge, ABarelyLoadedCellNearAnIslandHardlyChangesTheArea)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 16);
   pressure.block(4, 6, 4, 4) = 1;
@@ -121,7 +121,7 @@ TEST(ContactEdge, AnIslandBesideABarelyLoadedCellLeavesTheAreaAsItIs)
   EXPECT_NEAR(areaOf(pressure, 1), alone, 2);
 }
 
-// Every cell of a line lies at the edge, and the next line is empty.
+// Every cell of a line is at the edge, and the next line is empty.
 TEST(ContactEdge, StripesOfSingleColumnsKeepTheirArea)
 {
   Eigen::ArrayXXd pressure = Eigen::ArrayXXd::Zero(12, 40);

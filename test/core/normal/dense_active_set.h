@@ -7,16 +7,17 @@
 
 #include "problems.h"
 
-/// Exact solution of small normal contact problems, as an oracle for tests.
+/// Exact solution of small normal contact problems, as the reference of tests.
 namespace wheel_rail_contact::core::problems
 {
-/// Active-set method with a Cholesky factorisation of the loaded cells' matrix in each step: cells with negative
-/// pressure leave, then cells with negative distance enter, until neither is left. All of them at once as long as their
-/// number falls, the worst alone otherwise (Júdice and Pires 1994). Patches are coupled by load and approach only.
+/// Active-set method with a Cholesky factorisation of the matrix of the loaded cells in each step. Cells with negative
+/// pressure leave the contact and cells with negative distance enter it, until there are none of either. All of them
+/// change at once as long as their number decreases, otherwise only the worst one (Júdice and Pires 1994). Patches are
+/// coupled only by load and approach.
 class DenseActiveSet
 {
  public:
-  /// Pressures by patch [Pa] and the common approach [m].
+  /// Pressures of the patches [Pa] and the common approach [m].
   struct Result
   {
     std::vector<Eigen::ArrayXXd> pressure;
@@ -54,7 +55,7 @@ class DenseActiveSet
       change(patience > 0);
       if (result.factorisations > 2000)
       {
-        throw std::runtime_error("the active set does not settle");
+        throw std::runtime_error("the active set does not converge");
       }
     }
     for (std::size_t k = 0; k < states_.size(); ++k)
@@ -73,7 +74,7 @@ class DenseActiveSet
     std::vector<bool> loaded;
   };
 
-  /// Pressure on the loaded cells for zero distance there, and the approach.
+  /// Computes the approach and the pressures of the loaded cells for which their distance is zero.
   void solveLoaded(double& approach)
   {
     double by_approach = 0, by_gap = 0;  // load = by_approach * approach - by_gap
@@ -127,7 +128,7 @@ class DenseActiveSet
     return all;
   }
 
-  /// Violation of a cell in metres, counting a pressure by the displacement of its own cell; zero if the cell is right.
+  /// Violation of a cell [m]; zero if the cell is correct. A pressure is counted as the displacement of its own cell.
   static double violation(const State& s, std::size_t i)
   {
     constexpr double rounding = 1e-15;  // [m]

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double modulus = 1.14e11;  // steel on steel [Pa]
 
-/// A bowl along and across, whose curvature across jumps by `jump` times itself at y = `joint`.
+/// Bowl whose curvature across jumps by `jump` times its value at y = `discontinuity`.
 scenes::Gap discontinuous(double discontinuity, double jump)
 {
   return [=](double x, double y)
@@ -25,7 +25,7 @@ scenes::Gap discontinuous(double discontinuity, double jump)
   };
 }
 
-/// A patch on cells that hold the pressure of 20 kN on every gap of these tests.
+/// Patch on a grid that covers the pressure of 20 kN on every gap of these tests.
 NormalProblem problemOf(const scenes::Gap& gap, const GridSize& size, bool symmetric = false)
 {
   NormalProblem problem;
@@ -64,8 +64,8 @@ TEST(DiscontinuityBias, SmoothGapsHaveNone)
   EXPECT_EQ(patch.moved_at_discontinuities, 0);
 }
 
-// No side of it is outward to its ends along, which lie on a line beside which nothing is loaded.
-TEST(DiscontinuityBias, ASingleColumnIsTheSameFromEitherSide)
+// The ends of the column along the track have no outward side: the lines on both sides are unloaded.
+TEST(DiscontinuityBias, BiasOfASingleColumnIsMirrorSymmetric)
 {
   NormalProblem problem = problemOf(discontinuous(0.05e-3, 3), {16, 32});
   PatchGap& gap = problem.patches[0];
@@ -81,13 +81,13 @@ TEST(DiscontinuityBias, ASingleColumnIsTheSameFromEitherSide)
   EXPECT_NEAR(sumsOf(problem, patch).bias, sums.bias, 1e-5);
 }
 
-TEST(DiscontinuityBias, IsTheSameFromWhereverOneLooks)
+TEST(DiscontinuityBias, IsIndependentOfOrientation)
 {
   const NormalProblem problem = problemOf(discontinuous(1.6e-3, -1.1), {16, 32});
   const PatchPressure patch = solve(problem);
   const DiscontinuitySums sums = sumsOf(problem, patch);
   EXPECT_GT(sums.sizes, 0.1);
-  constexpr double tolerance = 1e-4;  // sums of single precision, in cells
+  constexpr double tolerance = 1e-4;  // sums in single precision [cells]
   const auto look = [&](auto turn)
   {
     NormalProblem turned = problem;
@@ -107,7 +107,7 @@ TEST(DiscontinuityBias, IsTheSameFromWhereverOneLooks)
   EXPECT_NEAR(stored.moved_at_discontinuities / patch.moved_at_discontinuities, 1, 1e-3);
 }
 
-/// Errors of areas with what is known of joints and without it, sizes in the mean [cells].
+/// Mean absolute errors of areas with and without the correction for curvature discontinuities [cells].
 class AreaErrors
 {
  public:
@@ -124,8 +124,8 @@ class AreaErrors
   double without() const { return without_ / count_; }
   void print(const char* gaps) const
   {
-    std::cout << count_ << ' ' << gaps << ": areas " << with() << " cells off in the mean, " << without()
-              << " without what is known of joints\n";
+    std::cout << count_ << ' ' << gaps << ": mean area error " << with() << " cells, " << without()
+              << " cells without the correction\n";
   }
 
  private:
@@ -133,8 +133,8 @@ class AreaErrors
   int count_ = 0;
 };
 
-// Joints from well inside to beyond the edge, jumps to more curvature and to less.
-TEST(DiscontinuityBias, AreaIsNearerToThatOnFineCells)
+// Discontinuities from well inside the edge to beyond it, with jumps to higher and lower curvature.
+TEST(DiscontinuityBias, CorrectedAreaIsCloserToThatOfFineCells)
 {
   AreaErrors errors;
   for (const double jump : {-0.9, -0.5, 1.0, 3.0})
@@ -144,12 +144,12 @@ TEST(DiscontinuityBias, AreaIsNearerToThatOnFineCells)
       errors.add(discontinuous(discontinuity, jump), {12, 24});
     }
   }
-  errors.print("joints");
+  errors.print("curvature discontinuities");
   EXPECT_LT(errors.with(), 0.6 * errors.without());
 }
 
-// A curvature that grows shows steps as well.
-TEST(DiscontinuityBias, AreaIsNearerWhereCurvatureGrowsSmoothly)
+// A curvature that increases smoothly has steps as well.
+TEST(DiscontinuityBias, CorrectedAreaIsCloserAlsoForSmoothlyIncreasingCurvature)
 {
   AreaErrors errors;
   for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 24}})

@@ -14,9 +14,10 @@ namespace
 using scenes::ErrorSample;
 using scenes::Method;
 
-constexpr std::size_t used_grids = 10;  ///< of scenes::grids, the coarsest: up to 16 × 64 cells
+constexpr std::size_t used_grids = 10;  ///< number of grids used: the coarsest of scenes::grids, up to 16 × 64 cells
 
-/// Fresh random scenes, half wheelsets (whole chain), half gaps; calibration has used seeds 1, 2 and 11.
+/// Samples of new random scenes: half wheelsets (whole calculation), half gaps. The calibration used the seeds 1, 2 and
+/// 11.
 std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long seed)
 {
   std::cout << "seed " << seed << ", " << count << " scenes\n";
@@ -34,7 +35,7 @@ std::vector<ErrorSample> freshSamples(Method method, int count, unsigned long se
   return samples;
 }
 
-/// The same by an iteration that is slow: gaps only.
+/// Samples of gaps only, for the slow iterations.
 std::vector<ErrorSample> freshGapSamples(Method method, int count, unsigned long seed)
 {
   std::cout << "seed " << seed << ", " << count << " scenes\n";
@@ -50,8 +51,8 @@ std::vector<ErrorSample> freshGapSamples(Method method, int count, unsigned long
   return samples;
 }
 
-/// The two demands on an estimate: it holds in 95 of 100 cases, and it is no more than four times the truth in the
-/// median. Truth: the same scene on a grid four times finer each way.
+/// Two requirements on an estimate: it is at least the true error in 95 of 100 cases, and its median ratio to the true
+/// error is at most four. The true error is that against the same scene on a grid four times finer in each direction.
 void expectCalibrated(const std::vector<ErrorSample>& samples)
 {
   ASSERT_GT(samples.size(), 100U);
@@ -66,34 +67,34 @@ void expectCalibrated(const std::vector<ErrorSample>& samples)
   const double share = static_cast<double>(held) / static_cast<double>(samples.size());
   const double median = ratios[ratios.size() / 2];
   std::cout << samples.size() << " patches: true error within the estimate in " << 100 * share
-            << " %, estimate over true error " << median << " in the median\n";
+            << " %, median of estimate over true error " << median << "\n";
   EXPECT_GE(share, 0.95);
   EXPECT_LE(median, 4);
 }
 
-TEST(ErrorEstimate, HoldsOnFreshScenesSolvedOnGrids)
+TEST(ErrorEstimate, HoldsOnNewScenesSolvedOnGrids)
 {
   expectCalibrated(freshSamples(Method::grid, 260, 211));
 }
 
-TEST(ErrorEstimate, HoldsOnFreshScenesSolvedByHertz)
+TEST(ErrorEstimate, HoldsOnNewScenesSolvedByHertz)
 {
   expectCalibrated(freshSamples(Method::hertz, 180, 12));
 }
 
-TEST(ErrorEstimate, HoldsOnFreshScenesSolvedByKikPiotrowski)
+TEST(ErrorEstimate, HoldsOnNewScenesSolvedByKikPiotrowski)
 {
   expectCalibrated(freshSamples(Method::kik_piotrowski, 180, 13));
 }
 
-TEST(ErrorEstimate, HoldsOnFreshScenesSolvedBySeidelAsRepaired)
+TEST(ErrorEstimate, HoldsOnNewScenesSolvedByRepairedSeidel)
 {
   expectCalibrated(freshGapSamples(Method::seidel, 480, 14));
 }
 
-TEST(ErrorEstimate, HoldsOnFreshScenesSolvedBySeidelAsPrinted)
+TEST(ErrorEstimate, HoldsOnNewScenesSolvedByPrintedSeidel)
 {
-  // Its point forces leave more than the mesh does; about a third of the scenes is refused for cells too long.
+  // The point forces cause larger errors than the grid. About a third of the scenes is rejected because of long cells.
   expectCalibrated(freshGapSamples(Method::seidel_printed, 240, 16));
 }
 
@@ -103,8 +104,8 @@ NormalProblem paraboloid(const GridSize& size, double along, double across)
   problem.modulus = 1.14e11;
   problem.value = 5e4;
   const HertzContact contact = hertzForForce({along, across}, problem.modulus, problem.value);
-  const aspect_ladder::Cell cell =
-      aspect_ladder::coveringCell(2.2 * contact.semi_axis_x, 2.2 * contact.semi_axis_y, size.along, size.across);
+  const cell_aspect::Cell cell =
+      cell_aspect::coveringCell(2.2 * contact.semi_axis_x, 2.2 * contact.semi_axis_y, size.along, size.across);
   PatchGap patch;
   patch.grid = {size.along, size.across, cell.dx, cell.dy, -0.5 * (size.across - 1) * cell.dy, true};
   scenes::sample([=](double x, double y) { return along * x * x + across * y * y; }, patch);
@@ -112,7 +113,7 @@ NormalProblem paraboloid(const GridSize& size, double along, double across)
   return problem;
 }
 
-TEST(ErrorEstimate, FallsWithTheCells)
+TEST(ErrorEstimate, DecreasesWithTheCellSize)
 {
   ConjugateGradients solver;
   NormalSolution solution;
@@ -147,7 +148,8 @@ TEST(ErrorEstimate, IsTheSameWithAndWithoutSymmetry)
   EXPECT_NEAR(a.approach, b.approach, 1e-4 * a.approach);
 }
 
-/// True relative error of the highest pressure on a grid, against cells four times finer each way, and its estimate.
+/// True relative error of the highest pressure on a grid, against cells four times finer in each direction, and its
+/// estimate.
 struct PeakError
 {
   double truth = 0, estimate = 0;
@@ -168,8 +170,8 @@ PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
   return {std::abs(coarse.patches[0].max_pressure / fine.patches[0].max_pressure - 1), estimate};
 }
 
-// A wheel of 0.46 m on a crown that a shoulder joins, wherever that is among the cells; of five places one may be off
-// by a quarter more than estimated.
+// A wheel of 0.46 m radius on a crown that joins a shoulder, at several positions among the cells. At one of five
+// positions the error may exceed the estimate, by at most a quarter.
 TEST(ErrorEstimate, HoldsAtACurvatureJumpUnderThePeak)
 {
   for (const GridSize& size : {GridSize{8, 16}, GridSize{12, 32}, GridSize{16, 48}, GridSize{24, 56}})
@@ -198,7 +200,8 @@ TEST(ErrorEstimate, HoldsAtACurvatureJumpUnderThePeak)
   }
 }
 
-/// Patches of S1002 on a rail [m, N], with their true errors of the highest pressure.
+/// Patches of S1002 on a rail at the lateral displacement y [m] under a wheel load [N], with the true errors of their
+/// highest pressure.
 std::vector<ErrorSample> patchesOf(Profile (*rail)(), double y, double wheel_load, const GridSize& size)
 {
   scenes::WheelsetScene scene;
@@ -211,9 +214,10 @@ std::vector<ErrorSample> patchesOf(Profile (*rail)(), double y, double wheel_loa
   return samples;
 }
 
-// In the first, the highest cell lies on the wide one of two lobes and the true maximum on the narrow one, where the
-// rail's 300 mm meet its 80 mm. In the second, a patch of 0.5 mm lies over a step of 43 nm in the benchmark's rail.
-TEST(ErrorEstimate, CountsLowerPeaksThatFinerCellsRaise)
+// In the first case the highest cell is in the wider of two lobes. The true maximum is in the narrower one, where the
+// rail radii of 300 mm and 80 mm meet. In the second case a patch of 0.5 mm covers a step of 43 nm in the benchmark
+// rail.
+TEST(ErrorEstimate, IncludesSecondaryPeaksThatGrowOnFinerCells)
 {
   const std::vector<ErrorSample> lobes = patchesOf(rail60E1, 0.000035, 40000, {8, 16});
   const std::vector<ErrorSample> step = patchesOf(railUic60Manchester, 0.004237, 1e5, {24, 56});
@@ -230,8 +234,8 @@ TEST(ErrorEstimate, CountsLowerPeaksThatFinerCellsRaise)
   }
 }
 
-// Pressure at a step of the gap has no highest value; on cells it grows as they shrink.
-TEST(ErrorEstimate, CountsTheSpikeAtAStep)
+// The pressure at a step of the gap has no maximum. On a grid it grows as the cells shrink.
+TEST(ErrorEstimate, IncludesTheSpikeAtAStep)
 {
   for (const double place : {0.45, 0.55, 0.65, 0.75})
   {
@@ -246,16 +250,16 @@ TEST(ErrorEstimate, CountsTheSpikeAtAStep)
   }
 }
 
-// Under a light load at y = 0.6 mm, where the rail's curvature jumps, a tail hangs on the pressure: 3 mm across the
-// track, and down to a tenth of a millimetre along. On cells it is two cells long everywhere.
-TEST(ErrorEstimate, CountsATailNarrowerThanTheCells)
+// Under a light load at y = 0.6 mm, where the curvature of the rail jumps, the pressure has a narrow end: 3 mm across
+// the track, and down to a tenth of a millimetre along it. On the grid it is two cells long everywhere.
+TEST(ErrorEstimate, IncludesEndsNarrowerThanTheCells)
 {
   for (const GridSize& size : {GridSize{10, 24}, GridSize{16, 48}, GridSize{24, 96}})
   {
     double largest = 0, of_narrow_ends = 0;
     for (const ErrorSample& sample : patchesOf(railUic60Manchester, 0.000634, 6100, size))
     {
-      std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << ", of tails "
+      std::cout << "true " << sample.error.area << ", estimated " << sample.estimate.area << ", of narrow ends "
                 << sample.estimate.narrow_ends << "\n";
       EXPECT_LE(sample.error.area, sample.estimate.area);
       EXPECT_LE(sample.estimate.narrow_ends, sample.estimate.area);

@@ -15,7 +15,8 @@
 #include "gap_scenes.h"
 #include "wheel_rail_contact/core/standard_profiles.h"
 
-/// Solutions of random scenes with their true errors: the same scene on a grid four times finer each way.
+/// Solutions of random scenes with their true errors. The reference is the same scene on a grid four times finer in
+/// each direction.
 namespace wheel_rail_contact::core::scenes
 {
 enum class Method
@@ -27,29 +28,29 @@ enum class Method
   seidel_printed  ///< gap scenes only
 };
 
-/// For Hertz half of the gaps are nearly round: there `auto` relies on its estimate.
+/// Random gap for a method. For Hertz half of the gaps are nearly round, because `auto` relies on its estimate there.
 inline GapScene randomGapScene(Method method, Random& random)
 {
   return method == Method::hertz && oneIn(random, 2) ? randomBowlScene(random) : randomGapScene(random);
 }
 
-/// One patch.
+/// Sample of one patch.
 struct ErrorSample
 {
   const char* kind = "";
   GridSize size;
   bool alone = false;  ///< the only patch of its problem
   ErrorTerms terms;    ///< of Method::grid
-  ShapeTerms shape{};  ///< of the others
+  ShapeTerms shape{};  ///< of the other methods
   ErrorEstimate estimate;
-  ErrorEstimate error;  ///< true
+  ErrorEstimate error;  ///< true error
 };
 
-constexpr int finer = 4;  ///< cells of the truth over cells of the sample, each way
-/// Cells of the truth of gaps solved in closed form, whose errors do not fall with the sample's cells.
+constexpr int finer = 4;  ///< cells of the reference over cells of the sample, in each direction
+/// Cells of the reference for gaps solved in closed form, whose errors do not decrease with the cells of the sample.
 constexpr GridSize closed_form_truth{96, 256};
 
-/// Grids of many shapes, coarse to fine; not only those of `auto`.
+/// Grids of many shapes, coarse to fine, including some that `auto` does not use.
 constexpr std::array<GridSize, 15> grids{{{4, 16},
                                           {8, 16},
                                           {8, 24},
@@ -96,7 +97,7 @@ inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
   return std::make_unique<Seidel>(options);
 }
 
-/// Fills terms and estimate. `own_approach` is the patch's own [m].
+/// Fills terms and estimate. `own_approach` is that of the patch [m].
 inline ErrorSample describe(const char* kind, Method method, const NormalSolver& solver, const NormalProblem& problem,
                             const NormalSolution& solution, std::size_t patch, double own_approach)
 {
@@ -134,8 +135,8 @@ inline ErrorEstimate relativeErrors(const PatchPressure& found, double found_app
 class GapSampler
 {
  public:
-  /// Solves a scene by the method's solver on a random box of a size, and for truth() on one finer; false if there is
-  /// no usable truth (a patch without pressure, or no box found), or the method has no answer.
+  /// Solves a scene by `solver` on a random box with `size` cells, and the reference truth() on finer cells. Returns
+  /// false if there is no usable reference (a patch without pressure, or no box found) or no result of the method.
   bool solve(Method method, NormalSolver& solver, const GapScene& scene, const GridSize& size, Random& random)
   {
     problem_.modulus = modulus;
@@ -151,14 +152,14 @@ class GapSampler
     }
     for (PatchGap& patch : problem_.patches)
     {
-      patch.grid = looser(random, patch.grid, size);
+      patch.grid = randomBox(random, patch.grid, size);
     }
     fill(scene);
     solver.solve(problem_, false, found_);
     coarse_ = problem_;
     for (PatchGap& patch : problem_.patches)
     {
-      patch.grid = method == Method::hertz ? relaid(patch.grid, closed_form_truth) : refined(patch.grid, finer);
+      patch.grid = method == Method::hertz ? regridded(patch.grid, closed_form_truth) : refined(patch.grid, finer);
     }
     fill(scene);
     ConjugateGradients strict(strictOptions());
@@ -167,12 +168,13 @@ class GapSampler
            std::all_of(true_.patches.begin(), true_.patches.end(),
                        [](const PatchPressure& patch) { return patch.force > 0 && !patch.touches_border; });
   }
-  /// Of the last solve().
+  /// Problem and solution of the last solve(), and the reference.
   const NormalProblem& problem() const { return coarse_; }
   const NormalSolution& found() const { return found_; }
   const NormalSolution& truth() const { return true_; }
 
-  /// Adds a sample for every patch; false as of solve(), or if a patch has no pressure on the sample's cells.
+  /// Adds a sample for every patch. Returns false under the conditions of solve(), or if a patch has no pressure on the
+  /// cells of the sample.
   bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
               std::vector<ErrorSample>& samples)
   {
@@ -183,7 +185,7 @@ class GapSampler
  private:
   static constexpr double modulus = 1.14e11;  ///< steel on steel [Pa]
   static constexpr int most_boxes = 12;
-  static constexpr double margin = 1.1;  ///< of boxes in use [-]
+  static constexpr double margin = 1.1;  ///< margin of the boxes that the package uses [-]
 
   void fill(const GapScene& scene)
   {
@@ -193,13 +195,13 @@ class GapSampler
     }
   }
 
-  /// Lays grids around the pressure until they hold all of it closely.
+  /// Adapts the grids to the pressure until they cover it closely. Returns false if this fails.
   bool findBoxes(const GapScene& scene)
   {
     for (int attempt = 0; attempt < most_boxes; ++attempt)
     {
       fill(scene);
-      boxer_.solve(problem_, false, found_);
+      box_solver_.solve(problem_, false, found_);
       bool hold = found_.status == SolveStatus::converged;
       for (std::size_t k = 0; hold && k < problem_.patches.size(); ++k)
       {
@@ -217,7 +219,7 @@ class GapSampler
     return false;
   }
 
-  /// Lays a grid over the pressure found on it; true if it fitted already.
+  /// Adapts a grid to the pressure found on it. Returns true if it fitted already.
   static bool layBox(const PatchPressure& patch, Grid& grid)
   {
     const PressureExtent extent = findExtent(grid, patch.pressure);
@@ -232,21 +234,20 @@ class GapSampler
 
   static Grid covering(const Grid& like, double length, double middle, double width, const GridSize& size)
   {
-    const aspect_ladder::Cell cell =
-        aspect_ladder::coveringCell(margin * length, margin * width, size.along, size.across);
+    const cell_aspect::Cell cell = cell_aspect::coveringCell(margin * length, margin * width, size.along, size.across);
     return {size.along, size.across, cell.dx, cell.dy, middle - 0.5 * (size.across - 1) * cell.dy, like.symmetric};
   }
 
-  /// The same box in other cells.
-  static Grid relaid(const Grid& grid, const GridSize& size)
+  /// The same box with other cells.
+  static Grid regridded(const Grid& grid, const GridSize& size)
   {
     return covering(grid, grid.nx * grid.dx / margin, middleOf(grid), grid.ny * grid.dy / margin, size);
   }
 
   static double middleOf(const Grid& grid) { return grid.y0 + 0.5 * (grid.ny - 1) * grid.dy; }
 
-  /// As tight or as loose as boxes are in use, and moved by parts of a cell.
-  static Grid looser(Random& random, const Grid& tight, const GridSize& size)
+  /// A random box, as tight or loose as the package uses them, shifted by parts of a cell.
+  static Grid randomBox(Random& random, const Grid& tight, const GridSize& size)
   {
     const bool close = oneIn(random, 2);
     const double looseness = close ? 1 : uniform(random, 1, 1.25);
@@ -272,12 +273,12 @@ class GapSampler
     return true;
   }
 
-  ConjugateGradients boxer_;
+  ConjugateGradients box_solver_;
   NormalProblem problem_, coarse_;
   NormalSolution found_, true_;
 };
 
-/// A wheelset S1002 on the benchmark's UIC60 or on 60E1.
+/// A wheelset S1002 on the UIC60 rail of the benchmark or on 60E1.
 struct WheelsetScene
 {
   ContactModelConfig config;
@@ -300,21 +301,21 @@ inline WheelsetScene randomWheelsetScene(Random& random)
   return scene;
 }
 
-/// Solves wheelset scenes by the whole chain; on grids settled so far that what is left is their cells' error. Keeps
-/// the solvers, whose preparation costs more than a solution.
+/// Solves wheelset scenes with the whole calculation. The balance is converged so far that only the error of the cells
+/// remains. Keeps the solvers, because their preparation costs more than a solution.
 class WheelsetSampler
 {
  public:
   explicit WheelsetSampler(Method method) : method_(method) {}
 
-  /// Adds a sample for every patch of the wheels that have the same patches in their truth; false if not both have, or
-  /// the scene has no solution.
+  /// Adds a sample for every patch of a wheel that has the same patches in the reference. Returns false if this does
+  /// not hold for both wheels, or if the scene has no solution.
   bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
   {
     return sample(scene, size, {finer * size.along, finer * size.across}, samples);
   }
 
-  /// The same against a truth on `true_size` cells.
+  /// The same against a reference on `true_size` cells.
   bool sample(const WheelsetScene& scene, const GridSize& size, const GridSize& true_size,
               std::vector<ErrorSample>& samples)
   {
@@ -342,7 +343,7 @@ class WheelsetSampler
     return alike && samples.size() > before;
   }
 
-  /// A method's solver on a grid, kept.
+  /// Solver of a method on a grid; kept for further calls.
   const GridLevels& levelsFor(Method method, const GridSize& size)
   {
     std::unique_ptr<GridLevels>& levels = solvers_[{static_cast<int>(method), size.along, size.across}];
@@ -361,10 +362,10 @@ class WheelsetSampler
   }
 
  private:
-  /// Leaves less open than the cells make wrong [-].
+  /// Tolerance at which the remaining error of the balance is smaller than that of the cells [-].
   static double settledTolerance(const GridSize& size) { return std::min(2e-3, 1.0 / (size.along * size.across)); }
 
-  /// @return false if the wheel has other patches in its truth
+  /// @return false if the wheel has other patches in the reference
   bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
            std::vector<ErrorSample>& samples) const
   {

@@ -13,7 +13,7 @@
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz.h"
 
-/// Random contacts given by the gap of two bodies, for tests and for the calibration of error estimates.
+/// Random contacts defined by the gap of two bodies, for tests and for the calibration of error estimates.
 namespace wheel_rail_contact::core::scenes
 {
 using Random = std::mt19937_64;
@@ -23,7 +23,7 @@ inline double uniform(Random& random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Uniform in the logarithm.
+/// Random number, uniform in the logarithm.
 inline double spread(Random& random, double low, double high)
 {
   return std::exp(uniform(random, std::log(low), std::log(high)));
@@ -41,23 +41,23 @@ using Gap = std::function<double(double, double)>;
 struct GapScene
 {
   const char* kind = "";
-  bool even = true;  ///< in x
+  bool even = true;  ///< even in x
   std::vector<Gap> patches;
   double load = 0;  ///< [N]
 };
 
-/// Hertz, ellipses from about 1:10 to 10:1.
+/// Hertz gap, with ellipses from about 1:10 to 10:1.
 inline Gap hertzGap(Random& random)
 {
   const double along = 0.5 / spread(random, 0.1, 1), across = along * std::exp(uniform(random, -3.5, 3.5));
   return [=](double x, double y) { return along * x * x + across * y * y; };
 }
 
-/// A curve with piecewise constant second derivative, zero value and slope at y = 0.
+/// Curve with piecewise constant second derivative; value and slope are zero at y = 0.
 class ArcCurve
 {
  public:
-  /// `curvature[i]` holds up to `joint[i]` (rising), the last one beyond them all.
+  /// `curvature[i]` applies up to `discontinuity[i]` (increasing), the last one beyond all of them.
   ArcCurve(std::vector<double> discontinuity, std::vector<double> curvature)
       : discontinuity_(std::move(discontinuity)), curvature_(std::move(curvature))
   {
@@ -90,7 +90,7 @@ class ArcCurve
   std::vector<double> discontinuity_, curvature_;
 };
 
-/// Rail head of arcs 300, 80 and 13 mm under a wheel with a curvature jump of its own.
+/// Rail head with arcs of 300, 80 and 13 mm under a wheel with a curvature discontinuity.
 inline Gap discontinuityGap(Random& random)
 {
   const double contact = uniform(random, 0, 0.030), wheel_discontinuity = uniform(random, -6e-3, 6e-3);
@@ -113,7 +113,7 @@ inline Gap discontinuityGap(Random& random)
   return [=](double x, double y) { return along * x * x + curve(y); };
 }
 
-/// Two minima side by side, from merged to almost apart.
+/// Two adjacent minima, from merged to almost separate.
 inline Gap lobesGap(Random& random)
 {
   const double along = 0.5 / uniform(random, 0.3, 0.6), half = uniform(random, 2e-3, 8e-3);
@@ -125,7 +125,7 @@ inline Gap lobesGap(Random& random)
   };
 }
 
-/// A 13 mm arc in a slightly wider one.
+/// Arc of 13 mm in a slightly wider one.
 inline Gap conformalGap(Random& random)
 {
   const double along = 0.5 / uniform(random, 0.3, 0.6), inner = 0.013, outer = inner * (1 + spread(random, 0.01, 0.3));
@@ -139,7 +139,7 @@ inline Gap conformalGap(Random& random)
   };
 }
 
-/// A parabola with up to five waves across of 1 to 10 mm length.
+/// Parabola with up to five waves across, of 1 to 10 mm length.
 inline Gap roughGap(Random& random)
 {
   struct Wave
@@ -168,7 +168,7 @@ inline Gap roughGap(Random& random)
   };
 }
 
-/// The same contact as under a yawed wheel: neither even in x nor the same along all columns.
+/// The same contact as under a yawed wheel: not even in x, and different in each column.
 inline Gap yawed(Random& random, const Gap& gap)
 {
   const double turn = uniform(random, -0.1, 0.1), taper = uniform(random, -3, 3);
@@ -206,8 +206,8 @@ inline GapScene randomGapScene(Random& random)
   return scene;
 }
 
-/// A paraboloid with some other shape added, from next to nothing to a third of the approach at the contact's edge:
-/// curvatures that vary along and across, and a curvature jump. Without symmetry it is turned, too.
+/// Paraboloid with an additional shape, from almost nothing to a third of the approach at the edge of the contact:
+/// curvatures that vary along and across, and a curvature jump. Without symmetry it is also rotated.
 inline GapScene randomBowlScene(Random& random)
 {
   constexpr double modulus = 1.14e11;  // steel on steel [Pa]
@@ -244,7 +244,7 @@ inline void sample(const Gap& gap, PatchGap& patch)
   }
 }
 
-/// The same box in cells `factor` times smaller each way.
+/// The same box with cells `factor` times smaller in each direction.
 inline Grid refined(const Grid& grid, int factor)
 {
   Grid fine = grid;

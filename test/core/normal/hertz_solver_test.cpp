@@ -20,7 +20,7 @@ using problems::sampled;
 using problems::steel;
 using problems::underLoad;
 
-/// Bowl turned by `angle` about z, lowest at (x0, y0).
+/// Bowl rotated by `angle` about z, with its lowest point at (x0, y0).
 auto turnedBowl(const GapCurvature& curvature, double angle, double x0, double y0)
 {
   return [=](double x, double y)
@@ -48,13 +48,13 @@ TEST(HertzSolver, IsExactOnBowls)
       EXPECT_NEAR(solution.approach / hertz.exact.approach, 1, 1e-9) << ratio;
       EXPECT_NEAR(patch.force / hertz.exact.force, 1, 1e-9) << ratio;
       EXPECT_FALSE(patch.touches_border);
-      // The estimate has no reason to doubt: what it leaves is the truth's own error in calibration.
+      // The gap is a paraboloid. The rest of the estimate is the error of the references used in the calibration.
       EXPECT_LT(errorsOf(solver, hertz.problem, solution)[0].largest(), 0.01);
     }
   }
 }
 
-TEST(HertzSolver, FillsTheGridWithTheEllipsoidsMeans)
+TEST(HertzSolver, CellPressuresAreMeansOfTheEllipsoid)
 {
   const auto hertz = hertzCase(3, 16, 32, true, 1.1, 0.5);
   HertzSolver solver;
@@ -80,7 +80,7 @@ TEST(HertzSolver, FillsTheGridWithTheEllipsoidsMeans)
 
 TEST(HertzSolver, PressuresOnAnyGridCarryTheForce)
 {
-  // Ellipses of 11 mm by 1.7 mm: on some thousand cells, cut off by the border, and hidden between the centres of four.
+  // Ellipses of 11 mm by 1.7 mm: on some thousand cells, cut by the border, and between the centres of four cells.
   struct Cells
   {
     double size;  // [mm]
@@ -101,18 +101,18 @@ TEST(HertzSolver, PressuresOnAnyGridCarryTheForce)
         const NormalProblem problem = underLoad(sampled(grid, turnedBowl(curvature, angle, 0, 0)), 2e4);
         solver.solve(problem, false, solution);
         const PatchPressure& patch = solution.patches[0];
-        const std::string what = std::to_string(cells.size) + " mm, turned " + std::to_string(angle);
-        ASSERT_EQ(solution.status, SolveStatus::converged) << what;
-        EXPECT_EQ(patch.touches_border, cells.cut) << what;
-        EXPECT_NEAR(patch.pressure.sum() * grid.cellArea() / problem.value, 1, 1e-9) << what;
-        EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure) << what;
-        EXPECT_GE(patch.pressure.minCoeff(), 0) << what;
+        const std::string label = std::to_string(cells.size) + " mm, rotated by " + std::to_string(angle);
+        ASSERT_EQ(solution.status, SolveStatus::converged) << label;
+        EXPECT_EQ(patch.touches_border, cells.cut) << label;
+        EXPECT_NEAR(patch.pressure.sum() * grid.cellArea() / problem.value, 1, 1e-9) << label;
+        EXPECT_LE(patch.pressure.maxCoeff(), patch.max_pressure) << label;
+        EXPECT_GE(patch.pressure.minCoeff(), 0) << label;
       }
     }
   }
 }
 
-TEST(HertzSolver, FindsPrincipalDirectionsAndThePlaceBetweenCells)
+TEST(HertzSolver, FindsPrincipalDirectionsAndPositionBetweenCells)
 {
   for (const double angle : {-1.2, -0.4, 0.0, 0.3, 0.7, 1.5})
   {
@@ -130,7 +130,7 @@ TEST(HertzSolver, FindsPrincipalDirectionsAndThePlaceBetweenCells)
     EXPECT_NEAR(minimum.curvature.b, swapped ? curvature.a : curvature.b, 1e-6) << angle;
     const double turn = swapped ? angle - std::copysign(std::acos(0.0), angle) : angle;
     EXPECT_NEAR(minimum.angle, turn, 1e-6) << angle;
-    // Turning the bowl changes the ellipse's place only.
+    // Rotating the bowl changes only the orientation of the ellipse.
     HertzSolver solver;
     NormalSolution solution;
     solver.solve(underLoad(patch, 2e4), false, solution);
@@ -150,7 +150,7 @@ TEST(HertzSolver, PatchesShareTheLoadAtOneApproach)
   problem.patches.push_back(problem.patches[0]);
   problem.patches[1].gap += 2e-5;
   problem.patches[1].weight = 0.7;
-  problem.patches[2].gap += 1;  // out of reach
+  problem.patches[2].gap += 1;  // does not touch
   HertzSolver solver;
   NormalSolution solution;
   solver.solve(problem, false, solution);
@@ -171,12 +171,12 @@ TEST(HertzSolver, PatchesShareTheLoadAtOneApproach)
   EXPECT_NEAR(same.patches[1].force / solution.patches[1].force, 1, 1e-12);
 }
 
-TEST(HertzSolver, RefusesAGapThatIsNoBowl)
+TEST(HertzSolver, RejectsAGapWithoutPositiveCurvature)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   HertzSolver solver;
   NormalSolution solution;
-  // A valley, and a saddle.
+  // A valley and a saddle.
   solver.solve(underLoad(sampled(grid, [](double, double y) { return y * y; }), 1e4), false, solution);
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
   EXPECT_FALSE(isUsable(solution.status));
@@ -184,10 +184,10 @@ TEST(HertzSolver, RefusesAGapThatIsNoBowl)
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
-TEST(HertzSolver, TellsWhatItWouldLeaveInAContactSolvedOnAGrid)
+TEST(HertzSolver, PredictsItsErrorFromASolutionOnAGrid)
 {
-  // Arcs that meet under the crest, 10 % apart in curvature: the estimate needs no more of a solution than its
-  // approach, which differs by less than a tenth.
+  // Arcs that meet under the peak, 10 % apart in curvature. The estimate depends only on the approach of a solution,
+  // and the two approaches differ by less than a tenth.
   const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
   const auto discontinuity = [](double x, double y) { return x * x + (y < 0 ? 1 : 1.1) * y * y; };
   const NormalProblem problem = underLoad(sampled(grid, discontinuity), 5e4);
@@ -197,26 +197,26 @@ TEST(HertzSolver, TellsWhatItWouldLeaveInAContactSolvedOnAGrid)
   hertz.solve(problem, false, own);
   conjugate_gradients.solve(problem, false, on_grid);
   ASSERT_TRUE(isUsable(own.status) && isUsable(on_grid.status));
-  const ErrorEstimate left = errorsOf(hertz, problem, own)[0];
-  const ErrorEstimate foreseen = errorsOf(hertz, problem, on_grid)[0];
-  EXPECT_GT(left.largest(), 0.01);
-  EXPECT_NEAR(foreseen.max_pressure, left.max_pressure, 0.1 * left.max_pressure);
-  EXPECT_NEAR(foreseen.area, left.area, 0.1 * left.area);
-  EXPECT_NEAR(foreseen.approach, left.approach, 0.1 * left.approach);
+  const ErrorEstimate from_own = errorsOf(hertz, problem, own)[0];
+  const ErrorEstimate from_grid = errorsOf(hertz, problem, on_grid)[0];
+  EXPECT_GT(from_own.largest(), 0.01);
+  EXPECT_NEAR(from_grid.max_pressure, from_own.max_pressure, 0.1 * from_own.max_pressure);
+  EXPECT_NEAR(from_grid.area, from_own.area, 0.1 * from_own.area);
+  EXPECT_NEAR(from_grid.approach, from_own.approach, 0.1 * from_own.approach);
 
   NormalProblem saddle = problem;
   saddle.patches[0] = sampled(grid, [](double x, double y) { return y * y - 1e-3 * x * x; });
   EXPECT_TRUE(std::isinf(errorsOf(hertz, saddle, on_grid)[0].largest()));
 }
 
-TEST(HertzSolver, TellsAProblemThatItRefuses)
+TEST(HertzSolver, CanSolvePredictsRejection)
 {
   const Grid grid = centredGrid(16, 32, 0.014, 0.014, true);
   const PatchGap bowl = sampled(grid, [](double x, double y) { return x * x + y * y; });
   const PatchGap apart = sampled(grid, [](double x, double y) { return 1e-3 + y * y - 1e-3 * x * x; });
   NormalProblem problem = underLoad(bowl, 1e4);
   EXPECT_TRUE(HertzSolver::canSolve(problem));
-  problem.patches.push_back(apart);  // too far off to carry any load
+  problem.patches.push_back(apart);  // too far away to carry any load
   EXPECT_FALSE(HertzSolver::canSolve(problem));
   HertzSolver solver;
   NormalSolution solution;
@@ -224,7 +224,7 @@ TEST(HertzSolver, TellsAProblemThatItRefuses)
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
-TEST(HertzSolver, TellsWhereTheGridCutsTheEllipse)
+TEST(HertzSolver, FlagsAGridThatCutsTheEllipse)
 {
   HertzSolver solver;
   NormalSolution solution;
@@ -240,7 +240,7 @@ TEST(HertzSolver, TellsWhereTheGridCutsTheEllipse)
   EXPECT_TRUE(solution.patches[0].touches_border);
 }
 
-TEST(HertzSolver, HasNoContactAboveTheFirstTouch)
+TEST(HertzSolver, ReportsNoContactBeforeFirstTouch)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.control = NormalProblem::Control::approach;
@@ -254,7 +254,7 @@ TEST(HertzSolver, HasNoContactAboveTheFirstTouch)
   EXPECT_FALSE(solution.patches[0].touches_border);
 }
 
-TEST(HertzSolver, RefusesInvalidProblems)
+TEST(HertzSolver, RejectsInvalidProblems)
 {
   HertzSolver solver;
   NormalSolution solution;

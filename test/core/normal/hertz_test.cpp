@@ -34,7 +34,7 @@ TEST(Hertz, EllipsesObeyJohnsonsEquations)
     const double a = contact.semi_axis_x, b = contact.semi_axis_y, p = contact.max_pressure;
     const double e = std::sqrt((a - b) * (a + b)) / a;
     const double K = std::comp_ellint_1(e), E = std::comp_ellint_2(e);
-    // Eq. 4.26a to c; the difference K - E loses digits near the circle.
+    // Eq. 4.26a to c. The difference K - E loses digits near the circle.
     const double lost = 1e-14 / (e * e);
     EXPECT_NEAR(p / modulus * b / (e * e * a * a) * (K - E) / gap.a, 1, 1e-9 + lost) << ratio;
     EXPECT_NEAR(p / modulus * b / (e * e * a * a) * (a * a / (b * b) * E - K) / gap.b, 1, 1e-9 + lost) << ratio;

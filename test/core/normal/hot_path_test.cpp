@@ -12,7 +12,7 @@
 #include "core/normal/solvers/seidel.h"
 #include "problems.h"
 
-// Every allocation of this program, operator new and Eigen's included, passes these.
+// All allocations of this program pass through these functions, including operator new and those of Eigen.
 namespace
 {
 std::atomic<long> allocations{0};
@@ -59,7 +59,7 @@ namespace
 {
 using problems::hertzCase;
 
-/// Problems of one scene that change in load, place and cell size.
+/// Problems of one scene that differ in load, position and cell size.
 std::vector<NormalProblem> messages()
 {
   std::vector<NormalProblem> all;
@@ -94,7 +94,7 @@ long allocationsAfterTheFirst(Solver& solver, const std::vector<NormalProblem>& 
   return allocations - before;
 }
 
-TEST(HotPath, TheCounterCounts)
+TEST(HotPath, CounterCountsAllocations)
 {
   const long before = allocations;
   const Eigen::ArrayXXd array = Eigen::ArrayXXd::Zero(8, 8);
@@ -118,7 +118,7 @@ TEST(HotPath, ConjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
   {
     NormalProblem problem = hertzCase(std::exp2(k / 8.0), 12, 20, false, 1.2).problem;
     Grid& grid = problem.patches[0].grid;
-    grid.dx = aspect_ladder::aspect(aspect_ladder::nearestAspect(grid.dx / grid.dy)) * grid.dy;
+    grid.dx = cell_aspect::aspect(cell_aspect::nearestAspect(grid.dx / grid.dy)) * grid.dy;
     problems.push_back(std::move(problem));
   }
   ConjugateGradients solver;

@@ -16,7 +16,7 @@ namespace
 {
 using problems::uniform;
 
-/// Applies an operator to a column of cell values in the order of a gap array.
+/// Applies an operator to a vector of cell values in the order of a gap array.
 class Applied
 {
  public:
@@ -137,7 +137,7 @@ TEST(InfluenceOperator, LargeProductEqualsTheSumAtSomeCells)
   }
 }
 
-TEST(InfluenceOperator, RepeatsItselfToTheLastBit)
+TEST(InfluenceOperator, IsReproducibleToTheLastBit)
 {
   OperatorShape shape;
   shape.nx = 16;
@@ -165,7 +165,7 @@ TEST(InfluenceOperator, PreconditionerIsSymmetricAndNearTheInverse)
   EXPECT_NEAR(near_one, 1, 0.3);
 }
 
-TEST(InfluenceOperator, RefusesShapesWithTheOptionInTheMessage)
+TEST(InfluenceOperator, RejectsInvalidShapesByName)
 {
   const auto message = [](int nx, int ny, double aspect, bool symmetric) -> std::string
   {
@@ -184,28 +184,28 @@ TEST(InfluenceOperator, RefusesShapesWithTheOptionInTheMessage)
       return error.what();
     }
   };
-  EXPECT_EQ(message(1, 8, 1, false), "grid = 1 x 8: must have at least 2 cells each way");
+  EXPECT_EQ(message(1, 8, 1, false), "grid = 1 x 8: must have at least 2 cells in each direction");
   EXPECT_EQ(message(5, 8, 1, true), "nx = 5: must be even on a symmetric grid");
   EXPECT_EQ(message(4, 8, -1, false), "aspect = -1.000000: must be positive and finite");
 }
 
-TEST(AspectLadder, CellsCoverTheBoxWithLittleWaste)
+TEST(CellAspect, CoveringGridIsLittleLargerThanTheBox)
 {
   constexpr unsigned seed = 3;
   std::mt19937_64 random(seed);
   for (int k = 0; k < 1000; ++k)
   {
     const double width = uniform(random, 1e-3, 2e-2), length = width * std::exp(uniform(random, -1.5, 2.5));
-    const auto cell = aspect_ladder::coveringCell(length, width, 16, 32);
+    const auto cell = cell_aspect::coveringCell(length, width, 16, 32);
     EXPECT_GE(16 * cell.dx, length * (1 - 1e-12)) << "seed " << seed;
     EXPECT_GE(32 * cell.dy, width * (1 - 1e-12)) << "seed " << seed;
-    // Half a step of the ladder, 2^(1/16).
+    // Half a step of the series of aspects: 2^(1/16).
     EXPECT_LE(16 * cell.dx * 32 * cell.dy, 1.0443 * length * width) << "seed " << seed;
-    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, aspect_ladder::aspect(aspect_ladder::nearestAspect(cell.dx / cell.dy)));
+    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, cell_aspect::aspect(cell_aspect::nearestAspect(cell.dx / cell.dy)));
   }
 }
 
-TEST(OperatorCache, KeepsTheLadderAndAFewOthers)
+TEST(OperatorCache, KeepsAspectsOfTheSeriesAndAFewOthers)
 {
   OperatorCache cache;
   const auto level = cache.find(4, 8, true, 2);
@@ -217,7 +217,7 @@ TEST(OperatorCache, KeepsTheLadderAndAFewOthers)
   {
     cache.find(4, 8, true, 1.5 + 0.001 * k);
   }
-  EXPECT_NE(cache.find(4, 8, true, 1.9), other) << "forgotten after 20 others";
+  EXPECT_NE(cache.find(4, 8, true, 1.9), other) << "discarded after 20 others";
   EXPECT_EQ(cache.find(4, 8, true, 2), level);
 }
 }  // namespace

@@ -12,7 +12,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Integral of 1/rho over the rectangle by Gauss–Legendre quadrature with 5 × 5 points on 40 × 40 parts; exact to 1e-14
+/// Integral of 1/rho over the rectangle by Gauss–Legendre quadrature with 5 × 5 points on 40 × 40 parts. Exact to 1e-14
 /// for points at least one side away.
 double byQuadrature(double x, double y, double dx, double dy)
 {
@@ -43,7 +43,7 @@ TEST(Influence, RectangleEqualsQuadratureOfTheKernel)
     for (const auto& [i, j] : {std::pair{1, 0}, {0, 1}, {1, 1}, {3, 2}, {0, 7}, {9, 1}, {2, 30}, {250, 3}})
     {
       const double expected = byQuadrature(i * aspect, j, aspect, 1);
-      // Points nearer than a side in the longer direction meet a rougher quadrature.
+      // For points nearer than the longer side this quadrature is less accurate.
       const double tolerance = std::hypot(i * aspect, j) > std::max(aspect, 1.0) ? 1e-12 : 1e-6;
       EXPECT_NEAR(rectangleInfluence(i * aspect, j, aspect, 1) / expected, 1, tolerance)
           << "aspect " << aspect << ", cell " << i << ", " << j;
@@ -56,14 +56,15 @@ TEST(Influence, OwnCellOfASquareIsLovesValue)
   const double h = 2.5e-4;
   const double love = 4 * h * std::log(1 + std::sqrt(2.0));
   EXPECT_NEAR(rectangleInfluence(0, 0, h, h), love, 1e-15 * love);
-  EXPECT_NEAR(pointInfluence(0, 0, h, h), love, 1e-15 * love) << "the paper's own coefficient, with the h it lacks";
+  EXPECT_NEAR(pointInfluence(0, 0, h, h), love, 1e-15 * love)
+      << "coefficient of the paper for the cell itself, with the missing factor h";
 }
 
-TEST(Influence, ClosedFormAndQuadratureMeetWithoutAStep)
+TEST(Influence, ClosedFormAndQuadratureAreContinuous)
 {
   for (const double aspect : {1.0, 7.0})
   {
-    const double limit = 8 * aspect;  // the change of formula
+    const double limit = 8 * aspect;  // change from closed form to quadrature
     const double inside = rectangleInfluence(limit * (1 - 1e-13), 0, aspect, 1);
     EXPECT_NEAR(rectangleInfluence(limit * (1 + 1e-13), 0, aspect, 1) / inside, 1, 1e-12);
   }

@@ -17,7 +17,7 @@ using problems::hertzCase;
 using problems::sampled;
 using problems::underLoad;
 
-constexpr double wheel = 0.5 / 0.46;  ///< A of a wheel of 460 mm radius [1/m]
+constexpr double wheel = 0.5 / 0.46;  ///< coefficient A for a wheel of 460 mm radius [1/m]
 
 NormalSolution solved(const NormalProblem& problem)
 {
@@ -52,8 +52,8 @@ Deviation fromConjugateGradients(const NormalProblem& problem)
   return deviation(problem, reference);
 }
 
-/// Deviations from Hertz on ellipses a/b = 1, 5 and 1/5 belong to the method. A prototype had -6, -3 and 9 % (rms) on
-/// the circle; on 5:1 it had -14, -1 and 31 %, which is this method without its shape correction.
+/// Deviations from Hertz on ellipses a/b = 1, 5 and 1/5 are inherent in the method. A prototype had -6, -3 and 9 %
+/// (rms) on the circle. On 5:1 it had -14, -1 and 31 %; this corresponds to the method without its shape correction.
 TEST(KikPiotrowski, HasItsKnownBiasOnEllipses)
 {
   struct Case
@@ -63,7 +63,7 @@ TEST(KikPiotrowski, HasItsKnownBiasOnEllipses)
   for (const Case& known :
        {Case{1, -0.061, -0.031, 0.09}, Case{5, -0.103, -0.053, 0.14}, Case{0.2, -0.103, -0.053, 0.14}})
   {
-    double low = 1e-3, high = 1e3;  // the curvatures' ratio that gives these semi-axes
+    double low = 1e-3, high = 1e3;  // ratio of the curvatures that gives these semi-axes
     while (high / low > 1 + 1e-9)
     {
       const double ratio = std::sqrt(low * high);
@@ -80,7 +80,7 @@ TEST(KikPiotrowski, HasItsKnownBiasOnEllipses)
   }
 }
 
-TEST(KikPiotrowski, GivesEllipsesHertzsRatio)
+TEST(KikPiotrowski, EllipsesHaveTheHertzAxisRatio)
 {
   for (const double ratio : {0.1, 0.5, 1.0, 4.0, 30.0})
   {
@@ -91,7 +91,7 @@ TEST(KikPiotrowski, GivesEllipsesHertzsRatio)
     { return static_cast<double>(loaded.count()); };
     const double length = 2 * count(patch.pressure.rowwise().maxCoeff() > 0) * patch.grid.dx;
     const double width = count(patch.pressure.colwise().maxCoeff().transpose() > 0) * patch.grid.dy;
-    // Two cells in a hundred.
+    // Tolerance: about two cells in a hundred.
     EXPECT_NEAR(length / width * hertz.exact.semi_axis_y / hertz.exact.semi_axis_x, 1, 0.03) << ratio;
     EXPECT_NEAR(patch.area / (0.25 * std::acos(-1.0) * length * width), 1, 0.03) << ratio;
   }
@@ -105,16 +105,16 @@ TEST(KikPiotrowski, PressureCarriesTheLoad)
     const NormalSolution solution = solved(hertz.problem);
     const PatchPressure& patch = solution.patches[0];
     EXPECT_NEAR(patch.force / hertz.problem.value, 1, 1e-9);
-    // The midpoint rule on 75 cells, against the closed form along and a rule of second order across.
+    // The midpoint rule on 75 cells, against the closed form along and a second-order rule across.
     EXPECT_NEAR(patch.pressure.sum() * patch.grid.cellArea() / patch.force, 1, 2e-3);
     EXPECT_FALSE(patch.touches_border);
   }
 }
 
-TEST(KikPiotrowski, BesideAWallMirroredGapsGiveMirroredPressures)
+TEST(KikPiotrowski, MirroredGapsNextToAStepGiveMirroredPressures)
 {
   // A ridge with a slope on one side and, on the other, a step up to a plane that does not open along x.
-  const double width = std::ldexp(1.0, -11);  // so that the deepest column lies in its strip to the last digit
+  const double width = std::ldexp(1.0, -11);  // the deepest column then lies exactly in its strip
   const Grid grid{8, 5, 1e-3, width, -2 * width, false};
   NormalProblem problem;
   problem.modulus = problems::steel();
@@ -126,23 +126,23 @@ TEST(KikPiotrowski, BesideAWallMirroredGapsGiveMirroredPressures)
   const NormalSolution mirrored = solved(problem);
   ASSERT_GT(solution.patches[0].force, 0);
   ASSERT_TRUE(solution.patches[0].pressure.allFinite());
-  // Sums in another order differ by rounding; near the edge it stands under a root.
+  // Sums in another order differ by rounding. Near the edge the difference is under a root.
   EXPECT_NEAR(mirrored.patches[0].force / solution.patches[0].force, 1, 1e-12);
   EXPECT_NEAR(mirrored.patches[0].max_pressure / solution.patches[0].max_pressure, 1, 1e-12);
   const Eigen::ArrayXXd reversed = mirrored.patches[0].pressure.rowwise().reverse();
   EXPECT_LT((reversed - solution.patches[0].pressure).abs().maxCoeff(), 1e-9 * solution.patches[0].max_pressure);
 }
 
-TEST(KikPiotrowski, LoadGrowsLikeHertzsOnEllipses)
+TEST(KikPiotrowski, LoadFollowsTheHertzPowerLawOnEllipses)
 {
   NormalProblem problem = hertzCase(3, 32, 64, true, 1.3).problem;
   const double one = solved(problem).approach;
   problem.value *= 0.5;
-  // Exact in the limit of narrow strips; 64 columns.
+  // Exact in the limit of narrow strips; here 64 columns.
   EXPECT_NEAR(solved(problem).approach / one, std::pow(0.5, 2.0 / 3.0), 2e-4);
 }
 
-TEST(KikPiotrowski, AlongAndAcrossAreAlikeOnEllipses)
+TEST(KikPiotrowski, AlongAndAcrossAreEquivalentOnEllipses)
 {
   const NormalSolution flat = solved(hertzCase(6, 64, 256, true, 1.4).problem);
   NormalProblem turned = hertzCase(6, 64, 256, true, 1.4).problem;
@@ -151,7 +151,7 @@ TEST(KikPiotrowski, AlongAndAcrossAreAlikeOnEllipses)
   turned.patches[0] = sampled(centredGrid(64, 256, grid.dy * grid.ny, grid.dx * grid.nx, true),
                               [c](double x, double y) { return c.b * x * x + c.a * y * y; });
   const NormalSolution steep = solved(turned);
-  // What remains is the rule across: strips are exact along only.
+  // The difference comes from the rule across: strips are exact only along.
   EXPECT_NEAR(flat.approach / steep.approach, 1, 1e-4);
   EXPECT_NEAR(flat.patches[0].max_pressure / steep.patches[0].max_pressure, 1, 1e-3);
   EXPECT_NEAR(flat.patches[0].area / steep.patches[0].area, 1, 1e-3);
@@ -159,15 +159,15 @@ TEST(KikPiotrowski, AlongAndAcrossAreAlikeOnEllipses)
 
 TEST(KikPiotrowski, DependsLittleOnTheBox)
 {
-  // The overlap of a 10:1 ellipse is wider than its contact, and than a close box.
+  // The overlap of a 10:1 ellipse is wider than its contact, and wider than a close box.
   const double close = solved(hertzCase(0.03, 32, 64, true, 1.05).problem).patches[0].max_pressure;
   const double wide = solved(hertzCase(0.03, 32, 128, true, 2.1).problem).patches[0].max_pressure;
   EXPECT_NEAR(close / wide, 1, 2e-3);
 }
 
-/// Rail head with its joint of 300 mm and 80 mm under the middle of the contact: a prototype of the method was 18 % low
-/// in pressure, 3 % in approach, rms 18 %.
-TEST(KikPiotrowski, MissesPressureAtACurvatureJump)
+/// Rail head whose arcs of 300 mm and 80 mm meet under the middle of the contact. A prototype of the method was 18 %
+/// low in pressure and 3 % in approach, with an rms error of 18 %.
+TEST(KikPiotrowski, UnderestimatesThePressureAtACurvatureJump)
 {
   const auto discontinuity = [](double x, double y)
   { return wheel * x * x + 0.5 * (y < 1e-3 ? 1 / 0.3 - 1 / 0.9 : 1 / 0.08 - 1 / 0.9) * (y - 1e-3) * (y - 1e-3); };
@@ -197,9 +197,9 @@ TEST(KikPiotrowski, PatchesShareTheLoadAtOneApproach)
   EXPECT_NEAR(solved(second).patches[0].force / both.patches[1].force, 1, 1e-9);
 }
 
-TEST(KikPiotrowski, FollowsSkewedStrips)
+TEST(KikPiotrowski, PressureFollowsShiftedStrips)
 {
-  // Columns lowest at x = 0.3 y: the strips' middles follow.
+  // Columns are lowest at x = 0.3 y, which is the middle of the strips.
   const Grid grid = centredGrid(48, 48, 0.024, 0.024, false);
   const auto skewed = [](double x, double y) { return wheel * (x - 0.3 * y) * (x - 0.3 * y) + 2 * wheel * y * y; };
   const NormalSolution solution = solved(underLoad(sampled(grid, skewed), 1e5));
@@ -212,7 +212,7 @@ TEST(KikPiotrowski, FollowsSkewedStrips)
   }
 }
 
-TEST(KikPiotrowski, RefusesStripsThatDoNotOpenAlongX)
+TEST(KikPiotrowski, RejectsStripsThatDoNotOpenAlongX)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   KikPiotrowski solver;
@@ -223,8 +223,8 @@ TEST(KikPiotrowski, RefusesStripsThatDoNotOpenAlongX)
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
-// A box beside the deepest place: the gap falls towards the edge and would go on falling.
-TEST(KikPiotrowski, ResultsWhereTheGridCutsTheDeepestPlaceOff)
+// A box next to the deepest point: the gap decreases towards the edge and would decrease further.
+TEST(KikPiotrowski, SolvesAGridThatCutsTheDeepestPoint)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   for (const double side : {-1.0, 1.0})
@@ -238,7 +238,7 @@ TEST(KikPiotrowski, ResultsWhereTheGridCutsTheDeepestPlaceOff)
   }
 }
 
-TEST(KikPiotrowski, HasNoContactAboveTheFirstTouch)
+TEST(KikPiotrowski, ReportsNoContactBeforeFirstTouch)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.control = NormalProblem::Control::approach;
@@ -251,9 +251,9 @@ TEST(KikPiotrowski, HasNoContactAboveTheFirstTouch)
   EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
 }
 
-// A light contact that lies between the cells: none of them overlaps. What the method makes of it is an answer; how far
-// it is off the cells cannot tell.
-TEST(KikPiotrowski, SaysThatItsErrorIsUnknownWhereNoCellOverlaps)
+// A light contact between the cells, none of which overlaps. The method has a solution, but its error cannot be
+// estimated from the cells.
+TEST(KikPiotrowski, EstimatesAnErrorOf100PercentIfNoCellOverlaps)
 {
   const Grid grid = problems::centredGrid(8, 15, 8e-3, 15e-3, true);
   const NormalProblem problem =

@@ -13,13 +13,13 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// One instruction set of this machine after the other.
+/// Parameter: each instruction set that this machine supports.
 class Lanes : public testing::TestWithParam<const LaneKernels*>
 {
  protected:
   static constexpr int size = 72;
 
-  /// Random values, every third of them zero.
+  /// Random values; every third one is zero.
   LaneBuffer field(double low, double high)
   {
     LaneBuffer buffer;
@@ -145,7 +145,7 @@ TEST_P(Lanes, StepsStayWithinTheBounds)
   EXPECT_NEAR(slope, kernels_.dot(size, r.data(), trial.data()), 1e-13);
   const StepSums sums = kernels_.step_sums(size, p.data(), trial.data(), z.data());
   EXPECT_NEAR(sums.s_q, kernels_.dot(size, trial.data(), z.data()), 1e-13);
-  EXPECT_NEAR(sums.fall, 1, 1e-15) << "some cell was cut to zero";
+  EXPECT_NEAR(sums.fall, 1, 1e-15) << "at least one cell is clipped to zero";
 }
 
 INSTANTIATE_TEST_SUITE_P(Supported, Lanes, testing::ValuesIn(supportedLaneKernels()),

@@ -21,11 +21,11 @@ struct Errors
   double max_pressure = 0, highest_cell = 0, area = 0, counted_area = 0, approach = 0;
 };
 
-/// Largest relative errors on Hertz contacts of five shapes, boxes of different margin and place.
+/// Largest relative errors on Hertz contacts of five shapes, with boxes of different margin and position.
 Errors worstErrors(int nx, int ny)
 {
   ConjugateGradientsOptions options;
-  options.residual = 1e-6;  // so that what is left is the cells' error
+  options.residual = 1e-6;  // only the error of the cells remains
   ConjugateGradients solver(options);
   Errors worst;
   for (const double ratio : {0.3, 1.0, 2.0, 5.0, 10.0})
@@ -53,7 +53,7 @@ Errors worstErrors(int nx, int ny)
 }
 
 // Tolerances: the worst case found, rounded up.
-TEST(Measures, AreaIsASeventiethAsWrongAsCountedCells)
+TEST(Measures, AreaErrorIsASeventiethOfThatOfCountedCells)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
   EXPECT_LT(coarse.area, 0.003);
@@ -63,7 +63,8 @@ TEST(Measures, AreaIsASeventiethAsWrongAsCountedCells)
   EXPECT_LT(fine.area, fine.counted_area / 70);
 }
 
-/// Relative errors of area or highest pressure on Hertz contacts, A/B from 0.1 to 30, boxes of any margin and place.
+/// Relative errors of area or highest pressure on Hertz contacts with A/B from 0.1 to 30, and boxes of any margin and
+/// position.
 std::vector<double> hertzErrors(double PatchPressure::*found, double HertzContact::*exact, int nx, int ny,
                                 unsigned seed)
 {
@@ -91,10 +92,10 @@ std::vector<double> hertzErrors(double PatchPressure::*found, double HertzContac
 struct Limit
 {
   int nx, ny;
-  double of_most;  ///< of the error [-]
+  double of_most;  ///< limit for the error [-]
 };
 
-/// 95 of 100 errors keep the limit, their mean a third of it.
+/// Expects that 95 of 100 errors are within the limit and that their mean is within a third of it.
 void expectUnbiased(double PatchPressure::*found, double HertzContact::*exact, const std::vector<Limit>& limits)
 {
   constexpr unsigned seed = 7;
@@ -115,23 +116,24 @@ void expectUnbiased(double PatchPressure::*found, double HertzContact::*exact, c
   }
 }
 
-// Tolerances: what 98 % of 1400 contacts of another seed stay below: crossings found too far out made the mean 0.1 % on
-// 24 × 56 cells.
+// Tolerances: 98 % of 1400 contacts of another seed are below them. Without bias correction the crossings were too far
+// out, and the mean error was 0.1 % on 24 × 56 cells.
 TEST(Measures, AreaOfHertzContactsHasNoBias)
 {
   expectUnbiased(&PatchPressure::area, &HertzContact::area, {{12, 32, 9.1e-4}, {24, 56, 3.5e-4}, {40, 80, 2.3e-4}});
 }
 
-// Likewise; what cells hold too much made the mean 0.026 % on 24 × 56 cells.
+// Tolerances: 98 % of 1400 contacts of another seed are below them. Without bias correction the mean error was 0.026 %
+// on 24 × 56 cells.
 TEST(Measures, MaxPressureOfHertzContactsHasNoBias)
 {
   expectUnbiased(&PatchPressure::max_pressure, &HertzContact::max_pressure,
                  {{12, 32, 4.8e-4}, {24, 56, 1.1e-4}, {40, 80, 3.5e-5}});
 }
 
-// Largest less smallest error: how far the edge reaches beyond the outermost loaded rows and columns made it three
-// times that.
-TEST(Measures, AreaHardlyDependsOnWhereItsTipsLie)
+// Tolerances for the difference between the largest and the smallest error. Without bias correction it was three times
+// as large, because it depends on how far the edge extends beyond the outermost loaded rows and columns.
+TEST(Measures, AreaHardlyDependsOnThePositionOfTheTips)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-6;
@@ -156,7 +158,7 @@ TEST(Measures, AreaHardlyDependsOnWhereItsTipsLie)
   }
 }
 
-TEST(Measures, AreaOfAHalfIsThatOfTheWhole)
+TEST(Measures, AreaOfAHalfEqualsThatOfTheWhole)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-9;
@@ -167,7 +169,7 @@ TEST(Measures, AreaOfAHalfIsThatOfTheWhole)
   EXPECT_NEAR(half.patches[0].area / whole.patches[0].area, 1, 1e-6);
 }
 
-TEST(Measures, MaxPressureBetweenTheCellsBeatsTheHighestCell)
+TEST(Measures, MaxPressureIsMoreAccurateThanTheHighestCell)
 {
   const Errors coarse = worstErrors(8, 16), medium = worstErrors(16, 32), fine = worstErrors(32, 64);
   EXPECT_LT(coarse.max_pressure, 0.00076);
@@ -177,14 +179,14 @@ TEST(Measures, MaxPressureBetweenTheCellsBeatsTheHighestCell)
   EXPECT_LT(fine.max_pressure, 0.08 * fine.highest_cell);
 }
 
-TEST(Measures, ApproachConvergesFasterThanTheCells)
+TEST(Measures, ApproachErrorDecreasesFasterThanTheCellSize)
 {
   EXPECT_LT(worstErrors(8, 16).approach, 0.005);
   EXPECT_LT(worstErrors(16, 32).approach, 0.0015);
   EXPECT_LT(worstErrors(32, 64).approach, 0.0004);
 }
 
-TEST(Measures, AreaOfTwoLobesIsThatOfFourTimesFinerCells)
+TEST(Measures, AreaOfTwoLobesAgreesWithFourTimesFinerCells)
 {
   const auto lobes = [](double x, double y)
   { return x * x / 0.92 + std::min((y + 5e-3) * (y + 5e-3) / 0.2, (y - 5e-3) * (y - 5e-3) / 0.12 + 2e-6); };
@@ -200,7 +202,7 @@ TEST(Measures, AreaOfTwoLobesIsThatOfFourTimesFinerCells)
   EXPECT_NEAR(area(1) / area(4), 1, 0.01);
 }
 
-TEST(Measures, ForceIsThePressureTimesTheArea)
+TEST(Measures, ForceIsTheSumOfPressureTimesCellArea)
 {
   const auto hertz = hertzCase(2, 16, 32, true);
   NormalSolution solution;

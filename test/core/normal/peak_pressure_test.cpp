@@ -23,8 +23,8 @@ struct Pressures
   double raised = 0, highest_cell = 0;
 };
 
-/// Largest errors of the highest pressure over ten places of a gap among its cells, against cells eight times finer.
-/// `gap(x, y)` is moved by parts of a cell.
+/// Largest errors of the highest pressure over ten positions of a gap among its cells, against cells eight times finer.
+/// `gap(x, y)` is shifted by parts of a cell.
 template <typename Gap>
 Pressures largestErrors(const Grid& grid, double load, const Gap& gap)
 {
@@ -49,23 +49,23 @@ Pressures largestErrors(const Grid& grid, double load, const Gap& gap)
   return worst;
 }
 
-/// A wheel of 0.46 m on a crown that a shoulder joins: the pressure is highest beside the joint.
+/// A wheel of 0.46 m radius on a crown that joins a shoulder: the pressure is highest next to the discontinuity.
 double shoulder(double x, double y)
 {
   return x * x / 0.92 + y * y / (y > 0 ? 0.1 : 0.8);
 }
 
-/// The same between two shoulders, on which two crests stand.
+/// The same between two shoulders, with two pressure peaks.
 double lobes(double x, double y)
 {
-  constexpr double width = 7e-3;  // between the joints [m]
+  constexpr double width = 7e-3;  // between the discontinuities [m]
   const double beyond = std::max({y, -width - y, 0.0});
   return x * x / 0.92 + y * y / 3 + beyond * beyond / 0.15;
 }
 
 // Tolerances: the largest error found (0.51 and 0.78 %, 0.13 and 0.14 %; of the highest cell 4.0 and 4.7 %, 0.89 and
 // 0.93 %), rounded up.
-TEST(PeakPressure, BesideADiscontinuityIsNearThatOfEightTimesFinerCells)
+TEST(PeakPressure, AgreesWithEightTimesFinerCellsNextToADiscontinuity)
 {
   struct Limit
   {
@@ -85,7 +85,7 @@ TEST(PeakPressure, BesideADiscontinuityIsNearThatOfEightTimesFinerCells)
   }
 }
 
-// A crest may be no cell's: of two equal cells beside it each is lower.
+// A peak need not be at a cell: it exceeds two equal cells next to it.
 TEST(PeakPressure, LiesBetweenTwoEqualCells)
 {
   const auto hertz = problems::hertzCase(2, 16, 32, true);
@@ -102,7 +102,7 @@ TEST(PeakPressure, LiesBetweenTwoEqualCells)
   EXPECT_GT(std::abs(p(0, 15) / hertz.exact.max_pressure - 1), 1e-3);
 }
 
-/// Two rows of cells beside x = 0, the outer one without pressure, over a gap of one column's height each.
+/// Two rows of cells next to x = 0, the outer one without pressure, over a gap that is constant in each column.
 struct Row
 {
   static constexpr double modulus = 1e11;
@@ -122,14 +122,14 @@ struct Row
   bool waves(int column) const { return areWaves(gapSteps(cell(column), gap, modulus)); }
 };
 
-TEST(PeakPressure, BesideAnUnloadedCellOrTheBorderIsTheCellsOwn)
+TEST(PeakPressure, IsTheCellPressureNextToAnUnloadedCellOrTheBorder)
 {
   EXPECT_EQ(Row({0, 0, 0, 0}, {0, 1e9, 8e8, 0}).at(1), 1e9);
   EXPECT_EQ(Row({0, 0, 0, 0}, {1e9, 8e8, 0, 0}).at(0), 1e9);
   EXPECT_EQ(Row({0, 0, 0, 0}, {0, 0, 8e8, 1e9}).at(3), 1e9);
 }
 
-TEST(PeakPressure, OfWavesIsThatOfTheParabolas)
+TEST(PeakPressure, HasNoBiasCorrectionOnWaves)
 {
   std::vector<double> waves, pressures;
   for (int j = 0; j < 24; ++j)
@@ -149,7 +149,7 @@ TEST(PeakPressure, OfWavesIsThatOfTheParabolas)
   EXPECT_NE(flat.at(column), flat.cell(column).parabolas());
 }
 
-/// Of the highest cell of what the patch of a problem carries.
+/// Peak pressure at the highest cell.
 double highest(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& pressure)
 {
   Eigen::Index row = 0, column = 0;
@@ -157,7 +157,7 @@ double highest(const PatchGap& gap, double modulus, const Eigen::ArrayXXd& press
   return peakPressure(gap, modulus, {gap.grid, pressure, row, column});
 }
 
-TEST(PeakPressure, IsTheSameFromWhereverOneLooks)
+TEST(PeakPressure, IsIndependentOfOrientationAndScale)
 {
   const auto askew = [](double x, double y) { return shoulder(x + 2e-4 + 0.05 * y, y - 1e-4); };
   const NormalProblem problem =
@@ -174,9 +174,9 @@ TEST(PeakPressure, IsTheSameFromWhereverOneLooks)
   EXPECT_NEAR(highest(gap, problem.modulus, pressure.rowwise().reverse()) / seen, 1, 1e-6);
 }
 
-// In proportion to how the pressure bends from cell to cell, about an eightieth of it: so it goes with the square of
-// the cells. (Found: 0.0127 to 0.0148 of the bend.)
-TEST(PeakPressure, TakesOffAShareOfTheBend)
+// The bias is proportional to the bend of the pressure from cell to cell, about an eightieth of it. It decreases with
+// the square of the cell size. (Found: 0.0127 to 0.0148 of the bend.)
+TEST(PeakPressure, BiasIsProportionalToTheBend)
 {
   for (const int cells : {16, 32, 64, 128})
   {
@@ -193,8 +193,8 @@ TEST(PeakPressure, TakesOffAShareOfTheBend)
   }
 }
 
-// Where the grid ends the pressure need not: its border is no edge.
-TEST(PeakPressure, IsThatOfTheParabolasWhereTheBorderCutsThePressure)
+// The pressure may continue beyond the grid: the border is not an edge of the contact.
+TEST(PeakPressure, HasNoBiasCorrectionWhereTheBorderCutsThePressure)
 {
   const auto hertz = problems::hertzCase(2, 16, 32, false);
   NormalSolution solution;
@@ -209,15 +209,15 @@ TEST(PeakPressure, IsThatOfTheParabolasWhereTheBorderCutsThePressure)
   EXPECT_EQ(peakPressure(gap, hertz.problem.modulus, peak), peak.parabolas());
 }
 
-// Beside a crest much higher than the one looked at: what shows there has to have a limit.
-TEST(PeakPressure, BesideAMuchHigherOneIsNearItsOwnCells)
+// Next to a much higher peak: the network inputs must be limited.
+TEST(PeakPressure, IsCloseToItsCellsNextToAMuchHigherPeak)
 {
   const std::vector<double> flat(16, 0.0);
   const Row row(flat, {0, 3e8, 6e8, 1e9, 6e8, 3e40, 6e45, 3e40, 1e8, 0, 0, 0, 0, 0, 0, 0});
   EXPECT_NEAR(row.at(3) / 1e9, 1, 0.1);
 }
 
-TEST(PeakPressure, OfAHalfIsThatOfTheWhole)
+TEST(PeakPressure, OfAHalfEqualsThatOfTheWhole)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-9;

@@ -13,7 +13,7 @@
 /// Normal contact problems for tests.
 namespace wheel_rail_contact::core::problems
 {
-/// Steel on steel [Pa].
+/// Contact modulus of steel on steel [Pa].
 inline double steel()
 {
   return contactModulus(Material(), Material());
@@ -57,7 +57,7 @@ inline NormalProblem underLoad(PatchGap patch, double load)
   return problem;
 }
 
-/// Ellipsoid on a plane in a box `margin` times as long and wide as the contact. B/A = `ratio`; A is a wheel's.
+/// Ellipsoid on a plane in a box `margin` times as long and wide as the contact. B/A = `ratio`; A is that of a wheel.
 struct HertzCase
 {
   GapCurvature gap;
@@ -79,7 +79,7 @@ inline HertzCase hertzCase(double ratio, int nx, int ny, bool symmetric, double 
   return hertz;
 }
 
-/// Matrix of a grid's influence coefficients [m/Pa], cells in the order of the gap array.
+/// Matrix of the influence coefficients of a grid [m/Pa], with the cells in the order of the gap array.
 inline Eigen::MatrixXd influenceMatrix(const Grid& grid, double modulus, Kernel kernel = Kernel::rectangle)
 {
   const double factor = 1 / (std::acos(-1.0) * modulus);
@@ -106,7 +106,7 @@ inline double uniform(std::mt19937_64& random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Bowl with waves and noise of random size, on a grid of random shape with cells of aspect 1/5 to 6.
+/// Bowl with waves and noise of random size, on a grid of random shape with cell aspects of 1/5 to 6.
 inline PatchGap randomPatch(std::mt19937_64& random)
 {
   constexpr std::array<std::array<int, 2>, 6> sizes = {{{4, 16}, {8, 16}, {8, 32}, {12, 20}, {6, 10}, {16, 32}}};
@@ -133,8 +133,7 @@ inline PatchGap randomPatch(std::mt19937_64& random)
   return sampled(centredGrid(size[0], size[1], length, width, random() % 2 == 0), gap);
 }
 
-/// One or two random patches with different weights under a load, or at an approach, that fills a small or large part
-/// of them.
+/// Random patches with different weights, under a load or at an approach that fills a small or large part of them.
 inline NormalProblem randomProblem(std::mt19937_64& random, int patches)
 {
   NormalProblem problem;

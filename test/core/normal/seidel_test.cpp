@@ -50,7 +50,7 @@ TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
     double load = 0;
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
     {
-      // Residual 1e-4: pressures agree to about ten times that.
+      // At a residual of 1e-4 the pressures agree to about ten times that.
       EXPECT_LE((solution.patches[p].pressure - reference.patches[p].pressure).abs().maxCoeff(),
                 3e-3 * std::max(reference.patches[p].max_pressure, 1e7))
           << "seed " << seed << ", problem " << k;
@@ -63,7 +63,7 @@ TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
   }
 }
 
-TEST(Seidel, RepairedFormMakesUseOfAnEarlierSolution)
+TEST(Seidel, RepairedFormConvergesFasterFromAnEarlierSolution)
 {
   Seidel seidel;
   NormalSolution solution;
@@ -74,10 +74,10 @@ TEST(Seidel, RepairedFormMakesUseOfAnEarlierSolution)
   EXPECT_LT(solution.iterations, cold);
 }
 
-TEST(Seidel, PrintedFormIsHalfAPercentOffInApproachOnSquareCells)
+TEST(Seidel, PrintedFormUnderestimatesTheApproachByHalfAPercentOnSquareCells)
 {
-  // Point forces are 4 % low at the next cell; on 16 × 16 cells that leaves the approach 0.5 % low, on 32 × 32 half of
-  // it.
+  // Point forces are 4 % low at the next cell. On 16 × 16 cells the approach is therefore 0.5 % low, on 32 × 32 cells
+  // half of that.
   Seidel seidel = printed();
   double error = 1;
   for (const int cells : {16, 32})
@@ -104,14 +104,14 @@ TEST(Seidel, PrintedFormAppliesTheApproachInSteps)
   NormalSolution solution;
   printed().solve(hertz.problem, false, solution);
   EXPECT_EQ(solution.status, SolveStatus::converged);
-  EXPECT_GE(solution.iterations, 5) << "at least a sweep a step";
+  EXPECT_GE(solution.iterations, 5) << "at least one sweep per step";
   EXPECT_NEAR(solution.patches[0].force / 1e5, 1, 0.01);
 }
 
-TEST(Seidel, PrintedFormTurnsToStripesOnLongCells)
+TEST(Seidel, PrintedFormConvergesToStripesOnLongCells)
 {
-  // Beyond an aspect of 4.70 the matrix of point forces is indefinite; the pressure becomes striped and twice as high,
-  // while the approach stays within 3 % (2.2 % found). The iteration as printed would call this converged.
+  // Beyond an aspect of 4.70 the matrix of point forces is indefinite. The pressure becomes striped and twice as high,
+  // while the approach stays within 3 % (2.2 % found). The iteration as printed would regard this as converged.
   for (const double aspect : {4.5, 5.2})
   {
     auto hertz = hertzCase(1, 2, 2, false);
@@ -143,10 +143,10 @@ TEST(Seidel, PrintedFormTurnsToStripesOnLongCells)
   }
 }
 
-TEST(Seidel, PrintedFormIsRefusedWhereItComesToRestInStripes)
+TEST(Seidel, PrintedFormIsRejectedIfItConvergesToStripes)
 {
-  // Cells ten times as long as wide: a cell acts more on its neighbour across than on itself. No sweep gains energy as
-  // a whole, yet the maximum is off by far.
+  // Cells ten times as long as wide: a cell has more effect on its neighbour across than on itself. No complete sweep
+  // has negative energy, but the maximum is far too high.
   const auto hertz = hertzCase(13.5, 32, 64, true);
   ASSERT_GT(hertz.problem.patches[0].grid.dx, 9 * hertz.problem.patches[0].grid.dy);
   NormalSolution solution;
@@ -155,9 +155,9 @@ TEST(Seidel, PrintedFormIsRefusedWhereItComesToRestInStripes)
   EXPECT_EQ(solution.status, SolveStatus::indefinite);
 }
 
-// The printed stopping rule looks at the change of the pressure alone. The residual does not, and the estimate counts
-// it.
-TEST(Seidel, PrintedFormThatStopsTooEarlyIsToldByItsResidualAndItsEstimate)
+// The printed stopping rule uses only the change of the pressure. The residual is independent of it, and the estimate
+// includes the residual.
+TEST(Seidel, ResidualAndEstimateShowThatThePrintedFormStopsTooEarly)
 {
   const auto hertz = hertzCase(1, 48, 48, true);
   SeidelOptions options;
@@ -178,11 +178,11 @@ TEST(Seidel, PrintedFormThatStopsTooEarlyIsToldByItsResidualAndItsEstimate)
     EXPECT_LT(error, estimate) << "change " << change;
     EXPECT_EQ(solution.residual > 1e-3, change > 1e-3) << "change " << change;
   }
-  EXPECT_GT(error, 0.05);  // at the last change
+  EXPECT_GT(error, 0.05);  // at the last value of `change`
   EXPECT_GT(estimate, 0.1);
 }
 
-TEST(Seidel, TellsWhyItEnds)
+TEST(Seidel, ReportsWhyItEnded)
 {
   auto hertz = hertzCase(1, 16, 16, true);
   SeidelOptions options;
@@ -207,7 +207,7 @@ TEST(Seidel, TellsWhyItEnds)
   }
 }
 
-TEST(Seidel, RefusesOptionsByName)
+TEST(Seidel, RejectsInvalidOptionsByName)
 {
   SeidelOptions options;
   options.load_steps = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts smaller than the cells: whatever the pressure, it must not be taken for a solution.
+// Contacts smaller than the cells: their error estimate must be above the tolerance, whatever the pressure.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -13,7 +13,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// A bowl somewhere between the cells of a grid, with curvatures and load over many decades.
+/// Bowl at a random position between the cells of a grid, with curvatures and load over many decades.
 NormalProblem randomBowl(std::mt19937& random)
 {
   constexpr double cell = 1e-3;
@@ -29,7 +29,7 @@ NormalProblem randomBowl(std::mt19937& random)
 }
 }  // namespace
 
-// The greatest tolerance of use is 10 %. Least estimate of 2800 such contacts: 11.6 %.
+// The largest tolerance used is 10 %. The smallest estimate of 2800 such contacts was 11.6 %.
 TEST(Spike, FewerThanThreeLoadedCellsAreEstimatedAboveTenPercent)
 {
   constexpr unsigned seed = 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patches on a support that yields: the same answer as with the support held where it yields to.
+// Patches on a compliant support: same result as with the support fixed at the displacement that it reaches.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -22,8 +22,8 @@ NormalSolution solved(const NormalProblem& problem)
   return solution;
 }
 
-/// A random problem on a support of random openings and compliance, about as soft as its contact is, given for random
-/// coordinates.
+/// Random problem on a support with random openings and compliance, about as soft as its contact. The gaps are given
+/// for random coordinates of the support.
 NormalProblem randomSupportedProblem(std::mt19937_64& random, int patches)
 {
   NormalProblem problem = problems::randomProblem(random, patches);
@@ -62,7 +62,7 @@ Eigen::Vector3d forceOf(const NormalProblem& problem, const NormalSolution& solu
   return force;
 }
 
-/// The same problem with the support held at `coordinates`.
+/// The same problem with the support fixed at `coordinates`.
 NormalProblem held(NormalProblem problem, const Eigen::Vector3d& coordinates)
 {
   for (PatchGap& patch : problem.patches)
@@ -79,7 +79,7 @@ class CompliantSupport : public testing::TestWithParam<int>
 };
 }  // namespace
 
-TEST_P(CompliantSupport, StandsWhereItsForcesPutIt)
+TEST_P(CompliantSupport, DisplacementFollowsFromItsForces)
 {
   std::mt19937_64 random(5);
   for (int scene = 0; scene < 40; ++scene)
@@ -92,9 +92,9 @@ TEST_P(CompliantSupport, StandsWhereItsForcesPutIt)
   }
 }
 
-// The residual of either solution is 1e-9 of the depth. At an approach given, a pressure answers a change of gap at
-// most in proportion to the depth over the smallest change that one cell of the edge makes; 1e-6 covers that here.
-TEST_P(CompliantSupport, PressesAsIfHeldThere)
+// The residual of both solutions is 1e-9 of the depth. At a given approach, a change of the gap changes the pressure at
+// most in proportion to the depth over the smallest change by one cell of the edge. 1e-6 covers this here.
+TEST_P(CompliantSupport, PressureEqualsThatOfAFixedSupport)
 {
   std::mt19937_64 random(6);
   for (int scene = 0; scene < 40; ++scene)
@@ -117,7 +117,7 @@ TEST_P(CompliantSupport, PressesAsIfHeldThere)
   }
 }
 
-TEST_P(CompliantSupport, StartsFromItsOwnResult)
+TEST_P(CompliantSupport, WarmStartFromItsOwnResultTakesOneProduct)
 {
   std::mt19937_64 random(7);
   for (int scene = 0; scene < 20; ++scene)
@@ -134,7 +134,7 @@ TEST_P(CompliantSupport, StartsFromItsOwnResult)
 
 INSTANTIATE_TEST_SUITE_P(Patches, CompliantSupport, testing::Values(1, 2));
 
-TEST(CompliantSupportCase, WithoutComplianceIsHeld)
+TEST(CompliantSupportCase, ZeroComplianceEqualsAFixedSupport)
 {
   std::mt19937_64 random(8);
   NormalProblem problem = randomSupportedProblem(random, 1);
@@ -145,7 +145,7 @@ TEST(CompliantSupportCase, WithoutComplianceIsHeld)
   EXPECT_EQ(solution.support.norm(), 0);
 }
 
-TEST(CompliantSupportCase, OfTheWrongShapeIsAnInvalidProblem)
+TEST(CompliantSupportCase, OpeningOfTheWrongShapeIsAnInvalidProblem)
 {
   std::mt19937_64 random(9);
   NormalProblem problem = randomSupportedProblem(random, 1);
@@ -153,8 +153,8 @@ TEST(CompliantSupportCase, OfTheWrongShapeIsAnInvalidProblem)
   EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
 }
 
-// Placed where the bodies overlap, and let go by a contact that is no longer there: at rest it does not touch.
-TEST(Support, ThatSpringsBackFromTheContactIsLeftAlone)
+// The support is given in a position in which the bodies overlap. At rest it does not touch.
+TEST(Support, ReportsNoContactIfTheSupportMovesAwayFromTheContact)
 {
   problems::HertzCase hertz = problems::hertzCase(2, 16, 32, true);
   NormalProblem& problem = hertz.problem;

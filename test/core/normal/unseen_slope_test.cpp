@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Waves of a gap that are narrower than the cells: the cells do not show them, the gap's own slopes do.
+// Waves of a gap that are narrower than the cells: the cells do not show them, but the slopes of the gap do.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,10 +14,10 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double width = 16e-3;  ///< of the grid [m]
-constexpr int columns = 32;      ///< of the grid that does not see the wave
+constexpr int columns = 32;      ///< of the grid that does not resolve the wave
 constexpr double wave = width / columns;
 
-/// A bowl under load with a wave across that is as long as a cell of the coarse grid and zero in each one's centre.
+/// Bowl under load with a wave across whose length is a cell of the coarse grid. It is zero at each cell centre.
 NormalProblem wavyBowl(int nx, int ny, double amplitude)
 {
   const double wavenumber = 2 * std::acos(-1.0) / wave;
@@ -36,7 +36,7 @@ PatchPressure solved(const NormalProblem& problem, double& estimate)
   return solution.patches[0];
 }
 
-/// What the cells do not show of a gap, across at x = 0 by its own differences.
+/// Part of the slope of a gap across, at x = 0, that its cells do not show; the slope is from finite differences.
 template <typename Gap>
 Eigen::ArrayXd unseenSlope(const Grid& grid, Gap gap)
 {
@@ -52,10 +52,10 @@ Eigen::ArrayXd unseenSlope(const Grid& grid, Gap gap)
 }
 }  // namespace
 
-// A yawed wheel's crest runs askew over the grid: beside x = 0 the gap's slope across is another one. Counted as
-// unseen, it made errors of the pressure of up to 4 % of it out of 0.1 %. What central differences of the slopes have
-// of rounding is 1e-10.
-TEST(UnseenSlope, CellsShowAllOfASmoothGapAskew)
+// The peak under a yawed wheel is oblique to the grid: next to x = 0 the slope of the gap across is different. If this
+// counted as unseen, estimates of 0.1 % would become up to 4 %. The central differences of the slopes have rounding
+// errors of 1e-10.
+TEST(UnseenSlope, IsZeroForASmoothObliqueGap)
 {
   const auto askew = [](double x, double y)
   { return 1.1 * (x + 0.05 * y) * (x + 0.05 * y) + (y > 1e-3 ? 2.3 : 1.1) * (y - 1e-3) * (y - 1e-3); };
@@ -66,7 +66,7 @@ TEST(UnseenSlope, CellsShowAllOfASmoothGapAskew)
   }
 }
 
-TEST(UnseenSlope, SlopesOfNarrowWavesAreUnseen)
+TEST(UnseenSlope, IsTheSlopeOfWavesNarrowerThanTheCells)
 {
   const double steepest = 1e-3, wavenumber = 2 * std::acos(-1.0) / wave;
   const auto wavy = [=](double x, double y)
@@ -78,9 +78,9 @@ TEST(UnseenSlope, SlopesOfNarrowWavesAreUnseen)
   }
 }
 
-// Johnson (1985), eq. 13.2: pressed flat, a wave of slopes up to s adds E* s / 2 to the pressure. That is on a plane:
-// on the bowl it comes to within one per cent of it. Without slopes the estimate misses the wave.
-TEST(UnseenSlope, EstimateCountsWavesNarrowerThanTheCells)
+// Johnson (1985), eq. 13.2: flattening a wave of slopes up to s adds E* s / 2 to the pressure. This holds on a plane,
+// and on the bowl within one per cent. Without the slopes the estimate misses the wave.
+TEST(UnseenSlope, EstimateIncludesWavesNarrowerThanTheCells)
 {
   for (const double amplitude : {1e-7, 2e-7, 3e-7})
   {

@@ -19,9 +19,9 @@ namespace wheel_rail_contact::core
 {
 namespace test
 {
-constexpr double mm = 1e-3;
+constexpr double mm = 1e-3;  ///< [m]
 
-/// A folder of its own for the files of a test, removed with it.
+/// Temporary folder for the files of a test. It is removed with the object.
 class Folder
 {
  public:
@@ -44,13 +44,14 @@ class Folder
     stream << content;
     return (path_ / name).string();
   }
+  /// Path of a file in the folder.
   std::string path(const std::string& name) const { return (path_ / name).string(); }
 
  private:
   std::filesystem::path path_;
 };
 
-/// Parameter at which a curve of growing y reaches y [m].
+/// Parameter at which a curve with increasing y reaches `y` [m].
 inline double parameterAt(const Profile& profile, double y)
 {
   double low = 0.0;
@@ -63,7 +64,7 @@ inline double parameterAt(const Profile& profile, double y)
   return low;
 }
 
-/// Two coordinates in a file's unit and axes.
+/// Two coordinates, in the unit and axes of a file.
 struct Point
 {
   double y, z;
@@ -82,7 +83,7 @@ inline std::vector<Point> pointsOf(const Profile& profile)
   return points;
 }
 
-/// The points after a change of axes or units.
+/// Points after a change of axes or units.
 inline std::vector<Point> changed(const std::vector<Point>& points, const std::function<Point(const Point&)>& change)
 {
   std::vector<Point> result;
@@ -102,7 +103,7 @@ inline std::string lines(const std::vector<Point>& points, const std::string& se
   return text.str();
 }
 
-/// Largest distance, across the curve, of points [m] from a profile close to them.
+/// Largest distance of points from a profile close to them, across the curve [m]. The points must be in order along it.
 inline double deviation(const Profile& profile, const std::vector<Point>& points)
 {
   double largest = 0.0;

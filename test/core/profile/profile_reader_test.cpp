@@ -24,14 +24,14 @@ using test::parameterAt;
 using test::Point;
 using test::pointsOf;
 
-/// Expects that a file is refused, with line and reason.
-void expectRefused(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
+/// Expects a ProfileError with this line and a reason that contains `reason`.
+void expectRejected(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
 {
-  SCOPED_TRACE(path + ", expecting: " + reason);
+  SCOPED_TRACE(path + ", expected error: " + reason);
   try
   {
     readProfile(path, kind);
-    ADD_FAILURE() << "was read";
+    ADD_FAILURE() << "the file was accepted";
   }
   catch (const ProfileError& error)
   {
@@ -47,7 +47,7 @@ std::string csv(const std::vector<Point>& points)
   return "y_m,z_m\n" + lines(points, ",");
 }
 
-TEST(LoadProfile, KnowsTheStandardProfilesAndTheirKind)
+TEST(LoadProfile, StandardProfilesAreFoundByNameAndKind)
 {
   EXPECT_EQ(loadProfile("S1002", ProfileKind::wheel).name(), "S1002");
   EXPECT_EQ(loadProfile("60E1", ProfileKind::rail).name(), "60E1");
@@ -57,18 +57,18 @@ TEST(LoadProfile, KnowsTheStandardProfilesAndTheirKind)
   EXPECT_THROW(loadProfile("UIC60_manchester", ProfileKind::wheel), std::invalid_argument);
 }
 
-TEST(LoadProfile, ReadsFilesByTheirExtension)
+TEST(LoadProfile, ExtensionDeterminesTheFileFormat)
 {
   const Folder folder;
   const std::string path = folder.write("head.CSV", csv(pointsOf(rail60E1())));
   EXPECT_EQ(loadProfile(path, ProfileKind::rail).name(), "head.CSV");
-  expectRefused("S1003", ProfileKind::wheel, 0, "neither a standard profile");
-  expectRefused(folder.path("missing.csv"), ProfileKind::rail, 0, "no such file");
-  expectRefused(folder.path("missing.prw"), ProfileKind::rail, 0, "not that of a rail");
-  expectRefused(folder.path("missing.ban"), ProfileKind::wheel, 0, "not that of a wheel");
+  expectRejected("S1003", ProfileKind::wheel, 0, "neither the name of a standard profile");
+  expectRejected(folder.path("missing.csv"), ProfileKind::rail, 0, "no such file");
+  expectRejected(folder.path("missing.prw"), ProfileKind::rail, 0, "does not belong to a rail");
+  expectRejected(folder.path("missing.ban"), ProfileKind::wheel, 0, "does not belong to a wheel");
 }
 
-TEST(CsvProfile, HasTheUnitItStates)
+TEST(CsvProfile, FirstLineDeterminesTheUnit)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(s1002Wheel());
@@ -87,109 +87,109 @@ TEST(CsvProfile, HasTheUnitItStates)
   }
 }
 
-TEST(CsvProfile, NeedsAUnitAndTwoNumbersALine)
+TEST(CsvProfile, UnitAndTwoNumbersPerLineAreRequired)
 {
   const Folder folder;
   const std::string points = lines(pointsOf(rail60E1()), ",");
-  const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
-  { expectRefused(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
-  refused(points, 1, "no unit stated");
-  refused("y,z\n" + points, 1, "no unit stated");
-  refused("y_mm,z_m\n" + points, 1, "no unit stated");
-  refused("y_in,z_in\n" + points, 1, "no unit stated");
-  refused("y_m,z_m\n" + points + "0.1\n", 2 + static_cast<std::size_t>(std::count(points.begin(), points.end(), '\n')),
-          "number of columns is 1");
-  refused("y_m,z_m\n0,0,0\n", 2, "number of columns is 3");
-  refused("y_m,z_m\n0,nan\n", 2, "'nan' is not a number");
-  refused("y_m,z_m\n0,inf\n", 2, "'inf' is not a number");
-  refused("y_m,z_m\n0,1e999\n", 2, "'1e999' is not a number");
-  refused("y_m,z_m\n0,0x10\n", 2, "'0x10' is not a number");
-  refused("y_m,z_m\n0,\n", 2, "'' is not a number");
-  refused("y_m,z_m\n0;0\n", 2, "number of columns is 1");
+  const auto rejected = [&](const std::string& text, std::size_t line, const std::string& reason)
+  { expectRejected(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
+  rejected(points, 1, "no unit stated");
+  rejected("y,z\n" + points, 1, "no unit stated");
+  rejected("y_mm,z_m\n" + points, 1, "no unit stated");
+  rejected("y_in,z_in\n" + points, 1, "no unit stated");
+  rejected("y_m,z_m\n" + points + "0.1\n", 2 + static_cast<std::size_t>(std::count(points.begin(), points.end(), '\n')),
+           "number of columns is 1");
+  rejected("y_m,z_m\n0,0,0\n", 2, "number of columns is 3");
+  rejected("y_m,z_m\n0,nan\n", 2, "'nan' is not a number");
+  rejected("y_m,z_m\n0,inf\n", 2, "'inf' is not a number");
+  rejected("y_m,z_m\n0,1e999\n", 2, "'1e999' is not a number");
+  rejected("y_m,z_m\n0,0x10\n", 2, "'0x10' is not a number");
+  rejected("y_m,z_m\n0,\n", 2, "'' is not a number");
+  rejected("y_m,z_m\n0;0\n", 2, "number of columns is 1");
 }
 
-TEST(ProfileFiles, MustBeTextOfAProfilesSize)
+TEST(ProfileFiles, BinaryEmptyAndOversizedFilesAreRejected)
 {
   const Folder folder;
-  const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
-  { expectRefused(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
-  refused("", 0, "is empty");
-  refused(" \r\n\t\n", 0, "is empty");
-  refused(std::string("y_m,z_m\n0,0\0", 12), 0, "binary");
-  refused(
+  const auto rejected = [&](const std::string& text, std::size_t line, const std::string& reason)
+  { expectRejected(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
+  rejected("", 0, "is empty");
+  rejected(" \r\n\t\n", 0, "is empty");
+  rejected(std::string("y_m,z_m\n0,0\0", 12), 0, "binary");
+  rejected(
       "\x7F"
       "ELF",
       0, "binary");
-  refused(std::string((4U << 20U) + 1U, '#'), 0, "larger than 4 MiB");
-  refused("y_m,z_m\n" + std::string(2000, '1'), 2, "line of more than");
+  rejected(std::string((4U << 20U) + 1U, '#'), 0, "larger than 4 MiB");
+  rejected("y_m,z_m\n" + std::string(2000, '1'), 2, "line has more than");
   std::string many = "y_m,z_m\n";
   for (int i = 0; i < 20001; ++i)
   {
     many += "0,0\n";
   }
-  refused(many, 20002, "more than 20000 points");
-  expectRefused(folder.path("."), ProfileKind::rail, 0, "neither a standard profile");
+  rejected(many, 20002, "more than 20000 points");
+  expectRejected(folder.path("."), ProfileKind::rail, 0, "neither the name of a standard profile");
   std::filesystem::create_directories(folder.path("folder.csv"));
-  expectRefused(folder.path("folder.csv"), ProfileKind::rail, 0, "no such file");
+  expectRejected(folder.path("folder.csv"), ProfileKind::rail, 0, "no such file");
 }
 
-TEST(ProfileFiles, MustHoldAPlausibleProfile)
+TEST(ProfileFiles, ImplausibleProfilesAreRejected)
 {
   const Folder folder;
-  const auto refused = [&](const std::vector<Point>& points, std::size_t line, const std::string& reason,
-                           ProfileKind kind = ProfileKind::rail)
-  { expectRefused(folder.write("bad.csv", csv(points)), kind, line, reason); };
+  const auto rejected = [&](const std::vector<Point>& points, std::size_t line, const std::string& reason,
+                            ProfileKind kind = ProfileKind::rail)
+  { expectRejected(folder.write("bad.csv", csv(points)), kind, line, reason); };
   const std::vector<Point> rail = pointsOf(rail60E1());
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
   const auto scaled = [](double factor) {
     return [factor](const Point& p) { return Point{factor * p.y, factor * p.z}; };
   };
 
-  refused({rail.begin(), rail.begin() + 9}, 0, "number of points is 9");
-  refused(changed(rail, scaled(1e3)), 0, "wrong unit");
-  refused(changed(rail, scaled(1e-3)), 0, "wrong unit");
-  refused(changed(rail, [](const Point& p) { return Point{p.y, 5.0 * p.z}; }), 0, "high");
-  refused(std::vector<Point>(50, Point{0.0, 0.0}), 0, "wide");
+  rejected({rail.begin(), rail.begin() + 9}, 0, "number of points is 9");
+  rejected(changed(rail, scaled(1e3)), 0, "wrong unit");
+  rejected(changed(rail, scaled(1e-3)), 0, "wrong unit");
+  rejected(changed(rail, [](const Point& p) { return Point{p.y, 5.0 * p.z}; }), 0, "high");
+  rejected(std::vector<Point>(50, Point{0.0, 0.0}), 0, "wide");
 
   // Wrong kind, wrong axes, wrong origin.
-  refused(wheel, 0, "highest point is at an end");
-  refused(rail, 0, "not a wheel", ProfileKind::wheel);
-  refused(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "z does not point up");
-  refused(changed(wheel,
-                  [](const Point& p) {
-                    return Point{-p.y, p.z};
-                  }),
-          0, "an axis is reversed", ProfileKind::wheel);
-  refused(changed(wheel, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "not a wheel", ProfileKind::wheel);
+  rejected(wheel, 0, "highest point is at an end");
+  rejected(rail, 0, "not a wheel", ProfileKind::wheel);
+  rejected(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "z does not point up");
+  rejected(changed(wheel,
+                   [](const Point& p) {
+                     return Point{-p.y, p.z};
+                   }),
+           0, "an axis is reversed", ProfileKind::wheel);
+  rejected(changed(wheel, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "not a wheel", ProfileKind::wheel);
   const auto turned = changed(wheel, [](const Point& p) { return Point{-p.y, -p.z}; });
-  refused(turned, 0, "both axes are reversed", ProfileKind::wheel);
-  refused(changed(wheel, [](const Point& p) { return Point{p.y + 0.07, p.z}; }), 0, "origin", ProfileKind::wheel);
-  refused(changed(rail, [](const Point& p) { return Point{p.y, p.z + 0.172}; }), 0, "origin");
+  rejected(turned, 0, "both axes are reversed", ProfileKind::wheel);
+  rejected(changed(wheel, [](const Point& p) { return Point{p.y + 0.07, p.z}; }), 0, "origin", ProfileKind::wheel);
+  rejected(changed(rail, [](const Point& p) { return Point{p.y, p.z + 0.172}; }), 0, "origin");
 
   // Order along the curve.
   std::vector<Point> points = rail;
   std::swap(points[100], points[110]);
-  refused(points, 103, "run back");
+  rejected(points, 103, "run back");
   points = rail;
   const unsigned seed = 3;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::shuffle(points.begin(), points.end(), std::mt19937(seed));
-  refused(points, 4, "run back");
+  rejected(points, 4, "run back");
   points = rail;
   points.insert(points.end(), rail.rbegin(), rail.rend());
-  refused(points, rail.size() + 3, "run back");
+  rejected(points, rail.size() + 3, "run back");
   points = rail;
   points.erase(points.begin() + 100, points.begin() + 250);
-  refused(points, 102, "gap of");
+  rejected(points, 102, "gap of");
   std::vector<Point> circle;
   for (int i = 0; i < 200; ++i)
   {
     circle.push_back({0.05 * std::sin(0.0314 * i), 0.05 * std::cos(0.0314 * i) - 0.05});
   }
-  refused(circle, 0, "closed outline");
+  rejected(circle, 0, "closed outline");
 }
 
-TEST(ProfileFiles, CoincidingPointsAreOneAndTheEndsStay)
+TEST(ProfileFiles, CoincidentPointsAreMergedAndTheEndsAreKept)
 {
   const Folder folder;
   const std::vector<Point> rail = pointsOf(rail60E1());
@@ -205,7 +205,7 @@ TEST(ProfileFiles, CoincidingPointsAreOneAndTheEndsStay)
   EXPECT_NEAR(read.at(read.length()).y, points.back().y, 1e-12);
 }
 
-TEST(ProfileFiles, AreSmoothedForAGivenNoise)
+TEST(ProfileFiles, PointsAreSmoothedForAGivenNoise)
 {
   const Folder folder;
   const std::string path = folder.write("head.csv", csv(pointsOf(rail60E1())));
@@ -218,19 +218,19 @@ TEST(ProfileFiles, AreSmoothedForAGivenNoise)
   EXPECT_THROW(readProfile(path, ProfileKind::rail, 2.0 * max_spline_noise), std::invalid_argument);
 }
 
-/// A MiniProf wheel in mm: X from the flange back, Y towards the flange tip.
+/// Converts a point to the axes of a MiniProf wheel [mm]: X from the flange back, Y towards the flange tip.
 Point miniProfWheel(const Point& p)
 {
   return {p.y * 1e3 + 70.0, -p.z * 1e3};
 }
 
-/// A MiniProf rail in mm: X to the gauge side, Y up.
+/// Converts a point to the axes of a MiniProf rail [mm]: X to the gauge side, Y up.
 Point miniProfRail(const Point& p)
 {
   return {-p.y * 1e3, p.z * 1e3};
 }
 
-TEST(MiniProfProfile, WheelHasItsOriginOnTheRunningCircle)
+TEST(MiniProfProfile, OriginOfAWheelIsOnTheRunningCircle)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(s1002Wheel());
@@ -241,7 +241,7 @@ TEST(MiniProfProfile, WheelHasItsOriginOnTheRunningCircle)
                                     ProfileKind::wheel, 0.0);
   EXPECT_LT(deviation(wheel, points), 1e-12);
 
-  // A running circle 73.5 mm from the flange back, and heights from another reference.
+  // Running circle 73.5 mm from the flange back, heights from another reference.
   const CurvePoint origin = s1002Wheel().at(parameterAt(s1002Wheel(), 3.5 * mm));
   const std::vector<Point> raised = changed(points,
                                             [](const Point& p) {
@@ -256,22 +256,22 @@ TEST(MiniProfProfile, WheelHasItsOriginOnTheRunningCircle)
             1e-11);
 }
 
-TEST(MiniProfProfile, WheelMustReachAcrossItsRunningCircle)
+TEST(MiniProfProfile, WheelThatEndsBesideItsRunningCircleIsRejected)
 {
   const Folder folder;
   const std::string points = lines(changed(pointsOf(s1002Wheel()), miniProfWheel), " ");
-  const auto refused = [&](const std::string& text, const std::string& reason)
-  { expectRefused(folder.write("bad.whl", text), ProfileKind::wheel, 0, reason); };
-  refused("WheelDiameterTaperline=920\n" + points, "X = 920 mm");
-  // Counted from the running circle, with the tread's end short of X = 70 mm.
-  refused("Xoffset=-70\n" + points, "X = 70 mm");
+  const auto rejected = [&](const std::string& text, const std::string& reason)
+  { expectRejected(folder.write("bad.whl", text), ProfileKind::wheel, 0, reason); };
+  rejected("WheelDiameterTaperline=920\n" + points, "X = 920 mm");
+  // X counted from the running circle; the tread then ends before X = 70 mm.
+  rejected("Xoffset=-70\n" + points, "X = 70 mm");
 }
 
-TEST(MiniProfProfile, RailHasItsGaugeSideAtPositiveX)
+TEST(MiniProfProfile, GaugeSideOfARailIsAtPositiveX)
 {
   const Folder folder;
   std::vector<Point> points = pointsOf(rail60E1());
-  points.resize(points.size() - 100);  // the field side is not measured all the way down
+  points.resize(points.size() - 100);  // the field side is not measured completely
   std::string text = "\"RefPoint1=\"\nColumnDef=N,Y,X,A\nXoffset=1.5\nYoffset=-0.25\n";
   std::ostringstream rows;
   rows << std::setprecision(12);
@@ -284,7 +284,7 @@ TEST(MiniProfProfile, RailHasItsGaugeSideAtPositiveX)
   EXPECT_NEAR(rail.at(0.0).z, points.front().z, 1e-12);
 }
 
-TEST(MiniProfProfile, IsSmoothedUnlessItsNoiseIsStated)
+TEST(MiniProfProfile, PointsAreSmoothedByDefault)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(rail60E1());
@@ -303,7 +303,7 @@ TEST(MiniProfProfile, OldFilesWithFreeTextAreRead)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, 0.0), points), 1e-12);
 }
 
-TEST(MiniProfProfile, LeavesOutWhereTwoStrokesOverlap)
+TEST(MiniProfProfile, OverlapOfTwoStrokesIsOmitted)
 {
   const Folder folder;
   const std::vector<Point> rail = pointsOf(rail60E1());
@@ -314,25 +314,25 @@ TEST(MiniProfProfile, LeavesOutWhereTwoStrokesOverlap)
   EXPECT_LT(deviation(read, rail), 1e-12);
 }
 
-TEST(MiniProfProfile, RefusesWhatIsDamaged)
+TEST(MiniProfProfile, DamagedFilesAreRejected)
 {
   const Folder folder;
   const std::vector<Point> rail = changed(pointsOf(rail60E1()), miniProfRail);
   const std::string points = lines(rail, " ");
   const std::size_t count = rail.size();
-  const auto refused = [&](const std::string& text, std::size_t line, const std::string& reason)
-  { expectRefused(folder.write("bad.ban", text), ProfileKind::rail, line, reason); };
-  refused("XYPoints=" + std::to_string(count + 1) + "\n" + points, count + 1, "cut off");
-  refused("ColumnDef=X,Y,A\n" + points, 2, "ColumnDef states 3");
-  refused("ColumnDef=X,A\n" + points, 1, "ColumnDef has no Y");
-  refused("Tilt=0.5\n" + points, 1, "Tilt");
-  refused("Xoffset=one\n" + points, 1, "not a plausible number");
-  refused("Dear reader,\n" + points, 1, "not a MiniProf profile");
-  refused(points + "12.5\n", count + 1, "number of columns is 1");
-  refused(points + "12.5 gauge\n", count + 1, "'gauge' is not a number");
-  refused("Comment=none\n", 0, "number of points is 0");
-  refused(lines(pointsOf(rail60E1()), " "), 0, "wrong unit");
-  refused(lines(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), " "), 0, "z does not point up");
+  const auto rejected = [&](const std::string& text, std::size_t line, const std::string& reason)
+  { expectRejected(folder.write("bad.ban", text), ProfileKind::rail, line, reason); };
+  rejected("XYPoints=" + std::to_string(count + 1) + "\n" + points, count + 1, "truncated");
+  rejected("ColumnDef=X,Y,A\n" + points, 2, "ColumnDef states 3");
+  rejected("ColumnDef=X,A\n" + points, 1, "ColumnDef has no Y");
+  rejected("Tilt=0.5\n" + points, 1, "Tilt");
+  rejected("Xoffset=one\n" + points, 1, "not a plausible number");
+  rejected("Dear reader,\n" + points, 1, "not a MiniProf profile");
+  rejected(points + "12.5\n", count + 1, "number of columns is 1");
+  rejected(points + "12.5 gauge\n", count + 1, "'gauge' is not a number");
+  rejected("Comment=none\n", 0, "number of points is 0");
+  rejected(lines(pointsOf(rail60E1()), " "), 0, "wrong unit");
+  rejected(lines(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), " "), 0, "z does not point up");
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -22,7 +22,7 @@ Profile single(const SectionLaw& law, double length)
   return {"single", {{law, length}}};
 }
 
-/// Derivatives against central differences of second order.
+/// Compares the derivatives with central differences of second order.
 void expectDerivatives(const Profile& profile, double u)
 {
   const double step = 1e-5;
@@ -46,7 +46,7 @@ TEST(ProfileSection, LineIsStraight)
   expectDerivatives(line, 0.02);
 }
 
-TEST(ProfileSection, ArcKeepsRadiusAndUnitSpeed)
+TEST(ProfileSection, ArcHasConstantRadiusAndArcLengthAsParameter)
 {
   for (const double turn : {1.0, -1.0})
   {
@@ -62,14 +62,14 @@ TEST(ProfileSection, ArcKeepsRadiusAndUnitSpeed)
   }
 }
 
-TEST(ProfileSection, ArcHasInfiniteSlopeWhereItIsVertical)
+TEST(ProfileSection, SlopeOfAVerticalArcIsInfinite)
 {
   const Profile arc = single(ArcSection{0.0, 0.0, 0.02, pi, 1.0}, 0.01);
   EXPECT_GT(std::abs(arc.at(0.0).slope()), 1e15);
   EXPECT_NEAR(arc.at(0.0).curvature(), 50.0, 1e-12);
 }
 
-TEST(ProfileSection, PolynomialMatchesItsDerivativesInClosedForm)
+TEST(ProfileSection, PolynomialHasTheDerivativesOfItsFormula)
 {
   // z = 2 - 3 y + 50 y^2 + 4000 y^3, from y = -0.01
   const Profile curve = single(PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03);
@@ -85,7 +85,7 @@ TEST(ProfileSection, PolynomialMatchesItsDerivativesInClosedForm)
   }
 }
 
-TEST(ProfileSection, CubicMatchesItsDerivativesInClosedForm)
+TEST(ProfileSection, CubicHasTheDerivativesOfItsFormula)
 {
   const Profile curve = single(CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.01);
   const double t = 0.004;
@@ -97,7 +97,7 @@ TEST(ProfileSection, CubicMatchesItsDerivativesInClosedForm)
   expectDerivatives(curve, t);
 }
 
-TEST(Profile, EndSectionsContinueByTheirOwnLaw)
+TEST(Profile, EndSectionsAreContinuedBeyondTheEnds)
 {
   const Profile profile("two",
                         {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {ArcSection{0.01, 0.02, 0.02, -pi / 2, 1.0}, 0.01}});
@@ -106,7 +106,7 @@ TEST(Profile, EndSectionsContinueByTheirOwnLaw)
   EXPECT_NEAR(profile.at(0.01 + pi * 0.02).z, 0.04, 1e-16);
 }
 
-TEST(Profile, SectionAfterADiscontinuityIsTakenAtTheDiscontinuity)
+TEST(Profile, SecondSectionIsUsedAtASectionBoundary)
 {
   const Profile profile("step", {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {LineSection{0.01, 0.5, 1.0, 0.0}, 0.01}});
   EXPECT_EQ(profile.at(std::nextafter(0.01, 0.0)).z, 0.0);
@@ -116,10 +116,10 @@ TEST(Profile, SectionAfterADiscontinuityIsTakenAtTheDiscontinuity)
   EXPECT_DOUBLE_EQ(profile.discontinuities()[1], 0.01);
 }
 
-TEST(Profile, FindsTheSectionWhateverTheLengths)
+TEST(Profile, SectionIsFoundForAnyLengths)
 {
-  // Every section is a line at the height of its number, so that the height tells which one was taken. Lengths over
-  // eight orders of magnitude put many sections into one bucket.
+  // Every section is a line at the height of its number. The height therefore identifies the section that was used.
+  // Lengths over eight orders of magnitude put many sections into one bucket.
   const unsigned seed = 20240611;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 generator(seed);
@@ -143,8 +143,9 @@ TEST(Profile, FindsTheSectionWhateverTheLengths)
   }
 }
 
-// The sections are of every law, and the places go to and fro over joints and beyond both ends.
-TEST(ProfileCursor, ReadsWhatTheProfileTells)
+// The profile has a section of each type. The positions are in random order, across section boundaries and beyond both
+// ends.
+TEST(ProfileCursor, PointsAreThoseOfTheProfile)
 {
   const Profile profile("all", {{LineSection{0.0, 0.0, 0.6, 0.8}, 0.01},
                                 {ArcSection{0.003, -0.004, 0.013, 0.7, -1.0}, 0.02},
@@ -164,13 +165,13 @@ TEST(ProfileCursor, ReadsWhatTheProfileTells)
   ProfileCursor cursor(profile);
   for (const double u : places)
   {
-    const CurvePoint told = profile.at(u);
+    const CurvePoint expected = profile.at(u);
     const CurvePoint read = cursor.at(u);
     for (const auto& value :
          {&CurvePoint::y, &CurvePoint::z, &CurvePoint::dy, &CurvePoint::dz, &CurvePoint::ddy, &CurvePoint::ddz})
     {
-      EXPECT_EQ(read.*value, told.*value) << "at " << u;
-      EXPECT_EQ(cursor.expansionAt(u).point.*value, told.*value) << "at " << u;
+      EXPECT_EQ(read.*value, expected.*value) << "at " << u;
+      EXPECT_EQ(cursor.expansionAt(u).point.*value, expected.*value) << "at " << u;
     }
     double reach = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k + 1 < discontinuities.size(); ++k)
@@ -181,7 +182,7 @@ TEST(ProfileCursor, ReadsWhatTheProfileTells)
   }
 }
 
-TEST(ProfileCursor, ThirdDerivativesAreThoseOfTheSecond)
+TEST(ProfileCursor, ThirdDerivativesAgreeWithDifferencesOfTheSecond)
 {
   const double step = 1e-5;
   for (const SectionLaw& law :
@@ -194,13 +195,13 @@ TEST(ProfileCursor, ThirdDerivativesAreThoseOfTheSecond)
     const CurveExpansion here = ProfileCursor(profile).expansionAt(0.01);
     const CurvePoint before = profile.at(0.01 - step);
     const CurvePoint after = profile.at(0.01 + step);
-    // The difference is off by the fifth derivative times step²/6: on the arc of 13 mm 6e-4.
+    // Error of the difference: fifth derivative times step²/6, which is 6e-4 on the arc of 13 mm.
     EXPECT_NEAR(here.dddy, (after.ddy - before.ddy) / (2 * step), 1e-3);
     EXPECT_NEAR(here.dddz, (after.ddz - before.ddz) / (2 * step), 1e-3);
   }
 }
 
-TEST(Profile, RefusesSectionsThatAreNone)
+TEST(Profile, InvalidSectionsAreRejected)
 {
   const LineSection line{0.0, 0.0, 1.0, 0.0};
   const double infinity = std::numeric_limits<double>::infinity();

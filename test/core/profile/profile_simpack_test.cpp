@@ -23,7 +23,7 @@ using test::pointsOf;
 
 using Edits = std::map<std::string, std::string>;
 
-/// Simpack file as its program writes it; `edits` replaces or adds settings.
+/// Text of a Simpack file, as written by the program. `edits` replaces or adds settings.
 std::string simpack(ProfileKind kind, const std::string& points, const Edits& edits = {})
 {
   Edits settings = {{"approx.smooth", "+0.000000000000000e+00"},
@@ -47,7 +47,7 @@ std::string simpack(ProfileKind kind, const std::string& points, const Edits& ed
          "    point.end\n  spline.end\n! End\n";
 }
 
-/// From the profile frame to Simpack's axes in mm.
+/// Converts a point from the profile frame to the axes of Simpack [mm].
 Point toSimpack(const Point& p)
 {
   return {p.y * 1e3, -p.z * 1e3};
@@ -58,7 +58,7 @@ class SimpackProfile : public testing::Test
  protected:
   SimpackProfile() : rail_(pointsOf(rail60E1())), listed_(changed(rail_, toSimpack)) {}
 
-  /// Reads the rail's points, changed as given, from a file with the edits that undo the change.
+  /// Reads the points of the rail, after `change`, from a file with the edits that reverse the change.
   Profile read(const std::function<Point(const Point&)>& change, const Edits& edits)
   {
     return readProfile(
@@ -66,14 +66,14 @@ class SimpackProfile : public testing::Test
         ProfileKind::rail);
   }
 
-  void expectRefused(const std::string& text, const std::string& reason, bool in_a_line,
-                     ProfileKind kind = ProfileKind::rail)
+  void expectRejected(const std::string& text, const std::string& reason, bool in_a_line,
+                      ProfileKind kind = ProfileKind::rail)
   {
     SCOPED_TRACE(reason);
     try
     {
       readProfile(folder_.write(kind == ProfileKind::rail ? "bad.prr" : "bad.prw", text), kind);
-      ADD_FAILURE() << "was read";
+      ADD_FAILURE() << "the file was accepted";
     }
     catch (const ProfileError& error)
     {
@@ -84,10 +84,10 @@ class SimpackProfile : public testing::Test
 
   Folder folder_;
   std::vector<Point> rail_;    ///< profile frame [m]
-  std::vector<Point> listed_;  ///< Simpack's axes [mm]
+  std::vector<Point> listed_;  ///< axes of Simpack [mm]
 };
 
-TEST_F(SimpackProfile, RailIsReadWithZDown)
+TEST_F(SimpackProfile, ZOfARailPointsDown)
 {
   const Profile profile = read([](const Point& p) { return p; }, {});
   EXPECT_EQ(profile.name(), "rail.prr");
@@ -95,7 +95,7 @@ TEST_F(SimpackProfile, RailIsReadWithZDown)
   EXPECT_LT(profile.at(0.0).y, 0.0);
 }
 
-TEST_F(SimpackProfile, WheelListedAsInTheBenchmarkFileIsMirroredAndInverted)
+TEST_F(SimpackProfile, MirrorAndInversionOfTheBenchmarkWheelAreApplied)
 {
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
   const std::vector<Point> listed = changed(wheel, [](const Point& p) { return Point{-p.y * 1e3, -p.z * 1e3}; });
@@ -104,7 +104,7 @@ TEST_F(SimpackProfile, WheelListedAsInTheBenchmarkFileIsMirroredAndInverted)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel), wheel), 1e-12);
 }
 
-TEST_F(SimpackProfile, EveryEditIsHonoured)
+TEST_F(SimpackProfile, EveryEditIsApplied)
 {
   const double c = std::cos(0.02);
   const double s = std::sin(0.02);
@@ -115,7 +115,7 @@ TEST_F(SimpackProfile, EveryEditIsHonoured)
                           {{"shift.y", "5"}, {"shift.z", "-3"}}),
                       rail_),
             1e-12);
-  // Rotation about x turns y towards z.
+  // The rotation about x turns y towards z.
   EXPECT_LT(deviation(read(
                           [&](const Point& p) {
                             return Point{c * p.y + s * p.z, -s * p.y + c * p.z};
@@ -142,9 +142,9 @@ TEST_F(SimpackProfile, EveryEditIsHonoured)
             1e-12);
 }
 
-TEST_F(SimpackProfile, EditsAreMadeInSimpacksOrder)
+TEST_F(SimpackProfile, EditsAreAppliedInTheOrderOfSimpack)
 {
-  // Shift, then rotation, then mirror: undone in the opposite order here.
+  // The file applies shift, rotation and mirror, in this order. They are reversed here in the opposite order.
   const double c = std::cos(-0.3);
   const double s = std::sin(-0.3);
   const auto undone = [&](const Point& p)
@@ -157,7 +157,7 @@ TEST_F(SimpackProfile, EditsAreMadeInSimpacksOrder)
       deviation(read(undone, {{"shift.y", "10"}, {"shift.z", "-20"}, {"rotate", "-0.3"}, {"mirror.y", "1"}}), rail_),
       1e-12);
 
-  // Bounds count after the rotation and before the mirror, in the file's unit.
+  // Bounds apply after the rotation and before the mirror, in the unit of the file.
   const Profile cut = read(
       [](const Point& p) {
         return Point{-p.y, p.z};
@@ -167,12 +167,12 @@ TEST_F(SimpackProfile, EditsAreMadeInSimpacksOrder)
   EXPECT_NEAR(cut.at(cut.length()).y, 30.0 * mm, 0.3 * mm);
   EXPECT_GE(cut.at(0.0).y, -20.0 * mm);
 
-  // The least distance counts before all other edits, in the file's unit.
+  // The least distance applies before all other edits, in the unit of the file.
   const Profile thin = read([](const Point& p) { return p; }, {{"point.dist.min", "0.6"}});
   EXPECT_NEAR(static_cast<double>(rail_.size()) / static_cast<double>(thin.discontinuities().size()), 3.0, 0.05);
 }
 
-TEST_F(SimpackProfile, WeightsAndSmoothingAreHonoured)
+TEST_F(SimpackProfile, WeightsAndSmoothingAreApplied)
 {
   std::ostringstream weighted;
   weighted << std::setprecision(12);
@@ -198,9 +198,9 @@ TEST_F(SimpackProfile, WeightsAndSmoothingAreHonoured)
   EXPECT_LT(deviation(smooth, rail_), 50e-6);
 }
 
-TEST_F(SimpackProfile, InclinedRailOfTheBenchmarkLiesWhereItWas)
+TEST_F(SimpackProfile, InclinedBenchmarkRailKeepsItsPosition)
 {
-  // As the benchmark stores its rail: turned by 1:40, crown at (-7.4917, 0.0937) mm.
+  // The rail as in the file of the benchmark: inclined 1:40, crown at (-7.4917, 0.0937) mm.
   const double c = std::cos(std::atan(1.0 / 40));
   const double s = std::sin(std::atan(1.0 / 40));
   const std::vector<Point> inclined =
@@ -213,53 +213,53 @@ TEST_F(SimpackProfile, InclinedRailOfTheBenchmarkLiesWhereItWas)
   EXPECT_LT(deviation(readProfile(path, ProfileKind::rail), inclined), 1e-12);
 }
 
-TEST_F(SimpackProfile, RefusesTheOtherKind)
+TEST_F(SimpackProfile, ProfileOfTheOtherKindIsRejected)
 {
   const std::string wheel = lines(changed(pointsOf(s1002Wheel()), toSimpack), " ");
-  expectRefused(simpack(ProfileKind::wheel, wheel), "profile of a wheel where a rail is wanted", true);
-  expectRefused(simpack(ProfileKind::rail, lines(listed_, " ")), "profile of a rail where a wheel is wanted", true,
-                ProfileKind::wheel);
-  expectRefused(simpack(ProfileKind::rail, wheel), "not a rail", false);
+  expectRejected(simpack(ProfileKind::wheel, wheel), "wheel profile; a rail profile is required", true);
+  expectRejected(simpack(ProfileKind::rail, lines(listed_, " ")), "rail profile; a wheel profile is required", true,
+                 ProfileKind::wheel);
+  expectRejected(simpack(ProfileKind::rail, wheel), "not a rail", false);
 }
 
-TEST_F(SimpackProfile, RefusesWhatIsCutOff)
+TEST_F(SimpackProfile, TruncatedFilesAreRejected)
 {
   const std::string whole = simpack(ProfileKind::rail, lines(listed_, " "));
-  expectRefused(whole.substr(0, whole.find("point.end")), "before point.end: cut off", true);
-  expectRefused(whole.substr(0, whole.find("spline.end")), "before spline.end: cut off", true);
-  expectRefused(whole.substr(0, whole.find("spline.begin")), "before point.end: cut off", true);
-  expectRefused(whole.substr(0, whole.find("header.begin")), "not a Simpack profile", false);
-  expectRefused(whole.substr(0, whole.find("point.end") - 30) + "\n", "cut off", true);
+  expectRejected(whole.substr(0, whole.find("point.end")), "before point.end: truncated", true);
+  expectRejected(whole.substr(0, whole.find("spline.end")), "before spline.end: truncated", true);
+  expectRejected(whole.substr(0, whole.find("spline.begin")), "before point.end: truncated", true);
+  expectRejected(whole.substr(0, whole.find("header.begin")), "not a Simpack profile", false);
+  expectRejected(whole.substr(0, whole.find("point.end") - 30) + "\n", "truncated", true);
 }
 
-TEST_F(SimpackProfile, RefusesWhatIsDamaged)
+TEST_F(SimpackProfile, DamagedFilesAreRejected)
 {
   const std::string points = lines(listed_, " ");
   const auto with = [&](const Edits& edits) { return simpack(ProfileKind::rail, points, edits); };
-  expectRefused(simpack(ProfileKind::rail, "1.0\n" + points), "not a point", true);
-  expectRefused(simpack(ProfileKind::rail, "1 2 3 4\n" + points), "not a point", true);
-  expectRefused(simpack(ProfileKind::rail, "1 nan\n" + points), "'nan' is not a number", true);
-  expectRefused(simpack(ProfileKind::rail, "1 2 -1\n" + points), "weight is negative", true);
-  expectRefused(with({{"mirror.y", "2"}}), "mirror.y is neither 0 nor 1", false);
-  expectRefused(with({{"units.len.f", "0"}}), "units.len.f is not positive", false);
-  expectRefused(with({{"point.dist.min", "-1"}}), "point.dist.min is negative", false);
-  expectRefused(with({{"approx.smooth", "1"}}), "approx.smooth is above", false);
-  expectRefused(with({{"shift.y", "left"}}), "value of 'shift.y' is not a number", true);
-  expectRefused(with({{"shift.x", "0"}}), "unknown keyword 'shift.x'", true);
-  expectRefused(with({{"units.len.f", "1"}}), "wrong unit", false);
-  expectRefused(with({{"shift.y", "1e308"}, {"units.len.f", "1e-308"}}), "beyond all numbers", true);
-  expectRefused(with({}) + "  spline.begin\n    point.begin\n", "second block of points", true);
-  expectRefused("  point.begin\n" + points, "out of place", true);
-  expectRefused("y_mm,z_mm\n" + points, "not a Simpack profile", true);
+  expectRejected(simpack(ProfileKind::rail, "1.0\n" + points), "not a point", true);
+  expectRejected(simpack(ProfileKind::rail, "1 2 3 4\n" + points), "not a point", true);
+  expectRejected(simpack(ProfileKind::rail, "1 nan\n" + points), "'nan' is not a number", true);
+  expectRejected(simpack(ProfileKind::rail, "1 2 -1\n" + points), "weight is negative", true);
+  expectRejected(with({{"mirror.y", "2"}}), "mirror.y is neither 0 nor 1", false);
+  expectRejected(with({{"units.len.f", "0"}}), "units.len.f is not positive", false);
+  expectRejected(with({{"point.dist.min", "-1"}}), "point.dist.min is negative", false);
+  expectRejected(with({{"approx.smooth", "1"}}), "approx.smooth is above", false);
+  expectRejected(with({{"shift.y", "left"}}), "value of 'shift.y' is not a number", true);
+  expectRejected(with({{"shift.x", "0"}}), "unknown keyword 'shift.x'", true);
+  expectRejected(with({{"units.len.f", "1"}}), "wrong unit", false);
+  expectRejected(with({{"shift.y", "1e308"}, {"units.len.f", "1e-308"}}), "too large", true);
+  expectRejected(with({}) + "  spline.begin\n    point.begin\n", "second block of points", true);
+  expectRejected("  point.begin\n" + points, "out of place", true);
+  expectRejected("y_mm,z_mm\n" + points, "not a Simpack profile", true);
   std::string text = with({});
   text.replace(text.find("version = 1"), 11, "version = 2");
-  expectRefused(text, "version is not 1", true);
+  expectRejected(text, "version is not 1", true);
   text = with({});
   text.replace(text.find("type = 0"), 8, "type = 7");
-  expectRefused(text, "neither 0 (rail) nor 1 (wheel)", true);
+  expectRejected(text, "neither 0 (rail) nor 1 (wheel)", true);
   text = with({});
   text.replace(text.find("type = 0"), 8, "kind = 0");
-  expectRefused(text, "unknown keyword 'kind'", true);
+  expectRejected(text, "unknown keyword 'kind'", true);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -14,13 +14,13 @@ namespace
 {
 using test::mm;
 
-/// The profile's point at y; y must grow along the curve.
+/// Point of the profile at `y` [m]. y must increase along the curve.
 CurvePoint atY(const Profile& profile, double y)
 {
   return profile.at(test::parameterAt(profile, y));
 }
 
-/// Distance of a point from the profile, positive above it [m].
+/// Distance of a point from the profile [m], positive above it.
 double height(const Profile& profile, double y, double z)
 {
   double u = 0.0;
@@ -43,11 +43,11 @@ double height(const Profile& profile, double y, double z)
   return ((z - p.z) * p.dy - (y - p.y) * p.dz) / std::hypot(p.dy, p.dz);
 }
 
-/// Joint of two sections, from the flange back to the field side.
+/// Boundary of two sections, in the direction from the flange back to the field side.
 struct Discontinuity
 {
   double y;            ///< [mm]
-  double step;         ///< of z at the joint [mm]
+  double step;         ///< step of z [mm]
   double bend_before;  ///< d²z/dy² of the section before [1/mm]
   double bend_after;   ///< d²z/dy² of the section after [1/mm]
 };
@@ -58,7 +58,7 @@ double secondDerivative(const CurvePoint& p)
   return (p.ddz * p.dy - p.dz * p.ddy) / (p.dy * p.dy * p.dy);
 }
 
-/// Derivative by differences of fourth order.
+/// Derivative by central differences of fourth order.
 template <typename Value>
 double difference(const Profile& profile, double u, const Value& value)
 {
@@ -77,8 +77,8 @@ void expectDerivativesByDifferences(const Profile& profile)
           profile.discontinuities()[k] + share * (profile.discontinuities()[k + 1] - profile.discontinuities()[k]);
       SCOPED_TRACE(u);
       const CurvePoint here = profile.at(u);
-      // Truncation of the differences is h⁴ / 30 times the fifth (sixth) derivative, at most 1e10 1/m⁴ (5e12 1/m⁵), in
-      // S1002's section C.
+      // Truncation error of the differences: h⁴ / 30 times the fifth (sixth) derivative. The largest derivatives are
+      // 1e10 1/m⁴ (5e12 1/m⁵), in section C of S1002.
       EXPECT_NEAR(here.dy, difference(profile, u, [](const CurvePoint& p) { return p.y; }), 5e-9);
       EXPECT_NEAR(here.dz, difference(profile, u, [](const CurvePoint& p) { return p.z; }), 5e-9);
       EXPECT_NEAR(here.ddy, difference(profile, u, [](const CurvePoint& p) { return p.dy; }), 2e-6);
@@ -87,7 +87,7 @@ void expectDerivativesByDifferences(const Profile& profile)
   }
 }
 
-TEST(S1002, RunsFromFlangeBackToFieldSideThroughTheRunningCircle)
+TEST(S1002, ProfileRunsFromFlangeBackThroughRunningCircleToFieldSide)
 {
   const Profile wheel = s1002Wheel();
   EXPECT_EQ(wheel.name(), "S1002");
@@ -97,14 +97,14 @@ TEST(S1002, RunsFromFlangeBackToFieldSideThroughTheRunningCircle)
   EXPECT_EQ(wheel.discontinuities().size(), 9U);
 }
 
-TEST(S1002, HasTheFlangeOfEn13715)
+TEST(S1002, FlangeHasTheDimensionsOfEn13715)
 {
   const Profile wheel = s1002Wheel();
-  // Flange height 28 mm: tip at y = -55 mm. The tip's arc is horizontal there.
+  // Flange height 28 mm: flange tip at y = -55 mm, where its arc is horizontal.
   EXPECT_NEAR(atY(wheel, -55.0 * mm).z, -28.0 * mm, 1e-16);
-  // Flange thickness 32.5 mm, 10 mm below the running circle, from the flange back at -70 mm.
+  // Flange thickness 32.5 mm: from the flange back at -70 mm, measured 10 mm below the running circle.
   EXPECT_NEAR(atY(wheel, -37.5 * mm).z, -10.0 * mm, 0.0005 * mm);
-  // qR 10.794 mm: from 2 mm above the tip to the point 10 mm below the running circle, across.
+  // qR 10.794 mm: lateral distance between the point 2 mm above the tip and the point 10 mm below the running circle.
   double low = -55.0 * mm;
   double high = -40.0 * mm;
   for (int halving = 0; halving < 60; ++halving)
@@ -113,11 +113,11 @@ TEST(S1002, HasTheFlangeOfEn13715)
     (atY(wheel, middle).z < -26.0 * mm ? low : high) = middle;
   }
   EXPECT_NEAR(-37.5 * mm - low, 10.794 * mm, 0.0006 * mm);
-  // Flank of 70 degrees.
+  // Flank angle 70 degrees.
   EXPECT_NEAR(std::atan(atY(wheel, -39.0 * mm).slope()) * 180.0 / 3.14159265358979323846, 70.0, 1e-6);
 }
 
-TEST(S1002, TreadHasTheStandardsPolynomials)
+TEST(S1002, TreadHasThePolynomialsOfTheStandard)
 {
   const Profile wheel = s1002Wheel();
   EXPECT_NEAR(atY(wheel, 0.0).slope(), 3.358537058e-2, 1e-15);
@@ -131,10 +131,10 @@ TEST(S1002, TreadHasTheStandardsPolynomials)
   EXPECT_NEAR(atY(wheel, 50.0 * mm).z, -(1.364323640 - 0.066666667 * 50.0) * mm, 1e-17);
 }
 
-TEST(S1002, DiscontinuitiesKeepTheStepsAndCurvaturesOfTheStandardsNumbers)
+TEST(S1002, SectionBoundariesHaveTheStepsAndCurvaturesOfTheStandard)
 {
-  // Both follow from the standard's numbers alone; computed in rational arithmetic for the polynomials, and as
-  // R² / (R² - (y - yc)²)^(3/2) for the arcs.
+  // The values follow from the numbers of the standard alone. They were computed in rational arithmetic for the
+  // polynomials, and as R² / (R² - (y - yc)²)^(3/2) for the arcs.
   const Discontinuity discontinuities[] = {{-62.764705882, 4.08e-10, 0.110060, 0.188019},
                                            {-49.662510381, -6.39e-8, 0.115992, 0.069595},
                                            {-39.764473993, 2.96e-8, 1.249726, 0.0},
@@ -151,7 +151,7 @@ TEST(S1002, DiscontinuitiesKeepTheStepsAndCurvaturesOfTheStandardsNumbers)
     const CurvePoint after = wheel.at(u);
     EXPECT_NEAR(after.y, discontinuities[k].y * mm, 1e-16);
     EXPECT_NEAR(before.y, discontinuities[k].y * mm, 1e-16);
-    // Rounding of the polynomials' terms, up to 160 mm each, is 1e-16 m.
+    // The terms of the polynomials are up to 160 mm; their rounding error is 1e-16 m.
     EXPECT_NEAR(after.z - before.z, discontinuities[k].step * mm,
                 0.005 * std::abs(discontinuities[k].step) * mm + 1e-15);
     EXPECT_NEAR(std::atan(after.slope()), std::atan(before.slope()), 5e-6);
@@ -164,10 +164,11 @@ TEST(S1002, DerivativesAgreeWithDifferences)
 {
   expectDerivativesByDifferences(s1002Wheel());
 }
-TEST(S1002, LiesOnThePointsOfTheManchesterBenchmark)
+
+TEST(S1002, ProfilePassesThroughThePointsOfTheManchesterBenchmark)
 {
-  // Points of MBench_S1002_v3.prw (Manchester contact benchmark, Simpack format; y mirrored, z down), in mm. They are
-  // given to 1e-6 mm near the flange, so 2e-6 mm is their rounding and that of the standard's numbers.
+  // Points of MBench_S1002_v3.prw (Manchester contact benchmark, Simpack format; y mirrored, z down), in mm. Near the
+  // flange they are given to 1e-6 mm. The tolerance of 2e-6 mm is the rounding of the points and of the standard.
   const double points[][2] = {{-67.288396, 19.708615},  {-54.505121, 27.989791},   {-42.304446, 20.488738},
                               {-40.409365, 17.238210},  {-35.169732, 7.0260678},   {-26.211283, 2.7925449},
                               {-14.716500, 0.93792104}, {-1.2167753, 0.043234705}, {13.366072, -0.24128622},
@@ -180,7 +181,7 @@ TEST(S1002, LiesOnThePointsOfTheManchesterBenchmark)
   }
 }
 
-/// Half-width of the head at a depth below the crown, on the gauge side and on the field side [m].
+/// Half-widths of the head at a depth below the crown [m]: on the gauge side and on the field side.
 std::vector<double> halfWidths(const Profile& rail, double depth)
 {
   std::vector<double> widths;
@@ -229,13 +230,13 @@ void expectRailHead(const Profile& rail, double corner_step)
   EXPECT_NEAR(rail.at(0.0).slope(), 20.0, 1e-12);
 }
 
-TEST(Rail60E1, IsTheHeadOfEn13674)
+TEST(Rail60E1, HeadHasTheDimensionsOfEn13674)
 {
   const Profile rail = rail60E1();
   EXPECT_EQ(rail.name(), "60E1");
   expectRailHead(rail, 0.0);
   const std::vector<double>& discontinuities = rail.discontinuities();
-  // Widths of the standard's drawing, 20.456 and 52.053 mm; depths from the arcs' tangency.
+  // Widths from the drawing of the standard, 20.456 and 52.053 mm. Depths from the tangency of the arcs.
   EXPECT_NEAR(rail.at(discontinuities[4]).y, 20.456 / 2 * mm, 1e-16);
   EXPECT_NEAR(rail.at(discontinuities[4]).z, -0.174404 * mm, 1e-9);
   EXPECT_NEAR(rail.at(discontinuities[5]).y, 52.053 / 2 * mm, 1e-16);
@@ -249,11 +250,12 @@ TEST(Rail60E1, IsTheHeadOfEn13674)
   expectDerivativesByDifferences(rail);
 }
 
-TEST(RailUic60Manchester, IsTheBenchmarksHead)
+TEST(RailUic60Manchester, HeadHasTheDimensionsOfTheBenchmark)
 {
   const Profile rail = railUic60Manchester();
   EXPECT_EQ(rail.name(), "UIC60_manchester");
-  // The R13 arc's centre as fitted to the sampled points, 14.908972 mm below the crown, is that much too near R80's.
+  // The centre of R13, fitted to the sampled points 14.908972 mm below the crown, is closer to that of R80 than
+  // tangency requires. The difference is the step.
   const double corner_yc = 36.0 - 13.0 * 20.0 / std::sqrt(401.0);
   const double shoulder_zc = 300.0 - 220.0 / 300.0 * std::sqrt(300.0 * 300.0 - 10.5 * 10.5);
   const double step = 67.0 - std::hypot(corner_yc - 7.7, shoulder_zc - 14.908972);
@@ -270,7 +272,7 @@ TEST(RailUic60Manchester, IsTheBenchmarksHead)
   expectDerivativesByDifferences(rail);
 }
 
-TEST(RailUic60Manchester, DiffersFromEn13674AtTheGaugeCorner)
+TEST(RailUic60Manchester, HeadDiffersFromEn13674AtTheGaugeCorner)
 {
   const Profile other = railUic60Manchester();
   const Profile rail = rail60E1();
@@ -286,10 +288,11 @@ TEST(RailUic60Manchester, DiffersFromEn13674AtTheGaugeCorner)
   EXPECT_NEAR(largest, 0.040 * mm, 0.002 * mm);
 }
 
-TEST(RailUic60Manchester, LiesOnThePointsOfTheManchesterBenchmark)
+TEST(RailUic60Manchester, ProfilePassesThroughThePointsOfTheManchesterBenchmark)
 {
   // Points of MBench_UIC60_v3.prr (Manchester contact benchmark, Simpack format; z down), in mm: inclined 1:40 with the
-  // crown at (-7.4917, 0.0937). That place is given to 4 digits and 6e-6 mm off the crown that fits the points best.
+  // crown at (-7.4917, 0.0937). This position is given to 4 digits. It is 6e-6 mm from the crown that fits the points
+  // best.
   const double points[][2] = {{-43.704898, 38.510726}, {-43.677901, 37.429500}, {-43.341847, 23.970535},
                               {-43.08906, 14.566214},  {-41.139292, 8.6628082}, {-35.148935, 3.5819400},
                               {-33.656069, 3.0611091}, {-24.189524, 1.1561780}, {-7.7252199, 0.099634970},

@@ -22,7 +22,8 @@ using test::parameterAt;
 
 constexpr unsigned seed = 7;
 
-/// Points of a profile about `spacing` apart, with white noise across and along the curve [m].
+/// Points of a profile, about `spacing` [m] apart, with white noise of standard deviation `noise` [m] across and along
+/// the curve.
 std::vector<SampledPoint> sample(const Profile& profile, double spacing, double noise)
 {
   std::mt19937 generator(seed);
@@ -40,11 +41,12 @@ std::vector<SampledPoint> sample(const Profile& profile, double spacing, double 
   return points;
 }
 
+/// Deviations of a curve from a profile.
 struct Deviation
 {
-  double value = 0;      ///< largest, across the curve [m]
-  double curvature = 0;  ///< root of the mean square [1/m]
-  double largest_curvature = 0;
+  double value = 0;              ///< largest deviation across the curve [m]
+  double curvature = 0;          ///< root mean square deviation of the curvature [1/m]
+  double largest_curvature = 0;  ///< largest deviation of the curvature [1/m]
 };
 
 Deviation compare(const Profile& truth, const Profile& curve, double y_from, double y_to)
@@ -65,7 +67,7 @@ Deviation compare(const Profile& truth, const Profile& curve, double y_from, dou
   return deviation;
 }
 
-TEST(InterpolatingSpline, PassesThroughThePointsAndIsSmoothThere)
+TEST(InterpolatingSpline, CurvePassesSmoothlyThroughThePoints)
 {
   const std::vector<SampledPoint> points = sample(rail60E1(), 0.7 * mm, 0.0);
   const Profile curve("spline", interpolatingSpline(points));
@@ -84,7 +86,7 @@ TEST(InterpolatingSpline, PassesThroughThePointsAndIsSmoothThere)
   }
 }
 
-TEST(InterpolatingSpline, KeepsAStraightLineStraight)
+TEST(InterpolatingSpline, StraightLineIsReproduced)
 {
   const std::vector<SampledPoint> points = {{0.0, 0.0}, {0.003, 0.004}, {0.006, 0.008}, {0.0066, 0.0088}, {0.03, 0.04}};
   const Profile curve("line", interpolatingSpline(points));
@@ -97,9 +99,10 @@ TEST(InterpolatingSpline, KeepsAStraightLineStraight)
   }
 }
 
-TEST(InterpolatingSpline, GivesStandardProfilesBack)
+TEST(InterpolatingSpline, StandardProfilesAreReproduced)
 {
-  // Between the jumps of curvature, 2 mm (eight points) from them, the spline's error of fourth order is 1e-7 mm.
+  // At a distance of 2 mm (eight points) or more from the curvature discontinuities, the fourth-order error of the
+  // spline is 1e-7 mm.
   const Profile rail = rail60E1();
   const Profile rail_spline("rail", interpolatingSpline(sample(rail, 0.25 * mm, 0.0)));
   const double rail_arcs[][2] = {{-35.3, -27.5}, {-24.0, -12.3}, {-8.1, 8.1}, {12.3, 24.0}, {27.5, 35.3}};
@@ -116,13 +119,13 @@ TEST(InterpolatingSpline, GivesStandardProfilesBack)
   const Profile wheel_spline("wheel", interpolatingSpline(sample(wheel, 0.25 * mm, 0.0)));
   EXPECT_LT(compare(wheel, wheel_spline, -24.0 * mm, 30.0 * mm).value, 1e-7 * mm);
   EXPECT_LT(compare(wheel, wheel_spline, -24.0 * mm, 30.0 * mm).largest_curvature, 0.02);
-  // The standard's own step of 1.2e-4 mm at y = -35 mm lies in here.
+  // This range contains the step of 1.2e-4 mm at y = -35 mm that is in the standard.
   EXPECT_LT(compare(wheel, wheel_spline, -60.0 * mm, 58.0 * mm).value, 2e-4 * mm);
 }
 
-TEST(InterpolatingSpline, ConvergesWithTheFourthPowerOfTheSpacing)
+TEST(InterpolatingSpline, ErrorDecreasesWithTheFourthPowerOfTheSpacing)
 {
-  // On a circle, away from the ends: largest deviation from the radius. The leading term of the error is h^4 / R^3.
+  // Largest deviation from the radius of a circle, away from the ends. The leading term of the error is h^4 / R^3.
   const double radius = 13.0 * mm;
   const Profile circle("circle", {{ArcSection{0.0, 0.0, radius, 2.5, -1.0}, 25.0 * mm}});
   const auto error = [&](double spacing)
@@ -138,17 +141,18 @@ TEST(InterpolatingSpline, ConvergesWithTheFourthPowerOfTheSpacing)
   EXPECT_NEAR(error(0.4 * mm) / error(0.2 * mm), 16.0, 1.0);
 }
 
-TEST(SmoothingSpline, KeepsShapeAndCurvatureOfNoisyProfiles)
+TEST(SmoothingSpline, ShapeAndCurvatureOfNoisyProfilesAreReproduced)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
   struct Range
   {
     double y_from, y_to;  ///< [mm]
-    double value;         ///< largest deviation per noise [-]
+    double value;         ///< largest deviation divided by the noise [-]
     double curvature;     ///< r.m.s. deviation [1/m]
   };
-  // Crown (3.3 1/m), shoulder (12.5 1/m) and corner (77 1/m) of the rail; then tread (3.3 1/m) and root (77 1/m) of the
-  // wheel. Measured 0.28 ... 0.59, 0.61 ... 0.80, 1.7 ... 3.2; 0.07 ... 0.09, 1.1 ... 1.5 at 2 to 10 um of noise.
+  // Ranges: crown (3.3 1/m), shoulder (12.5 1/m) and corner (77 1/m) of the rail; tread (3.3 1/m) and flange root
+  // (77 1/m) of the wheel. Measured r.m.s. deviations of the curvature at 2 to 10 um of noise [1/m]: 0.28 to 0.59, 0.61
+  // to 0.80, 1.7 to 3.2; 0.07 to 0.09, 1.1 to 1.5.
   const Range rail_ranges[] = {{-9.0, 9.0, 1.0, 0.8}, {-24.0, -12.0, 1.0, 1.0}, {-34.5, -27.5, 1.2, 4.0}};
   const Range wheel_ranges[] = {{-15.0, 15.0, 0.6, 0.15}, {-37.0, -28.0, 1.0, 2.0}};
   const Profile rail = rail60E1();
@@ -172,7 +176,7 @@ TEST(SmoothingSpline, KeepsShapeAndCurvatureOfNoisyProfiles)
   }
 }
 
-TEST(SmoothingSpline, CurvatureIsFarBetterThanThatOfTheInterpolatingSpline)
+TEST(SmoothingSpline, CurvatureIsMoreAccurateThanThatOfTheInterpolatingSpline)
 {
   const Profile rail = rail60E1();
   const std::vector<SampledPoint> points = sample(rail, 0.25 * mm, 5e-6);
@@ -182,7 +186,7 @@ TEST(SmoothingSpline, CurvatureIsFarBetterThanThatOfTheInterpolatingSpline)
             100.0 * compare(rail, near, -9.0 * mm, 9.0 * mm).curvature);
 }
 
-TEST(SmoothingSpline, DeviatesByTheNoiseFromThePoints)
+TEST(SmoothingSpline, DeviationFromThePointsEqualsTheNoise)
 {
   const double noise = 4e-6;
   const std::vector<SampledPoint> points = sample(s1002Wheel(), 0.3 * mm, noise);
@@ -197,7 +201,7 @@ TEST(SmoothingSpline, DeviatesByTheNoiseFromThePoints)
   EXPECT_NEAR(std::sqrt(sum / static_cast<double>(points.size())), noise, 1e-5 * noise);
 }
 
-TEST(SmoothingSpline, TurnsAndMovesWithThePoints)
+TEST(SmoothingSpline, CurveRotatesAndMovesWithThePoints)
 {
   const std::vector<SampledPoint> points = sample(rail60E1(), 0.3 * mm, 3e-6);
   const double c = std::cos(0.3);
@@ -232,7 +236,7 @@ TEST(SmoothingSpline, PointsOfLittleWeightHaveLittleInfluence)
   EXPECT_LT(compare(rail60E1(), relieved, -3.0 * mm, 3.0 * mm).value, 1e-6);
 }
 
-TEST(Splines, RefuseMisuse)
+TEST(Splines, InvalidInputIsRejected)
 {
   const std::vector<SampledPoint> good = {{0.0, 0.0}, {0.01, 0.001}, {0.02, 0.0}, {0.03, -0.001}};
   EXPECT_NO_THROW(interpolatingSpline(good));

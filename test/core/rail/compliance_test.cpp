@@ -15,18 +15,18 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Force of a wheel on an upright rail at the height of the reference point, `y` outward of the rail's axis.
+/// Force of a wheel on an upright rail at the height of the reference point, `y` [m] outward from the axis of the rail.
 RailForce wheelForce(double lateral, double vertical, double y)
 {
   return {lateral, vertical, vertical * y};
 }
 
-void expectRefused(const ComplianceTable& table, const std::string& entry)
+void expectRejected(const ComplianceTable& table, const std::string& entry)
 {
   try
   {
     table.validate();
-    ADD_FAILURE() << "accepted a bad " << entry;
+    ADD_FAILURE() << "accepted a table with an invalid " << entry;
   }
   catch (const std::invalid_argument& error)
   {
@@ -35,11 +35,11 @@ void expectRefused(const ComplianceTable& table, const std::string& entry)
 }
 }  // namespace
 
-// Finite elements of 60E1 on pads of 40/100 kN/mm (quadratic solids, converged to 0.5 %): 30 kN outward alone move the
-// head by 1.82 mm and turn it by 9.0 mrad; with 75 kN down at 20 mm towards the track's centre, by 1.36 mm and 5.1
-// mrad. Tolerance: the table's entries have three digits (0.1 % to 0.2 %), it is within 1.5 % of the elements' results,
-// and those are printed with two or three digits.
-TEST(ComplianceTest, SoftPadsGiveTheFiniteElementsDeflection)
+// Finite elements of 60E1 on pads of 40/100 kN/mm (quadratic solids, converged to 0.5 %): 30 kN outward alone displace
+// the head by 1.82 mm and turn it by 9.0 mrad. With 75 kN down at 20 mm towards the track centre: 1.36 mm and 5.1 mrad.
+// Tolerance: the entries of the table have three digits (0.1 % to 0.2 %), the table is within 1.5 % of the finite
+// elements, and their results are given with two or three digits.
+TEST(ComplianceTest, SoftPadsGiveTheDeflectionOfFiniteElements)
 {
   const RailDeflection alone = deflection(softPads(), wheelForce(30e3, 0, 0));
   EXPECT_NEAR(alone.lateral, 1.82e-3, 0.015 * 1.82e-3);
@@ -52,16 +52,16 @@ TEST(ComplianceTest, SoftPadsGiveTheFiniteElementsDeflection)
   EXPECT_NEAR(with_load.vertical, -5.6e-9 * 75e3, 1e-18);  // rounding
 }
 
-// By hand: 60.5 um/kN and 303 urad/kN times 30 kN; M = -75 kN * 20 mm takes 303 urad/kN and 2.63 urad/(kN mm) of it
-// off.
-TEST(ComplianceTest, DeflectionIsTheTableTimesTheForces)
+// By hand: 30 kN displace the head by 60.5 um/kN and turn it by 303 urad/kN. The moment M = -75 kN * 20 mm displaces it
+// back by 303 um/(kN m) and turns it back by 2630 urad/(kN m).
+TEST(ComplianceTest, DeflectionIsTableTimesForces)
 {
   const RailDeflection moved = deflection(softPads(), wheelForce(30e3, 75e3, -0.020));
   EXPECT_NEAR(moved.lateral, 1.815e-3 - 0.4545e-3, 1e-15);
   EXPECT_NEAR(moved.roll, 9.09e-3 - 3.945e-3, 1e-15);
 }
 
-TEST(ComplianceTest, OutwardForceMovesAndTurnsTheHeadOutwardAndLoadPressesItDown)
+TEST(ComplianceTest, OutwardForceMovesTheHeadOutwardAndVerticalForceMovesItDown)
 {
   const RailDeflection moved = deflection(softPads(), {1e4, 1e5, 0});
   EXPECT_GT(moved.lateral, 0);
@@ -69,8 +69,8 @@ TEST(ComplianceTest, OutwardForceMovesAndTurnsTheHeadOutwardAndLoadPressesItDown
   EXPECT_LT(moved.vertical, 0);
 }
 
-// Maxwell-Betti: the work of one force on the other's deflection is the same both ways, also in the inclined rail's
-// track axes.
+// Maxwell-Betti: the work of the first force on the deflection by the second one equals that of the second force on the
+// deflection by the first one. This also holds in the track axes of an inclined rail.
 TEST(ComplianceTest, WorkIsReciprocal)
 {
   const unsigned seed = 20111U;
@@ -91,7 +91,7 @@ TEST(ComplianceTest, WorkIsReciprocal)
   }
 }
 
-TEST(ComplianceTest, UprightRailNeedsNoTurningOfAxes)
+TEST(ComplianceTest, TrackAxesAreThoseOfAnUprightRail)
 {
   const RailForce force{2e4, 8e4, -500};
   const RailDeflection own = deflection(softPads(), force);
@@ -101,8 +101,9 @@ TEST(ComplianceTest, UprightRailNeedsNoTurningOfAxes)
   EXPECT_EQ(own.roll, track.roll);
 }
 
-// A force along the axis of an inclined rail (towards the field side as it goes down) presses it along its axis only.
-TEST(ComplianceTest, ForceAlongTheInclinedRailsAxisOnlyCompressesIt)
+// A downward force along the axis of an inclined rail has an outward component. It displaces the rail along its axis
+// only.
+TEST(ComplianceTest, ForceAlongTheAxisOfAnInclinedRailOnlyCompressesIt)
 {
   const double inclination = 0.025;
   const double load = 1e5;
@@ -114,8 +115,8 @@ TEST(ComplianceTest, ForceAlongTheInclinedRailsAxisOnlyCompressesIt)
   EXPECT_NEAR(moved.roll, 0, 1e-17);
 }
 
-// Square to its axis the inclined rail answers as the upright one, turned by the inclination.
-TEST(ComplianceTest, ForceSquareToTheInclinedRailsAxisMovesItSquareToTheAxis)
+// Normal to its axis, an inclined rail has the compliance of the upright one, turned by the inclination.
+TEST(ComplianceTest, ForceNormalToTheAxisOfAnInclinedRailMovesItNormalToTheAxis)
 {
   const double inclination = 0.025;
   const RailForce square{1e4 * std::cos(inclination), -1e4 * std::sin(inclination), 0};
@@ -126,7 +127,7 @@ TEST(ComplianceTest, ForceSquareToTheInclinedRailsAxisMovesItSquareToTheAxis)
   EXPECT_NEAR(moved.roll, softPads().lateral_roll * 1e4, 1e-17);
 }
 
-TEST(ComplianceTest, RigidRailIsATable)
+TEST(ComplianceTest, ZeroTableIsARigidRail)
 {
   const ComplianceTable rigid;
   EXPECT_NO_THROW(rigid.validate());
@@ -136,7 +137,7 @@ TEST(ComplianceTest, RigidRailIsATable)
   EXPECT_EQ(moved.roll, 0);
 }
 
-TEST(ComplianceTest, ImpossibleTablesAreRefusedByTheirEntrysName)
+TEST(ComplianceTest, InvalidTablesAreRejectedWithTheNameOfTheEntry)
 {
   EXPECT_NO_THROW(softPads().validate());
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -145,17 +146,17 @@ TEST(ComplianceTest, ImpossibleTablesAreRefusedByTheirEntrysName)
   {
     ComplianceTable table = softPads();
     table.lateral_lateral = bad;
-    expectRefused(table, "lateral_lateral");
+    expectRejected(table, "lateral_lateral");
     table = softPads();
     table.roll_roll = bad;
-    expectRefused(table, "roll_roll");
+    expectRejected(table, "roll_roll");
     table = softPads();
     table.vertical_vertical = bad;
-    expectRefused(table, "vertical_vertical");
+    expectRejected(table, "vertical_vertical");
   }
   ComplianceTable table = softPads();
   table.lateral_roll = nan;
-  expectRefused(table, "lateral_roll");
+  expectRejected(table, "lateral_roll");
   table.lateral_roll = 1.001 * std::sqrt(table.lateral_lateral * table.roll_roll);
-  expectRefused(table, "lateral_roll");
+  expectRejected(table, "lateral_roll");
 }

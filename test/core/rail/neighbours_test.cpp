@@ -11,10 +11,10 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// A rail that rises beside its load at the farther place.
+/// Influence of a rail that rises at the greater distance from its load.
 const std::vector<RailInfluence> two_places{{1.8, {4e-8, 2e-7, 1.6e-6, 8e-10}}, {2.5, {2e-8, 1e-7, 1.0e-6, -4e-10}}};
 
-std::string refusal(const std::vector<RailInfluence>& listed, double distance)
+std::string errorText(const std::vector<RailInfluence>& listed, double distance)
 {
   try
   {
@@ -28,7 +28,7 @@ std::string refusal(const std::vector<RailInfluence>& listed, double distance)
 }
 }  // namespace
 
-TEST(NeighboursTest, ListedDistanceGivesItsOwnInfluence)
+TEST(NeighboursTest, ListedDistanceHasTheListedInfluence)
 {
   for (const RailInfluence& listed : two_places)
   {
@@ -40,7 +40,7 @@ TEST(NeighboursTest, ListedDistanceGivesItsOwnInfluence)
   }
 }
 
-// A quarter of the way from 1.8 m to 2.5 m. Tolerance: rounding.
+// 1.975 m is a quarter of the way from 1.8 m to 2.5 m. Tolerance: rounding.
 TEST(NeighboursTest, InfluenceIsLinearBetweenListedDistances)
 {
   const ComplianceTable found = influenceAt(two_places, 1.975);
@@ -50,18 +50,18 @@ TEST(NeighboursTest, InfluenceIsLinearBetweenListedDistances)
   EXPECT_NEAR(found.vertical_vertical, 5e-10, 1e-22);
 }
 
-TEST(NeighboursTest, DistanceOutsideThoseListedIsRefusedWithBoth)
+TEST(NeighboursTest, DistanceOutsideTheListedRangeIsRejectedWithTheRange)
 {
   for (const double distance : {1.7, 2.6, std::nan("")})
   {
-    EXPECT_NE(refusal(two_places, distance).find("1.8 m to 2.5 m"), std::string::npos) << distance;
+    EXPECT_NE(errorText(two_places, distance).find("1.8 m to 2.5 m"), std::string::npos) << distance;
   }
-  EXPECT_NE(refusal(two_places, 3.25).find("3.25 m"), std::string::npos);
-  EXPECT_NE(refusal({}, 1.8).find("it has none"), std::string::npos);
+  EXPECT_NE(errorText(two_places, 3.25).find("3.25 m"), std::string::npos);
+  EXPECT_NE(errorText({}, 1.8).find("the table has none"), std::string::npos);
 }
 
-// By hand, on an upright rail: lateral 20 um/kN and 100 um/(kN m), roll 100 urad/kN and 1000 urad/(kN m).
-TEST(NeighboursTest, ForceAtTheNeighbourTimesItsInfluenceIsTheDeflectionHere)
+// By hand, for an upright rail: lateral displacement 20 um/kN and 100 um/(kN m), roll 100 urad/kN and 1000 urad/(kN m).
+TEST(NeighboursTest, DeflectionIsInfluenceTimesForceOfTheNeighbour)
 {
   const RailDeflection moved = neighbourDeflection({{two_places[1].influence, {20e3, 100e3, -1e3}}}, 0);
   EXPECT_NEAR(moved.lateral, 400e-6 - 100e-6, 1e-18);
@@ -69,8 +69,9 @@ TEST(NeighboursTest, ForceAtTheNeighbourTimesItsInfluenceIsTheDeflectionHere)
   EXPECT_NEAR(moved.roll, 2000e-6 - 1000e-6, 1e-18);
 }
 
-// Two neighbours on a inclined rail: the sum of what each does alone; nobody does nothing.
-TEST(NeighboursTest, NeighboursAddUp)
+// Two neighbours on an inclined rail cause the sum of the deflections by each one alone. Without neighbours there is no
+// deflection.
+TEST(NeighboursTest, DeflectionsByNeighboursAdd)
 {
   const double inclination = 0.025;
   const NeighbourForce a{two_places[0].influence, {10e3, 80e3, -2e3}};

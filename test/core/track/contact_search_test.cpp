@@ -17,14 +17,14 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Largest curvature of the separation, on the flank at a joint of S1002 [1/m].
+/// Largest curvature of the separation [1/m]: on the flank, at a section boundary of S1002.
 constexpr double sharpest = 3200;
 
-/// Stations of the brute force lie up to 5 um beside the minimum: 3200 1/m / 2 * (5 um)² = 0.04 um too high; chords add
-/// 0.002 um times the flank's 1 / cos(70 degrees) [m].
+/// Largest error of a minimum by brute force [m]. The nearest station is up to 5 um beside the minimum and therefore up
+/// to 3200 1/m / 2 * (5 um)² = 0.04 um too high. Chords add 0.002 um / cos(70 degrees) on the flank.
 constexpr double dense_error = 0.05e-6;
 
-/// A wheelset and its bent track, seen from one side.
+/// One wheel and its deflected rail, in side axes.
 struct Scene
 {
   Scene(const ContactModelConfig& config, Side side, const WheelsetPose& pose, const RailDeflection& bent)
@@ -34,25 +34,25 @@ struct Scene
     const WheelsetPose& seen = wheel.pose();
     std::ostringstream out;
     out.precision(9);
-    out << "pose in side axes: y " << seen.y << " yaw " << seen.yaw << " roll " << seen.roll << "; rail bent by "
+    out << "pose in side axes: y " << seen.y << " yaw " << seen.yaw << " roll " << seen.roll << "; rail deflected by "
         << bent.lateral << " outward, " << bent.vertical << " up, roll " << bent.roll;
     description = out.str();
   }
-  std::string description;
+  std::string description;  ///< for messages
   PlacedRail rail;
   PlacedWheel wheel;
 };
 
-/// A stretch of the brute force below a level.
+/// Interval in which the separation by brute force is below a given value.
 struct DenseInterval
 {
-  double begin, end;    ///< [m]
-  std::size_t station;  ///< of the lowest separation
-  double lowest;        ///< [m]
+  double begin, end;    ///< y in side axes [m]
+  std::size_t station;  ///< station of the smallest separation
+  double lowest;        ///< smallest separation [m]
 };
 
-/// By how much a minimum may stand lower than the search's stations 0.25 mm apart tell: curvature / 2 * (0.125 mm)²
-/// with 2^1.5 / 13 mm where the rail is less steep than 45 degrees, and `sharpest` on the flank [m].
+/// Largest depth of a minimum below the stations of the search, which are 0.25 mm apart [m]: curvature / 2 * (0.125
+/// mm)². The curvature is 2^1.5 / 13 mm where the rail is less steep than 45 degrees, and `sharpest` on the flank.
 double stationError(const DenseSeparation& dense, std::size_t station)
 {
   const bool flank = dense.railHeight(station + 1) - dense.railHeight(station) > DenseSeparation::spacing;
@@ -91,7 +91,7 @@ class ContactSearchTest : public testing::Test
     const WheelsetPose pose{0.012 * unit(), 0.46, yaw * unit(), 0.01 * unit()};
     return {config_, side, pose, {3e-3 * unit(), 1e-3 * unit(), 0.01 * unit()}};
   }
-  void look(const Scene& scene)
+  void place(const Scene& scene)
   {
     search_.setRail(scene.rail);
     search_.setWheel(scene.wheel);
@@ -112,15 +112,16 @@ class ContactSearchTest : public testing::Test
 };
 }  // namespace
 
-// The place found must be a true point of both bodies and the lowest. Of places that compete within the stations' error
-// the search takes the one with the lowest station, and it stays at a station if the minimum is not next to it: rare.
-TEST_F(ContactSearchTest, NearestPlaceIsThatOfBruteForce)
+// The position found must be a point of both bodies and have the smallest separation. Among positions whose separations
+// differ by less than the error of the stations, the search takes the one with the lowest station. It also stays at a
+// station if the minimum is not next to it. Both cases are rare.
+TEST_F(ContactSearchTest, NearestPositionAgreesWithBruteForce)
 {
   int exact = 0;
   for (int i = 0; i < 200; ++i)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, i % 3 == 0 ? 0.06 : 0.02);
-    look(scene);
+    place(scene);
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
     SCOPED_TRACE(scene.description);
@@ -129,28 +130,28 @@ TEST_F(ContactSearchTest, NearestPlaceIsThatOfBruteForce)
     exact += contact.separation < dense.at(lowest) + dense_error ? 1 : 0;
     EXPECT_GT(contact.separation, dense.at(lowest) - dense_error);
     EXPECT_LT(contact.separation, dense.at(lowest) + stationError(dense, lowest))
-        << contact.y << " not " << dense.y(lowest);
+        << contact.y << " found, expected " << dense.y(lowest);
 
     const PlanePoint rail = scene.rail.at(contact.rail_u);
     SpacePoint wheel{};
     ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile->at(contact.wheel_u), wheel));
-    EXPECT_NEAR(rail.y, contact.y, 1e-10);  // the search stops at 1e-11 m
+    EXPECT_NEAR(rail.y, contact.y, 1e-10);  // the search ends at 1e-11 m
     EXPECT_NEAR(wheel.y, contact.y, 1e-10);
     EXPECT_NEAR(wheel.z - rail.z, contact.separation, 3e-10);
     EXPECT_NEAR(rail.dz / rail.dy, contact.slope, 1e-9);
   }
-  EXPECT_GE(exact, 194);  // of 200; 1.2 are expected not to be (15 of 2500)
+  EXPECT_GE(exact, 194);  // of 200; 1.2 inexact ones are expected (15 of 2500)
 }
 
-// Wheel and rail are parallel at a minimum; the place is exact to 10 nm and the relative curvature below
-// 3200 1/m. Places where the search kept to a station are no minima of smooth bodies.
-TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPlace)
+// Wheel and rail are parallel at a minimum. The position is exact to 10 nm, and the relative curvature is below 3200
+// 1/m. Positions at which the search stayed at a station are not minima of smooth bodies.
+TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPosition)
 {
   int smooth = 0;
   for (int i = 0; i < 200; ++i)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.03);
-    look(scene);
+    place(scene);
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
     SpacePoint locus{};
@@ -163,20 +164,22 @@ TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPlace)
       ++smooth;
     }
   }
-  EXPECT_GE(smooth, 190);  // some minima are corners: a joint of S1002 with a step, or an end of the rail
+  EXPECT_GE(smooth, 190);  // some minima are corners: a step of S1002 between sections, or an end of the rail
 }
 
-// Every stretch of the brute force lies in a stretch found, if it is deeper than the stations' error, and every stretch
-// found (off the flank) holds one. Edges only place the first grid, which grows until it holds the pressure: they are
-// interpolated between stations or taken from the curvature at the minimum, and the separation there may be off the
-// level by the depth (a grid is then too wide or narrow by sqrt(2)); not on the flank, where the curvature jumps at a
-// joint.
-TEST_F(ContactSearchTest, OverlappingStretchesAreThoseOfBruteForce)
+// Each interval of the brute force must be in an interval of the search if it is deeper than the error of the stations.
+// Each interval of the search, except on the flank, must contain one of the brute force.
+//
+// The ends of the intervals only determine the first grid, which grows until it covers the pressure. They are
+// interpolated between stations or computed from the curvature at the minimum. The separation there may differ from the
+// level by the depth (the grid is then too wide or too narrow by sqrt(2)). On the flank, where the curvature jumps at a
+// section boundary, the difference may be larger.
+TEST_F(ContactSearchTest, OverlapIntervalsAgreeWithBruteForce)
 {
   for (int i = 0; i < 200; ++i)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, i % 3 == 0 ? 0.06 : 0.02);
-    look(scene);
+    place(scene);
     SCOPED_TRACE(scene.description);
     const DenseSeparation dense(scene.wheel, scene.rail);
     const double lowest = dense.at(dense.lowest());
@@ -187,20 +190,20 @@ TEST_F(ContactSearchTest, OverlappingStretchesAreThoseOfBruteForce)
       const std::vector<OverlapInterval> found = intervals(level);
       for (const DenseInterval& interval : expected)
       {
-        const double place = dense.y(interval.station);
-        const bool held = std::any_of(found.begin(), found.end(),
-                                      [&](const OverlapInterval& candidate) {
-                                        return place > scene.rail.at(candidate.u_begin).y - 2e-5 &&
-                                               place < scene.rail.at(candidate.u_end).y + 2e-5;
-                                      });
+        const double y = dense.y(interval.station);
+        const bool held = std::any_of(
+            found.begin(), found.end(),
+            [&](const OverlapInterval& candidate)
+            { return y > scene.rail.at(candidate.u_begin).y - 2e-5 && y < scene.rail.at(candidate.u_end).y + 2e-5; });
         EXPECT_TRUE(held || level - interval.lowest < stationError(dense, interval.station))
-            << "missed " << interval.begin << " to " << interval.end << " of depth " << level - interval.lowest;
+            << "interval not found: " << interval.begin << " to " << interval.end << ", depth "
+            << level - interval.lowest;
       }
       for (const OverlapInterval& interval : found)
       {
         if (interval.contact.slope < 1)
         {
-          EXPECT_LT(dense.near(interval.contact.y), level + dense_error) << "nothing there";
+          EXPECT_LT(dense.near(interval.contact.y), level + dense_error) << "no overlap by brute force";
           EXPECT_NEAR(dense.near(scene.rail.at(interval.u_begin).y), level, depth);
           EXPECT_NEAR(dense.near(scene.rail.at(interval.u_end).y), level, depth);
         }
@@ -209,17 +212,17 @@ TEST_F(ContactSearchTest, OverlappingStretchesAreThoseOfBruteForce)
   }
 }
 
-// Deep in one another, wheel and rail share long stretches; but for little, several short ones. Each leaves to its
-// neighbours what lies beyond the place between them, which is that of division where they are halves of one, whatever
-// else they are joined with.
-TEST_F(ContactSearchTest, EachStretchEndsWhereItsNeighbourBegins)
+// At a large overlap the intervals are long, at a small one there are several short ones. Neighbouring intervals have a
+// common limit between them. It is the point of division if they are halves of one interval, even if one of them is
+// merged with a further interval.
+TEST_F(ContactSearchTest, NeighbouringIntervalsHaveACommonLimit)
 {
   int divided = 0;
   int apart = 0;
   for (int i = 0; i < 2000; ++i)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.06);
-    look(scene);
+    place(scene);
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
     SCOPED_TRACE(scene.description);
@@ -243,15 +246,15 @@ TEST_F(ContactSearchTest, EachStretchEndsWhereItsNeighbourBegins)
   EXPECT_GE(apart, 5);
 }
 
-// Where the wheel goes over from the tread to the flange's root (about 5 mm of lateral shift) both touch: two stretches
-// with planes far apart, each about its own minimum.
-TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoStretches)
+// At about 5 mm of lateral displacement the contact moves from the tread to the flange root, and both touch. The search
+// must find two intervals with very different planes, each about its own minimum.
+TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoIntervals)
 {
   int with_two = 0;
   for (double y = 4.8e-3; y < 5.4e-3; y += 2e-5)
   {
     const Scene scene(config_, Side::left, {y, 0.46, 0, 0}, {});
-    look(scene);
+    place(scene);
     SCOPED_TRACE(scene.description);
     const DenseSeparation dense(scene.wheel, scene.rail);
     const double level = dense.at(dense.lowest()) + 4e-5;
@@ -275,14 +278,14 @@ TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoStretches)
   EXPECT_GE(with_two, 10);
 }
 
-// Edges are known to one station (0.25 mm); by so much a stretch may seem to shrink where its measure changes from the
-// curvature at the minimum to the stations.
-TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
+// The ends are accurate to one station (0.25 mm). An interval may seem to shrink by this amount where its width is no
+// longer computed from the curvature at the minimum, but from the stations.
+TEST_F(ContactSearchTest, IntervalsWidenWithTheSeparation)
 {
   for (int i = 0; i < 50; ++i)
   {
     const Scene scene = randomScene(Side::left, 0.02);
-    look(scene);
+    place(scene);
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
     OverlapInterval before;
@@ -304,9 +307,9 @@ TEST_F(ContactSearchTest, StretchesWidenWithTheSeparation)
   }
 }
 
-TEST_F(ContactSearchTest, NothingOverlapsAboveTheFirstTouch)
+TEST_F(ContactSearchTest, ThereIsNoOverlapAboveTheFirstTouch)
 {
-  look({config_, Side::left, {0, 0.46, 0, 0}, {}});
+  place({config_, Side::left, {0, 0.46, 0, 0}, {}});
   InitialContact contact;
   ASSERT_TRUE(search_.nearest(contact));
   EXPECT_TRUE(intervals(contact.separation - 1e-9).empty());
@@ -317,17 +320,17 @@ TEST_F(ContactSearchTest, WheelBesideTheRailHasNoContact)
 {
   for (const double y : {-0.3, 0.3})
   {
-    look({config_, Side::left, {y, 0.46, 0, 0}, {}});
+    place({config_, Side::left, {y, 0.46, 0, 0}, {}});
     InitialContact contact;
     EXPECT_FALSE(search_.nearest(contact));
     EXPECT_TRUE(intervals(1.0).empty());
   }
 }
 
-// A rail that shares only the wheel's field end: the stretch is cut off there and says so.
-TEST_F(ContactSearchTest, StretchCutOffByAProfilesEndIsMarked)
+// Only the field end of the wheel is above the rail. The interval is cut off there and must be marked.
+TEST_F(ContactSearchTest, IntervalCutOffByAProfileEndIsMarked)
 {
-  look({config_, Side::left, {-0.05, 0.46, 0, 0}, {}});
+  place({config_, Side::left, {-0.05, 0.46, 0, 0}, {}});
   InitialContact contact;
   ASSERT_TRUE(search_.nearest(contact));
   const std::vector<OverlapInterval> found = intervals(contact.separation + 5e-3);
@@ -335,15 +338,15 @@ TEST_F(ContactSearchTest, StretchCutOffByAProfilesEndIsMarked)
   EXPECT_TRUE(found.front().at_profile_end || found.back().at_profile_end);
 }
 
-// At 60 mrad of yaw the outline of the flange's root runs back on itself. The search must see the lower branch.
-TEST_F(ContactSearchTest, FoldsOfTheOutlineAtLargeYawAreSeenThrough)
+// At 60 mrad of yaw the outline of the flange root is folded. The search must find the lower branch.
+TEST_F(ContactSearchTest, LowerBranchOfAFoldedOutlineIsFoundAtLargeYaw)
 {
   int folded = 0;
   for (int i = 0; i < 40; ++i)
   {
     const double yaw = i % 2 == 0 ? 0.06 : -0.06;
     const Scene scene(config_, Side::left, {0.004 + 0.006 * std::abs(unit()), 0.46, yaw, 0}, {});
-    look(scene);
+    place(scene);
     double y_before = -1;
     bool turns_back = false;
     for (double u = 0.012; u < config_.wheel_profile->length(); u += 1e-4)

@@ -11,14 +11,14 @@
 
 namespace wheel_rail_contact::core
 {
-/// Separation of wheel and rail by brute force: both outlines sampled every 10 um of their profiles and joined by
-/// chords, compared at stations 10 um apart. Chords on radii above 10 mm are off by less than 2 nm.
+/// Separation of wheel and rail by brute force, at stations 10 um apart. Both outlines are sampled every 10 um of their
+/// profiles and connected by chords. On radii above 10 mm the error of the chords is less than 2 nm.
 class DenseSeparation
 {
  public:
   static constexpr double spacing = 1e-5;  ///< [m]
 
-  /// Looks at `places` stations from `y_first` on, side axes.
+  /// Computes the separation at `places` stations from y = `y_first` [m], side axes.
   DenseSeparation(const PlacedWheel& wheel, const PlacedRail& rail, double y_first = 0.64, std::size_t places = 20000)
       : y_first_(y_first), wheel_(places, infinity()), rail_(places, -infinity())
   {
@@ -34,12 +34,14 @@ class DenseSeparation
   }
 
   std::size_t size() const { return wheel_.size(); }
+  /// y of station k, side axes [m].
   double y(std::size_t k) const { return y_first_ + static_cast<double>(k) * spacing; }
-  /// Infinite where one of the bodies is missing [m].
+  /// Separation at station k [m]; infinite where one of the bodies is missing.
   double at(std::size_t k) const { return wheel_[k] - rail_[k]; }
-  /// At the station nearest to a place.
+  /// Separation at the station nearest to y = `place` [m].
   double near(double place) const { return at(static_cast<std::size_t>(std::lround((place - y_first_) / spacing))); }
   double railHeight(std::size_t k) const { return rail_[k]; }
+  /// Station of the smallest separation.
   std::size_t lowest() const
   {
     std::size_t best = 0;
@@ -53,7 +55,7 @@ class DenseSeparation
  private:
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  /// Writes the upper (`side` 1) or lower (-1) envelope of a curve.
+  /// Adds a curve to an upper (`side` = 1) or lower (`side` = -1) envelope.
   template <typename Curve>
   void trace(double length, std::vector<double>& outline, double side, Curve curve)
   {

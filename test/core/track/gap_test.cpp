@@ -15,7 +15,7 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Root of a function that changes its sign between two places, by halving.
+/// Root of a function that changes its sign between `low` and `high`, by bisection.
 double root(const std::function<double(double)>& value, double low, double high)
 {
   const bool rises = value(low) < 0;
@@ -27,8 +27,8 @@ double root(const std::function<double(double)>& value, double low, double high)
   return 0.5 * (low + high);
 }
 
-/// Height of both bodies over one point of a plane, each from its definition alone: the wheel is where the distance
-/// from the axle is the profile's radius, the rail where its profile lies over the point.
+/// Gap at one point of a plane, from the definition of the bodies alone: on the wheel the distance from the axle equals
+/// the radius of the profile; the rail is the profile itself.
 class DirectGap
 {
  public:
@@ -82,7 +82,7 @@ class DirectGap
 class GapTest : public testing::Test
 {
  protected:
-  /// Wheel in first touch with the rail at a lateral place and yaw.
+  /// Places the wheel in first touch with the rail, at a lateral displacement [m] and yaw [rad].
   void touch(double y, double yaw)
   {
     WheelsetPose pose{y, 0.46, yaw, 0};
@@ -95,7 +95,7 @@ class GapTest : public testing::Test
     plane_ = tangentPlane(wheel_, rail_, contact);
   }
 
-  /// A point of the wheel's flange on the point of the rail's gauge side that has the same slope.
+  /// Places a point of the wheel flange on the point of the rail's gauge side with the same slope.
   void touchAt(double wheel_u, double yaw)
   {
     WheelsetPose pose{0.006, 0.46, yaw, 0};
@@ -119,7 +119,7 @@ class GapTest : public testing::Test
     plane_ = tangentPlane(wheel_, rail_, contact);
   }
 
-  /// Grid of 16 x 32 cells about the first touch.
+  /// Grid of 16 × 32 cells about the first touch.
   Grid grid(double half_length, double half_width, bool symmetric) const
   {
     return {16, 32, half_length / 8, half_width / 16, -half_width * 31 / 32, symmetric};
@@ -151,27 +151,27 @@ class GapTest : public testing::Test
 };
 }  // namespace
 
-// The polynomial of degree four is off by the order of l (l/R)^5, 3e-9 m at l = 20 mm on R = 460 mm; a contact angle of
-// 60 degrees doubles it. Yaw turns the wheel's profile into the column, so that the profile's own curvature (13 mm in
-// the flange's root) adds terms of the fifth order: 7e-9 m measured at 20 mrad. Bound: 1e-8 m as stated by buildGap().
-TEST_F(GapTest, EveryCellIsThatOfADirectSolution)
+// The error of the polynomial of degree four is of the order of l (l/R)^5: 3e-9 m at l = 20 mm on R = 460 mm, and twice
+// as much at a contact angle of 60 degrees. With yaw, a column extends along the profile, whose curvature (13 mm in the
+// flange root) adds terms of the fifth order: 7e-9 m were measured at 20 mrad. Bound: 1e-8 m, as stated for buildGap().
+TEST_F(GapTest, EveryCellAgreesWithADirectSolution)
 {
   for (const double y : {0.0, 0.003, 0.005, 0.006, 0.009})
   {
     for (const double yaw : {0.0, 0.02, -0.02})
     {
       touch(y, yaw);
-      const double half_width = y > 0.008 ? 1e-3 : 2e-3;  // on the flange's root alone
+      const double half_width = y > 0.008 ? 1e-3 : 2e-3;  // on the flange root alone
       EXPECT_LT(worstError(grid(20e-3, half_width, yaw == 0)), 1e-8) << "y " << y << " yaw " << yaw;
       EXPECT_LT(worstError(grid(5e-3, half_width, yaw == 0)), 5e-11) << "y " << y << " yaw " << yaw;
     }
   }
 }
 
-// On the flank a yawed column runs over the joint of the straight flank and the root's arc (13 mm), which no polynomial
-// follows. Along l the column goes over l tan(yaw) of the profile; the jump in curvature cannot make more of it than
-// (l tan(yaw))² / (2 * 13 mm). Measured: an eighth to a quarter of that.
-TEST_F(GapTest, ColumnsOverACurvatureJumpStayWithinTheJumpsShare)
+// On the flank, a yawed column crosses the boundary of the straight flank and the root arc (13 mm). No polynomial can
+// represent this. Over the length l the column extends over l tan(yaw) of the profile. The error by the curvature jump
+// is at most (l tan(yaw))² / (2 * 13 mm). Measured: an eighth to a quarter of this bound.
+TEST_F(GapTest, ErrorOfAColumnAcrossACurvatureJumpIsBounded)
 {
   for (const double yaw : {0.02, 0.06})
   {
@@ -186,7 +186,7 @@ TEST_F(GapTest, ColumnsOverACurvatureJumpStayWithinTheJumpsShare)
   }
 }
 
-TEST_F(GapTest, SymmetricGridIsTheForwardHalfOfTheWholeOne)
+TEST_F(GapTest, SymmetricGridIsTheForwardHalfOfTheFullGrid)
 {
   touch(0.002, 0);
   Eigen::ArrayXXd half;
@@ -194,7 +194,7 @@ TEST_F(GapTest, SymmetricGridIsTheForwardHalfOfTheWholeOne)
   ASSERT_TRUE(buildGap(wheel_, rail_, plane_, grid(8e-3, 5e-3, false), gap_, columns_));
   ASSERT_EQ(half.rows(), 8);
   ASSERT_EQ(gap_.rows(), 16);
-  // The polynomials' nodes differ: twice the error at l = 8 mm, l (l/R)^5 = 1e-11 m.
+  // The nodes of the polynomials differ: twice the error at l = 8 mm, l (l/R)^5 = 1e-11 m.
   EXPECT_LT((gap_.bottomRows(8) - half).abs().maxCoeff(), 2e-11);
   EXPECT_LT((gap_.topRows(8).colwise().reverse() - half).abs().maxCoeff(), 2e-11);
 }
@@ -205,13 +205,13 @@ TEST_F(GapTest, BodiesInFirstTouchDoNotOverlap)
   {
     touch(y, 0.01);
     ASSERT_TRUE(buildGap(wheel_, rail_, plane_, grid(6e-3, 2e-3, false), gap_, columns_));
-    EXPECT_GT(gap_.minCoeff(), -1e-10);  // the touch is found to 1e-11 m, columns to 1e-10 m
-    EXPECT_LT(gap_.minCoeff(), 1e-6);    // no cell is further than 0.4 mm along and 0.07 mm across from the touch
+    EXPECT_GT(gap_.minCoeff(), -1e-10);  // first touch is accurate to 1e-11 m, columns to 1e-10 m
+    EXPECT_LT(gap_.minCoeff(), 1e-6);    // a cell is within 0.4 mm along and 0.07 mm across of the touch
   }
 }
 
-// Column data are what forces and angles are taken from.
-TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
+// Forces and contact angles are computed from the data of the columns.
+TEST_F(GapTest, ColumnsContainPositionAndMeanSlopeOfBothBodies)
 {
   for (const double y : {0.0, 0.006, 0.009})
   {
@@ -224,8 +224,8 @@ TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
     {
       const GapColumn& column = columns_[static_cast<std::size_t>(j)];
       EXPECT_NEAR(PlaneAxes(plane_).t(rail_.at(column.rail_u)), cells.y(j), 1e-9);
-      // Differences over 20 um: a radius of 13 mm that begins within them is off by 10 um / 13 mm / 4 = 2e-4, the step
-      // of 0.118 um between two sections of S1002 by half of 0.118 um / 20 um = 3e-3.
+      // Error of differences over 20 um: 10 um / 13 mm / 4 = 2e-4 where a radius of 13 mm begins within them; half of
+      // 0.118 um / 20 um = 3e-3 at the step of 0.118 um between two sections of S1002.
       const double rail = (direct.railHeight(cells.y(j) + step) - direct.railHeight(cells.y(j) - step)) / (2 * step);
       const double gap = (direct.at(0, cells.y(j) + step) - direct.at(0, cells.y(j) - step)) / (2 * step);
       EXPECT_NEAR(column.slope, rail + 0.5 * gap, 3.2e-3);
@@ -234,10 +234,9 @@ TEST_F(GapTest, ColumnsKnowTheirPlaceAndTheMeanSlopeOfBothBodies)
   }
 }
 
-// Where S1002's parameter changes from arc length to y its points jump by a third of any way along it. A search that
-// told places beside a crest by the derivatives on one side, and others by the profile, went back and forth between
-// them.
-TEST_F(GapTest, NoColumnIsLostAtADiscontinuityOfTheWheelsParameter)
+// At the boundary at which the parameter of S1002 changes from arc length to y, dy/du jumps from 0.74 to 1. A
+// search that mixes the expansion on one side with the profile on the other side can oscillate there.
+TEST_F(GapTest, EveryColumnIsFoundAtADiscontinuityOfTheWheelParameter)
 {
   const Profile& profile = *config_.wheel_profile;
   const auto changes = [&](double u) { return std::abs(profile.at(u + 1e-9).dy - profile.at(u - 1e-9).dy) > 0.1; };
@@ -273,7 +272,7 @@ TEST_F(GapTest, PlaneTouchesBothBodiesAtTheContact)
   }
 }
 
-// Over the head's sides there is nothing to touch; far gaps keep such cells out of any contact.
+// Beyond the sides of the rail head there is no contact: the gap there must be large.
 TEST_F(GapTest, CellsBesideTheRailHaveNoContact)
 {
   touch(0, 0);
@@ -286,10 +285,10 @@ TEST_F(GapTest, CellsBesideTheRailHaveNoContact)
       EXPECT_GT(gap_.col(j).minCoeff(), 0.02) << "at " << wide.y(j);
     }
   }
-  EXPECT_EQ(gap_(0, 0), no_body_gap);  // inside the flange's back, where the wheel ends too
+  EXPECT_EQ(gap_(0, 0), no_body_gap);  // beyond the flange back, where the wheel ends
 }
 
-TEST_F(GapTest, GridBesideTheWheelIsRefused)
+TEST_F(GapTest, GridBesideTheWheelIsRejected)
 {
   touch(0, 0);
   const Grid beside{16, 32, 1e-3, 1e-4, -0.1, true};

@@ -19,9 +19,9 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double rounding = 1e-14;  ///< of sums of lengths below 1 m
+constexpr double rounding = 1e-14;  ///< rounding error of sums of lengths below 1 m [m]
 
-/// Heights of a placed rail and their distance from the track's centre, densely sampled.
+/// Highest and innermost point of a placed rail, from dense samples.
 struct RailSamples
 {
   explicit RailSamples(const PlacedRail& rail, double gauge_depth = 0.014)
@@ -34,12 +34,12 @@ struct RailSamples
       gauge_side = point.z >= -gauge_depth ? std::min(gauge_side, point.y) : gauge_side;
     }
   }
-  double top = -std::numeric_limits<double>::infinity();  ///< [m]
-  double gauge_side =
-      std::numeric_limits<double>::infinity();  ///< nearest to the track's centre, above gauge depth [m]
+  double top = -std::numeric_limits<double>::infinity();        ///< z of the highest point [m]
+  double gauge_side = std::numeric_limits<double>::infinity();  ///< y of the innermost point above the gauge depth [m]
 };
 
-/// Random small wheelset poses, height included; flange angles of S1002 stay below the yaw's limit.
+/// Random small poses of a wheelset, with height. The yaw is at most 0.06 rad: the contact locus then exists up to
+/// slopes of 1/tan(0.06) = 17, far above that of the flank of S1002 (70 degrees).
 class RandomPose
 {
  public:
@@ -71,15 +71,17 @@ class PlacementTest : public testing::Test
 };
 }  // namespace
 
-// Figures of the benchmark's placement: rail file's origin 760.53145 mm from the track's centre, crown axis of the file
-// at -7.4917 mm; first touch 0.18213 mm above the height at which the running circle meets the rails' plane (the
-// reference code CONTACT prints 0.1821), at rail -7.28 mm and wheel +3.25 mm. Its rails are inclined by exactly 1:40.
-TEST_F(PlacementTest, ManchesterBenchmarkTouchesWhereTheReferenceTouches)
+// Values of the benchmark: the origin of the rail file is 760.53145 mm from the track centre, the crown in the file at
+// -7.4917 mm. First touch is 0.18213 mm above the height at which the running circle is in the plane of the rail tops
+// (the reference code CONTACT prints 0.1821), at -7.28 mm on the rail and +3.25 mm on the wheel. The rails are inclined
+// by exactly 1:40.
+TEST_F(PlacementTest, FirstTouchOfTheManchesterBenchmarkAgreesWithTheReference)
 {
   scene_.track.rail_inclination = std::atan(1.0 / 40);
   const PlacedRail rail(scene_.rail_profile, scene_.track);
   const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
-  // 2 um: the reference measures the gauge on the file's samples, joined by chords up to 1 um inside the R13 arc.
+  // 2 um: the reference measures the gauge on the samples of the file, connected by chords up to 1 um inside the R13
+  // arc.
   EXPECT_NEAR(crown.y, (760.53145 - 7.4917) * 1e-3, 2e-6);
   EXPECT_NEAR(crown.z, -0.0937e-3, 0.00005e-3);  // all printed digits
 
@@ -89,12 +91,12 @@ TEST_F(PlacementTest, ManchesterBenchmarkTouchesWhereTheReferenceTouches)
   InitialContact touch;
   ASSERT_TRUE(search.nearest(touch));
   EXPECT_NEAR(touch.separation, 0.18213e-3, 0.00001e-3);  // all printed digits
-  // 5 um and 2 um more: the printed place has two decimals of a mm, and the two above.
+  // 5 um: the printed positions have two decimals in mm; plus the 2 um above.
   EXPECT_NEAR(touch.y, (760.53145 - 7.28) * 1e-3, 7e-6);
   EXPECT_NEAR(scene_.wheel_profile->at(touch.wheel_u).y, 3.25e-3, 7e-6);
 }
 
-TEST_F(PlacementTest, RailsTouchTheTrackPlaneAndStandAtGauge)
+TEST_F(PlacementTest, RailTopsAreInTheTrackPlaneAndGaugeFacesAtGauge)
 {
   for (const double gauge : {1.42, 1.435, 1.47})
   {
@@ -102,7 +104,7 @@ TEST_F(PlacementTest, RailsTouchTheTrackPlaneAndStandAtGauge)
     {
       const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {gauge, 0.014, inclination});
       const RailSamples samples(rail);
-      // Samples 0.5 um apart miss the top of R300 by 1e-16 m and a gauge point on the 1:20 side by 0.5 um / 20.
+      // Error of samples 0.5 um apart: 1e-16 m at the top of R300, 0.5 um / 20 at a gauge point on the 1:20 side.
       EXPECT_NEAR(samples.top, 0, 1e-12);
       EXPECT_NEAR(samples.gauge_side, 0.5 * gauge, 3e-8);
       EXPECT_NEAR(rail.angle(), inclination, rounding);
@@ -110,9 +112,9 @@ TEST_F(PlacementTest, RailsTouchTheTrackPlaneAndStandAtGauge)
   }
 }
 
-// By hand: the side of 60E1 is 35.9998 mm from the axis at 14.3 mm below the crown, and an upright rail's head is there
+// By hand: at 14.3 mm below the crown, the side of 60E1 is 35.9998 mm from the axis. The side of an upright rail is
 // nearly vertical (1:20).
-TEST_F(PlacementTest, Upright60E1StandsHalfAHeadOutsideTheGauge)
+TEST_F(PlacementTest, AxisOfUpright60E1IsHalfAHeadOutsideTheGauge)
 {
   const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {1.435, 0.0143, 0});
   const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
@@ -129,7 +131,7 @@ TEST_F(PlacementTest, InclinationTurnsTheHeadTowardsTheTrackCentre)
   EXPECT_NEAR(inclined.at(middle).dz / inclined.at(middle).dy, std::tan(0.025), 1e-12);
 }
 
-TEST_F(PlacementTest, RailThatEndsAboveTheGaugeDepthIsRefused)
+TEST_F(PlacementTest, RailThatEndsAboveTheGaugeDepthIsRejected)
 {
   try
   {
@@ -153,7 +155,7 @@ TEST_F(PlacementTest, DeflectionMovesTheReferencePointAndTurnsTheHeadAboutIt)
     const PlanePoint after = bent.referencePoint();
     EXPECT_NEAR(after.y - before.y, given.lateral, rounding);
     EXPECT_NEAR(after.z - before.z, given.vertical, rounding);
-    // The crown stands 14 mm above the reference point on the rail's axis; outward roll carries it outward.
+    // The crown is 14 mm above the reference point, on the axis of the rail. Outward roll moves it outward.
     const PlanePoint crown = bent.place({0, 0, 1, 0, 0, 0});
     EXPECT_NEAR(crown.y - after.y, 0.014 * std::sin(given.roll - scene_.track.rail_inclination), rounding);
     EXPECT_NEAR(crown.z - after.z, 0.014 * std::cos(given.roll - scene_.track.rail_inclination), rounding);
@@ -163,9 +165,9 @@ TEST_F(PlacementTest, DeflectionMovesTheReferencePointAndTurnsTheHeadAboutIt)
   }
 }
 
-// The wheel as a body of revolution, said once more by its definition: a point lies on it if its distance from the axle
-// is the profile's radius at its place along the axle.
-TEST_F(PlacementTest, SectionAndLocusLieAtTheProfilesRadiusFromTheAxle)
+// Definition of a surface of revolution: the distance of a point from the axle equals the radius of the profile at the
+// position of the point along the axle.
+TEST_F(PlacementTest, SectionAndLocusAreAtTheRadiusOfTheProfileFromTheAxle)
 {
   for (int i = 0; i < 2000; ++i)
   {
@@ -194,10 +196,11 @@ TEST_F(PlacementTest, SectionAndLocusLieAtTheProfilesRadiusFromTheAxle)
   }
 }
 
-TEST_F(PlacementTest, SectionsDerivativeIsThatOfNeighbouringSections)
+TEST_F(PlacementTest, DerivativesOfASectionAgreeWithDifferences)
 {
   const Profile& profile = *scene_.wheel_profile;
-  const double step = 1e-6;  // central difference: curvature's change times step² ~ 1e-9; rounding 1e-16 / step = 1e-10
+  // Error of the central difference: third derivative times step², about 1e-9. Rounding: 1e-16 / step = 1e-10.
+  const double step = 1e-6;
   for (int i = 0; i < 1000; ++i)
   {
     const PlacedWheel wheel(profile, scene_.wheelset, random_());
@@ -234,7 +237,7 @@ TEST_F(PlacementTest, RightWheelIsTheMirrorImageOfTheLeftOne)
     const CurvePoint point = scene_.wheel_profile->at(random_.within(0, scene_.wheel_profile->length()));
     PlanePoint section;
     ASSERT_TRUE(wheel.section(point, 0.01, section));
-    // In the track frame the right wheel sits at the axle's negative end.
+    // In the track frame the right wheel is on the negative end of the axle.
     const Eigen::Vector3d surface(0.01, -section.y, section.z);
     const Eigen::Vector3d axle = axleDirection(pose);
     const Eigen::Vector3d centre(0, pose.y, pose.z);

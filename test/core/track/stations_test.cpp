@@ -17,16 +17,16 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double spacing = 2.5e-4;  ///< of the search's stations [m]
-constexpr double everywhere = 10;   ///< above the separation of any place [m]
-constexpr double rounding = 1e-13;  ///< of sums of 10 m and less [m]
+constexpr double spacing = 2.5e-4;  ///< distance of the stations of the search [m]
+constexpr double everywhere = 10;   ///< greater than the separation at any position [m]
+constexpr double rounding = 1e-13;  ///< rounding error of sums up to 10 m [m]
 
 class StationsTest : public testing::Test
 {
  protected:
   double unit() { return unit_(random_); }
   std::shared_ptr<const Profile> wavyRail();
-  void look(const std::shared_ptr<const Profile>& profile);
+  void place(const std::shared_ptr<const Profile>& profile);
   double anyEnd();
   std::vector<Station> between(double u_begin, double u_end, double separation)
   {
@@ -43,10 +43,10 @@ class StationsTest : public testing::Test
   std::unique_ptr<PlacedRail> rail_;
   std::unique_ptr<PlacedWheel> wheel_;
   std::unique_ptr<ContactSearch> search_;
-  std::vector<Station> all_;  ///< of the rail
+  std::vector<Station> all_;  ///< stations of the whole rail
 };
 
-/// 60E1 with waves along its surface that lean outward by up to 45 degrees: parts of it overhang.
+/// 60E1 with waves on its surface. The waves are inclined outward by up to 45 degrees; parts of the profile overhang.
 std::shared_ptr<const Profile> StationsTest::wavyRail()
 {
   const Profile base = rail60E1();
@@ -63,7 +63,7 @@ std::shared_ptr<const Profile> StationsTest::wavyRail()
   return std::make_shared<Profile>("wavy", interpolatingSpline(points));
 }
 
-void StationsTest::look(const std::shared_ptr<const Profile>& profile)
+void StationsTest::place(const std::shared_ptr<const Profile>& profile)
 {
   rail_ = std::make_unique<PlacedRail>(PlacedRail(profile, config_.track).deflected({3e-3 * unit(), 0, 0.1 * unit()}));
   const WheelsetPose pose{0.01 * unit(), 0.46, 0.02 * unit(), 0.01 * unit()};
@@ -74,11 +74,11 @@ void StationsTest::look(const std::shared_ptr<const Profile>& profile)
   all_ = between(-1, 1, everywhere);
 }
 
-/// On a station, a hair beside one, or anywhere.
+/// Random parameter of the rail profile [m]: exactly at a station, the next number to one, or anywhere.
 double StationsTest::anyEnd()
 {
-  const double place = std::abs(unit());
-  const double at_station = all_[static_cast<std::size_t>(place * static_cast<double>(all_.size() - 1))].rail_u;
+  const double share = std::abs(unit());
+  const double at_station = all_[static_cast<std::size_t>(share * static_cast<double>(all_.size() - 1))].rail_u;
   const double kind = unit();
   if (kind < -0.4)
   {
@@ -88,16 +88,16 @@ double StationsTest::anyEnd()
 }
 }  // namespace
 
-// Between the ends of its profile there is a station each quarter of a millimetre across all of the rail.
-TEST_F(StationsTest, LieAcrossAllOfTheRail)
+// There is a station every 0.25 mm across the whole width of the rail.
+TEST_F(StationsTest, StationsCoverTheWholeRail)
 {
   for (int i = 0; i < 100; ++i)
   {
-    look(i == 0 ? std::make_shared<const Profile>(rail60E1()) : wavyRail());
+    place(i == 0 ? std::make_shared<const Profile>(rail60E1()) : wavyRail());
     double low = 1;
     double high = -1;
     const double length = rail_->profile().length();
-    const long chords = std::lround(length / spacing);  // of the outline
+    const long chords = std::lround(length / spacing);  // segments of the outline
     for (long k = 0; k <= chords; ++k)
     {
       const double y = rail_->at(length * static_cast<double>(k) / static_cast<double>(chords)).y;
@@ -117,15 +117,15 @@ TEST_F(StationsTest, LieAcrossAllOfTheRail)
   }
 }
 
-// Whichever part of the rail's profile is looked at, the stations are those of the whole that lie in it, also where the
-// rail overhangs and they do not all lie between the places of that part's ends.
-TEST_F(StationsTest, OfAPartOfTheRailAreThoseOfTheWholeThatLieInIt)
+// The stations of any part of the rail profile are those of the whole rail in this part. This must also hold where the
+// rail overhangs: stations may then be outside the lateral positions of the two ends of the part.
+TEST_F(StationsTest, StationsOfAPartOfTheRailAreThoseOfTheWholeRailInIt)
 {
   int found_any = 0;
   int beyond_ends = 0;
   for (int i = 0; i < 300; ++i)
   {
-    look(i == 0 ? std::make_shared<const Profile>(rail60E1()) : wavyRail());
+    place(i == 0 ? std::make_shared<const Profile>(rail60E1()) : wavyRail());
     for (int part = 0; part < 200; ++part)
     {
       const double one = anyEnd();

@@ -15,7 +15,8 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Lowest height over given places across the track of chords between neighbouring points.
+/// Lower envelope of curves, at given positions across the track. Neighbouring points of a curve are connected by
+/// chords.
 class LowestOutline
 {
  public:
@@ -47,12 +48,14 @@ class LowestOutline
 };
 }  // namespace
 
-// The wheel seen along the track, by brute force: sections at constant x, 0.4 mm apart, over the whole wheel, against
-// the outline of the locus. Places lie 5 mm inside the profile's ends (the roll moves the lowest points by the radius
-// times the roll), because the end's edges have an outline of their own. Tolerance: chords of 0.1 mm on arcs of 13 mm
-// are off by 0.1 um, sections half a step beside the lowest one by (0.2 mm)² / (2 * 460 mm) = 0.04 um, both along the
-// normal; the flank (70 degrees) makes it three times as much in z.
-TEST(WheelOutlineTest, LocusIsTheLowestOutlineSeenAlongTheTrack)
+// Compares the outline of the locus with the outline of the wheel by brute force: the lower envelope of sections at
+// constant x, 0.4 mm apart, over the whole wheel.
+//
+// The positions are at least 5 mm inside the ends of the profile, because the edges at the ends have their own
+// outlines. (The roll moves the lowest points laterally by radius times roll.) Tolerance: the error of chords of 0.1 mm
+// on arcs of 13 mm is 0.1 um; that of sections half a step beside the lowest one is (0.2 mm)² / (2 * 460 mm) = 0.04 um.
+// Both are along the normal. On the flank (70 degrees), they are three times as large in z.
+TEST(WheelOutlineTest, LocusIsTheLowestOutlineAlongTheTrack)
 {
   const unsigned seed = 20111U;
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evaluates one wheelset standing centred on the track, without ROS.
+// Example of a package that uses the numerical core without ROS: evaluates one wheelset in the centre of the track.
 #include <iostream>
 #include <memory>
 

@@ -10,7 +10,7 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t queue_size = 0;  // any number: the client loses nothing
+constexpr std::uint32_t queue_size = 0;  // unlimited: the client loses no message
 }  // namespace
 
 ContactClient::ContactClient(const std::string& inputs, const std::string& node) : nh_(inputs)
@@ -28,9 +28,9 @@ ContactClient::ContactClient(const std::string& inputs, const std::string& node)
   }
   if (!ready)
   {
-    throw std::runtime_error("nobody at " + inputs + " and " + node);
+    throw std::runtime_error("no connection to " + inputs + " and " + node);
   }
-  // The node learns of its new listener a moment later than the listener of the node.
+  // The node is notified of its new subscriber slightly later than the subscriber is of the node.
   spinUntil([] { return false; }, 0.1);
 }
 
@@ -60,8 +60,8 @@ geometry_msgs::WrenchStamped ContactClient::load(double fz, const ros::Time& sta
   return message;
 }
 
-std::optional<WheelsetContact> ContactClient::ask(const geometry_msgs::PoseStamped& pose,
-                                                  const geometry_msgs::WrenchStamped& load)
+std::optional<WheelsetContact> ContactClient::request(const geometry_msgs::PoseStamped& pose,
+                                                      const geometry_msgs::WrenchStamped& load)
 {
   const std::size_t before = results_.size();
   send(pose);
@@ -73,10 +73,10 @@ std::optional<WheelsetContact> ContactClient::ask(const geometry_msgs::PoseStamp
   return results_.back();
 }
 
-std::optional<WheelsetContact> ContactClient::ask(double y)
+std::optional<WheelsetContact> ContactClient::request(double y)
 {
   const ros::Time stamp = nextStamp();
-  return ask(pose(y, stamp), load(-200e3, stamp));
+  return request(pose(y, stamp), load(-200e3, stamp));
 }
 
 bool ContactClient::waitForResults(std::size_t count)

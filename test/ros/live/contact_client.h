@@ -16,28 +16,34 @@
 
 namespace wheel_rail_contact
 {
-/// Talks to a running contact node or nodelet as a user's program would.
+/// Client of a running contact node or nodelet, as in a program of a user.
 class ContactClient
 {
  public:
+  /// Waits until it is connected to the node.
   /// @param inputs namespace of wheelset/pose and wheelset/load
-  /// @param node full name of the node; empty: nobody listens to answers
+  /// @param node full name of the node; empty: do not subscribe to its results
+  /// @throw std::runtime_error if there is no connection within a minute.
   explicit ContactClient(const std::string& inputs = "/", const std::string& node = "/contact_node");
 
-  /// A stamp later than all before, in all clients of this program.
+  /// A stamp later than all previous ones, for all clients of this program.
   static ros::Time nextStamp();
+  /// Pose of a wheelset at y [m] in the track frame, with z, yaw and roll 0.
   static geometry_msgs::PoseStamped pose(double y, const ros::Time& stamp);
+  /// Load with a vertical force [N] only.
   static geometry_msgs::WrenchStamped load(double fz, const ros::Time& stamp);
 
   void send(const geometry_msgs::PoseStamped& pose) { pose_publisher_.publish(pose); }
   void send(const geometry_msgs::WrenchStamped& load) { load_publisher_.publish(load); }
-  /// Sends a pair. @return its answer, or nothing if none came in time.
-  std::optional<WheelsetContact> ask(const geometry_msgs::PoseStamped& pose, const geometry_msgs::WrenchStamped& load);
-  /// Sends a good pair with the wheelset at y and 100 kN on each wheel.
-  std::optional<WheelsetContact> ask(double y);
+  /// Sends a pair and waits for the next result. @return it, or nothing after a timeout.
+  std::optional<WheelsetContact> request(const geometry_msgs::PoseStamped& pose,
+                                         const geometry_msgs::WrenchStamped& load);
+  /// Same for a valid pair: the wheelset at y [m], with 100 kN on each wheel.
+  std::optional<WheelsetContact> request(double y);
 
-  /// Waits until there are at least `count` answers in all. @return false if they did not come in time.
+  /// Waits until at least `count` results have been received in total. @return false after a timeout.
   bool waitForResults(std::size_t count);
+  /// All results received so far.
   const std::vector<WheelsetContact>& results() const { return results_; }
 
  private:
@@ -47,19 +53,22 @@ class ContactClient
   ros::Subscriber subscriber_;
 };
 
-/// The next report of a node on /diagnostics: its level and its values by key; empty if none came.
+/// Report of a node on /diagnostics.
 struct Report
 {
-  int level = -1;
-  std::string message;
-  std::map<std::string, std::string> values;
+  int level = -1;                             ///< of DiagnosticStatus; -1: no report
+  std::string message;                        ///< summary
+  std::map<std::string, std::string> values;  ///< by key
 };
+/// Waits for the next report of a node; empty after a timeout.
 Report nextReport(const std::string& node);
 
 /// Process id of a node.
+/// @throw std::runtime_error if there is no such node.
 int processOf(const std::string& node);
 
-/// Handles callbacks until `done` or the time is up: a node with sanitizers takes its time. @return done()
+/// Handles callbacks until `done` or the timeout [s], which is generous because nodes with sanitizers are slow.
+/// @return done()
 template <typename Condition>
 bool spinUntil(const Condition& done, double seconds = 60)
 {

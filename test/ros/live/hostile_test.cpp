@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// contact_node under hostile input. After each of them every pair has an answer or is counted as dropped.
+// contact_node with invalid and excessive input. At the end of each test, each pair has a result or is counted as
+// dropped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,13 +36,13 @@ std::uint64_t sumOf(const Report& report, const std::string& beginning)
   return sum;
 }
 
-/// A client that knows what the node had counted before.
-class Hostile : public testing::Test
+/// A client that compares the counts of the node with the messages that it has sent.
+class HostileInput : public testing::Test
 {
  protected:
   void SetUp() override
   {
-    // The last reports of a test before: the next one begins with silence, which is told and harms nothing.
+    // The first reports may still be about the previous test. Then the node reports OK without input.
     for (int i = 0; i < 3 && before_.message != "no input"; ++i)
     {
       before_ = nextReport(node);
@@ -59,20 +60,20 @@ class Hostile : public testing::Test
 
   std::uint64_t change(const std::string& key) const { return number(after_, key) - number(before_, key); }
 
-  /// Waits until the node has dealt with all that was sent, and compares its books with it.
-  void expectAccount()
+  /// Waits until the node has processed all sent messages, and checks that each is evaluated, dropped or waiting.
+  void expectAllCounted()
   {
-    for (int i = 0; i < 20 && !settled(); ++i)
+    for (int i = 0; i < 20 && !allCounted(); ++i)
     {
       after_ = nextReport(node);
     }
     EXPECT_EQ(change("messages received"), sent_);
     EXPECT_EQ(change("internal errors"), 0U);
-    EXPECT_TRUE(settled()) << change("answers") << " answers, " << change("inputs dropped: overload")
-                           << " inputs dropped, " << droppedMessages() << " messages dropped, " << waiting()
-                           << " waiting, of " << sent_;
-    spinUntil([&] { return client_.results().size() >= change("answers"); });
-    EXPECT_EQ(client_.results().size(), change("answers"));
+    EXPECT_TRUE(allCounted()) << change("results") << " results, " << change("inputs dropped: overload")
+                              << " inputs dropped, " << droppedMessages() << " messages dropped, " << waiting()
+                              << " waiting, of " << sent_;
+    spinUntil([&] { return client_.results().size() >= change("results"); });
+    EXPECT_EQ(client_.results().size(), change("results"));
   }
 
   std::uint64_t droppedMessages() const
@@ -81,34 +82,34 @@ class Hostile : public testing::Test
   }
   std::uint64_t waiting() const
   {
-    return number(after_, "messages waiting for a partner") - number(before_, "messages waiting for a partner");
+    return number(after_, "messages waiting for a match") - number(before_, "messages waiting for a match");
   }
-  bool settled() const
+  bool allCounted() const
   {
-    return 2 * (change("answers") + change("inputs dropped: overload")) + droppedMessages() + waiting() == sent_;
+    return 2 * (change("results") + change("inputs dropped: overload")) + droppedMessages() + waiting() == sent_;
   }
 
   ContactClient client_{"/hostile", node};
   Report before_, after_;
-  std::uint64_t sent_ = 0;  ///< messages
+  std::uint64_t sent_ = 0;  ///< number of messages
 };
 
-/// Memory of a node's process: a figure of /proc/PID/status [MB]; NaN if there is none.
-double memory(const std::string& figure)
+/// Memory of the node's process: an entry of /proc/PID/status [MB]; NaN if there is none.
+double memory(const std::string& entry)
 {
   std::ifstream status("/proc/" + std::to_string(processOf(node)) + "/status");
   for (std::string line; std::getline(status, line);)
   {
-    if (line.rfind(figure + ":", 0) == 0)
+    if (line.rfind(entry + ":", 0) == 0)
     {
-      return 1.024e-3 * std::stod(line.substr(figure.size() + 1));
+      return 1.024e-3 * std::stod(line.substr(entry.size() + 1));
     }
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Memory of the node from here on is told as VmHWM.
-void forgetPeak()
+/// Resets VmHWM, the peak memory of the node, to its current memory.
+void resetPeakMemory()
 {
   std::ofstream("/proc/" + std::to_string(processOf(node)) + "/clear_refs") << 5;
 }
@@ -120,7 +121,7 @@ bool isFinite(const geometry_msgs::Pose& pose)
   return std::isfinite(p.x + p.y + p.z + o.x + o.y + o.z + o.w);
 }
 
-/// True if no number of an answer is nonsense.
+/// True if all numbers of a result are finite.
 bool isFinite(const WheelsetContact& result)
 {
   bool finite = isFinite(result.wheelset) && std::isfinite(result.solve_time);
@@ -142,20 +143,20 @@ bool isFinite(const WheelsetContact& result)
 }
 }  // namespace
 
-TEST_F(Hostile, EveryNumberOfAPairMayBeNonsense)
+TEST_F(HostileInput, ResultsAreFiniteForExtremeAndNonFiniteNumbers)
 {
   constexpr std::size_t fields = 13;
   constexpr double largest = std::numeric_limits<double>::max();
-  const std::vector<double> nonsense{std::numeric_limits<double>::quiet_NaN(),
-                                     std::numeric_limits<double>::infinity(),
-                                     -std::numeric_limits<double>::infinity(),
-                                     largest,
-                                     -largest,
-                                     std::numeric_limits<double>::denorm_min(),
-                                     0.0};
+  const std::vector<double> values{std::numeric_limits<double>::quiet_NaN(),
+                                   std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity(),
+                                   largest,
+                                   -largest,
+                                   std::numeric_limits<double>::denorm_min(),
+                                   0.0};
   for (std::size_t field = 0; field < fields; ++field)
   {
-    for (const double value : nonsense)
+    for (const double value : values)
     {
       const ros::Time stamp = ContactClient::nextStamp();
       Pose pose = ContactClient::pose(0, stamp);
@@ -166,7 +167,7 @@ TEST_F(Hostile, EveryNumberOfAPairMayBeNonsense)
       auto& t = load.wrench.torque;
       *std::array<double*, fields>{
           &p.x, &p.y, &p.z, &o.x, &o.y, &o.z, &o.w, &f.x, &f.y, &f.z, &t.x, &t.y, &t.z}[field] = value;
-      const auto result = client_.ask(pose, load);
+      const auto result = client_.request(pose, load);
       sent_ += 2;
       ASSERT_TRUE(result) << "field " << field << " = " << value;
       EXPECT_TRUE(isFinite(*result)) << "field " << field << " = " << value << "\n" << result->status_text;
@@ -174,10 +175,10 @@ TEST_F(Hostile, EveryNumberOfAPairMayBeNonsense)
           << "field " << field << " = " << value;
     }
   }
-  expectAccount();
+  expectAllCounted();
 }
 
-TEST_F(Hostile, NamesOfFramesMayBeHugeEmptyOrBinary)
+TEST_F(HostileInput, FrameNamesMayBeHugeEmptyOrBinary)
 {
   using namespace std::string_literals;
   for (const std::string& name :
@@ -189,42 +190,42 @@ TEST_F(Hostile, NamesOfFramesMayBeHugeEmptyOrBinary)
       Pose pose = ContactClient::pose(0, stamp);
       Load load = ContactClient::load(-200e3, stamp);
       (of_load ? load.header : pose.header).frame_id = name;
-      const auto result = client_.ask(pose, load);
+      const auto result = client_.request(pose, load);
       sent_ += 2;
       ASSERT_TRUE(result) << name.substr(0, 20);
       EXPECT_LT(result->status_text.size(), 1000U);
       EXPECT_EQ(result->status == WheelsetContact::OK, of_load && name.empty()) << name.substr(0, 20);
     }
   }
-  expectAccount();
+  expectAllCounted();
 }
 
-TEST_F(Hostile, StampsMayBeZeroAndGoBackwards)
+TEST_F(HostileInput, StampsMayBeZeroAndDecrease)
 {
   for (const double stamp : {5000.0, 0.0, 10.003, 10.002, 10.001, 1e-9, 4e9})
   {
     const ros::Time time(stamp);
-    const auto result = client_.ask(ContactClient::pose(0, time), ContactClient::load(-200e3, time));
+    const auto result = client_.request(ContactClient::pose(0, time), ContactClient::load(-200e3, time));
     sent_ += 2;
     ASSERT_TRUE(result) << stamp;
     EXPECT_EQ(result->header.stamp, time);
     EXPECT_EQ(result->status, WheelsetContact::OK) << result->status_text;
   }
-  sendPair(0, ros::Time(4e9));  // again
-  expectAccount();
-  EXPECT_EQ(change("messages dropped: stamp given twice"), 2U);
-  // Poses may overtake loads on their way, so that not every pair of these finds together.
+  sendPair(0, ros::Time(4e9));  // the same stamp again
+  expectAllCounted();
+  EXPECT_EQ(change("messages dropped: duplicate stamp"), 2U);
+  // Poses and loads may arrive in another order than they were sent. Not all of these pairs are then formed.
   for (int i = 50; i >= 0; --i)
   {
     sendPair(0, ros::Time(0.001 * i));
   }
-  expectAccount();
+  expectAllCounted();
 }
 
-TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
+TEST_F(HostileInput, UnmatchedMessagesAreDroppedAndCounted)
 {
-  sendPair(0, ContactClient::nextStamp());  // takes with it what a test before may have left waiting
-  expectAccount();
+  sendPair(0, ContactClient::nextStamp());  // discards waiting messages of a previous test
+  expectAllCounted();
   const std::uint64_t more = 30;
   for (std::uint64_t i = 0; i < 1000 + more; ++i)  // InputPairing::capacity
   {
@@ -232,44 +233,44 @@ TEST_F(Hostile, MessagesWithoutPartnerAreDroppedAndCounted)
     ++sent_;
     spinUntil([] { return true; });
   }
-  expectAccount();
-  EXPECT_EQ(change("messages dropped: waited too long for a partner"), more);
-  EXPECT_EQ(change("answers"), 1U);
+  expectAllCounted();
+  EXPECT_EQ(change("messages dropped: queue full while waiting for a match"), more);
+  EXPECT_EQ(change("results"), 1U);
   EXPECT_EQ(after_.level, diagnostic_msgs::DiagnosticStatus::WARN) << after_.message;
-  // Those that wait are of no use to a later pair.
+  // A later pair discards the waiting messages.
   sendPair(0, ContactClient::nextStamp());
-  expectAccount();
-  EXPECT_EQ(change("answers"), 2U);
-  EXPECT_EQ(number(after_, "messages waiting for a partner"), 0U);
+  expectAllCounted();
+  EXPECT_EQ(change("results"), 2U);
+  EXPECT_EQ(number(after_, "messages waiting for a match"), 0U);
 }
 
-TEST_F(Hostile, FloodIsEvaluatedFromItsNewestPairsAndTheRestIsCounted)
+TEST_F(HostileInput, FloodKeepsTheNewestPairsAndCountsTheDroppedOnes)
 {
-  constexpr int pairs = 20000;          // a second of 20 kHz, as fast as they go
-  const double places[] = {0, 0.0065};  // [m], so far apart that each answer is found anew
+  constexpr int pairs = 20000;
+  const double lateral[] = {0, 0.0065};  // [m], so far apart that the warm start saves no time
   ros::Time last;
-  forgetPeak();
+  resetPeakMemory();
   const double before = memory("VmRSS");
   for (int i = 0; i < pairs; ++i)
   {
     last = ContactClient::nextStamp();
-    sendPair(places[i % 2], last);
+    sendPair(lateral[i % 2], last);
   }
-  expectAccount();
-  EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
+  expectAllCounted();
+  EXPECT_GT(change("inputs dropped: overload"), 0U) << "the node was fast enough for all pairs";
   ASSERT_FALSE(client_.results().empty());
-  EXPECT_EQ(client_.results().back().header.stamp, last) << "the newest pair is answered";
+  EXPECT_EQ(client_.results().back().header.stamp, last) << "the newest pair must be evaluated";
   EXPECT_LT(memory("VmHWM") - before, 100);
-  EXPECT_TRUE(client_.ask(0.001)) << "the node goes on";
+  EXPECT_TRUE(client_.request(0.001)) << "no result after the flood";
 }
 
-TEST_F(Hostile, FloodOfLongMessagesTakesBoundedMemory)
+TEST_F(HostileInput, FloodOfLongMessagesTakesBoundedMemory)
 {
   constexpr int pairs = 2000;
   const std::string name(100000, 'x');
-  ASSERT_TRUE(client_.ask(0.001));
+  ASSERT_TRUE(client_.request(0.001));
   sent_ += 2;
-  forgetPeak();
+  resetPeakMemory();
   const double before = memory("VmRSS");
   for (int i = 0; i < pairs; ++i)
   {
@@ -281,8 +282,8 @@ TEST_F(Hostile, FloodOfLongMessagesTakesBoundedMemory)
     client_.send(load);
     sent_ += 2;
   }
-  expectAccount();
-  EXPECT_GT(change("inputs dropped: overload"), 0U) << "no flood";
-  // The messages have 400 MB.
+  expectAllCounted();
+  EXPECT_GT(change("inputs dropped: overload"), 0U) << "the node was fast enough for all pairs";
+  // The size of all messages is 400 MB.
   EXPECT_LT(memory("VmHWM") - before, 100);
 }

@@ -3,36 +3,36 @@
 #include <ros/package.h>
 
 #include "contact_client.h"
-#include "ros/node/conversions.h"
+#include "ros/evaluation/conversions.h"
 #include "ros/parameters/compliance_table_file.h"
 
 using namespace wheel_rail_contact;
 
 namespace
 {
-constexpr double inclination = 0.025;
+constexpr double inclination = 0.025;  ///< of the rails, default [rad]
 
 core::RailForce forceOf(const core::RailResult& rail)
 {
   return {rail.lateral_force, rail.vertical_force, rail.moment};
 }
 
-/// Two wheelsets 2.5 m apart, and one by itself that gets the inputs of the one behind.
+/// Two wheelsets 2.5 m apart, and a wheelset without neighbours that has the same inputs as the one behind.
 class LiveNeighbours : public testing::Test
 {
  protected:
-  /// Wheelset behind and its double at the same place. @return the answer of the first
-  core::WheelsetResult askBehind(double y, const ros::Time& stamp)
+  /// Sends a pair to the wheelset behind and to the one without neighbours. @return the result of the first
+  core::WheelsetResult requestBehind(double y, const ros::Time& stamp)
   {
     const auto pose = ContactClient::pose(y, stamp);
     const auto load = ContactClient::load(-200e3, stamp);
-    const auto behind = behind_.ask(pose, load), alone = alone_.ask(pose, load);
+    const auto behind = behind_.request(pose, load), alone = alone_.request(pose, load);
     EXPECT_TRUE(behind && alone);
     alone_result_ = alone ? fromMessage(*alone) : core::WheelsetResult();
     return behind ? fromMessage(*behind) : core::WheelsetResult();
   }
 
-  /// What bends a rail of an answer beside its own forces.
+  /// Deflection of a rail less the deflection by the forces of the same result.
   core::RailDeflection offsetOf(const core::RailResult& rail) const
   {
     const core::RailDeflection own = deflectionInTrack(file_.table, forceOf(rail), inclination);
@@ -60,48 +60,48 @@ void expectSameRails(const core::WheelsetResult& a, const core::WheelsetResult& 
 }
 }  // namespace
 
-// The front wheelset runs at its left flange, so that its two rails bend differently. Deflection and forces of an
-// answer fit the table to rounding; 1e-6 of the greatest influence is left for it.
-TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetBendTheRailsByTheTablesInfluence)
+// The front wheelset touches the left rail with its flange, so that its two rails deflect differently. Deflection and
+// forces of a result satisfy the table within rounding; the bounds are 1e-6 of the largest effect of the neighbour.
+TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetDeflectTheRailsAsInTheTable)
 {
-  expectSameRails(askBehind(1e-3, ContactClient::nextStamp()), alone_result_);
+  expectSameRails(requestBehind(1e-3, ContactClient::nextStamp()), alone_result_);
 
-  const auto front = front_.ask(6.5e-3);
+  const auto front = front_.request(6.5e-3);
   ASSERT_TRUE(front);
   ASSERT_EQ(front->status, WheelsetContact::OK) << front->status_text;
   const core::WheelsetResult forces = fromMessage(*front);
   const core::ComplianceTable& influence = file_.neighbours.at(1).influence;
   ASSERT_EQ(file_.neighbours.at(1).distance, 2.5);
 
-  // The answer reaches the wheelset behind a moment before or after it reaches this program.
+  // The result may reach the wheelset behind later than this program.
   core::WheelsetResult behind;
-  const auto is_told = [&] { return std::abs(offsetOf(behind.rail[0]).lateral) > 1e-5; };
-  for (int i = 0; i < 20 && !is_told(); ++i)
+  const auto has_offset = [&] { return std::abs(offsetOf(behind.rail[0]).lateral) > 1e-5; };
+  for (int i = 0; i < 20 && !has_offset(); ++i)
   {
-    behind = askBehind(1e-3, ContactClient::nextStamp());
+    behind = requestBehind(1e-3, ContactClient::nextStamp());
   }
-  ASSERT_TRUE(is_told());
+  ASSERT_TRUE(has_offset());
   for (std::size_t side = 0; side < 2; ++side)
   {
     SCOPED_TRACE(side == 0 ? "left" : "right");
     const core::RailDeflection found = offsetOf(behind.rail[side]);
-    const core::RailDeflection wanted = deflectionInTrack(influence, forceOf(forces.rail[side]), inclination);
-    EXPECT_NEAR(found.lateral, wanted.lateral, 1e-9);
-    EXPECT_NEAR(found.vertical, wanted.vertical, 1e-9);
-    EXPECT_NEAR(found.roll, wanted.roll, 1e-8);
-    const core::RailDeflection nobody = offsetOf(alone_result_.rail[side]);
-    EXPECT_NEAR(nobody.lateral, 0, 1e-9);
-    EXPECT_NEAR(nobody.vertical, 0, 1e-9);
-    EXPECT_NEAR(nobody.roll, 0, 1e-8);
+    const core::RailDeflection expected = deflectionInTrack(influence, forceOf(forces.rail[side]), inclination);
+    EXPECT_NEAR(found.lateral, expected.lateral, 1e-9);
+    EXPECT_NEAR(found.vertical, expected.vertical, 1e-9);
+    EXPECT_NEAR(found.roll, expected.roll, 1e-8);
+    const core::RailDeflection without = offsetOf(alone_result_.rail[side]);
+    EXPECT_NEAR(without.lateral, 0, 1e-9);
+    EXPECT_NEAR(without.vertical, 0, 1e-9);
+    EXPECT_NEAR(without.roll, 0, 1e-8);
     RecordProperty(side == 0 ? "left" : "right",
-                   std::to_string(1e6 * wanted.lateral) + " um, " + std::to_string(1e3 * wanted.roll) + " mrad");
+                   std::to_string(1e6 * expected.lateral) + " um, " + std::to_string(1e3 * expected.roll) + " mrad");
   }
   EXPECT_GT(std::abs(offsetOf(behind.rail[0]).lateral - offsetOf(behind.rail[1]).lateral), 1e-5);
 
-  const std::string lacking = "answers that lack a neighbour's forces";
+  const std::string lacking = "results that lack a neighbour's forces";
   const int lacked = std::stoi(nextReport("/behind/contact_node").values[lacking]);
-  EXPECT_GE(lacked, 1) << "the first one";
-  expectSameRails(askBehind(1e-3, front->header.stamp + ros::Duration(1.5)), alone_result_);
+  EXPECT_GE(lacked, 1) << "at least the first result";
+  expectSameRails(requestBehind(1e-3, front->header.stamp + ros::Duration(1.5)), alone_result_);
   EXPECT_EQ(std::stoi(nextReport("/behind/contact_node").values[lacking]), lacked + 1);
   EXPECT_EQ(nextReport("/alone/contact_node").values[lacking], "0");
 }

@@ -5,7 +5,7 @@
 
 using namespace wheel_rail_contact;
 
-TEST(LiveNodelet, ResultsTheSameAsTheNodeToTheLastBit)
+TEST(LiveNodelet, GivesBitwiseTheSameResultsAsTheNode)
 {
   ContactClient node("/", "/contact_node");
   ContactClient nodelet("/", "/contact_nodelet");
@@ -28,7 +28,7 @@ TEST(LiveNodelet, ResultsTheSameAsTheNodeToTheLastBit)
     WheelsetContact a = node.results()[i], b = nodelet.results()[i];
     a.solve_time = b.solve_time = 0;
     a.header.seq = b.header.seq = 0;
-    EXPECT_EQ(a, b) << "answer " << i;
+    EXPECT_EQ(a, b) << "result " << i;
   }
   EXPECT_EQ(node.results()[20].status, WheelsetContact::NO_TRANSFORM);
 }

@@ -1,79 +1,95 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <ros/ros.h>
 #include <sys/wait.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
+#include "contact_client.h"
+
+using namespace wheel_rail_contact;
+
 namespace
 {
-constexpr int start_time = START_TIME;  ///< in which the node is surely up [s]
-constexpr int exit_time = EXIT_TIME;    ///< in which it ends [s]
-
 struct Outcome
 {
-  int exit_code = -1;
+  int exit_code = -1;  ///< 124 if the node did not end and was ended by its guard
   std::string output;
 };
 
-/// Runs a command of the shell to its end.
-Outcome run(const std::string& command)
+/// A contact node in a process of its own, with a name and private parameters. A guard ends it after two minutes, so
+/// that a node that hangs does not block the test.
+class NodeProcess
 {
-  Outcome result;
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr)
+ public:
+  NodeProcess(const std::string& name, const std::string& parameters)
+      : pipe_(popen(
+            ("timeout --kill-after=5 120 " CONTACT_NODE " __name:=" + name + " " + parameters + " 2>&1").c_str(), "r"))
   {
-    return result;
   }
-  std::array<char, 256> buffer{};
-  while (fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr)
+  ~NodeProcess() { waitForEnd(); }
+  NodeProcess(const NodeProcess&) = delete;
+  NodeProcess& operator=(const NodeProcess&) = delete;
+
+  /// Waits until the process has ended.
+  Outcome waitForEnd()
   {
-    result.output += buffer.data();
+    Outcome outcome;
+    if (pipe_ == nullptr)
+    {
+      return outcome;
+    }
+    std::array<char, 256> buffer{};
+    while (fgets(buffer.data(), static_cast<int>(buffer.size()), pipe_) != nullptr)
+    {
+      outcome.output += buffer.data();
+    }
+    const int status = pclose(pipe_);
+    pipe_ = nullptr;
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
   }
-  const int status = pclose(pipe);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
 
-/// Starts the node with good profiles and one private parameter more. It is given 10 s to end by itself.
-Outcome startNode(const std::string& parameter)
-{
-  static int count = 0;
-  const std::string name = "node_" + std::to_string(++count);
-  return run("timeout 10 " CONTACT_NODE " __name:=" + name + " _wheel/profile:=S1002 _rail/profile:=60E1 " + parameter);
-}
+ private:
+  FILE* pipe_;
+};
 
-void expectStopped(const Outcome& node, const std::string& name)
+const std::string profiles = "_wheel/profile:=S1002 _rail/profile:=60E1 ";
+
+/// The node with valid profiles and one invalid parameter must end with exit code 1 and `text` in its output.
+void expectRefused(const std::string& name, const std::string& parameter, const std::string& text)
 {
+  const Outcome node = NodeProcess(name, profiles + parameter).waitForEnd();
   EXPECT_EQ(node.exit_code, 1) << node.output;
-  EXPECT_NE(node.output.find(name), std::string::npos) << node.output;
+  EXPECT_NE(node.output.find(text), std::string::npos) << node.output;
 }
 }  // namespace
 
-TEST(NodeStart, MistakesInParametersEndTheProcessWithTheNameInTheOutput)
+TEST(NodeStart, InvalidParametersEndTheProcessWithTheirNameInTheOutput)
 {
-  expectStopped(startNode("_track/gauge:=wide"), "/node_1/track/gauge = wide");
-  expectStopped(startNode("_track/gage:=1.435"), "/node_2/track/gage is unknown");
-  expectStopped(startNode("_material/wheel/young:=-210e9"), "/node_3/material/wheel/young");
-  expectStopped(startNode("_wheel/profile:=no_such_file.prw"), "/node_4/wheel/profile = no_such_file.prw");
-  expectStopped(startNode("_contact/tolerance:=nan"), "/node_5/contact/tolerance");
+  expectRefused("node_1", "_track/gauge:=wide", "/node_1/track/gauge = wide");
+  expectRefused("node_2", "_track/gage:=1.435", "/node_2/track/gage is unknown");
+  expectRefused("node_3", "_material/wheel/young:=-210e9", "/node_3/material/wheel/young");
+  expectRefused("node_4", "_wheel/profile:=no_such_file.prw", "/node_4/wheel/profile = no_such_file.prw");
+  expectRefused("node_5", "_contact/tolerance:=nan", "/node_5/contact/tolerance");
 }
 
 TEST(NodeStart, MissingProfileEndsTheProcess)
 {
-  const Outcome node = run("timeout 10 " CONTACT_NODE " __name:=bare");
+  const Outcome node = NodeProcess("bare", "").waitForEnd();
   EXPECT_EQ(node.exit_code, 1) << node.output;
   EXPECT_NE(node.output.find("/bare/wheel/profile is missing"), std::string::npos) << node.output;
 }
 
-TEST(NodeStart, GoodParametersRunUntilAskedToStopAndEndAtOnceWithoutError)
+TEST(NodeStart, NodeWithValidParametersRunsAndEndsWithoutErrorAtSigint)
 {
-  const ros::WallTime start = ros::WallTime::now();
-  const Outcome node =
-      run("timeout --preserve-status --signal=INT " + std::to_string(start_time) +
-          " " CONTACT_NODE " __name:=good _wheel/profile:=S1002 _rail/profile:=60E1 _material/wheel/young:=210e9");
+  NodeProcess process("valid", profiles + "_material/wheel/young:=210e9");
+  ContactClient client("/", "/valid");
+  const auto result = client.request(0);
+  EXPECT_TRUE(result && result->status == WheelsetContact::OK);
+  ASSERT_EQ(kill(processOf("/valid"), SIGINT), 0);
+  const Outcome node = process.waitForEnd();
   EXPECT_EQ(node.exit_code, 0) << node.output;
-  EXPECT_LT((ros::WallTime::now() - start).toSec(), start_time + exit_time) << "must end at the signal";
 }

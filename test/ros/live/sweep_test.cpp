@@ -33,20 +33,20 @@ TEST(LiveSweep, EveryPairOfTheRecordingIsEvaluatedAndBothWheelsCarryTheirLoad)
   std::vector<WheelsetContact> results;
   const auto receive = [&](const WheelsetContact::ConstPtr& result) { results.push_back(*result); };
   const auto subscriber = nh.subscribe<WheelsetContact>("/contact_node/contact", 1000, receive);
-  ASSERT_TRUE(spinUntil([&] { return results.size() >= pairs; }, 100)) << results.size() << " answers";
+  ASSERT_TRUE(spinUntil([&] { return results.size() >= pairs; }, 100)) << results.size() << " results";
   for (std::size_t i = 0; i < pairs; ++i)
   {
     const WheelsetContact& result = results[i];
     SCOPED_TRACE("y = " + std::to_string(result.wheelset.position.y));
     EXPECT_EQ(result.header.stamp, first + ros::Duration().fromNSec(20000000 * static_cast<std::int64_t>(i)));
     EXPECT_EQ(result.status, WheelsetContact::OK) << result.status_text;
-    // The normal's mean direction over a patch is that of its plane to within 1 % of the load.
+    // The normal of the patch plane is the mean normal of the pressure; the difference is below 1 % of the load.
     EXPECT_NEAR(force(result, ContactPatch::LEFT), 100e3, 1e3);
     EXPECT_NEAR(force(result, ContactPatch::RIGHT), 100e3, 1e3);
   }
-  // Pushed to the right until the flange carries, and back: the way back repeats the way there. Where contact jumps
-  // from tread to flange (y = -6.3 to -6.5 mm) answers may say that they miss their tolerance of 0.3 %: there a wheel's
-  // force is off by 0.4 %, and the height, steep in the force, by 6 um either way.
+  // The wheelset moves to the right until the flange carries, and back through the same positions. Where the contact
+  // jumps from tread to flange (y = -6.3 to -6.5 mm), the error estimate may exceed the tolerance of 0.3 %. There the
+  // force of a wheel has an error of 0.4 %. The height depends strongly on the force and has an error of up to 6 um.
   std::size_t above_tolerance = 0;
   for (std::size_t i = 0; i < pairs / 2; ++i)
   {

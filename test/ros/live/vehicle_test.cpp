@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t pairs = 20;
 const std::vector<std::string> wheelsets{"/wheelset_1", "/wheelset_2", "/wheelset_3", "/rear"};
 
-/// Each wheelset runs along a place of its own [m].
+/// Lateral displacement, different for each wheelset [m].
 double lateral(std::size_t wheelset, std::size_t pair)
 {
   return 1e-3 * static_cast<double>(wheelset) - 2e-5 * static_cast<double>(pair);
@@ -38,7 +38,7 @@ TEST(LiveVehicle, EachOfFourWheelsetsGetsItsOwnResultsInOrder)
   for (std::size_t i = 0; i < clients.size(); ++i)
   {
     SCOPED_TRACE(wheelsets[i]);
-    ASSERT_TRUE(clients[i].waitForResults(pairs)) << clients[i].results().size() << " answers";
+    ASSERT_TRUE(clients[i].waitForResults(pairs)) << clients[i].results().size() << " results";
     for (std::size_t pair = 0; pair < pairs; ++pair)
     {
       const WheelsetContact& result = clients[i].results()[pair];

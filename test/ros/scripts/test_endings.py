@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""contact_node outlives its master and garbled messages, and ends when it is told to, also in the middle of an evaluation."""
+"""contact_node works without its master and after malformed messages, and ends on signals, even during an evaluation."""
 
 import os
 import re
@@ -16,26 +16,26 @@ from geometry_msgs.msg import PoseStamped, WrenchStamped
 from wheel_rail_contact.msg import WheelsetContact
 
 NODE = os.environ["CONTACT_NODE"]
-PATIENCE = 60   # [s] for what must happen
-EXIT_TIME = float(os.environ["EXIT_TIME"])  # [s] for a node to end; the evaluation that is going on takes minutes
-TRIES = 3  # of which one must end in that time: the machine may be busy
+TIMEOUT = 60   # [s] for each expected event
+EXIT_TIME = float(os.environ["EXIT_TIME"])  # [s] for a node to end; the running evaluation takes minutes
+TRIES = 3  # one of them must end within EXIT_TIME, because the machine may be busy
 PROFILES = ["_wheel/profile:=S1002", "_rail/profile:=60E1"]
-PAIRS = 150  # fewer than the node keeps waiting
-QUEUE = 2 * PAIRS  # of publishers, so that they drop none
-ON_THE_WAY = 3  # answers that may be lost between a node that ends and its listener
-BRISK = ["_contact/method:=seidel", "_contact/grid/along:=64", "_contact/grid/across:=64"]
+PAIRS = 150  # less than the largest number of inputs that the node queues
+QUEUE = 2 * PAIRS  # of the publishers: large enough for all messages
+IN_TRANSIT = 3  # results that may be lost between a node that ends and its subscriber
+FAST = ["_contact/method:=seidel", "_contact/grid/along:=64", "_contact/grid/across:=64"]
 # The slowest method on its largest grid.
 SLOW = ["_contact/method:=seidel", "_contact/grid/along:=256", "_contact/grid/across:=256"]
 
 
 def wait_for(condition):
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while not condition() and time.monotonic() < end:
         time.sleep(0.02)
     return condition()
 
 
-def is_listened_to(address):
+def accepts_connections(address):
     with socket.socket() as probe:
         return probe.connect_ex(address) == 0
 
@@ -46,10 +46,10 @@ def free_address():
         return probe.getsockname()
 
 
-class GarbledPose(PoseStamped):
-    """Goes over the wire as the bytes given, whatever they are."""
+class MalformedPose(PoseStamped):
+    """A message that is sent as the given bytes."""
 
-    _has_header = False  # which rospy would fill in
+    _has_header = False  # otherwise rospy would fill in the header
 
     def __init__(self, content):
         super().__init__()
@@ -60,27 +60,27 @@ class GarbledPose(PoseStamped):
 
 
 class Node:
-    """A contact node in a namespace of its own, and its client."""
+    """A contact node in its own namespace, with publishers and subscribers."""
 
     def __init__(self, name, parameters):
-        self.answers = []
-        self.report = {}
+        self.results = []
+        self.diagnostics = {}
         self.poses = rospy.Publisher(f"/{name}/wheelset/pose", PoseStamped, queue_size=QUEUE)
         self.loads = rospy.Publisher(f"/{name}/wheelset/load", WrenchStamped, queue_size=QUEUE)
-        self.listeners = [rospy.Subscriber(f"/{name}/contact_node/contact", WheelsetContact, self.answers.append),
-                          rospy.Subscriber("/diagnostics", DiagnosticArray, self.take_report)]
+        self.subscribers = [rospy.Subscriber(f"/{name}/contact_node/contact", WheelsetContact, self.results.append),
+                          rospy.Subscriber("/diagnostics", DiagnosticArray, self.take_diagnostics)]
         self.topic = f"{name}/contact_node"
         self.log = tempfile.TemporaryFile("w+")
         self.process = subprocess.Popen([NODE, f"__ns:=/{name}", *PROFILES, *parameters], stdout=subprocess.DEVNULL,
                                         stderr=self.log)
 
-    def take_report(self, message):
+    def take_diagnostics(self, message):
         for status in message.status:
             if status.name.startswith(self.topic):
-                self.report = {value.key: value.value for value in status.values}
+                self.diagnostics = {value.key: value.value for value in status.values}
 
     def is_connected(self):
-        return all(end.get_num_connections() > 0 for end in (self.poses, self.loads, *self.listeners))
+        return all(end.get_num_connections() > 0 for end in (self.poses, self.loads, *self.subscribers))
 
     def send(self, seconds):
         pose, load = PoseStamped(), WrenchStamped()
@@ -94,21 +94,21 @@ class Node:
     def end(self, signal_number):
         """@return exit status"""
         self.process.send_signal(signal_number)
-        return self.process.wait(PATIENCE)
+        return self.process.wait(TIMEOUT)
 
-    def said(self):
+    def output(self):
         self.log.seek(0)
         return self.log.read()
 
-    def unanswered(self):
-        """As told at its end."""
-        found = re.search(rf"/{self.topic} ends, inputs unanswered: (\d+)", self.said())
+    def not_evaluated(self):
+        """Number of inputs that the node reports as not evaluated when it ends."""
+        found = re.search(rf"/{self.topic} ends, inputs not evaluated: (\d+)", self.output())
         return int(found[1]) if found else 0
 
     def clean_up(self):
         self.process.kill()
         self.process.wait()
-        print(self.said(), end="")
+        print(self.output(), end="")
         self.log.close()
 
 
@@ -124,7 +124,7 @@ class Endings(unittest.TestCase):
     def start_master(cls):
         cls.master = subprocess.Popen(["rosmaster", "--core", "-p", str(cls.address[1])], stdout=subprocess.DEVNULL,
                                       stderr=subprocess.DEVNULL)
-        assert wait_for(lambda: is_listened_to(cls.address)), "the master does not start"
+        assert wait_for(lambda: accepts_connections(cls.address)), "the master did not start"
 
     @classmethod
     def tearDownClass(cls):
@@ -134,27 +134,28 @@ class Endings(unittest.TestCase):
     def start_node(self, name, *parameters):
         node = Node(name, parameters)
         self.addCleanup(node.clean_up)
-        self.assertTrue(wait_for(node.is_connected), "the node does not come up")
-        time.sleep(0.2)  # the node learns of its listener a moment later
+        self.assertTrue(wait_for(node.is_connected), "the node did not start")
+        time.sleep(0.2)  # the connection is complete at the node a moment later
         return node
 
     def end_busy_node(self, name, signal_number):
-        """@return time that it takes to end [s]"""
+        """Ends a node during its evaluation. @return time until its end [s]"""
         node = self.start_node(name, *SLOW)
         for seconds in (1, 2, 3):
             node.send(seconds)
-        self.assertTrue(wait_for(lambda: node.report.get("messages received") == "6"), node.report)
-        self.assertEqual(node.report["messages waiting for a partner"], "0")
+        self.assertTrue(wait_for(lambda: node.diagnostics.get("messages received") == "6"), node.diagnostics)
+        self.assertEqual(node.diagnostics["messages waiting for a match"], "0")
         begin = time.monotonic()
         self.assertEqual(node.end(signal_number), 0)
         taken = time.monotonic() - begin
-        self.assertEqual(node.answers, [], "the evaluation had ended")
-        self.assertEqual(node.unanswered(), 3)
+        self.assertEqual(node.results, [], "the evaluation ended before the signal")
+        self.assertEqual(node.not_evaluated(), 3)
         return taken
 
-    # unittest goes by the alphabet: the master is killed last, for rospy registers its old topics with no other.
+    # unittest runs the tests in alphabetical order. The test that kills the master must be last, because rospy does not
+    # register its topics with a new master.
 
-    def test_ends_at_signals_in_the_middle_of_an_evaluation(self):
+    def test_node_ends_on_signals_during_an_evaluation(self):
         for signal_number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(signal=signal_number):
                 times = []
@@ -162,43 +163,43 @@ class Endings(unittest.TestCase):
                     times.append(self.end_busy_node(f"busy_{signal_number}_{len(times)}", signal_number))
                 self.assertLess(min(times), EXIT_TIME)
 
-    def test_goes_on_after_bytes_that_are_no_message(self):
-        node = self.start_node("garbled")
-        garbled = [filling * length for length in (0, 3, 12, 16, 40) for filling in (b"\0", b"\xff")]
-        for content in garbled:
-            node.poses.publish(GarbledPose(content))
+    def test_node_continues_after_malformed_messages(self):
+        node = self.start_node("malformed")
+        malformed = [filling * length for length in (0, 3, 12, 16, 40) for filling in (b"\0", b"\xff")]
+        for content in malformed:
+            node.poses.publish(MalformedPose(content))
         node.send(1)
-        self.assertTrue(wait_for(lambda: len(node.answers) == 1), "no answer after garbled messages")
-        self.assertEqual(node.answers[0].status, WheelsetContact.OK)
-        self.assertTrue(wait_for(lambda: node.report.get("messages received") == "2"), node.report)
+        self.assertTrue(wait_for(lambda: len(node.results) == 1), "no result after malformed messages")
+        self.assertEqual(node.results[0].status, WheelsetContact.OK)
+        self.assertTrue(wait_for(lambda: node.diagnostics.get("messages received") == "2"), node.diagnostics)
         self.assertEqual(node.end(signal.SIGINT), 0)
-        self.assertEqual(node.said().count("Buffer Overrun"), len(garbled), "each is told in the log, by roscpp")
-        self.assertEqual(node.unanswered(), 0)
+        self.assertEqual(node.output().count("Buffer Overrun"), len(malformed), "roscpp logs each of them")
+        self.assertEqual(node.not_evaluated(), 0)
 
-    def test_leaves_no_input_unmentioned_at_its_end(self):
-        node = self.start_node("leaving", *BRISK)
+    def test_node_reports_all_inputs_that_are_not_evaluated_at_its_end(self):
+        node = self.start_node("leaving", *FAST)
         for i in range(PAIRS):
             node.send(1 + i)
-        self.assertTrue(wait_for(lambda: node.report.get("messages received") == str(2 * PAIRS)), node.report)
+        self.assertTrue(wait_for(lambda: node.diagnostics.get("messages received") == str(2 * PAIRS)), node.diagnostics)
         self.assertEqual(node.end(signal.SIGINT), 0)
-        self.assertGreater(node.unanswered(), 0, "all were answered before the end")
-        self.assertTrue(wait_for(lambda: PAIRS - len(node.answers) - node.unanswered() <= ON_THE_WAY))
-        self.assertLessEqual(len(node.answers) + node.unanswered(), PAIRS)
+        self.assertGreater(node.not_evaluated(), 0, "all were evaluated before the end")
+        self.assertTrue(wait_for(lambda: PAIRS - len(node.results) - node.not_evaluated() <= IN_TRANSIT))
+        self.assertLessEqual(len(node.results) + node.not_evaluated(), PAIRS)
 
-    def test_outlives_its_master(self):
+    def test_node_survives_its_master(self):
         node = self.start_node("alone")
         node.send(1)
-        self.assertTrue(wait_for(lambda: len(node.answers) == 1))
+        self.assertTrue(wait_for(lambda: len(node.results) == 1))
         self.master.kill()
         self.master.wait()
         node.send(2)
-        self.assertTrue(wait_for(lambda: len(node.answers) == 2), "no answer without a master")
+        self.assertTrue(wait_for(lambda: len(node.results) == 2), "no result without a master")
         self.start_master()
         node.send(3)
-        self.assertTrue(wait_for(lambda: len(node.answers) == 3), "no answer beside another master")
-        self.assertEqual([answer.status for answer in node.answers], [WheelsetContact.OK] * 3)
+        self.assertTrue(wait_for(lambda: len(node.results) == 3), "no result with another master")
+        self.assertEqual([result.status for result in node.results], [WheelsetContact.OK] * 3)
         self.assertEqual(node.end(signal.SIGTERM), 0)
-        self.assertEqual(node.unanswered(), 0)
+        self.assertEqual(node.not_evaluated(), 0)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A launch file that names another machine moves all wheelsets of vehicle.launch there, as the README says."""
+"""The example in doc/tools.md runs all wheelsets of vehicle.launch on another machine."""
 import pathlib
 import re
 import tempfile
@@ -7,12 +7,12 @@ import unittest
 
 import roslaunch.config
 
-README = pathlib.Path(__file__).resolve().parents[3] / "README.md"
+TOOLS = pathlib.Path(__file__).resolve().parents[3] / "doc" / "tools.md"
 
 
 class Machines(unittest.TestCase):
-    def test_the_example_of_the_readme_runs_every_wheelset_on_the_other_machine(self):
-        example = next(code for code in re.findall(r"```xml\n(.*?)```", README.read_text(), re.DOTALL)
+    def test_example_of_the_documentation_runs_every_wheelset_on_the_other_machine(self):
+        example = next(code for code in re.findall(r"```xml\n(.*?)```", TOOLS.read_text(encoding="utf-8"), re.DOTALL)
                        if "<machine" in code)
         with tempfile.TemporaryDirectory() as folder:
             launch = pathlib.Path(folder) / "two_machines.launch"

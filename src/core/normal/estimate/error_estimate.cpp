@@ -16,37 +16,39 @@ namespace
 {
 using Eigen::Index;
 
-/// Factor of the area's error where the pressure fills its grid along or across: it then does not show where it ends.
+/// Factor of the area error where the pressure fills its grid along or across the track, so that its end is not
+/// visible.
 constexpr double unseen_edge = 4.0 / 3;
 
-/// What a cell's length over its width adds to the area's error, per unit of its logarithm.
+/// Increase of the area error by the cell aspect, per unit of its logarithm.
 constexpr double long_cells = 0.5;
 
-/// Sum of 1 / (cells loaded) over the columns of an oval, times (cells along) / (cells across): pi / 2 for an ellipse.
+/// Sum of 1 / (loaded cells) over the columns of an oval, times (cells along) / (cells across): pi / 2 for an ellipse.
 constexpr double oval = 1.6;
 
-/// What joints move the edge by in all, below which areas are not the less sure [cells].
+/// Displacement of the edge by curvature discontinuities, summed, up to which the area error does not increase [cells].
 constexpr double usual_move = 0.2;
 
-/// Columns loaded on at most `narrow_cells` cells are narrower than the cells tell. The tips of an oval have a few;
-/// more of them are a tail, of which each may be off by `narrow_end_cells` cells. Taken from tails of scenes at hand:
-/// normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
+/// Columns of at most `narrow_cells` loaded cells are narrower than the cells resolve. The tips of an oval have up to
+/// `narrow_tips` of them. Each further one belongs to a narrow end and adds `narrow_end_cells` cells to the area error.
+/// Taken from known narrow ends: normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
 constexpr int narrow_cells = 2;
 constexpr int narrow_tips = 4;
 constexpr double narrow_end_cells = 1.5;
 
-/// What the area of a handful of cells may be off by, times the cells it is worth squared. Six of them are off by
-/// more than 10 %; of 33 the weighted terms say more than this.
-constexpr double handful = 6;
+/// Area error of a contact of few cells, times the square of its number of cells. Six cells have an error above 10 %.
+/// From 33 cells on the weighted terms are larger.
+constexpr double few_cells_error = 6;
 
-/// How much a lower crest may grow that has a cell beside it, across, without pressure: a lobe of two columns. Taken
-/// from one at hand, balance/warm_start_test.cpp, where it is 0.64 from 24 × 56 and 0.96 from 20 × 48 cells on.
+/// Possible growth of a secondary peak that has an unloaded neighbour across the track: a lobe of two columns. Taken
+/// from one case, balance/warm_start_test.cpp: with finer cells the peak grows by 0.64 of its value on 24 × 56 cells
+/// and by 0.96 of its value on 20 × 48 cells.
 constexpr double lobe_growth = 1;
 
-/// Jumps about a crest count up to that: the estimate is above 100 % then.
+/// Limit for the jumps at a peak. The estimate is then above 100 %.
 constexpr double largest_jump = 4;
 
-/// The highest cell of a column that neither neighbouring one exceeds.
+/// Cell that is the highest of its column and not exceeded by a neighbouring column.
 struct Peak
 {
   Index row = 0, column = 0;
@@ -67,13 +69,13 @@ Peak peakAt(const Eigen::ArrayXXd& pressure, Index row, Index column)
   return peak;
 }
 
-/// Where the pressure lies on its grid. Counts are of the whole grid, symmetric or not.
+/// Loaded part of the grid. Counts refer to the whole grid, symmetric or not.
 struct Loaded
 {
-  Peak peak;                     ///< the highest
-  double along = 0, across = 0;  ///< loaded cells in its column and in its row
+  Peak peak;                     ///< the highest peak
+  double along = 0, across = 0;  ///< loaded cells in the column and in the row of the peak
   double thin_columns = 0;       ///< sum over loaded columns of 1 / loaded cells
-  int narrow_columns = 0;        ///< of at most narrow_cells loaded cells
+  int narrow_columns = 0;        ///< columns of at most narrow_cells loaded cells
 };
 
 Loaded findLoaded(const Grid& grid, const Eigen::ArrayXXd& pressure)
@@ -100,11 +102,11 @@ Loaded findLoaded(const Grid& grid, const Eigen::ArrayXXd& pressure)
   return loaded;
 }
 
-/// How the gap's second differences across change along the crest's row [m].
+/// Changes of the second differences of the gap across the track, in the row of the peak [m].
 struct Bending
 {
-  double jumps_at_peak = 0;  ///< sum of jumps over (distance from the crest + 1/2)²
-  double variation = 0;      ///< largest less smallest, over the mean [-]
+  double jumps_at_peak = 0;  ///< sum of the jumps, each over (distance from the peak + 1/2)²
+  double variation = 0;      ///< largest minus smallest, over the mean [-]
 };
 
 Bending gapBending(const Eigen::ArrayXXd& gap, const Peak& peak)
@@ -134,19 +136,20 @@ Bending gapBending(const Eigen::ArrayXXd& gap, const Peak& peak)
   return bending;
 }
 
-/// Terms of the pressure at a crest, whose row's gap jumps by `jumps` about it (see Bending); `residual` is over the
-/// patch's own approach.
+/// Terms of the pressure error at a peak. `jumps` is Bending::jumps_at_peak of its row; `residual` is relative to the
+/// own approach of the patch.
 std::array<double, 5> peakTerms(const PatchGap& gap, double modulus, const CellsAround& peak, double jumps,
                                 double residual)
 {
   const double bend = peak.bend(), jump = std::min(modulus * jumps / (gap.grid.dy * peak.top()), largest_jump);
   const bool unclear = !peak.isInside() || areWaves(gapSteps(peak, gap, modulus));
-  // The second grows with the bend's square until crests are as sharp as the cells, and no faster than errors there.
+  // The second term increases with the square of the bend until the peak is as sharp as the cells. Beyond that it
+  // increases no faster than the errors do.
   return {bend, bend * bend / (1 + bend), std::pow(jump, 4), unclear ? bend : 0, residual};
 }
 
-/// By how much a lower crest may overtop the highest one by its own error, over the maximum [-].
-double byLowerPeak(const PatchGap& gap, const PatchPressure& pressure, double modulus, const CellsAround& peak)
+/// Relative amount by which a secondary peak may exceed the highest one because of its own error [-].
+double errorFromLowerPeak(const PatchGap& gap, const PatchPressure& pressure, double modulus, const CellsAround& peak)
 {
   const Bending bending = gapBending(gap.gap, peakAt(pressure.pressure, peak.row(), peak.column()));
   const double own = weighted(gridErrorWeights().max_pressure, peakTerms(gap, modulus, peak, bending.jumps_at_peak, 0));
@@ -154,9 +157,9 @@ double byLowerPeak(const PatchGap& gap, const PatchPressure& pressure, double mo
   return (1 + growth) * peakPressure(gap, modulus, peak) / pressure.max_pressure - 1;
 }
 
-/// The most by which any crest but the one in column `highest` may overtop the highest one, over the maximum [-]; 0 if
-/// none may. The narrower of two lobes grows with finer cells.
-double byLowerPeaks(const PatchGap& gap, const PatchPressure& pressure, double modulus, Index highest)
+/// Largest relative amount by which a peak outside the column `highest` may exceed the highest one [-]; 0 if none may.
+/// The narrower of two lobes grows with finer cells.
+double errorFromLowerPeaks(const PatchGap& gap, const PatchPressure& pressure, double modulus, Index highest)
 {
   double most = 0;
   visitPeaks(gap.grid, pressure.pressure,
@@ -164,14 +167,14 @@ double byLowerPeaks(const PatchGap& gap, const PatchPressure& pressure, double m
              {
                if (rises && peak.column() != highest)
                {
-                 most = std::max(most, byLowerPeak(gap, pressure, modulus, peak));
+                 most = std::max(most, errorFromLowerPeak(gap, pressure, modulus, peak));
                }
              });
   return most;
 }
 
-/// By how much the gap steps up or down between columns j and j + 1 [m], 2 <= j < gap.cols() - 3; 0 where it bends
-/// smoothly, kinks or changes its curvature: only a step makes third differences that alternate (h, -2h, h).
+/// Step of the gap between the columns j and j + 1 [m], 2 <= j < gap.cols() - 3. Zero where the gap bends smoothly, has
+/// a kink or changes its curvature: only a step makes third differences that alternate (h, -2h, h).
 double stepAfter(const Eigen::ArrayXXd& gap, Index row, Index j)
 {
   const auto third = [&](Index k) { return gap(row, k + 2) - 3 * gap(row, k + 1) + 3 * gap(row, k) - gap(row, k - 1); };
@@ -180,11 +183,11 @@ double stepAfter(const Eigen::ArrayXXd& gap, Index row, Index j)
   return least > 0 ? least : most < 0 ? -most : 0;
 }
 
-/// By how much the pressure at steps of the gap in the crest's row overtops the highest cell on cells four times finer,
-/// over that [-]; 0 if it stays below. Beside a step h a half-space's pressure is E* h / (2 pi distance)
-/// (Johnson 1985, eq. 2.25b, inverted by Hilbert's transform): it has no highest value, and on cells about E* h / (pi
-/// dy) is added.
-double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
+/// Relative amount by which the pressure at a step of the gap in the row of the peak would exceed that of the highest
+/// cell if the cells were four times finer [-]; 0 if it would not. Next to a step h the pressure of a half-space is E*
+/// h / (2 pi distance) (Johnson 1985, eq. 2.25b, inverted by Hilbert's transform). It has no finite maximum. On cells
+/// it adds about E* h / (pi dy).
+double errorFromSteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double finer = 4;
   const double spike = finer * modulus / (std::acos(-1.0) * gap.grid.dy);
@@ -198,12 +201,12 @@ double bySteps(const PatchGap& gap, const PatchPressure& pressure, double modulu
   return std::max(highest / p[peak.column] - 1, 0.0);
 }
 
-/// By how much the pressure may overtop the highest one on cells fine enough for the gap's features that are narrower
-/// than the present ones, over the maximum [-]. A wave of the gap with slopes up to s is pressed flat by E* s / 2
-/// (Johnson 1985, eq. 13.2), and adds as much about its column. Waves all over the patch, of which columns show slopes
-/// by chance, may stand at the crest between columns: there slopes up to three times their mean are assumed, as far as
-/// any column shows them.
-double byUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
+/// Relative amount by which the pressure would exceed the highest one if the cells resolved the features of the gap
+/// that are narrower than the present cells [-]. A wave of the gap with slopes up to s is flattened by a pressure of E*
+/// s / 2 (Johnson 1985, eq. 13.2), which is added at its column. If waves cover the whole patch, the slopes at the
+/// columns are random samples. At the peak, between columns, a slope of three times their mean is therefore assumed,
+/// but no more than the largest slope of a column.
+double errorFromUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double over_mean = 3;
   if (gap.unseen_slope.size() == 0)
@@ -233,7 +236,7 @@ double largestApproach(const NormalProblem& problem, const NormalSolution& solut
   return largest;
 }
 
-/// Errors of a patch as if it were alone under its own load.
+/// Errors of a patch as if it carried its load alone.
 ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch,
                           double largest_approach)
 {
@@ -283,13 +286,14 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   const double per_cell = grid.dx * grid.dy / pressure.area;
   const double variation = bending.variation / (loaded.across * loaded.across);
   ErrorTerms terms;
-  terms.overtopping =
-      std::max({byLowerPeaks(gap, pressure, modulus, loaded.peak.column), bySteps(gap, pressure, modulus, loaded.peak),
-                byUnseenSlopes(gap, pressure, modulus, loaded.peak)});
+  terms.least_pressure_error = std::max({errorFromLowerPeaks(gap, pressure, modulus, loaded.peak.column),
+                                         errorFromSteps(gap, pressure, modulus, loaded.peak),
+                                         errorFromUnseenSlopes(gap, pressure, modulus, loaded.peak)});
   terms.max_pressure =
       peakTerms(gap, modulus, {grid, p, loaded.peak.row, loaded.peak.column}, bending.jumps_at_peak, residual);
   terms.narrow_end =
-      std::max(narrow_end_cells * std::max(loaded.narrow_columns - narrow_tips, 0), handful * per_cell) * per_cell;
+      std::max(narrow_end_cells * std::max(loaded.narrow_columns - narrow_tips, 0), few_cells_error * per_cell) *
+      per_cell;
   const double aspect = 1 + long_cells * std::abs(std::log(grid.dx / grid.dy));
   const double beyond_oval = std::max(loaded.thin_columns * loaded.along / loaded.across - oval, 0.0);
   const double moved = std::max(pressure.moved_at_discontinuities / pressure.area - usual_move * per_cell, 0.0);
@@ -303,14 +307,18 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 
 const ErrorWeights& gridErrorWeights()
 {
-  // What test/calibration/calibrate_error_estimate.cpp prints is pressure 0.0029, 0.0225, 0.0134, 0.030, area 0.094,
-  // 0.109, 0.35, 0.054, approach 0.173. Its samples trade pressure's second for its third and know little of sharp
-  // joints and rough profiles: the second is such that as many estimates held on 2000 gaps of lobes, waves and joints
-  // as on others, the third such that the largest estimate held on 402 joints of arcs of 13 mm to 3 m, the fourth such
-  // that stability/roughness_test.cpp passes. Pressure's first is a fifth more, area's others but the first one
-  // and a half times to twice as much, for tails and for joints of wheelsets. The residual's weights, the last ones,
-  // are by hand, too: of 150 wheelsets it made pressure and area wrong by itself at most in nine of ten, by three times
-  // that in 99 of 100.
+  // test/calibration/calibrate_error_estimate.cpp prints: pressure 0.0029, 0.0225, 0.0134, 0.030, area 0.094, 0.109,
+  // 0.35, 0.054, approach 0.173. Its samples contain few sharp curvature discontinuities and rough profiles, and cannot
+  // separate the second weight of the pressure from the third. These were therefore set differently:
+  // * pressure, first: a fifth more.
+  // * pressure, second: as many estimates hold on 2000 gaps with lobes, waves and curvature discontinuities as on
+  //   others.
+  // * pressure, third: the largest estimate holds on 402 curvature discontinuities between arcs of 13 mm to 3 m radius.
+  // * pressure, fourth: stability/roughness_test.cpp passes.
+  // * area, all but the first: one and a half times to twice as much, for narrow ends and for curvature discontinuities
+  //   of wheelsets.
+  // * residual (the last weight of each): set by hand. On 150 wheelsets the errors of pressure and area that it caused
+  //   were at most the residual in nine of ten cases, and at most three times the residual in 99 of 100.
   static constexpr ErrorWeights weights{{0.0035, 0.025, 0.0055, 0.1, 1.7}, {0.095, 0.2, 0.5, 0.1, 1.5}, {0.17, 0.3}};
   return weights;
 }
@@ -325,7 +333,7 @@ void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solu
                         std::vector<ErrorEstimate>& errors)
 {
   const double largest = largestApproach(problem, solution);
-  inCommon(
+  withSharedApproach(
       problem, solution, [&](std::size_t k) { return errorsAlone(problem, solution, k, largest); }, errors);
 }
 }  // namespace wheel_rail_contact::core

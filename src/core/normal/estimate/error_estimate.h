@@ -9,59 +9,74 @@
 
 namespace wheel_rail_contact::core
 {
-/// The larger of each quantity's errors.
+/// The larger error of each quantity.
 ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other);
-/// The largest of each quantity's errors; zero of none.
+/// The largest error of each quantity; zero if the list is empty.
 ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors);
 
-/// What a residual makes of each error [-]; `residual` is over the patch's own approach.
+/// Errors caused by a residual [-]. `residual` is relative to the own approach of the patch.
 ErrorEstimate ofResidual(double residual);
 
-/// What a solution on a grid shows of its own mesh error: the estimates are sums of these, each times its weight.
+/// Terms of the discretisation error, computed from a solution on its grid. An estimate is a weighted sum of these
+/// terms.
 ///
-/// Along the lines of cells through the highest cell, let q be the squared pressure over its maximum (a parabola in a
-/// Hertz contact), and k the second differences of the gap across. Lengths are counted in cells.
+/// q is the squared pressure over its maximum, along the lines of cells through the highest cell (a parabola in a Hertz
+/// contact). k are the second differences of the gap across the track. Lengths are counted in cells.
 struct ErrorTerms
 {
-  /// Of max_pressure: bend of q at the crest, along plus across · its square · fourth power of the sum of the jumps of
-  /// k, each over (distance from the crest + 1/2)², as a pressure over the crest's, up to 4 of it · the bend again
-  /// where a cell beside the crest across is not loaded or the gap's curvature goes to and fro about it · residual.
+  /// Terms of the max_pressure error:
+  /// * bend: negative second difference of q at the peak, along plus across;
+  /// * bend² / (1 + bend);
+  /// * fourth power of S, at most 4^4. S is the sum of the jumps of k in the row of the peak, each divided by (distance
+  ///   from the peak + 1/2)², as a pressure over the peak pressure;
+  /// * the bend again, if a neighbour of the peak across the track is not loaded or the curvature of the gap jumps up
+  ///   and down near it;
+  /// * residual.
   std::array<double, 5> max_pressure{};
-  /// Of max_pressure, without a weight, the least that it may be off: by how much a lower crest of the pressure may
-  /// turn out higher, by its own terms and their weights but the residual's, twofold if it stands in a lobe of
-  /// two columns; or one at a step of the gap, on cells four times finer.
-  double overtopping = 0;
-  /// Of area: 1 + 0.5 |logarithm of the cells' aspect|, per cell of the area · by how much the sum of 1 / (cells
-  /// loaded) over the columns, times (cells along) / (cells across), is above an oval's, per cell of the area · by how
-  /// much jumps of k at the edge have moved it beyond a fifth of a cell, over the area · variation of k over its mean
-  /// and (cells across)² · residual. All of them a third larger where the pressure fills its grid along, which then
-  /// does not show where it ends, and again where it fills it across: without the latter 5 % of the answers of `auto`
-  /// at a tolerance of 10 % were off by more than their estimate, with it 1 %.
+  /// Lower limit of the max_pressure error, without a weight: largest relative amount by which the pressure may exceed
+  /// max_pressure in one of three cases:
+  /// * a secondary peak grows by its weighted terms without the residual (in a lobe of two columns: at least to twice
+  ///   its value);
+  /// * the pressure at a step of the gap, on cells four times finer;
+  /// * the pressure at waves of the gap that are narrower than the cells.
+  double least_pressure_error = 0;
+  /// Terms of the area error, with the number n of cells of the contact area:
+  /// * (1 + 0.5 |ln(dx / dy)|) / n;
+  /// * (S - 1.6) / n, at least zero. S is the sum of 1 / (loaded cells) over the columns, times (cells along) / (cells
+  ///   across): about 1.6 for an oval;
+  /// * displacement of the edge by jumps of k, minus a fifth of a cell (at least zero), over the area;
+  /// * largest minus smallest k in the row of the peak, over their mean and (cells across)²;
+  /// * residual.
+  /// All are a third larger if the pressure fills its grid along the track, because its end is not visible, and again a
+  /// third larger if it fills the grid across. Without the latter, 5 % of the results of `auto` at a tolerance of 10 %
+  /// had an error above their estimate; with it 1 %.
   std::array<double, 5> area{};
-  /// Of area, without a weight, the least that it may be off: by a tail of the pressure that is narrower than the cells
-  /// tell, one and a half cells for each of its columns but the few of an oval; or for want of cells, 6 / cells².
+  /// Lower limit of the area error, without a weight. The larger of two parts: 1.5 / n for each
+  /// column of at most two loaded cells, beyond the four of an oval (narrow ends); 6 / n² (few cells).
   double narrow_end = 0;
-  /// Of approach: 1 / (cells along)² · residual.
+  /// Terms of the approach error: 1 / (cells along)²; residual.
   std::array<double, 2> approach{};
 };
 
-/// Terms of a patch that carries pressure. `residual` is the solution's, over the patch's own approach.
+/// Terms of a patch that carries pressure. `modulus`: E* [Pa]. `residual` is relative to the own approach of the patch.
 ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double modulus, double residual);
 
-/// Weights of the terms.
+/// Weights of the terms [-].
 struct ErrorWeights
 {
-  std::array<double, 5> max_pressure{};  ///< of ErrorTerms::max_pressure [-]
-  std::array<double, 5> area{};          ///< of ErrorTerms::area [-]
-  std::array<double, 2> approach{};      ///< of ErrorTerms::approach [-]
+  std::array<double, 5> max_pressure{};  ///< of ErrorTerms::max_pressure
+  std::array<double, 5> area{};          ///< of ErrorTerms::area
+  std::array<double, 2> approach{};      ///< of ErrorTerms::approach
 };
 
-/// The weights in use.
+/// Weights in use.
 const ErrorWeights& gridErrorWeights();
 
-/// For methods that know a gap by a paraboloid only: the estimate of each quantity is a sum of these, each times its
-/// weight. One · |logarithm of the ratio of volumes| below a level of the gap and of the paraboloid · the volume below
-/// a level that is not common to both, over their mean · squared logarithm of the paraboloid's aspect.
+/// Terms for methods that represent a gap by a paraboloid. The estimate of each quantity is a weighted sum of:
+/// * one;
+/// * |ln(ratio of the volumes)| below a level, of the gap and of the paraboloid;
+/// * volume below a level that is not common to both, over the mean of both volumes;
+/// * squared logarithm of the aspect of the paraboloid.
 using ShapeTerms = std::array<double, 4>;
 
 /// Weights of ShapeTerms for each quantity [-].
@@ -72,13 +87,14 @@ struct ShapeWeights
   ShapeTerms approach{};      ///< of the approach
 };
 
-/// Errors that mesh and algebra leave in each patch of a usable solution by any method that puts pressure on the grid's
-/// cells; zero for a patch without pressure. `errors` gets one for each patch.
+/// Estimates the errors by discretisation and residual in each patch of a usable solution, for any method with a
+/// pressure in each cell. Zero for a patch without pressure. `errors` gets one entry for each patch.
 ///
-/// Weights were fitted to random contacts, each against the same one on a grid four times finer each way, so that the
-/// largest of the three is at least the true one in 98 % of single patches, and as close to it as that allows;
-/// test/calibration does that again and prints the table. In several patches, one patch's error of approach shifts the
-/// load to the others: with Hertz's laws (maximum ~ approach^1/2, area ~ approach) that is added in.
+/// The weights were fitted to random contacts. The reference was the same contact on a grid four times finer in each
+/// direction. The largest of the three estimates is at least the true error in 98 % of single patches, and is otherwise
+/// as close to it as possible. test/calibration repeats the fit and prints the table. In a problem with several
+/// patches, the approach error of one patch shifts load to the others. This is added with Hertz's laws (maximum ~
+/// approach^1/2, area ~ approach).
 void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solution,
                         std::vector<ErrorEstimate>& errors);
 }  // namespace wheel_rail_contact::core

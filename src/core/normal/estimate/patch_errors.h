@@ -10,7 +10,7 @@
 
 namespace wheel_rail_contact::core
 {
-/// A patch's own approach, from the first touch of its cells on [m].
+/// Own approach of a patch, from the first touch of its cells [m].
 double ownApproach(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
 template <std::size_t N>
@@ -26,17 +26,17 @@ inline ErrorEstimate weighted(const ShapeWeights& weights, const ShapeTerms& ter
 
 inline ErrorEstimate weighted(const ErrorWeights& weights, const ErrorTerms& terms)
 {
-  return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.overtopping),
+  return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.least_pressure_error),
           std::max(weighted(weights.area, terms.area), terms.narrow_end), weighted(weights.approach, terms.approach),
           std::max(weights.area[1] * terms.area[1], terms.narrow_end), terms.max_pressure.back()};
 }
 
-/// Errors of all patches, from `alone(k)`, the errors of each patch as if it carried its load alone. The common
-/// approach is off by as much as the patch whose own approach is worst known; with Hertz's laws (maximum ~
-/// approach^1/2, area ~ approach) that adds to all of them.
+/// Errors of all patches from `alone(k)`, the errors of each patch as if it carried its load alone. The error of the
+/// common approach is the largest error of an own approach [m]. With Hertz's laws (maximum ~ approach^1/2, area ~
+/// approach) it is added to the errors of all patches.
 template <typename Alone>
-void inCommon(const NormalProblem& problem, const NormalSolution& solution, Alone alone,
-              std::vector<ErrorEstimate>& errors)
+void withSharedApproach(const NormalProblem& problem, const NormalSolution& solution, Alone alone,
+                        std::vector<ErrorEstimate>& errors)
 {
   const std::size_t count = problem.patches.size();
   errors.resize(count);

@@ -8,12 +8,14 @@
 
 namespace wheel_rail_contact::core
 {
-/// Fills PatchGap::unseen_slope by the gap's own slopes, for error estimates to see what is narrower than the cells.
+/// Fills PatchGap::unseen_slope from the slopes of the gap. Error estimates use it to detect features that are narrower
+/// than the cells.
 ///
-/// With third differences t of the gap beside column j, a kink or a jump of the curvature makes slopes differ by no
-/// more than (|t_before| + |t_after|) / (4 dy); only what is beyond that counts.
-/// @param patch     its grid and gap are filled
-/// @param slope_at  of a column j: the slope d(gap)/dy at x = 0 [-]
+/// With the third differences t of the gap on both sides of column j, a kink or a jump of the curvature makes the
+/// slopes differ by no more than (|t_before| + |t_after|) / (4 dy). Only the part of the difference above this limit is
+/// stored.
+/// @param patch     grid and gap must be filled
+/// @param slope_at  returns the slope d(gap)/dy at x = 0 of a column j [-]
 template <typename SlopeAt>
 void fillUnseenSlope(PatchGap& patch, SlopeAt slope_at)
 {

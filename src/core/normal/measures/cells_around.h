@@ -8,8 +8,9 @@
 
 namespace wheel_rail_contact::core
 {
-/// The cells around a crest, a loaded one that no neighbour exceeds. Offsets are in cells from there; cells beyond the
-/// grid carry nothing, those beyond x = 0 of a symmetric grid are the mirror image. Keeps a reference to the pressure.
+/// Cells around a pressure peak: a loaded cell whose pressure no neighbour exceeds. Offsets are counted in cells from
+/// the peak. Cells outside the grid have no pressure; cells beyond x = 0 of a symmetric grid are the mirror image.
+/// Keeps a reference to the pressure.
 class CellsAround
 {
  public:
@@ -23,22 +24,22 @@ class CellsAround
 
   Index row() const { return row_; }
   Index column() const { return column_; }
-  /// The crest's pressure [Pa].
+  /// Pressure of the peak cell [Pa].
   double top() const { return top_; }
   bool inGrid(Index along, Index across) const
   {
     const Index row = rowAt(along), column = column_ + across;
     return row >= 0 && row < pressure_.rows() && column >= 0 && column < pressure_.cols();
   }
-  /// Pressure over the crest's.
+  /// Pressure over that of the peak cell [-].
   double p(Index along, Index across) const
   {
     return inGrid(along, across) ? pressure_(rowAt(along), column_ + across) / top_ : 0;
   }
 
-  /// Both cells beside the crest across are loaded.
+  /// True if both neighbours of the peak across the track are loaded.
   bool isInside() const { return p(0, -1) > 0 && p(0, 1) > 0; }
-  /// The outermost loaded cell from the crest on along, in the `outward` direction (+1 or -1).
+  /// Offset of the outermost loaded cell from the peak along the track, in the `outward` direction (+1 or -1).
   Index tip(Index outward) const
   {
     Index last = 0;
@@ -48,25 +49,26 @@ class CellsAround
     }
     return last;
   }
-  /// The grid's border cuts the pressure along.
+  /// True if the border of the grid cuts the pressure along the track.
   bool isCutAlong() const { return isCutAt(-1) || isCutAt(1); }
 
-  /// How much the squared pressures bend down at the crest, along, and along plus across [-].
+  /// Bend at the peak: negative second difference of the squared pressure over the squared peak [-]. Along the track,
+  /// and the sum of along and across.
   double bendAlong() const { return bendOf(p(-1, 0), p(1, 0)); }
   double bend() const { return bendAlong() + bendOf(p(0, -1), p(0, 1)); }
-  /// Top of the parabolas through the squared pressures along and across [Pa].
+  /// Maximum of the parabolas through the squared pressures along and across [Pa].
   double parabolas() const { return top_ * std::sqrt(1 + riseOf(p(-1, 0), p(1, 0)) + riseOf(p(0, -1), p(0, 1))); }
 
  private:
-  /// The pressure reaches the border, and falls less steeply there than it does at its edge.
+  /// True if the pressure reaches the border and decreases less steeply there than it does at its edge.
   bool isCutAt(Index outward) const
   {
-    constexpr double steepest = 0.75;  // with the edge beyond the next cell's centre
+    constexpr double steepest = 0.75;  // ratio for an edge beyond the centre of the next cell
     const Index last = tip(outward);
     return !inGrid(last + outward, 0) && p(last, 0) > steepest * p(last - outward, 0);
   }
   static double bendOf(double before, double after) { return 2 - before * before - after * after; }
-  /// Rise of a parabola through three squared pressures above the middle one; zero at an edge.
+  /// Rise of the parabola through three squared pressures above the middle one; zero at an edge.
   static double riseOf(double before, double after)
   {
     const double slope = (after - before) * (after + before), bend = bendOf(before, after);
@@ -84,8 +86,9 @@ class CellsAround
   double top_;
 };
 
-/// Calls `visit(crest, rises)` for the highest cell of each loaded column that neither neighbouring column exceeds;
-/// `rises` if it exceeds the column before: of columns that are equally high only the first does.
+/// Calls `visit(peak, rises)` for the highest cell of each loaded column, unless a neighbouring column has a higher
+/// one. `rises` is true if the column exceeds the previous one. Of several columns of equal height only the first
+/// rises.
 template <typename Visit>
 void visitPeaks(const Grid& grid, const Eigen::ArrayXXd& pressure, Visit visit)
 {

@@ -9,10 +9,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Place of the edge of a line with a single loaded cell: the middle of the range where just one is loaded.
+/// Position of the edge of a line with a single loaded cell [cells]: the middle of the range in which exactly one cell
+/// is loaded.
 constexpr double kLoneCell = 0.325;
-/// Of its polygon, an edge that is all corners (islands of single cells) keeps that much whatever it is found to be
-/// off.
+/// Smallest area, as a share of the polygon. Limits the bias correction where the edge consists of corners only
+/// (islands of single cells).
 constexpr double kLeastShare = 0.5;
 
 double straightEdge(double p1, double p2)
@@ -21,7 +22,8 @@ double straightEdge(double p1, double p2)
   return (1.07425 * outer - 0.17475 * p2) / (p2 - 0.42487 * outer);
 }
 
-/// Distances of the edge on the four sides of a square between neighbouring cell centres, from the loaded end of each.
+/// Edge on the four sides of a square between neighbouring cell centres: its distances from the loaded end of each side
+/// [cells].
 struct Sides
 {
   double lower = 0, upper = 0;  ///< along x, at the first and second column
@@ -33,14 +35,14 @@ double triangle(double a, double b)
   return 0.5 * std::max(a, 0.0) * std::max(b, 0.0);
 }
 
-/// Loaded share of a square of which all corners but one are loaded; `a` and `b` are the edge's distances from theirs
-/// along x and along y.
+/// Loaded share of a square with three loaded corners. `a` and `b` are the distances of the edge from the loaded
+/// corners next to the empty one, along x and along y.
 double emptyCorner(double a, double b)
 {
   return 1 - 0.5 * (1 - a) * (1 - b);
 }
 
-/// Loaded share. Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
+/// Loaded share of a square. Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
 double loadedShare(unsigned corners, const Sides& s)
 {
   switch (corners)
@@ -78,22 +80,21 @@ double loadedShare(unsigned corners, const Sides& s)
   }
 }
 
-/// Quarter turns of the edge in a square with these corners loaded: of an island four in all, of a hole in one -4 (Gray
-/// 1971, for cells that are neighbours by their sides).
+/// Quarter turns of the edge in a square with these loaded corners. An island has four in total, a hole in an island -4
+/// (Gray 1971, for cells that are neighbours by their sides).
 constexpr std::array<int, 16> quarter_turns{0, 1, 1, 0, 1, 0, 2, -1, 1, 2, 0, -1, 0, -1, -1, 0};
 
-/// Where the edge of the contact lies, in cells outward from the centre of the outermost loaded cell of a line.
+/// Position of the edge of the contact, in cells outward from the centre of the outermost loaded cell of a line.
 ///
-/// p1 > 0 is that cell's pressure, p2 and p3 those of the next two inward (zero if not loaded).
+/// p1 > 0 is the pressure of this cell, p2 and p3 are those of the next two cells inward (zero if not loaded).
 ///
-/// Near its edge the true pressure rises like the root of the distance. For cells of constant pressure matched at their
-/// centres, the discrete pressures along such an edge are linear in the edge's place, whatever the cells' size:
-/// with the edge d cells outside the first centre,
-///   d = (1.07425 p1 - 0.17475 p2) / (p2 - 0.42487 p1),   p3 = 1.42487 p2 -
-///   0.26582 p1.
-/// The numbers were fitted (to 1e-5) to a line contact of 667 cells' width, moved through a cell in 200 steps; a cell
-/// is loaded when d lies between -0.175 and 0.825. What p3 differs from this is taken as the next term of the pressure,
-/// (distance)^(3/2), and removed from p1 and p2 first.
+/// Near its edge the true pressure increases with the root of the distance. For cells of constant pressure that satisfy
+/// the contact condition at their centres, the discrete pressures next to such an edge are linear functions of its
+/// position, for any cell size. With the edge d cells outside the first centre:
+///   d = (1.07425 p1 - 0.17475 p2) / (p2 - 0.42487 p1),   p3 = 1.42487 p2 - 0.26582 p1.
+/// The numbers were fitted (to 1e-5) to a line contact 667 cells wide, moved through one cell in 200 steps. A cell is
+/// loaded if d lies between -0.175 and 0.825. A deviation of p3 from this relation is attributed to the next term of
+/// the pressure, (distance)^(3/2). This term is first removed from p1 and p2.
 double edgeDistance(double p1, double p2, double p3)
 {
   if (!(p2 > 0))
@@ -101,13 +102,13 @@ double edgeDistance(double p1, double p2, double p3)
     return kLoneCell;
   }
   const double straight = straightEdge(p1, p2);
-  // Factor of the term distance^(3/2); the divisor is the value of the bracket for that term itself.
+  // Factor of the term distance^(3/2). The divisor is the value of the bracket for this term.
   const double bend = (p3 - 1.42487 * p2 + 0.26582 * p1) / 1.42;
   const double x1 = std::max(straight, 0.0), x2 = 1 + straight;
   return straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2));
 }
 
-/// Edge's distance from the crossing's loaded cell.
+/// Distance of the edge from the loaded cell of a crossing [cells], at most 1.
 double reach(const EdgeCrossing& crossing)
 {
   const double* loaded = crossing.loaded;
@@ -184,11 +185,11 @@ double EdgePolygon::chords()
     const double *p = at(-1, j), *q = p + stride_;
     unsigned corners = (p[0] > 0 ? 2U : 0U) | (q[0] > 0 ? 8U : 0U);
     Sides sides;
-    // Of a mirrored pressure: the first row's image, whose crossing is not another one.
+    // For a mirrored pressure: a crossing with the image of the first row, which is not counted as another crossing.
     sides.right = corners == 2 || corners == 8 ? reach(crossingAfter(p, stride_)) : 0;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(rows_); ++i, ++p, ++q)
     {
-      // Half of this square's corners and two of its sides are its neighbours', of the row and the column before.
+      // Half of the corners and two of the sides are those of the previous row and column.
       corners = (corners >> 1 & 5U) | (p[1] > 0 ? 2U : 0U) | (q[1] > 0 ? 8U : 0U);
       if (corners != 0 && corners != 15)
       {

@@ -9,37 +9,37 @@
 
 namespace wheel_rail_contact::core
 {
-/// Area of the contact in cells: the polygon through the edge's crossings of the lines of cell centres, less what it is
-/// known to be off (EdgeBias).
+/// Area of the contact in cells. The crossings of the edge with the lines of cell centres form a polygon. The area is
+/// that of the polygon minus its known bias (EdgeBias).
 ///
-/// Chords between the crossings cut a closed curve short by half a cell and more, all the more the farther its tips
-/// reach out beyond the outermost loaded row or column; where the edge runs askew to a line or bends, its crossing is
-/// found too far out or in, by the cells' shape and by where between the centres it lies. All of that shows in the
-/// pressures about a crossing.
+/// The polygon has two systematic errors. Chords make a closed curve too small by half a cell or more. The effect
+/// increases with the distance by which the tips extend beyond the outermost loaded row or column. Where the edge is
+/// oblique to a line or curved, its crossing is found too far out or too far in. Both can be inferred from the
+/// pressures around each crossing.
 class EdgePolygon
 {
-  static constexpr int kFrame = 3;  ///< cells around the pressure that may be read
+  static constexpr int kFrame = 3;  ///< readable cells around the pressure
 
  public:
-  /// Copies a pressure (rows × columns) into a frame of kFrame zeros; with `mirrored` the rows before the first are its
-  /// mirror image instead. Allocates only for larger arrays than before.
+  /// Copies a pressure (rows × columns) into a frame of kFrame zeros. With `mirrored`, the rows before the first one
+  /// are the mirror image. Allocates only if the array is larger than all previous ones.
   void frame(const Eigen::ArrayXXd& pressure, bool mirrored);
 
-  /// Area of what was framed, of a mirrored one that of the stored half [cells].
-  /// @param aspect  of the cells: length along x, the rows, over width along y, the columns [-]
+  /// Area of the framed pressure [cells]; of a mirrored pressure: area of the stored half.
+  /// @param aspect  length of the cells along x (rows) over their width along y (columns) [-]
   double cells(double aspect);
 
-  /// The same of the polygon alone; finds the crossings.
+  /// Area of the polygon without correction [cells], as for cells(). Finds the crossings.
   double chords();
-  /// Those of what was framed, found by the last chords() or cells(), until the next frame(); of a mirrored pressure
-  /// those of the stored half.
+  /// Crossings of the framed pressure, found by the last chords() or cells(). Valid until the next frame(). Of a
+  /// mirrored pressure: those of the stored half.
   const std::vector<EdgeCrossing>& crossings() const { return crossings_; }
 
-  /// What shows at each of them; found by the last cells().
+  /// Network inputs at each crossing, computed by the last cells().
   const std::vector<EdgeInputs>& inputs() const { return inputs_; }
 
-  /// Islands of the whole contact, less the holes in them; found by the last chords() or cells(). What touches only by
-  /// its corners is apart.
+  /// Number of islands of the whole contact minus the number of holes in them, found by the last chords() or cells().
+  /// Cells that touch only at a corner belong to different islands.
   int islands() const { return islands_; }
 
   /// A cell of the framed pressure.
@@ -47,21 +47,21 @@ class EdgePolygon
   {
     Eigen::Index row, column;
   };
-  /// Where one of those crossings has its loaded cell.
+  /// Position of the loaded cell of a crossing.
   Cell loadedCell(const EdgeCrossing& crossing) const;
 
  private:
-  /// Framed pressure around a cell; the next row is one further, the next column stride_.
+  /// Framed pressure of a cell. The next row is at +1, the next column at +stride_.
   const double* at(Eigen::Index row, Eigen::Index column) const
   {
     return framed_.data() + (row + kFrame) + (column + kFrame) * stride_;
   }
-  /// Between a cell and the one `step` further, of which one is loaded.
+  /// Crossing between a cell and the one `step` further, exactly one of which is loaded.
   EdgeCrossing crossingAfter(const double* p, std::ptrdiff_t step) const;
-  /// Keeps that crossing, and gives the edge's distance from the loaded cell.
+  /// Stores this crossing. Returns the distance of the edge from the loaded cell [cells].
   double cross(const double* p, std::ptrdiff_t step);
 
-  std::vector<double> framed_, along_;  ///< pressure; edge's distances along x at the last column, where it crosses
+  std::vector<double> framed_, along_;  ///< pressure; distances of the edge along x at the last column
   Eigen::Index rows_ = 0, columns_ = 0;
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;

@@ -12,10 +12,11 @@ namespace
 {
 using Eigen::Index;
 
-/// Steps over the pressures at the crossing count up to that: these go to nothing at tips.
+/// Limit for the steps, which are relative to the pressures at the crossing. These pressures vanish at the tips.
 constexpr float largest_step = 3;
 
-/// Which way along y leads off the contact; zero if both lines beside one along x carry the same.
+/// Direction along y that leads out of the contact; zero if the lines on both sides of a line along x carry the same
+/// pressure.
 int outwardAcross(const EdgeCrossing& crossing)
 {
   if (!crossing.along)
@@ -31,7 +32,7 @@ int outwardAcross(const EdgeCrossing& crossing)
 
 DiscontinuityColumns::DiscontinuityColumns(const EdgeOf& edge) : first(edge.gap.gap.cols())
 {
-  // Under yaw another row's joints are a little aside, and its steps may be larger.
+  // Under yaw, the discontinuities of other rows are slightly displaced, and their steps may be larger.
   constexpr Index aside = 1;
   constexpr double smooth = 0.5 * smooth_step;
   const SecondDifference second(edge.gap, edge.modulus, edge.max_pressure);
@@ -42,7 +43,7 @@ DiscontinuityColumns::DiscontinuityColumns(const EdgeOf& edge) : first(edge.gap.
     const double here = second.at(row, j);
     if (std::abs(here - before) > smooth)
     {
-      // Crossings whose loaded cell is no farther have it among their steps.
+      // Range of the loaded cells whose crossings have this step among their inputs.
       first = std::min(first, j + 1 - edge_steps - aside);
       last = j + edge_steps - 2 + aside;
     }

@@ -11,23 +11,25 @@
 
 namespace wheel_rail_contact::core
 {
-/// Steps of the gap's SecondDifference over the pressure that EdgeInputs are over, in the row of an edge's crossing:
-/// between the columns three and two inward from its loaded cell, and so on to that between it and the next one
-/// outward, at most 3. Outward is away from the pressure; on a line along x, to the side where the next line carries
-/// less. Zero where a body ends.
+/// Inputs for curvature discontinuities near an edge crossing: steps of the SecondDifference of the gap, over the
+/// pressure that scales EdgeInputs, in the row of the crossing. The first is the step between the columns three and two
+/// inward of the loaded cell; the last is the step from the loaded cell to the next column outward. Outward is away
+/// from the pressure; on a line along x, towards the line with less pressure. The steps are limited to ±3 and zero
+/// where a body ends.
 constexpr int edge_steps = 4;
 using EdgeSteps = Eigen::Array<float, edge_steps, 1>;
 
-/// A patch whose edge is looked at.
+/// Contact patch and the polygon through its edge.
 struct EdgeOf
 {
-  const EdgePolygon& polygon;  ///< through the edge of the pressure, after its cells()
+  const EdgePolygon& polygon;  ///< after its cells()
   const PatchGap& gap;
   double modulus;       ///< [Pa]
   double max_pressure;  ///< [Pa]
 };
 
-/// Columns about which the gap's curvature may jump, by its middle row; none if `first` is above `last`.
+/// Columns near which the curvature of the gap may jump, determined from the middle row. None if `first` exceeds
+/// `last`.
 struct DiscontinuityColumns
 {
   Eigen::Index first, last = -1;
@@ -35,10 +37,10 @@ struct DiscontinuityColumns
   explicit DiscontinuityColumns(const EdgeOf& edge);
 };
 
-/// Steps at a crossing where `inputs` show; false if all of them are smooth, and where neither side is outward.
+/// Finds the steps at a crossing. False if all of them are smooth, or if neither side is outward.
 bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeInputs& inputs, EdgeSteps& steps);
 
-/// Calls `visit(crossing, inputs, steps)` for the crossings at which the gap's curvature jumps.
+/// Calls `visit(crossing, inputs, steps)` for the crossings at which the curvature of the gap jumps.
 template <typename Visit>
 void visitEdgeDiscontinuities(const EdgeOf& edge, Visit visit)
 {
@@ -56,29 +58,28 @@ void visitEdgeDiscontinuities(const EdgeOf& edge, Visit visit)
   }
 }
 
-/// What a polygon through the edge's crossings, less its EdgeBias, is too large by where the gap's curvature jumps:
-/// ramps of what shows at a crossing and of the steps there, less the same ramps without steps, so that it goes with
-/// them.
+/// Bias correction of the area near curvature discontinuities, in addition to EdgeBias. Two one-hidden-layer ReLU
+/// networks. The correction is the network output minus the output of the same network with all steps zero.
 struct DiscontinuityBias
 {
   static constexpr int units = 8, inputs = edge_inputs + edge_steps;
   using Crossing = ReluNetwork<inputs, units>;
   static constexpr int numbers = 2 * Crossing::numbers;
 
-  Crossing along, across;  ///< for lines of cells along x and along y [cells]
+  Crossing along, across;  ///< for lines of cells along x and along y; output [cells]
 
-  /// At a crossing where those show [cells].
+  /// Bias at a crossing [cells].
   float at(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps) const;
 };
 
-/// The weights in use. Fitted by test/calibration/fit_discontinuity_bias.cpp.
+/// Weights in use. Fitted by test/calibration/fit_discontinuity_bias.cpp.
 const DiscontinuityBias& discontinuityBias();
 
-/// Sums over all crossings, of a mirrored pressure those of the stored half [cells].
+/// Sums over all crossings [cells]. Of a mirrored pressure: those of the stored half.
 struct DiscontinuitySums
 {
-  double bias = 0;   ///< of the polygon
-  double sizes = 0;  ///< of what it is made of
+  double bias = 0;   ///< of the bias
+  double sizes = 0;  ///< of the absolute values of the bias
 };
 DiscontinuitySums sumAtDiscontinuities(const EdgeOf& edge);
 }  // namespace wheel_rail_contact::core

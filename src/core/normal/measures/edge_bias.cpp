@@ -9,12 +9,12 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Pressures two cells inward over those at the edge reach 1.4; beyond that they belong to another island.
+/// Limit of the relative pressures. Two cells inward they reach 1.4; higher ones belong to another island.
 constexpr float highest_input = 1.5F;
-/// Logarithms of the cells' shape that the weights were fitted for.
+/// Limit of the logarithm of the cell aspect, up to which the weights were fitted.
 constexpr double longest_cells = 3.5;
 
-/// Cells of a line: beyond the crossing, at it, and two inward.
+/// Pressures of a line: cell beyond the crossing, loaded cell at the crossing, and two cells inward.
 struct Line
 {
   float beyond, first, second, third;

@@ -8,43 +8,47 @@
 
 namespace wheel_rail_contact::core
 {
-/// Where the contact's edge crosses a line of cell centres, between a loaded cell and one that is not.
+/// Crossing of the contact edge with a line of cell centres, between a loaded and an empty cell.
 struct EdgeCrossing
 {
-  const double* loaded;     ///< pressure of the loaded cell; read are one cell outward to two inward, also beside it
+  const double* loaded;     ///< pressure of the loaded cell; readable from one cell outward to two inward, also on the
+                            ///< lines next to it
   std::ptrdiff_t outward;   ///< step to the empty cell
   std::ptrdiff_t sideways;  ///< step to the next line
   bool along;               ///< the line runs along x
 };
 
-/// What shows there, with the cells' pressures over the largest among the crossing's loaded cell, the next one inward
-/// and those beside the two: the three cells of the line from the loaded one inward; for the empty cell and these
-/// three, the mean of the pressures on the lines on either side, then half of their difference; half of the logarithm
-/// of the cells' extent along the line over that square to it; one. Cells off the contact count as 0, and so does the
-/// third of a line behind an empty second; pressures above 1.5 count as that, cells of more than e^3.5 in shape as of
-/// that.
+/// Inputs of the edge network at a crossing. Pressures are relative to the largest of the loaded cell, the next one
+/// inward and the neighbours of these two:
+/// * three cells of the line, from the loaded one inward;
+/// * for the empty cell and these three: mean of the pressures on the two neighbouring lines, then half of their
+///   difference;
+/// * half the logarithm of the cell extent along the line over that across it;
+/// * one.
+/// Empty cells count as 0, as does the third cell of a line behind an empty second one. Pressures are limited to 1.5,
+/// the logarithm of the cell aspect to ±3.5.
 constexpr int edge_inputs = 13;
 using EdgeInputs = Eigen::Array<float, edge_inputs, 1>;
 
-/// @param longer  logarithm of the cells' length along x over their width
+/// @param longer  logarithm of the cell length along x over the cell width
 EdgeInputs edgeInputs(const EdgeCrossing& crossing, double longer);
 
-/// What a polygon through the edge's crossings (EdgePolygon) is too large by: at each crossing by what shows there, and
-/// for each island of the contact.
+/// Bias of the area of a polygon through the edge crossings (EdgePolygon). A one-hidden-layer ReLU network evaluated at
+/// each crossing, and a constant for each island of the contact.
 struct EdgeBias
 {
   static constexpr int units = 16;
   using Crossing = ReluNetwork<edge_inputs, units>;
-  static constexpr int numbers = Crossing::numbers + 2;  ///< all of the below
+  static constexpr int numbers = Crossing::numbers + 2;  ///< all weights below
 
   Crossing crossing;    ///< for every crossing [cells]
   float island = 0;     ///< for every island [cells]
-  float few_cells = 0;  ///< the same, times the island's area [cells²]
+  float few_cells = 0;  ///< for every island, times its area [cells²]
 
-  /// For a contact of `polygon` cells on so many islands, taken as alike, besides its crossings [cells].
+  /// Bias of a contact of `polygon` cells on several islands, assumed equal, without the part of the crossings [cells].
   double of(double polygon, int islands) const;
 };
 
-/// The weights in use. Fitted by test/calibration/fit_edge_bias.cpp.
+/// Weights in use. Fitted by test/calibration/fit_edge_bias.cpp.
 const EdgeBias& edgeBias();
 }  // namespace wheel_rail_contact::core

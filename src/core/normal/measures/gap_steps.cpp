@@ -12,11 +12,11 @@ namespace
 {
 using Eigen::Index;
 
-/// A jump of the gap's curvature.
+/// Jump of the curvature of the gap.
 struct Jump
 {
-  double place = 0;  ///< from the first step [cells]
-  double size = 0;   ///< of the second difference, as GapSteps
+  double place = 0;  ///< position, counted from the first step [cells]
+  double size = 0;   ///< jump of the second difference, in the unit of GapSteps
 };
 
 struct Jumps
@@ -28,8 +28,8 @@ struct Jumps
   const Jump* end() const { return list.data() + count; }
 };
 
-/// Steps less what those two columns on to either side share with them: a curvature that changes smoothly. Zero within
-/// two of the ends.
+/// Steps minus the part that they share with the steps two columns away on either side, which belongs to a curvature
+/// that changes smoothly. Zero for the two steps at each end.
 GapSteps besideSmooth(const GapSteps& steps)
 {
   GapSteps sharp{};
@@ -42,7 +42,7 @@ GapSteps besideSmooth(const GapSteps& steps)
   return sharp;
 }
 
-/// Takes the greatest step with those beside it of the same sign for one jump, then the greatest of the others.
+/// Combines the largest step and its neighbours of the same sign to one jump, then the largest of the remaining steps.
 Jumps findJumps(GapSteps steps)
 {
   Jumps found;
@@ -71,7 +71,7 @@ Jumps findJumps(GapSteps steps)
   }
 }
 
-/// Two jumps to and fro within a few cells are the flanks of a wave.
+/// True if two jumps of opposite sign within a few cells are the flanks of a wave.
 bool areWave(const Jump& one, const Jump& other)
 {
   constexpr double near = 4, alike = 1.0 / 3;

@@ -7,15 +7,16 @@
 
 namespace wheel_rail_contact::core
 {
-constexpr int steps_reach = 6;  ///< columns looked at to either side of a crest
+constexpr int steps_reach = 6;  ///< number of columns considered on either side of a peak
 
-/// Steps of the gap's SecondDifference over the crest's pressure, between the columns about a crest in its row (the
-/// first between those -steps_reach and 1 - steps_reach columns from it). Zero where a cell carries nothing or the body
-/// ends.
+/// Steps of the SecondDifference of the gap, over the peak pressure, from column to column in the row of a peak. The
+/// first one is between the columns -steps_reach and 1 - steps_reach from the peak. Zero where a cell carries no
+/// pressure or the body ends.
 using GapSteps = std::array<double, static_cast<std::size_t>(2 * steps_reach)>;
 
 GapSteps gapSteps(const CellsAround& peak, const PatchGap& gap, double modulus);
 
-/// The curvature jumps to and fro within a few cells, as on rough profiles: then nothing is known of its jumps.
+/// True if the curvature jumps up and down within a few cells, as on rough profiles. Curvature discontinuities cannot
+/// be identified in that case.
 bool areWaves(const GapSteps& steps);
 }  // namespace wheel_rail_contact::core

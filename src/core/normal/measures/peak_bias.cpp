@@ -10,11 +10,11 @@ namespace
 {
 using Eigen::Index;
 
-/// Where the pressure ends from the crest on in the `outward` direction (+1 or -1) along.
+/// Network inputs at the end of the line along the track through the peak, in the `outward` direction (+1 or -1).
 EdgeInputs tipInputs(const CellsAround& peak, Index outward, double longer)
 {
   const Index tip = peak.tip(outward);
-  // Three lines side by side, each from the empty cell inward.
+  // Three neighbouring lines, each from the empty cell inward.
   constexpr int line = 4;
   std::array<double, static_cast<std::size_t>(3 * line)> cells;
   for (int k = 0; k < line; ++k)

@@ -11,32 +11,34 @@
 
 namespace wheel_rail_contact::core
 {
-constexpr int peak_reach = 4;       ///< columns beside a crest that are looked at
-constexpr double largest_step = 2;  ///< GapSteps of more count as that
-constexpr int peak_inputs = 19;     ///< of each side
+constexpr int peak_reach = 4;       ///< columns considered on either side of a peak
+constexpr double largest_step = 2;  ///< limit of the GapSteps
+constexpr int peak_inputs = 19;     ///< inputs for each side
 
-/// What shows about a crest.
+/// Inputs of the networks at a peak.
 struct PeakInputs
 {
   using Side = Eigen::Array<float, peak_inputs, 1>;
 
-  std::array<EdgeInputs, 2> tips;  ///< at the crossings of the edge that end the crest's line along
-  /// The crest's row from its first column on, and from its last on, where the steps have the other sign. By how much
-  /// the pressures of peak_reach columns before it and after it fall short of the crest's, over that (a higher crest
-  /// counts as equally high); GapSteps between those columns; by how much the mean of the cells before and after it
-  /// along falls short, and half of their difference; the root of the steps' squares.
+  std::array<EdgeInputs, 2> tips;  ///< at the edge crossings that end the line along the track through the peak
+  /// The row of the peak, seen from its first and from its last column (with opposite sign of the steps). The inputs
+  /// are:
+  /// * deficits of the pressures of peak_reach columns before and after the peak, relative to the peak (at least zero);
+  /// * GapSteps between these columns;
+  /// * deficit of the mean of the cells before and after the peak along the track, and half of their difference;
+  /// * root of the sum of the squared steps.
   std::array<Side, 2> sides;
-  double along = 0;  ///< the crest's bend along
+  double along = 0;  ///< bend of the pressure along the track
 
-  /// @param longer  logarithm of the cells' length along x over their width
+  /// @param longer  logarithm of the cell length along x over the cell width
   PeakInputs(const CellsAround& peak, const GapSteps& steps, double longer);
 };
 
-/// Something is known of the excess: the crest has loaded cells beside it, the gap's curvature does not go to and fro
-/// about it, and the grid's border does not cut the pressure along.
+/// True if the bias can be computed: the peak has loaded cells on both sides across the track, the curvature of the gap
+/// does not jump up and down near it, and the border of the grid does not cut the pressure along the track.
 bool showsBias(const CellsAround& peak, const GapSteps& steps);
 
-/// What the top of the parabolas through the squared pressures of a crest and its neighbours is too large by.
+/// Bias of the parabola maximum at a pressure peak. Two one-hidden-layer ReLU networks.
 struct PeakBias
 {
   static constexpr int tip_units = 8, side_units = 16;
@@ -44,13 +46,13 @@ struct PeakBias
   using Side = ReluNetwork<peak_inputs, side_units>;
   static constexpr int numbers = Tip::numbers + Side::numbers;
 
-  Tip tip;    ///< from each tip, over the bend along
-  Side side;  ///< from the row as seen from each side
+  Tip tip;    ///< for each tip, over the bend along the track
+  Side side;  ///< for the row, evaluated from each side
 
-  /// Over the true pressure [-].
+  /// Bias over the true pressure [-].
   double of(const PeakInputs& inputs) const;
 };
 
-/// The weights in use. Fitted by test/calibration/fit_peak_bias.cpp.
+/// Weights in use. Fitted by test/calibration/fit_peak_bias.cpp.
 const PeakBias& peakBias();
 }  // namespace wheel_rail_contact::core

@@ -10,8 +10,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Share of the bend that an excess reaches at most. Of wheelsets on the grids of `auto` it is up to 0.05, of contacts
-/// on one or two rows of cells 0.07.
+/// Largest bias, as a share of the bend. On wheelsets and the grids of `auto` it is up to 0.05, on contacts of one or
+/// two rows of cells 0.07.
 constexpr double most_of_bend = 0.1;
 }  // namespace
 

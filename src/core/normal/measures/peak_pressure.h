@@ -5,15 +5,16 @@
 
 namespace wheel_rail_contact::core
 {
-/// Highest pressure about a crest, between the cells if it lies there [Pa]; the cell's own where a cell beside it
-/// across is not loaded. The pressure solves `gap` on its grid, with E* = `modulus` [Pa].
+/// Peak pressure, between the cells if necessary [Pa]. If a neighbouring cell across the track is not loaded, it is the
+/// pressure of the peak cell. The pressure must solve `gap` on its grid, with E* = `modulus` [Pa].
 ///
-/// The top of the parabolas through the squared pressures of the crest and its neighbours, less what that is known to
-/// be too large by (PeakBias): constant pressures on cells that meet the contact condition in their centres hold too
-/// much at a crest, the more the sharper the pressure bends and by where between the cells it ends; beside a jump of
-/// the gap's curvature D, as at the joint of two arcs, the pressure has a part -(E* D / 2 pi) t ln|t| (t the distance;
-/// Hilbert's transform of the curvature, Johnson 1985, eq. 2.25b), which no parabola follows. All of that shows in the
-/// pressures and in the gap about the crest, unless the gap's curvature goes to and fro there (areWaves()) or the
-/// grid's border cuts the pressure along: then nothing is taken off.
+/// The value is the maximum of the parabolas through the squared pressures of the peak cell and its neighbours, minus
+/// its known bias (PeakBias). The bias has two sources:
+/// * Constant-pressure cells that satisfy the contact condition at their centres overestimate a peak. The error
+///   increases with the bend of the pressure and depends on the position of the edge between the cells.
+/// * At a jump D of the gap curvature, for example between two arcs, the pressure contains -(E* D / 2 pi) t ln|t|, with
+///   the distance t (Hilbert transform of the curvature; Johnson 1985, eq. 2.25b). No parabola represents this term.
+/// Both can be inferred from the pressures and the gap around the peak. No bias is subtracted if the curvature of the
+/// gap jumps up and down there (areWaves()), or if the border of the grid cuts the pressure along the track.
 double peakPressure(const PatchGap& gap, double modulus, const CellsAround& peak);
 }  // namespace wheel_rail_contact::core

@@ -10,7 +10,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Share of the area that joints change at most; on 4500 gaps with joints it was up to 0.09.
+/// Largest correction for curvature discontinuities, as a share of the area. On 4500 gaps with such discontinuities it
+/// was up to 0.09.
 constexpr double most_at_discontinuities = 0.15;
 }  // namespace
 

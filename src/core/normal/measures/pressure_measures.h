@@ -6,20 +6,20 @@
 
 namespace wheel_rail_contact::core
 {
-/// Reads force, maximum, area and border contact off a pressure. Keeps scratch memory, so that shapes seen before
-/// allocate nothing.
+/// Computes force, maximum pressure, area and border contact from a pressure. Keeps scratch memory: shapes that
+/// occurred before allocate nothing.
 class PressureMeasures
 {
  public:
   /// Fills force, max_pressure, area, moved_at_discontinuities and touches_border of `patch` from its grid and
-  /// pressure, which solves `gap` with E* = `modulus` [Pa].
+  /// pressure. The pressure must solve `gap` with E* = `modulus` [Pa].
   ///
-  /// max_pressure: the largest peakPressure() of each column's highest cell that no neighbouring column's exceeds. A
-  /// crest between two cells, as at a joint of the profiles, may be higher than one that a cell meets.
+  /// max_pressure: the largest peakPressure() of all cells that are the highest of their column and not exceeded by a
+  /// neighbouring column. A peak between two cells, for example at a curvature discontinuity, may be higher than a peak
+  /// at a cell centre.
   ///
-  /// area: the polygon through the points where the edge of the contact crosses the lines of cell centres, less
-  /// what it is known to be off, see contact_edge.h, and what jumps of the gap's curvature add to that, see
-  /// discontinuity_bias.h.
+  /// area: the area of the polygon through the crossings of the contact edge with the lines of cell centres, minus its
+  /// known bias (contact_edge.h) and the bias at curvature discontinuities of the gap (discontinuity_bias.h).
   void measure(const PatchGap& gap, double modulus, PatchPressure& patch);
 
  private:

@@ -5,15 +5,15 @@
 
 namespace wheel_rail_contact::core
 {
-/// A linear function of a few inputs and a sum of ramps, max(0, another linear function) (a network with one layer of
-/// rectified units): with its inputs it grows in proportion.
+/// One-hidden-layer ReLU network plus a linear function, without constant terms. The output is homogeneous: scaling the
+/// inputs by a positive factor scales the output by the same factor.
 template <int Inputs, int Units>
 struct ReluNetwork
 {
   using Input = Eigen::Array<float, Inputs, 1>;
   static constexpr int numbers = Units * (Inputs + 1) + Inputs;
 
-  /// The ramps' slopes by input, their heights, the linear function.
+  /// Weights of the hidden units by input, output weights of the units, weights of the linear function.
   Eigen::Array<float, numbers, 1> all;
 
   auto slopes() const { return Eigen::Map<const Eigen::Array<float, Units, Inputs>>(all.data()); }

@@ -7,25 +7,25 @@
 
 namespace wheel_rail_contact::core
 {
-/// Steps of SecondDifference from one column to the next of no more are smooth.
+/// Steps of SecondDifference from column to column up to this size are regarded as smooth.
 constexpr double smooth_step = 0.01;
 
-/// The gap's second differences across, times E* / dy over one of the contact's pressures [-]: where they step, the
-/// gap's curvature jumps, and the pressure's slope per cell grows by the step times a logarithm.
+/// Second differences of the gap across the track, times E* / dy over a pressure of the contact [-]. Where they step,
+/// the curvature of the gap jumps. The slope of the pressure per cell then increases by the step times a logarithm.
 class SecondDifference
 {
  public:
   /// @param modulus  E* [Pa]
-  /// @param over     [Pa]
+  /// @param over     pressure that divides the differences [Pa]
   SecondDifference(const PatchGap& gap, double modulus, double over)
       : gap_(gap.gap), scale_(modulus / (gap.grid.dy * over))
   {
   }
 
-  /// NaN at the grid's border and where a body ends.
+  /// NaN at the border of the grid and where a body ends.
   double at(Eigen::Index row, Eigen::Index column) const
   {
-    constexpr double no_surface = 5;  // those of joints are below 3
+    constexpr double no_surface = 5;  // at curvature discontinuities the values are below 3
     if (column < 1 || column + 1 >= gap_.cols())
     {
       return NAN;

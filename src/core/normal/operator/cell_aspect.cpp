@@ -6,7 +6,7 @@
 
 namespace wheel_rail_contact::core
 {
-namespace aspect_ladder
+namespace cell_aspect
 {
 namespace
 {
@@ -33,5 +33,5 @@ Cell coveringCell(double length, double width, int nx, int ny)
   cell.dx = cell.dy * rounded_aspect;
   return cell;
 }
-}  // namespace aspect_ladder
+}  // namespace cell_aspect
 }  // namespace wheel_rail_contact::core

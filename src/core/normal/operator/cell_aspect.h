@@ -3,26 +3,27 @@
 
 namespace wheel_rail_contact::core
 {
-/// Cell aspects dx/dy whose influence coefficients are computed ahead: 2^(k/8) for k = -24 … 40 (1/8 to 32), so that a
-/// moving contact meets no logarithm. A step of 2^(1/8) makes a box at most 4.4 % larger than wanted.
-namespace aspect_ladder
+/// Series of cell aspects dx/dy whose influence coefficients are computed in advance: 2^(k/8) for the levels k = -24 …
+/// 40, that is 1/8 to 32. A moving contact therefore computes no logarithm. Rounding to this series makes a box at most
+/// 4.4 % larger than required.
+namespace cell_aspect
 {
-constexpr int kLowest = -24;  ///< rung of aspect 1/8
-constexpr int kHighest = 40;  ///< rung of aspect 32
+constexpr int kLowest = -24;  ///< level of aspect 1/8
+constexpr int kHighest = 40;  ///< level of aspect 32
 
-/// Aspect dx/dy of a rung [-].
+/// Aspect dx/dy of a level [-].
 double aspect(int level);
 
-/// GridLevel nearest to `dx_over_dy` (> 0) in the logarithm, within the ladder.
+/// Level whose aspect is nearest to `dx_over_dy` (> 0) in the logarithm, limited to kLowest … kHighest.
 int nearestAspect(double dx_over_dy);
 
-/// Cell of a grid nx × ny with its aspect on the ladder.
+/// Cell of an nx × ny grid whose aspect is in the series.
 struct Cell
 {
   double dx = 0, dy = 0;  ///< [m]
 };
 
-/// Smallest cell on the ladder whose grid of nx × ny covers `length` × `width` [m] (both > 0).
+/// Smallest cell with an aspect of the series whose nx × ny grid covers `length` × `width` [m] (both > 0).
 Cell coveringCell(double length, double width, int nx, int ny);
-}  // namespace aspect_ladder
+}  // namespace cell_aspect
 }  // namespace wheel_rail_contact::core

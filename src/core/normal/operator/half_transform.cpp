@@ -12,8 +12,8 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Transforms are split as long as their halves are at least this long and fill whole registers.
-/// Measured with AVX-512 and AVX2: 8 and 16 are equally fast, 32 is slower on long transforms.
+/// Transforms are split as long as their halves have at least this length and fill whole registers. Measured with
+/// AVX-512 and AVX2: 8 and 16 are equally fast, 32 is slower on long transforms.
 constexpr int kShortest = 16;
 
 int depthFor(int half)
@@ -129,7 +129,7 @@ std::vector<int> HalfTransform::storageOrder(int size, int depth)
   return order;
 }
 
-/// Mode number by place of a transform of one kind.
+/// Mode numbers of a transform of one kind, in their order in memory.
 std::vector<int> HalfTransform::modeOrder(Kind kind, int size, int depth)
 {
   std::vector<int> order(static_cast<std::size_t>(size));
@@ -158,7 +158,8 @@ std::vector<int> HalfTransform::modeOrder(Kind kind, int size, int depth)
   return order;
 }
 
-/// Cosines and sines that turn the pairs of a transform of the fourth kind, by place: c, s, and both times (-1)^k.
+/// Cosines and sines for the rotation of the pairs of a DCT-IV, in the order of the values in memory: c, s, and both
+/// multiplied by (-1)^k.
 LaneBuffer HalfTransform::turnTable(int size, int depth)
 {
   const std::vector<int> order = storageOrder(size / 2, depth - 1);
@@ -177,13 +178,13 @@ LaneBuffer HalfTransform::turnTable(int size, int depth)
   return table;
 }
 
-/// Doubles of the modes of one line.
+/// Number of doubles of the modes of one line.
 int HalfTransform::modesSize(const Lines& lines) const
 {
   return lines.unit == 1 ? modeStride(lines.all) : (lines.all ? 2 : 1) * half_ * lines.unit;
 }
 
-/// All pairs of blocks of a step.
+/// Describes all pairs of blocks of a step.
 BlockLines HalfTransform::blocks(const Lines& lines, int count) const
 {
   BlockLines blocks;
@@ -234,7 +235,7 @@ void HalfTransform::backward(const Lines& lines, double* modes, double* work, do
   laneKernels().join(blocks(lines, half_ / 2), turns, {valueStride(), lines.pitch}, work, values);
 }
 
-/// Runs a step, or its transpose, if it is among the modes wanted.
+/// Runs a step or its transpose, unless the step belongs to modes that are not requested.
 void HalfTransform::apply(const Lines& lines, const Step& step, bool back, double* data) const
 {
   if (!lines.all && step.at >= half_)
@@ -261,7 +262,7 @@ void HalfTransform::apply(const Lines& lines, const Step& step, bool back, doubl
   }
 }
 
-/// Matrix products of all leaves wanted.
+/// Matrix products of all leaves that belong to requested modes.
 void HalfTransform::products(const Lines& lines, const double* in, double* out, const double* scale, bool back) const
 {
   for (const Leaf& leaf : leaves_)
@@ -279,15 +280,16 @@ void HalfTransform::products(const Lines& lines, const double* in, double* out, 
   }
 }
 
-/// Product of one leaf but for where its values and modes lie. Of single numbers the matrix stands on the left, its
-/// modes (back: its values) being lanes; of vectors on the right, the vectors being lanes.
+/// Product of one leaf, without the addresses of its values and modes. For lines of single numbers the matrix is the
+/// left factor, and its modes (backward: its values) are the lanes. For a line of vectors it is the right factor, and
+/// the vectors are the lanes.
 LaneProduct HalfTransform::product(const Lines& lines, const Leaf& leaf, bool back) const
 {
   const Matrix& matrix = matrices_[static_cast<std::size_t>(leaf.kind)];
   const LaneBuffer& table = back ? matrix.by_value : matrix.by_mode;
   const int table_stride = back ? matrix.value_stride : matrix.mode_stride;
   const int values = half_ >> depth_, modes = depth_ == 0 && lines.all ? 2 * values : values;
-  const bool whole = depth_ == 0;  // values are the transform's own, not those of a step
+  const bool whole = depth_ == 0;  // values of the whole transform, not of a step
   LaneProduct sums;
   sums.inner = back ? modes : values;
   if (lines.unit == 1)

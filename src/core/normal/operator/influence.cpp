@@ -9,8 +9,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Distance beyond which quadrature replaces the closed form, in lengths of the rectangle's longer side [-]. There the
-/// six-point rule's error is below 1e-14.
+/// Distance beyond which quadrature replaces the closed form, in lengths of the longer side of the rectangle [-]. From
+/// there on the error of the six-point rule is below 1e-14.
 constexpr double kFar = 8;
 
 /// Six-point Gauss–Legendre rule on [-1, 1]: the three positive nodes and their weights.

@@ -18,7 +18,7 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Doubles of a part of the modes transformed at a time: two of them fill the fastest cache (32 KiB).
+/// Number of doubles of the modes that are transformed at a time: two such arrays fill the fastest cache (32 KiB).
 constexpr int kPart = 2048;
 
 void check(const OperatorShape& shape)
@@ -26,7 +26,7 @@ void check(const OperatorShape& shape)
   if (shape.nx < 2 || shape.ny < 2)
   {
     throw std::invalid_argument("grid = " + std::to_string(shape.nx) + " x " + std::to_string(shape.ny) +
-                                ": must have at least 2 cells each way");
+                                ": must have at least 2 cells in each direction");
   }
   if (shape.symmetric && shape.nx % 2 != 0)
   {
@@ -38,7 +38,8 @@ void check(const OperatorShape& shape)
   }
 }
 
-/// Cosine transform of a kernel given at 0 … length on the period 2 length, both ways: [mode_y][mode_x].
+/// Cosine transform, in both directions, of a kernel that is given at 0 … length and has the period 2 length:
+/// [mode_y][mode_x].
 class Spectrum
 {
  public:
@@ -74,7 +75,8 @@ class Spectrum
   double operator()(int a, int b) const { return values_[at(a, b)]; }
 
  private:
-  /// cos(pi a m / length) times 2, or 1 for m = 0 and m = length, which the period holds once: [m][a].
+  /// Table [m][a] of 2 cos(pi a m / length), without the factor 2 for m = 0 and m = length, which occur once in a
+  /// period.
   static std::vector<double> cosines(int length)
   {
     std::vector<double> period;
@@ -102,7 +104,7 @@ class Spectrum
   std::vector<double> values_;
 };
 
-/// Share of a mode in the inverse transform over a period of 2 length.
+/// Weight of a mode in the inverse transform over a period of 2 length.
 double modeWeight(int mode, int length)
 {
   return (mode == 0 || mode == length ? 1.0 : 2.0) / (2 * length);
@@ -112,8 +114,8 @@ double modeWeight(int mode, int length)
 struct InfluenceOperator::Workspace::Buffers
 {
   LaneBuffer folded;       ///< even and odd parts of a field
-  LaneBuffer across;       ///< their modes across
-  LaneBuffer modes, work;  ///< of one part
+  LaneBuffer across;       ///< their modes across the track
+  LaneBuffer modes, work;  ///< for one part of the modes
   std::array<int, 3> sizes{};
 };
 
@@ -124,18 +126,18 @@ InfluenceOperator::Workspace& InfluenceOperator::Workspace::operator=(Workspace&
 
 struct InfluenceOperator::Tables
 {
-  /// Factors of the modes kept: all of the doubled period, or the even ones, those of the grid's own period. Memory is
-  /// gone through in parts that stay in the fastest cache.
+  /// Factors of the modes: all modes of the doubled period, or the even ones, which are those of the period of the
+  /// grid. The memory is processed in parts that stay in the fastest cache.
   struct Diagonal
   {
     bool all = true;
     int modes_x = 0, modes_y = 0;
-    int line = 0;   ///< doubles of one row's modes across, both parities
-    int lines = 0;  ///< transformed across at a time
-    int lanes = 0;  ///< transformed along at a time
+    int line = 0;   ///< doubles of the modes across of one row, both parities
+    int lines = 0;  ///< lines transformed across at a time
+    int lanes = 0;  ///< lanes transformed along at a time
     LaneBuffer factors;
 
-    /// Place of a factor: [parity x][part of the lanes][mode x][lane].
+    /// Index of a factor: [parity x][part of the lanes][mode x][lane].
     int place(int px, int mode_x, int lane) const
     {
       const int begin = lane / lanes * lanes, width = std::min(lanes, line - begin);
@@ -145,7 +147,8 @@ struct InfluenceOperator::Tables
 
   Tables(const OperatorShape& wanted, const Tables* sibling);
 
-  /// A whole grid of the same cells, whose modes even in x are those of this symmetric one.
+  /// True if `other` is the whole grid of the same cells. Its modes even in x are then the modes of this symmetric
+  /// grid.
   bool isHalfOf(const Tables& other) const
   {
     return shape.symmetric && !other.shape.symmetric && other.shape.aspect == shape.aspect &&
@@ -162,16 +165,16 @@ struct InfluenceOperator::Tables
   {
     return {std::min(diagonal.lines, 2 * rows() - line), 1, 1, diagonal.all};
   }
-  /// Doubles that a transform of one part needs.
+  /// Number of doubles that the transform of one part needs.
   int partSize() const { return std::max(product.modes_x * product.lanes, product.lines * y->modeStride(true)); }
 
   OperatorShape shape;
-  int x_parts;  ///< stored halves along: 1 on a symmetric grid, else 2
+  int x_parts;  ///< stored halves along the track: 1 on a symmetric grid, otherwise 2
   std::shared_ptr<const HalfTransform> x, y;
   LaneBuffer sign_along;  ///< (-1)^row over half the field
   Diagonal product, inverse;
-  LaneBuffer probe;          ///< uneven weights of the cells
-  LaneBuffer probe_product;  ///< and the product with them
+  LaneBuffer probe;          ///< unequal weights of the cells
+  LaneBuffer probe_product;  ///< product of the influence matrix with `probe`
 };
 
 InfluenceOperator::Tables::Tables(const OperatorShape& wanted, const Tables* sibling)
@@ -198,7 +201,7 @@ InfluenceOperator::Tables::Tables(const OperatorShape& wanted, const Tables* sib
   inverse = diagonal(Spectrum(kernel, stride, x->half(), y->half()), false);
 }
 
-/// Factors of a symmetric grid from those of the whole one. Each stored cell stands for two.
+/// Factors of a symmetric grid from those of the whole grid. Each stored cell represents two cells.
 InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::evenModes(const Diagonal& whole)
 {
   Diagonal result;
@@ -229,7 +232,7 @@ std::vector<double> InfluenceOperator::Tables::coefficients() const
   return kernel;
 }
 
-/// Of the whole spectrum, or the inverse of that of the grid's own period.
+/// Factors from a spectrum: of the whole doubled period (`all`), or the inverse for the period of the grid.
 InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::diagonal(const Spectrum& spectrum, bool all) const
 {
   Diagonal result;
@@ -248,7 +251,7 @@ InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::diagonal(const Sp
       {
         for (int b = 0; b < result.modes_y; ++b)
         {
-          const int step = all ? 1 : 2;  // of the doubled period's modes
+          const int step = all ? 1 : 2;  // step in the modes of the doubled period
           const int mode_x = x->number(px, a) / step, mode_y = y->number(py, b) / step;
           const double weight = modeWeight(mode_x, result.modes_x) * modeWeight(mode_y, result.modes_y);
           const double value = spectrum(mode_x, mode_y);

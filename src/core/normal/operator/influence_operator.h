@@ -6,26 +6,30 @@
 
 namespace wheel_rail_contact::core
 {
-/// Shape of a grid as far as its influence coefficients go: they scale with the cell width, so only the aspect counts.
+/// Properties of a grid that determine its influence coefficients. The coefficients scale with the cell width, so only
+/// the aspect of the cells is relevant.
 struct OperatorShape
 {
-  int nx = 0, ny = 0;      ///< cells along (of the whole grid) and across
+  int nx = 0, ny = 0;      ///< cells along the track (of the whole grid) and across
   double aspect = 1;       ///< dx/dy
-  bool symmetric = false;  ///< pressure even in x, half stored (nx even)
+  bool symmetric = false;  ///< pressure even in x, half of it stored (nx even)
 };
 
-/// Product of the influence matrix with a pressure, for cells of width dy = 1 and pi E* = 1: multiply by dy / (pi E*).
+/// Product of the influence matrix with a pressure, for cells of width dy = 1 and pi E* = 1. Multiply the result by dy
+/// / (pi E*).
 ///
-/// The coefficients depend on the cells' distance and are even in x and y. So the product is diagonal in the cosine and
-/// sine modes of a grid twice as long and wide (zero padding); since the pressure fills only half of it, and is split
-/// into parts even and odd about the grid's centre, each mode is a sum over a quarter of the doubled grid. At the sizes
-/// of a contact patch these sums are fastest as matrix products with precomputed cosines.
+/// The coefficients depend on the distance of the cells and are even in x and y. On a grid of twice the length and
+/// width (zero padding) the product is therefore diagonal in the cosine and sine modes. The pressure fills only half of
+/// that grid in each direction and is split into parts even and odd about the centre. Each mode is then a sum over a
+/// quarter of the doubled grid. At the sizes of a contact patch these sums are fastest as matrix products with
+/// precomputed cosines.
 ///
-/// Fields are stored in an order of cells that suits the sums, see rowOffset(); fieldSize() doubles, padding included.
+/// Fields are stored in an order of cells that suits the sums; see rowOffset(). A field has fieldSize() doubles,
+/// including padding.
 class InfluenceOperator
 {
  public:
-  /// Scratch memory of multiply() and precondition(), shared by operators.
+  /// Scratch memory of multiply() and precondition(). Several operators can use the same one.
   class Workspace
   {
    public:
@@ -33,7 +37,7 @@ class InfluenceOperator
     ~Workspace();
     Workspace(Workspace&&) noexcept;
     Workspace& operator=(Workspace&&) noexcept;
-    /// Makes room for an operator. Allocates only if it is larger than all before.
+    /// Reserves memory for an operator. Allocates only if the operator is larger than all previous ones.
     void reserve(const InfluenceOperator& shape);
 
    private:
@@ -42,33 +46,36 @@ class InfluenceOperator
     std::unique_ptr<Buffers> buffers_;
   };
 
-  /// Shares what does not depend on the aspect with `sibling`, if that has the same nx and ny. A symmetric one takes
-  /// its coefficients over from a sibling that differs in nothing but symmetry.
-  /// @throw std::invalid_argument for sizes below 2, an odd nx with symmetry, or an aspect that is not positive.
+  /// Creates an operator. It shares the tables that do not depend on the aspect with `sibling`, if the sibling has the
+  /// same nx and ny. A symmetric operator takes its coefficients from a sibling that differs only in symmetry.
+  /// @throw std::invalid_argument for nx or ny below 2, an odd nx with symmetry, or an aspect that is not positive and
+  /// finite.
   explicit InfluenceOperator(const OperatorShape& shape, const InfluenceOperator* sibling = nullptr);
   ~InfluenceOperator();
   InfluenceOperator(InfluenceOperator&&) noexcept;
   InfluenceOperator& operator=(InfluenceOperator&&) noexcept;
 
-  /// As given.
+  /// Shape given to the constructor.
   const OperatorShape& shape() const;
 
-  /// Doubles in a field, a multiple of eight.
+  /// Number of doubles in a field, a multiple of eight.
   int fieldSize() const;
 
-  /// Place in a field of a stored cell (row and column counted as in Grid): the sum of these two.
+  /// Row part of the index of a stored cell in a field. Row and column are counted as in Grid. The index is rowOffset()
+  /// + columnOffset().
   int rowOffset(int row) const { return row_offsets_[static_cast<std::size_t>(row)]; }
-  /// The column's part of the place.
+  /// Column part of the index of a stored cell in a field.
   int columnOffset(int column) const { return column_offsets_[static_cast<std::size_t>(column)]; }
 
-  /// displacement = A pressure. Padding of `pressure` must be zero; that of `displacement` is then zero too.
+  /// Computes displacement = A pressure. The padding of `pressure` must be zero. That of `displacement` is then zero
+  /// too.
   void multiply(const double* pressure, double* displacement, Workspace& workspace) const;
 
-  /// Whether `displacement` is the product with `pressure`, as far as one weighted sum over all cells tells (to 1e-9 of
-  /// its value): any change of single cells shows.
+  /// True if `displacement` is the product of the matrix with `pressure`. Checked by one weighted sum over all cells,
+  /// to 1e-9 of its value. A larger change of any single cell is detected.
   bool isProduct(const double* pressure, const double* displacement) const;
 
-  /// Approximate inverse: that of the same kernel repeated with the grid's own period.
+  /// Approximate inverse: the inverse of the same kernel, repeated with the period of the grid.
   void precondition(const double* residual, double* direction, Workspace& workspace) const;
 
  private:

@@ -8,23 +8,23 @@
 
 namespace wheel_rail_contact::core
 {
-/// Influence coefficients of a grid by the distance of its cells, in units of dy (see InfluenceOperator), for
+/// Influence coefficients of a grid by the distance of its cells, in units of dy (see InfluenceOperator). For
 /// iterations that change one cell at a time.
 class InfluenceTable
 {
  public:
-  /// Computes the table; allocates only if the grid is larger than all before, and does nothing if its shape is the
-  /// same.
+  /// Computes the table. Does nothing if the shape is that of the last call. Allocates only if the grid is larger than
+  /// all previous ones.
   void set(const Grid& grid, Kernel kernel);
 
-  /// Displacement of cell (row, column) by a unit pressure on itself (and its mirror image).
+  /// Displacement of a cell in this row by a unit pressure on itself (on a symmetric grid: and on its mirror image).
   double own(int row) const;
 
-  /// Adds to `displacement` (rows × ny, x fastest) that of a pressure `amount` in cell (row, column).
+  /// Adds the displacement by a pressure `amount` in cell (row, column) to `displacement` (rows × ny, x fastest).
   void add(int row, int column, double amount, double* displacement) const;
 
  private:
-  /// Coefficients at `distance` columns and 0 rows; those of other rows lie around it.
+  /// Coefficient at `distance` columns and 0 rows. Those of other rows are stored before and after it.
   const double* atColumnDistance(int distance) const
   {
     return table_.data() + static_cast<std::size_t>(distance * line_ + rows_ - 1);

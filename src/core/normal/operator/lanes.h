@@ -8,7 +8,7 @@
 
 namespace wheel_rail_contact::core
 {
-/// Fields are padded to a multiple of this many doubles and aligned to it.
+/// Fields are padded to a multiple of this number of doubles and aligned to it.
 constexpr int kLanes = 8;
 
 constexpr int roundUpToLanes(int count)
@@ -16,11 +16,11 @@ constexpr int roundUpToLanes(int count)
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Aligned array of doubles; grows only, so that a size seen before allocates nothing.
+/// Aligned array of doubles. It only grows: a size that is not larger than a previous one allocates nothing.
 class LaneBuffer
 {
  public:
-  /// Makes room for `size` doubles; sets all to zero if the size differs from the last.
+  /// Reserves memory for `size` doubles. Sets all of them to zero if the size differs from the last one.
   void resize(int size);
 
   double* data() { return data_.get(); }
@@ -37,19 +37,19 @@ class LaneBuffer
   int size_ = 0, capacity_ = 0;
 };
 
-/// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) * sum over k of a(l, k) * b(k, c), l
-/// being contiguous in memory, for all l < lanes (a multiple of kLanes), k < inner, c < columns.
+/// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) * sum over k of a(l, k) * b(k, c), for
+/// all l < lanes (a multiple of kLanes), k < inner, c < columns. l is contiguous in memory.
 struct LaneProduct
 {
   int lanes = 0, inner = 0, columns = 0;
   const double* a = nullptr;
-  int a_stride = 0;  ///< from a(0, k) to a(0, k + 1)
+  int a_stride = 0;  ///< doubles from a(0, k) to a(0, k + 1)
   const double* b = nullptr;
-  int b_inner = 0;   ///< from b(k, c) to b(k + 1, c)
-  int b_column = 0;  ///< from b(k, c) to b(k, c + 1)
+  int b_inner = 0;   ///< doubles from b(k, c) to b(k + 1, c)
+  int b_column = 0;  ///< doubles from b(k, c) to b(k, c + 1)
   double* out = nullptr;
-  int out_stride = 0;             ///< from out(0, c) to out(0, c + 1)
-  const double* scale = nullptr;  ///< shaped like out, or null for ones
+  int out_stride = 0;             ///< doubles from out(0, c) to out(0, c + 1)
+  const double* scale = nullptr;  ///< layout of out; null: all ones
 };
 
 /// Pairs of neighbouring blocks of values in lines of memory.
@@ -61,14 +61,14 @@ struct BlockLines
   int unit = 1;    ///< doubles in a value: 1 (count is then a multiple of kLanes), or a multiple of kLanes
 };
 
-/// Values in memory with gaps.
+/// Layout of values with gaps between them.
 struct Spread
 {
   int stride = 0;  ///< doubles from line to line
   int pitch = 1;   ///< doubles from value to value
 };
 
-/// How two blocks P and Q are combined, see HalfTransform; the first value apart (in brackets).
+/// Combination of two blocks P and Q, see HalfTransform; in brackets the combination of their first values.
 enum class Combination
 {
   forwards,             ///< (P + Q, P - Q), [P, -Q]; its own transpose
@@ -76,59 +76,62 @@ enum class Combination
   backwards_transposed  ///< (P + Q, Q - P), [Q, -P]
 };
 
-/// Sum over some cells, and how many they are.
+/// Sum over some of the cells, and their number.
 struct CellSum
 {
   double sum = 0;
   double count = 0;
 };
 
-/// Violation of the contact conditions; w is the distance of the deformed surfaces.
+/// Violation of the contact conditions [m]. w is the distance of the deformed surfaces.
 struct Violation
 {
   double inside = 0;   ///< largest |w| where p > 0
   double outside = 0;  ///< largest -w elsewhere
 };
 
-/// Sums over the cells that may move.
+/// Sums over the cells whose pressure may change.
 struct MaskedSums
 {
   double count = 0;
-  double z = 0, q = 0, z_q = 0, z_r = 0;  ///< of z, of q, of z q and of z r
+  double z = 0, q = 0, z_q = 0, z_r = 0;  ///< of z, q, z q and z r
 };
 
-/// How a trial point is found: p + length * (z - shift + beta * last step).
+/// Parameters of a trial point: p + length * (z - shift + beta * last step).
 struct TrialStep
 {
   double length = 0, shift = 0, beta = 0;
 };
 
-/// What the length of a step needs.
+/// Sums that determine the length of a step.
 struct StepSums
 {
-  double s_q = 0;   ///< curvature: step times matrix times step
-  double fall = 0;  ///< largest relative fall of a pressure, max(-s / p): 1 / fall is the longest step with p >= 0
+  double s_q = 0;   ///< curvature: step * matrix * step
+  double fall = 0;  ///< largest relative decrease of a pressure, max(-s / p): 1 / fall is the longest step with p >= 0
 };
 
-/// Inner loops of operator and solvers, compiled for one instruction set. `size` is a multiple of kLanes everywhere.
+/// Inner loops of the operator and the solvers, compiled for one instruction set. `size` is a multiple of kLanes in all
+/// of them.
 struct LaneKernels
 {
   const char* name = nullptr;
 
   void (*multiply)(const LaneProduct& product) = nullptr;
-  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)), `sign` being one block long. in = out allowed.
+  /// Even and odd parts of pairs of blocks: out = (a + b, sign (a - b)). `sign` has the length of one block. `in` and
+  /// `out` may be the same.
   void (*fold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
-  /// Its transpose: out = (e + sign o, e - sign o).
+  /// Transpose of fold: out = (e + sign o, e - sign o).
   void (*unfold)(int pairs, int block, const double* sign, const double* in, double* out) = nullptr;
 
   /// (a, b) = (a + b, a - b).
   void (*butterfly)(const BlockLines& blocks, double* data) = nullptr;
-  /// (a, b) = (c a + s b, c' b - s' a) with the table c, s, c', s' of the values, each padded to kLanes; and
-  /// transposed.
+  /// (a, b) = (c a + s b, c' b - s' a) with the table c, s, c', s' of the values, each padded to kLanes; and the
+  /// transposed operation.
   void (*turn)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
   void (*turn_back)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
-  /// Butterfly of `in` into two blocks of `out`, and then, unless `turns` is null, its turn into two more; and
-  /// transposed. `blocks` describes `out`; the values of `in` (in join, of `out`) lie in `spread`.
+  /// Writes the butterfly of `in` into two blocks of `out`, and, unless `turns` is null, its rotation by `turn` into
+  /// two more blocks; and the transposed operation. `blocks` describes `out` of split and `in` of join. `spread`
+  /// describes the other array.
   void (*split)(const BlockLines& blocks, const double* turns, const Spread& spread, const double* in,
                 double* out) = nullptr;
   void (*join)(const BlockLines& blocks, const double* turns, const Spread& spread, const double* in,
@@ -144,17 +147,17 @@ struct LaneKernels
   double (*dot)(int size, const double* a, const double* b) = nullptr;
   /// Number of values below a limit.
   double (*count_below)(int size, double limit, const double* values) = nullptr;
-  /// p = sqrt(max(level - gap, 0)); returns the sum.
+  /// p = sqrt(max(level - gap, 0)); returns the sum of p.
   double (*root_depth)(int size, double level, const double* gap, double* p) = nullptr;
-  /// p = max(p + length s, 0), u += length q; returns the sum of u + gap where p > 0.
+  /// p = max(p + length s, 0), u += length q; returns the sum of u + gap over the cells with p > 0.
   CellSum (*advance)(int size, double length, const double* s, const double* q, const double* gap, double* p,
                      double* u) = nullptr;
-  /// With w = u + gap - shift: r = -w where p > 0 or w < 0, else 0.
+  /// With w = u + gap - shift: r = -w where p > 0 or w < 0, otherwise 0.
   Violation (*residual)(int size, double shift, const double* p, const double* u, const double* gap,
                         double* r) = nullptr;
-  /// Sums where r != 0.
+  /// Sums over the cells with r != 0.
   MaskedSums (*masked_sums)(int size, const double* r, const double* z, const double* q) = nullptr;
-  /// out = max(p + step, 0), moving only cells where r != 0; returns its sum.
+  /// out = max(p + step, 0), with a step only in cells with r != 0; returns the sum of out.
   double (*trial)(int size, const TrialStep& step, const double* r, const double* p, const double* z,
                   const double* last, double* out) = nullptr;
   /// trial = scale trial - p; returns its product with r.
@@ -162,9 +165,9 @@ struct LaneKernels
   StepSums (*step_sums)(int size, const double* p, const double* s, const double* q) = nullptr;
 };
 
-/// The kernels this machine can run, widest registers first.
+/// Kernels that this processor supports, widest registers first.
 std::vector<const LaneKernels*> supportedLaneKernels();
 
-/// The first of them.
+/// The first of supportedLaneKernels().
 const LaneKernels& laneKernels();
 }  // namespace wheel_rail_contact::core

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth and kName. No include
-// guard.
+// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth and kName. No include guard.
 
 using Register = double __attribute__((vector_size(kWidth * sizeof(double))));
 using Memory = double __attribute__((vector_size(kWidth * sizeof(double)), aligned(sizeof(double))));
@@ -35,7 +34,7 @@ inline double maxOf(Register value)
   return largest;
 }
 
-/// One tile of R registers × C columns, kept in registers over the whole sum.
+/// Computes one tile of R registers × C columns, which stays in registers over the whole sum.
 template <int R, int C>
 inline void tile(const LaneProduct& product, int lane, int column)
 {
@@ -71,7 +70,7 @@ inline void tile(const LaneProduct& product, int lane, int column)
   }
 }
 
-/// Tiles of R registers from a lane on, as long as they fit; returns the lane after them.
+/// Computes tiles of R registers from `lane` on, as long as they fit. Returns the lane after them.
 template <int R, int C>
 inline int tileLanes(const LaneProduct& product, int lane, int column)
 {
@@ -82,7 +81,7 @@ inline int tileLanes(const LaneProduct& product, int lane, int column)
   return lane;
 }
 
-/// Tiles of C columns from a column on, as long as they fit; returns the column after them.
+/// Computes tiles of C columns from `column` on, as long as they fit. Returns the column after them.
 template <int R, int C>
 inline int tileColumns(const LaneProduct& product, int column)
 {
@@ -96,7 +95,7 @@ inline int tileColumns(const LaneProduct& product, int column)
 void multiply(const LaneProduct& product)
 {
   int column = 0;
-  if constexpr (kWidth == 8)  // 32 registers: 16 of them for the sums
+  if constexpr (kWidth == 8)  // 32 registers, 16 of them for the sums
   {
     column = product.lanes % (4 * kWidth) == 0 ? tileColumns<4, 4>(product, 0) : tileColumns<2, 8>(product, 0);
   }

@@ -13,15 +13,15 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Relative difference below which two aspects count as one; the coefficients differ by no more.
+/// Relative difference below which two aspects are treated as equal. The coefficients differ by no more.
 constexpr double kSameAspect = 1e-9;
 
-/// Operators kept of a grid with aspects off the ladder.
+/// Number of operators kept for a grid whose aspects are not in the series of cell_aspect.h.
 constexpr int kOthersKept = 8;
 
 using Shared = std::shared_ptr<const InfluenceOperator>;
 
-/// The operators that the whole process shares.
+/// Operators that the whole process shares.
 class SharedOperators
 {
  public:
@@ -41,16 +41,16 @@ class SharedOperators
     {
       const auto [nx, ny, symmetric, level] = key;
       const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, level}) : anyOf(nx, ny);
-      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, aspect_ladder::aspect(level), symmetric},
+      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, cell_aspect::aspect(level), symmetric},
                                                   whole.get());
     }
     return found;
   }
 
-  /// One of the same size, of which some tables are shared; null if there is none.
+  /// An operator of the same size, whose tables can be shared in part; null if there is none.
   Shared anyOf(int nx, int ny) const
   {
-    const auto first = operators_.lower_bound({nx, ny, false, aspect_ladder::kLowest});
+    const auto first = operators_.lower_bound({nx, ny, false, cell_aspect::kLowest});
     const bool same_size =
         first != operators_.end() && std::get<0>(first->first) == nx && std::get<1>(first->first) == ny;
     return same_size ? first->second : nullptr;
@@ -66,15 +66,15 @@ SharedOperators& sharedOperators()
   return shared;
 }
 
-/// A number for the rung of an aspect; false if the aspect lies on none.
+/// Finds the level of an aspect; false if the aspect is not in the series.
 bool roundedAspect(double aspect, int& level)
 {
   if (!(aspect > 0))
   {
     return false;
   }
-  level = aspect_ladder::nearestAspect(aspect);
-  return std::abs(aspect_ladder::aspect(level) - aspect) <= kSameAspect * aspect;
+  level = cell_aspect::nearestAspect(aspect);
+  return std::abs(cell_aspect::aspect(level) - aspect) <= kSameAspect * aspect;
 }
 }  // namespace
 
@@ -98,13 +98,13 @@ OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
 void OperatorCache::prepare(int nx, int ny)
 {
   const double square = static_cast<double>(ny) / nx;
-  const int last = aspect_ladder::nearestAspect(longest * square);
-  for (int level = aspect_ladder::nearestAspect(square / widest); level <= last; ++level)
+  const int last = cell_aspect::nearestAspect(longest * square);
+  for (int level = cell_aspect::nearestAspect(square / widest); level <= last; ++level)
   {
-    find(nx, ny, false, aspect_ladder::aspect(level));
+    find(nx, ny, false, cell_aspect::aspect(level));
     if (nx % 2 == 0)
     {
-      find(nx, ny, true, aspect_ladder::aspect(level));
+      find(nx, ny, true, cell_aspect::aspect(level));
     }
   }
 }

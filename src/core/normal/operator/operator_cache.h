@@ -8,23 +8,23 @@
 
 namespace wheel_rail_contact::core
 {
-/// Keeps influence operators, so that each set of coefficients is computed once.
+/// Keeps influence operators, so that each set of coefficients is computed only once.
 ///
-/// Operators with an aspect on the ladder (aspect_ladder.h) are computed once in a process and kept until it ends: all
-/// caches, in whatever thread, share them. Of other aspects the few last used are kept.
+/// Operators whose aspect is in the series of cell_aspect.h are computed once in a process and kept until it ends. All
+/// caches share them, in all threads. Of other aspects only the few used last are kept.
 class OperatorCache
 {
  public:
-  /// Computes the operators of a grid, whole and (nx even) symmetric, for patches from `widest` times as wide as long
-  /// to `longest` times as long as wide, so that find() computes and allocates nothing for them later.
-  /// @throw std::invalid_argument as InfluenceOperator.
+  /// Computes the operators of a grid, whole and (nx even) symmetric. They cover patches from `widest` times as wide as
+  /// long to `longest` times as long as wide. For these, find() later computes and allocates nothing.
+  /// @throw std::invalid_argument see InfluenceOperator.
   void prepare(int nx, int ny);
 
-  static constexpr double widest = 4;    ///< of the patches prepared for, width over length [-]
-  static constexpr double longest = 16;  ///< length over width [-]
+  static constexpr double widest = 4;    ///< width over length of the widest prepared patch [-]
+  static constexpr double longest = 16;  ///< length over width of the longest prepared patch [-]
 
-  /// The operator for a grid; computed now if it is new. Aspects within 1e-9 of a rung count as the rung.
-  /// @throw std::invalid_argument as InfluenceOperator.
+  /// Operator for a grid; computed now if it is new. An aspect within 1e-9 of one of the series is taken as that one.
+  /// @throw std::invalid_argument see InfluenceOperator.
   std::shared_ptr<const InfluenceOperator> find(int nx, int ny, bool symmetric, double aspect);
 
  private:
@@ -38,7 +38,7 @@ class OperatorCache
   {
     int nx = 0, ny = 0;
     bool symmetric = false;
-    std::vector<Entry> entries;  ///< by rising aspect
+    std::vector<Entry> entries;  ///< by increasing aspect
   };
 
   Family& family(int nx, int ny, bool symmetric);

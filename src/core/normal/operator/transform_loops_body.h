@@ -15,7 +15,7 @@ inline void forEach(const BlockLines& blocks, int pitch, const Body& body)
   }
 }
 
-/// The same with the turns c, s, c', s' of the values.
+/// The same with the rotations c, s, c', s' of the values.
 template <typename Body>
 inline void forEachTurn(const BlockLines& blocks, int pitch, const double* turns, const Body& body)
 {
@@ -135,7 +135,7 @@ void join(const BlockLines& blocks, const double* turns, const Spread& spread, c
   }
 }
 
-/// Rows of a two by two matrix of 0, +1 and -1.
+/// A two by two matrix with the elements 0, +1 and -1: a' = Aa a + Ab b, b' = Ba a + Bb b.
 template <int Aa, int Ab, int Ba, int Bb>
 struct Pairing
 {
@@ -148,7 +148,7 @@ struct Pairing
   }
 };
 
-/// Applies First to the first value of two blocks, of mode 0, and Rest to all others.
+/// Applies First to the first values of two blocks (mode 0) and Rest to all others.
 template <typename First, typename Rest>
 inline void combineBlocks(const BlockLines& blocks, double* data)
 {

@@ -7,7 +7,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// (1 - nu^2) / E of one half-space [1/Pa].
+/// Compliance (1 - nu²) / E of one half-space [1/Pa].
 double compliance(const Material& material)
 {
   return (1 - material.poisson * material.poisson) / material.young;
@@ -18,7 +18,7 @@ void validate(const Material& material, const std::string& option)
 {
   requirePositive(option + "/young", material.young);
   require(material.poisson > -1 && material.poisson <= 0.5, option + "/poisson", material.poisson,
-          "must lie above -1 and not above 0.5");
+          "must be above -1 and at most 0.5");
 }
 
 double contactModulus(const Material& first, const Material& second)
@@ -39,13 +39,13 @@ const char* toString(SolveStatus status)
     case SolveStatus::iteration_limit:
       return "iteration limit reached";
     case SolveStatus::stalled:
-      return "stalled: the residual stopped falling above the tolerance";
+      return "stalled: the residual stopped decreasing above the tolerance";
     case SolveStatus::indefinite:
-      return "the influence matrix has a negative direction";
+      return "the influence matrix is not positive definite";
     case SolveStatus::no_positive_curvature:
-      return "the gap's curvature is not positive where the method needs it";
+      return "the gap has no positive curvature where the method requires it";
     case SolveStatus::invalid_problem:
-      return "invalid problem: not a number in the gap, no load, no cells, or a plane past the vertical";
+      return "invalid problem: NaN in the gap, no load, no cells, or a contact plane beyond the vertical";
   }
   return "unknown";
 }

@@ -15,7 +15,7 @@ void check(const ConjugateGradientsOptions& options)
 {
   if (!(options.residual > 0 && options.residual < 1))
   {
-    throw std::invalid_argument("residual = " + std::to_string(options.residual) + ": must lie in (0, 1)");
+    throw std::invalid_argument("residual = " + std::to_string(options.residual) + ": must be in (0, 1)");
   }
   if (options.max_products <= 0)
   {
@@ -24,9 +24,9 @@ void check(const ConjugateGradientsOptions& options)
 }
 }  // namespace
 
-struct ConjugateGradients::Workshop
+struct ConjugateGradients::Impl
 {
-  explicit Workshop(const ConjugateGradientsOptions& options) : iteration(options) {}
+  explicit Impl(const ConjugateGradientsOptions& options) : iteration(options) {}
 
   void finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution);
 
@@ -35,7 +35,7 @@ struct ConjugateGradients::Workshop
   PressureMeasures measures;
 };
 
-void ConjugateGradients::Workshop::finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution)
+void ConjugateGradients::Impl::finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution)
 {
   iteration.end();
   solution.status = status;
@@ -53,7 +53,7 @@ void ConjugateGradients::Workshop::finish(const NormalProblem& problem, SolveSta
     measures.measure(problem.patches[k], problem.modulus, patch);
     touching = touching || patch.force > 0;
   }
-  if (status == SolveStatus::converged && !touching)  // a support has sprung back from where it was given
+  if (status == SolveStatus::converged && !touching)  // a compliant support has moved back from its given position
   {
     solution.status = SolveStatus::no_contact;
   }
@@ -63,7 +63,7 @@ void ConjugateGradients::Workshop::finish(const NormalProblem& problem, SolveSta
 ConjugateGradients::ConjugateGradients(const ConjugateGradientsOptions& options)
 {
   check(options);
-  workshop_ = std::make_unique<Workshop>(options);
+  impl_ = std::make_unique<Impl>(options);
 }
 ConjugateGradients::~ConjugateGradients() = default;
 ConjugateGradients::ConjugateGradients(ConjugateGradients&&) noexcept = default;
@@ -71,7 +71,7 @@ ConjugateGradients& ConjugateGradients::operator=(ConjugateGradients&&) noexcept
 
 void ConjugateGradients::prepare(int nx, int ny)
 {
-  workshop_->cache.prepare(nx, ny);
+  impl_->cache.prepare(nx, ny);
 }
 
 void ConjugateGradients::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)
@@ -84,9 +84,9 @@ void ConjugateGradients::solve(const NormalProblem& problem, bool warm, NormalSo
     solution.residual = 1;
     return;
   }
-  ContactIteration& iteration = workshop_->iteration;
-  iteration.begin(problem, workshop_->cache);
+  ContactIteration& iteration = impl_->iteration;
+  iteration.begin(problem, impl_->cache);
   const bool touching = iteration.start(warm ? &solution : nullptr);
-  workshop_->finish(problem, touching ? iteration.iterate() : SolveStatus::no_contact, solution);
+  impl_->finish(problem, touching ? iteration.iterate() : SolveStatus::no_contact, solution);
 }
 }  // namespace wheel_rail_contact::core

@@ -7,10 +7,10 @@
 
 namespace wheel_rail_contact::core
 {
-/// When the iteration ends.
+/// Stopping criteria of the iteration.
 struct ConjugateGradientsOptions
 {
-  /// Residual at which the solution counts as converged [-], in (0, 1).
+  /// Residual at which the solution is regarded as converged [-], in (0, 1).
   double residual = 1e-4;
   /// Largest number of products with the influence matrix, > 0.
   int max_products = 200;
@@ -18,23 +18,23 @@ struct ConjugateGradientsOptions
 
 /// Bound-constrained, preconditioned conjugate gradients with exact rectangle coefficients.
 ///
-/// Idea: Vollebregt 2014 (J. Comput. Phys. 257, bound-constrained CG); load control by projection: Polonsky and Keer
-/// 1999 (Wear 231). Differences: the step is aimed at the bounds before its one product is made (the search goes along
-/// the chord to the clipped trial point), so that every iterate satisfies p >= 0 and the load exactly, the energy falls
-/// monotonically and each iteration costs one product.
+/// Basis: Vollebregt 2014 (J. Comput. Phys. 257, bound-constrained CG); load control by projection: Polonsky and Keer
+/// 1999 (Wear 231). Difference: the bounds are applied before the only product of an iteration is computed. The search
+/// follows the chord to the clipped trial point. Every iterate therefore satisfies p >= 0 and the load exactly, the
+/// energy decreases monotonically, and each iteration costs one product.
 ///
-/// A support that yields adds to A the matrix opening * compliance * opening^T, of rank three. The depth below is then
-/// that of the bodies with the support where it has yielded to, as far as its mean way under the pressure goes.
+/// A compliant support adds the matrix opening * compliance * opening^T, of rank three, to A. The depth in the residual
+/// below is then reduced by the mean displacement of the support from its given position, weighted with the pressure.
 ///
 /// Residual: with w = A p + gap - weight * approach,
-///   max( max of |w| where p > 0, max of -w where p = 0 ) / max over all cells of (weight * approach - gap),
-/// that is, the largest violation of the contact conditions over the largest depth of interpenetration of the
-/// undeformed bodies. p >= 0 and (load control) sum(weight * force) = load hold to rounding. In load control the
-/// approach is the mean of (A p + gap) / weight over the loaded cells, weighted by weight² times the cell's area.
+///   max( max of |w| where p > 0, max of -w where p = 0 ) / max over all cells of (weight * approach - gap).
+/// This is the largest violation of the contact conditions over the largest interpenetration of the undeformed bodies.
+/// p >= 0 and (load control) sum(weight * force) = load hold to rounding. In load control the approach is the mean of
+/// (A p + gap) / weight over the loaded cells, weighted with weight² times the cell area.
 class ConjugateGradients : public NormalSolver
 {
  public:
-  /// @throw std::invalid_argument naming the option, its value and the broken rule.
+  /// @throw std::invalid_argument with the option, its value and the broken rule.
   explicit ConjugateGradients(const ConjugateGradientsOptions& options = {});
   ~ConjugateGradients() override;
   ConjugateGradients(ConjugateGradients&&) noexcept;
@@ -43,16 +43,16 @@ class ConjugateGradients : public NormalSolver
   const char* name() const override { return "conjugate_gradient"; }
   bool solvesSupport() const override { return true; }
 
-  /// Computes all coefficients that a grid of this many cells needs, symmetric or not, for patches of any usual shape
-  /// (see OperatorCache) whose cell aspect is on the ladder (aspect_ladder.h): later solves on such grids compute no
-  /// coefficient, and allocate only where they meet a larger problem than all before.
-  /// @throw std::invalid_argument for a size that no grid can have.
+  /// Computes all coefficients for grids of this size, symmetric or not, for patches of all usual shapes (see
+  /// OperatorCache) whose cell aspect is in the series of cell_aspect.h. Later solutions on such grids compute no
+  /// coefficient. They allocate memory only if a problem is larger than all previous ones.
+  /// @throw std::invalid_argument for an invalid size.
   void prepare(int nx, int ny);
 
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
  private:
-  struct Workshop;
-  std::unique_ptr<Workshop> workshop_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 }  // namespace wheel_rail_contact::core

@@ -8,21 +8,22 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// A step along the chord to a trial point that was cut is rounded up to the whole chord if the energy allows: then the
-/// cut cells leave the contact at once. Any value above 1/2 keeps the energy falling.
+/// If the trial point was clipped, a step along the chord that is longer than this share is extended to the whole
+/// chord. The clipped cells then leave the contact at once. The energy decreases for any value above 1/2.
 constexpr double kWholeChord = 0.6;
 
-/// Bounds of the trial length's change in one step, and of the length itself (1: the preconditioner is the inverse).
+/// Limits for the change of the trial length in one step, and for the length itself (1: the preconditioner is the exact
+/// inverse).
 constexpr double kShorten = 0.25, kLengthen = 2, kShortest = 0.02, kLongest = 3;
 
-/// Relative fall of a pressure within this of 1 is a fall to zero.
+/// A relative decrease of a pressure within this of 1 is taken as a decrease to zero.
 constexpr double kRounding = 1e-9;
 
-/// Products without a new lowest residual after which the iteration counts as stalled.
+/// Number of products without a new lowest residual after which the iteration is regarded as stalled.
 constexpr int kPatience = 40;
 
-/// A trial point counts only if the energy falls along the chord to it by this share of the uncut direction's slope;
-/// otherwise others are tried, so many times.
+/// A trial point is accepted only if the slope of the energy along the chord is at least this share of the slope of the
+/// unclipped direction. Otherwise up to kAttempts shorter ones are tried.
 constexpr double kEnoughSlope = 0.2;
 constexpr int kAttempts = 2;
 
@@ -72,10 +73,10 @@ bool ContactIteration::start(const NormalSolution* earlier)
   {
     return false;
   }
-  deflectTo(p_, u_);
+  addSupportDisplacement(p_, u_);
   if (!load_controlled_)
   {
-    fitToApproach();
+    scaleToApproach();
   }
   if (support_.compliant())
   {
@@ -89,15 +90,15 @@ SolveStatus ContactIteration::iterate()
   advance(0);
   updateResidual();
   SolveStatus status = SolveStatus::converged;
-  while (goOn(status))
+  while (shouldContinue(status))
   {
-    const double slope = aim();
+    const double slope = chooseStep();
     if (!(slope > 0))
     {
       return SolveStatus::stalled;
     }
     multiply(s_, q_);
-    deflectTo(s_, q_);
+    addSupportDisplacement(s_, q_);
     double length = 0;
     if (!stepLength(slope, length))
     {
@@ -109,8 +110,8 @@ SolveStatus ContactIteration::iterate()
   return status;
 }
 
-/// Looks at the residual: false at the end, whose reason is then in `status`.
-bool ContactIteration::goOn(SolveStatus& status)
+/// Checks the residual. Returns false at the end of the iteration and sets `status` to the reason.
+bool ContactIteration::shouldContinue(SolveStatus& status)
 {
   if (residual_ <= options_.residual)
   {
@@ -135,8 +136,8 @@ void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
   ++products_;
 }
 
-/// Adds to a displacement what the support's way under the pressure opens.
-void ContactIteration::deflectTo(const LaneBuffer& pressure, LaneBuffer& displacement)
+/// Adds the opening of the gap by the displacement of the support under the pressure to a displacement.
+void ContactIteration::addSupportDisplacement(const LaneBuffer& pressure, LaneBuffer& displacement)
 {
   if (support_.compliant())
   {
@@ -153,8 +154,8 @@ void ContactIteration::end()
   }
 }
 
-/// Scales the first pressure to the least energy at the given approach.
-void ContactIteration::fitToApproach()
+/// Scales the first pressure to the lowest energy at the given approach.
+void ContactIteration::scaleToApproach()
 {
   double work = support_.compliant() ? support_.placed().dot(support_.force(patches_, p_)) : 0;
   double stored = 0;
@@ -175,7 +176,7 @@ void ContactIteration::fitToApproach()
   }
 }
 
-/// Moves along the direction and, in load control, finds the approach.
+/// Moves along the step. In load control, computes the approach.
 void ContactIteration::advance(double length)
 {
   double sum = 0, weights = 0;
@@ -193,8 +194,9 @@ void ContactIteration::advance(double length)
   }
 }
 
-/// Share of the approach that the support's way from its place makes up, by the work of the load on both.
-double ContactIteration::deflected() const
+/// Part of the approach that is due to the displacement of the support from its given position [m]: the work of the
+/// forces on this displacement over the load.
+double ContactIteration::supportApproach() const
 {
   if (!support_.compliant())
   {
@@ -207,7 +209,7 @@ double ContactIteration::deflected() const
 
 void ContactIteration::updateResidual()
 {
-  const double elastic_approach = approach_ - deflected();
+  const double elastic_approach = approach_ - supportApproach();
   double worst = 0, depth = 0;
   for (const PatchLayout& patch : patches_)
   {
@@ -221,12 +223,12 @@ void ContactIteration::updateResidual()
   residual_ = worst / depth;
 }
 
-/// Sets the step s_ to the chord to a trial point and returns the fall of energy per length along it (zero: none
-/// found).
+/// Sets the step s_ to the chord to a trial point. Returns the decrease of the energy per length along it (zero: no
+/// such chord found).
 ///
-/// The preconditioned direction, cut at the bounds, falls nearly always. If it does not, a trial nearer by falls in
-/// most cases, and the plain gradient in all.
-double ContactIteration::aim()
+/// The preconditioned direction, clipped at the bounds, nearly always decreases the energy. If it does not, a shorter
+/// trial step does in most cases, and the plain gradient in all cases.
+double ContactIteration::chooseStep()
 {
   std::swap(s_, last_);
   TrialStep step = precondition();
@@ -241,7 +243,7 @@ double ContactIteration::aim()
   return slope > kEnoughSlope * step.length * z_r_ ? slope : gradientChord();
 }
 
-/// Computes z, and how far the last step goes on in the next one: so that both are conjugate.
+/// Computes z and the share of the last step in the next one that makes both conjugate.
 TrialStep ContactIteration::precondition()
 {
   double weights = 0, sum_z = 0, sum_q = 0, z_q = 0;
@@ -264,7 +266,8 @@ TrialStep ContactIteration::precondition()
   return step;
 }
 
-/// Sets s_ to the chord from p to the trial point along `direction`, pressures cut at zero and scaled to the load.
+/// Sets s_ to the chord from p to the trial point along `direction`. The pressures of the trial point are clipped at
+/// zero and scaled to the load.
 double ContactIteration::chord(const LaneBuffer& direction, const TrialStep& step)
 {
   double load = 0;
@@ -287,10 +290,10 @@ double ContactIteration::chord(const LaneBuffer& direction, const TrialStep& ste
   return slope;
 }
 
-/// As aim(), along the plain residual.
+/// Same as chooseStep(), along the plain residual.
 ///
-/// The residual is taken at the approach that makes it orthogonal to the pressure; then scaling the trial point to the
-/// load does no work, each cell's share of the slope is positive, and only a solution has none.
+/// The residual is taken at the approach for which it is orthogonal to the pressure. Scaling the trial point to the
+/// load then does no work, and the share of each cell in the slope is positive. The slope vanishes only at a solution.
 double ContactIteration::gradientChord()
 {
   double work = 0, load = 0;
@@ -316,7 +319,8 @@ double ContactIteration::gradientChord()
   return chord(r_, step);
 }
 
-/// Length of the step s_ to the least energy, within p >= 0; false if the energy has no minimum along it.
+/// Length of the step s_ to the lowest energy, within p >= 0. Returns false if the energy has no minimum along the
+/// step.
 bool ContactIteration::stepLength(double slope, double& length)
 {
   double fall = 0;
@@ -334,7 +338,7 @@ bool ContactIteration::stepLength(double slope, double& length)
   }
   length = slope / s_q_;
   trial_length_ = std::clamp(trial_length_ * std::clamp(length, kShorten, kLengthen), kShortest, kLongest);
-  if (fall > 1 - kRounding)  // the trial point was cut
+  if (fall > 1 - kRounding)  // the trial point was clipped
   {
     length = length > kWholeChord ? 1 : length;
     s_q_ = 0;

@@ -11,43 +11,43 @@
 
 namespace wheel_rail_contact::core
 {
-/// The iteration behind ConjugateGradients. Fields hold the patches one after another, pressures as lengths (see
+/// Iteration of ConjugateGradients. Fields contain the patches one after another. Pressures are stored as lengths (see
 /// PatchLayout).
 class ContactIteration
 {
  public:
   explicit ContactIteration(const ConjugateGradientsOptions& options) : options_(options) {}
 
-  /// Prepares for a valid problem, which must outlive the solve: fields, gap, no pressure.
+  /// Sets fields and gap for a valid problem, without pressure. The problem must exist until the end of the solution.
   void begin(const NormalProblem& problem, OperatorCache& cache);
 
-  /// Finds a first pressure, from `earlier` if that is given and fits. Returns false if nothing touches.
+  /// Finds a first pressure, from `earlier` if it is given and has the same shapes. Returns false if nothing touches.
   bool start(const NormalSolution* earlier);
 
   SolveStatus iterate();
 
-  /// Takes the support's share out of the displacement. After it only the results may be asked for.
+  /// Removes the contribution of the support from the displacement. Afterwards only the results may be read.
   void end();
 
   const std::vector<PatchLayout>& patches() const { return patches_; }
   const LaneBuffer& pressure() const { return p_; }
-  /// Of the half-spaces, after end().
+  /// Displacement of the half-spaces, after end().
   const LaneBuffer& displacement() const { return u_; }
-  /// The support's coordinates, after end().
+  /// Coordinates of the support, after end().
   const Eigen::Vector3d& support() const { return support_coordinates_; }
   double approach() const { return approach_; }
   double residual() const { return residual_; }
   int products() const { return products_; }
 
  private:
-  bool goOn(SolveStatus& status);
+  bool shouldContinue(SolveStatus& status);
   void multiply(const LaneBuffer& in, LaneBuffer& out);
-  void deflectTo(const LaneBuffer& pressure, LaneBuffer& displacement);
-  void fitToApproach();
+  void addSupportDisplacement(const LaneBuffer& pressure, LaneBuffer& displacement);
+  void scaleToApproach();
   void advance(double length);
-  double deflected() const;
+  double supportApproach() const;
   void updateResidual();
-  double aim();
+  double chooseStep();
   TrialStep precondition();
   double chord(const LaneBuffer& direction, const TrialStep& step);
   double gradientChord();
@@ -63,15 +63,14 @@ class ContactIteration
 
   SupportField support_;
   Eigen::Vector3d support_coordinates_ = Eigen::Vector3d::Zero();
-  LaneBuffer p_, u_, gap_;  ///< pressure, displacement (with what the support's way from its place opens), gap
-  LaneBuffer r_, z_;        ///< residual -w on the cells that may move, and its preconditioned form
-  LaneBuffer s_, last_,
-      q_;                    ///< step, the one before, displacement of the step multiplied last
+  LaneBuffer p_, u_, gap_;   ///< pressure, displacement (with the opening by the support), gap
+  LaneBuffer r_, z_;         ///< residual -w on the cells that may move; its preconditioned form
+  LaneBuffer s_, last_, q_;  ///< step, previous step, displacement by the step
   double approach_ = 0;      ///< [m]
   double residual_ = 1;      ///< relative [-]
   double z_r_ = 0;           ///< product of z and r: slope of the energy along z
-  double s_q_ = 0;           ///< curvature along the last step; 0: none to be conjugate to
-  double trial_length_ = 1;  ///< expected length of the next step, in z
+  double s_q_ = 0;           ///< curvature along the last step; 0: the next one need not be conjugate
+  double trial_length_ = 1;  ///< expected length of the next step, in units of z
   double best_ = 0;          ///< lowest residual so far
   int products_ = 0, best_at_ = 0;
 };

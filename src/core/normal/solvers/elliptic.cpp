@@ -9,8 +9,8 @@ Elliptic elliptic(double kappa)
 {
   double mean = 0.5 * (1 + kappa), root = std::sqrt(kappa);
   double c = 0.5 * (1 - kappa);
-  double share = 1 + 0.5 * (1 - kappa) / (1 + kappa);  // sum of 2^n c_n² over c_0² = k²; c_1² /
-                                                       // k² = (1 - kappa) / (4 (1 + kappa))
+  // Sum of 2^n c_n² over c_0² = k², with c_1² / k² = (1 - kappa) / (4 (1 + kappa)).
+  double share = 1 + 0.5 * (1 - kappa) / (1 + kappa);
   const double modulus_squared = (1 - kappa) * (1 + kappa);
   for (double power = 4; c * c > 1e-17 * mean * mean; power *= 2)
   {

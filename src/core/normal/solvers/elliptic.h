@@ -9,7 +9,7 @@ struct Elliptic
   double k = 0, d = 0;
 };
 
-/// By the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), arranged so that nothing cancels at kappa = 1.
-/// 0 < kappa <= 1.
+/// Computes the integrals by the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), without cancellation at
+/// kappa = 1. Requires 0 < kappa <= 1.
 Elliptic elliptic(double kappa);
 }  // namespace wheel_rail_contact::core

@@ -12,10 +12,11 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Ratio of the axes b/a <= 1 of the ellipse for curvatures in the ratio A/B <= 1, A belonging to the longer axis.
+/// Ratio b/a <= 1 of the axes of the contact ellipse for curvatures in the ratio A/B <= 1. A belongs to the longer
+/// axis.
 ///
-/// Solves B/A = (K - D) / (kappa² D) for log kappa by Newton's method from kappa = (A/B)^(2/3), which is right to a few
-/// per cent for round contacts.
+/// Solves B/A = (K - D) / (kappa² D) for log kappa by Newton's method. The first value kappa = (A/B)^(2/3) is accurate
+/// to a few per cent for round contacts.
 double axesRatio(double curvature_ratio, Elliptic& integrals)
 {
   double log_kappa = 2.0 / 3.0 * std::log(curvature_ratio);
@@ -26,13 +27,12 @@ double axesRatio(double curvature_ratio, Elliptic& integrals)
     integrals = elliptic(kappa);
     const double rest = integrals.k - integrals.d, squared = kappa * kappa, m = 1 - squared;
     const double error = std::log(rest / (squared * integrals.d)) - target;
-    // Derivatives with respect to m = k²: of K, and of D (nearly circular:
-    // their limit).
+    // Derivatives of K and D with respect to m = k² (for D near the circle: its limit).
     const double k_slope = rest / (2 * squared);
     const double d_slope = m > 1e-4 ? (rest / squared - integrals.d) / (2 * m) : 3 * kPi / 32;
     const double slope = -2 * squared * ((k_slope - d_slope) / rest - d_slope / integrals.d) - 2;
     log_kappa = std::min(log_kappa - error / slope, 0.0);
-    if (std::abs(error) < 1e-8)  // the step just made squares it
+    if (std::abs(error) < 1e-8)  // the step just made squares the error
     {
       break;
     }
@@ -47,7 +47,7 @@ bool isPositive(double value)
   return value > 0 && std::isfinite(value);
 }
 
-/// Fills in everything once the shape of the ellipse is known; `longer` is its longer semi-axis.
+/// Computes all values from the shape of the ellipse. `longer` is its longer semi-axis.
 HertzContact fromShape(const GapCurvature& gap, double modulus, double longer, double kappa, const Elliptic& integrals)
 {
   HertzContact contact;

@@ -15,11 +15,11 @@ namespace
 {
 using Eigen::Index;
 
-/// As printed by test/calibration/calibrate_error_estimate.cpp.
+/// Output of test/calibration/calibrate_error_estimate.cpp.
 constexpr ShapeWeights error_weights{{3.8e-05, 1.07, 0.16, 0}, {0.00103, 2.56, 0.269, 0}, {4.11e-05, 0.797, 0.0419, 0}};
 
-/// The lowest cell of a gap (if it lies on the border: the next one inside) and the eight around it, with the mirror
-/// image beyond x = 0 of a symmetric grid, whose first row is taken as the lowest.
+/// Lowest cell of a gap and its eight neighbours. If the lowest cell is on the border, the next one inside is used.
+/// Beyond x = 0 of a symmetric grid the cells are the mirror image; the lowest cell is assumed to be in the first row.
 class LowestCells
 {
  public:
@@ -55,8 +55,8 @@ bool isLargeEnough(const PatchGap& patch)
   return patch.grid.rows() >= (patch.grid.symmetric ? 2 : 3) && patch.grid.ny >= 3;
 }
 
-/// Principal directions and curvatures of the second derivatives xx, xy, yy [1/m]; the gap's coefficients are half of
-/// them.
+/// Principal directions and curvatures from the second derivatives xx, xy, yy [1/m]. The coefficients of the gap are
+/// half of the curvatures.
 void setPrincipal(double xx, double xy, double yy, GapMinimum& minimum)
 {
   const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy), radius = std::hypot(half, xy);
@@ -66,7 +66,7 @@ void setPrincipal(double xx, double xy, double yy, GapMinimum& minimum)
   minimum.curvature.b = 0.5 * (along_x ? mean - radius : mean + radius);
 }
 
-/// An ellipse by its sections along x.
+/// Sections of an ellipse along x.
 class Sections
 {
  public:
@@ -83,11 +83,12 @@ class Sections
     half_y_ = std::hypot(sine * contact.semi_axis_x, cosine * contact.semi_axis_y);
   }
 
-  double halfX() const { return half_x_; }  ///< the ellipse's extent along x from its centre [m]
-  double halfY() const { return half_y_; }  ///< likewise, along y [m]
+  double halfX() const { return half_x_; }  ///< extent of the ellipse along x, from its centre [m]
+  double halfY() const { return half_y_; }  ///< extent along y, from its centre [m]
 
-  double middle(double y) const { return tilt_ * y; }  ///< x of a section's middle, from the ellipse's centre [m]
-  /// Half-length of the section at y, which lies within the extent, from the ellipse's centre [m].
+  /// x of the middle of the section at y [m]. Both are measured from the centre of the ellipse.
+  double middle(double y) const { return tilt_ * y; }
+  /// Half-length of the section at y [m]. y is measured from the centre of the ellipse and must be within its extent.
   double halfLength(double y) const { return reach_ * std::sqrt(std::max(1 - y * y / (half_y_ * half_y_), 0.0)); }
   double longest() const { return reach_; }  ///< half-length of the section through the centre [m]
 
@@ -95,7 +96,7 @@ class Sections
   double tilt_ = 0, reach_ = 0, half_x_ = 0, half_y_ = 0;
 };
 
-/// Integral of sqrt(1 - t²) from the left end of a section to t, in its half-lengths.
+/// Integral of sqrt(1 - t²) from the left end of a section to t; lengths in half-lengths of the section.
 double semicircle(double t)
 {
   constexpr double quarter = 0.78539816339744831;  // pi / 4
@@ -106,7 +107,7 @@ double semicircle(double t)
   return quarter + 0.5 * (t * std::sqrt(1 - t * t) + std::asin(t));
 }
 
-/// Adds to a column of cells what a section carries on each of them: `factor` times its integral along x.
+/// Adds the load of a section to the cells of a column: `factor` times its integral along x over each cell.
 void addSection(const Grid& grid, double middle, double half_length, double factor, Eigen::ArrayXXd::ColXpr column)
 {
   const auto up_to = [&](int row) { return semicircle((grid.x(row) - 0.5 * grid.dx - middle) / half_length); };
@@ -119,8 +120,9 @@ void addSection(const Grid& grid, double middle, double half_length, double fact
   }
 }
 
-/// Adds means of the ellipsoidal pressure over the cells. Exact along x; across by Gauss's rule of two points over the
-/// loaded part of each column, which is exact for its sum: together the cells carry the force, to rounding.
+/// Adds the means of the ellipsoidal pressure over the cells. They are exact along x. Across, a Gauss rule with two
+/// points over the loaded part of each column is used. It is exact for the sum: all cells together carry the force, to
+/// rounding.
 void addEllipsoid(const GapMinimum& minimum, const Sections& sections, double max_pressure, const Grid& grid,
                   Eigen::ArrayXXd& pressure)
 {
@@ -140,8 +142,8 @@ void addEllipsoid(const GapMinimum& minimum, const Sections& sections, double ma
   }
 }
 
-/// Adds what the grid's border cuts off to the loaded cells, most to those at the edge, so that together they carry the
-/// contact's force; as long as they have room for it below the highest pressure.
+/// Distributes the part beyond the border of the grid over the loaded cells, mostly at the edge, so that they carry the
+/// force of the contact. Does nothing if the cells would exceed the highest pressure.
 void addCutOff(const HertzContact& contact, const Grid& grid, Eigen::ArrayXXd& pressure)
 {
   const double missing = contact.force / grid.cellArea() - pressure.sum();
@@ -160,7 +162,7 @@ bool isCut(const GapMinimum& minimum, const Sections& sections, const Grid& grid
          minimum.y + sections.halfY() > grid.y(grid.ny - 1) + 0.5 * grid.dy;
 }
 
-/// Lays the ellipsoidal pressure on the cells; none for a contact without area.
+/// Puts the ellipsoidal pressure on the cells; zero for a contact without area.
 void layPressure(const GapMinimum& minimum, const HertzContact& contact, PatchPressure& patch)
 {
   patch.pressure.setZero(patch.grid.rows(), patch.grid.ny);
@@ -178,7 +180,7 @@ void layPressure(const GapMinimum& minimum, const HertzContact& contact, PatchPr
   }
 }
 
-/// The contact at another approach: lengths and pressure grow with its root.
+/// The contact at another approach: lengths and pressure are proportional to its root.
 HertzContact scaled(const HertzContact& unit, double approach)
 {
   const double root = std::sqrt(approach);
@@ -254,7 +256,7 @@ bool HertzSolver::canSolve(const NormalProblem& problem)
                      [](const PatchGap& patch) { return isLargeEnough(patch) && fitMinimum(patch).isPositive(); });
 }
 
-/// Fits all patches; no_positive_curvature where one is no bowl.
+/// Fits all patches. Returns no_positive_curvature if the curvatures of a patch are not positive.
 SolveStatus HertzSolver::fit(const NormalProblem& problem)
 {
   ellipses_.resize(problem.patches.size());
@@ -275,8 +277,8 @@ SolveStatus HertzSolver::fit(const NormalProblem& problem)
   return SolveStatus::converged;
 }
 
-/// The common approach that carries the load. The sum of the patches' forces is convex in it, so Newton's method falls
-/// on the root from above; it starts where the first patch alone would carry all.
+/// Common approach that carries the load [m]. The sum of the forces is convex in the approach. Newton's method
+/// therefore converges from above. It starts at the lowest approach at which one patch alone would carry the load.
 double HertzSolver::approachForLoad(const NormalProblem& problem) const
 {
   constexpr int most_steps = 50;
@@ -329,6 +331,6 @@ void HertzSolver::estimateErrors(const NormalProblem& problem, const NormalSolut
   const auto alone = [&](std::size_t k) {
     return solution.patches[k].force > 0 ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate();
   };
-  inCommon(problem, solution, alone, errors);
+  withSharedApproach(problem, solution, alone, errors);
 }
 }  // namespace wheel_rail_contact::core

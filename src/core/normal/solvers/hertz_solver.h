@@ -3,51 +3,52 @@
 
 #include <vector>
 
-#include "core/normal/solvers/hertz.h"
 #include "core/normal/estimate/error_estimate.h"
+#include "core/normal/solvers/hertz.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
 namespace wheel_rail_contact::core
 {
-/// A gap near its lowest place, as a paraboloid.
+/// Paraboloid that represents a gap near its lowest point.
 struct GapMinimum
 {
-  double gap = 0;          ///< there [m]
-  double x = 0, y = 0;     ///< place [m]
+  double gap = 0;          ///< gap at the lowest point [m]
+  double x = 0, y = 0;     ///< position of the lowest point [m]
   double angle = 0;        ///< from the x axis to the first principal direction [rad], in (-pi/2, pi/2]
-  GapCurvature curvature;  ///< along the first and the second principal direction [1/m]
+  GapCurvature curvature;  ///< along the first and second principal directions [1/m]
 
-  /// True if the paraboloid is a bowl.
+  /// True if both curvatures are positive.
   bool isPositive() const { return curvature.a > 0 && curvature.b > 0; }
 };
 
-/// The paraboloid through the lowest cell and its eight neighbours; its lowest place may lie between the cells, at most
-/// one cell from the lowest. On a symmetric grid it lies at x = 0. Needs 3 × 3 cells (symmetric: 2 stored rows).
+/// Paraboloid through the lowest cell and its eight neighbours. Its lowest point may lie between the cells, at most one
+/// cell from the lowest one; on a symmetric grid it lies at x = 0. Requires 3 × 3 cells (symmetric: 2 stored rows).
 GapMinimum fitMinimum(const PatchGap& gap);
 
-/// Hertz's closed form with the curvatures that each gap has at its lowest place.
+/// Hertz's closed form with the curvatures of each gap at its lowest point.
 ///
-/// Several patches share the approach: their forces are summed in closed form, and the approach that carries the load
-/// is found by Newton's method. max_pressure, area, force and approach are those of the ellipses; `pressure` holds the
-/// ellipsoid's means over the cells, which sum up to the force. Where touches_border says that the grid cuts the
-/// ellipse off, the part beyond is spread over the loaded cells, or left out if below max_pressure they have no room
-/// for it. The residual is zero: nothing is iterated on cells. Status no_positive_curvature (not usable) where a
-/// patch's gap is no bowl.
+/// Several patches share the approach. Their forces are summed in closed form, and the approach that carries the load
+/// is found by Newton's method. max_pressure, area, force and approach are those of the ellipses. `pressure` contains
+/// the means of the ellipsoid over the cells; they sum to the force. If the grid cuts the ellipse (touches_border), the
+/// part beyond the border is distributed over the loaded cells. It is omitted if the cells would then exceed
+/// max_pressure. The residual is zero, because nothing is iterated on cells. The status is no_positive_curvature (not
+/// usable) if the curvatures of a patch are not positive.
 class HertzSolver : public NormalSolver
 {
  public:
   const char* name() const override { return "hertz"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
-  /// From what tells the overlap at half the approach, and at all of it, from that of the paraboloid at the gap's
-  /// lowest place. `solution` may be another method's of the same problem: the estimate then tells what Hertz would
-  /// leave; infinite where a loaded patch's gap is no bowl.
+  /// Estimates the errors from the difference between the overlap and that of the paraboloid at the lowest point of the
+  /// gap, at half the approach and at the full approach. `solution` may be the solution of the same problem by another
+  /// method. The estimate then predicts the error of Hertz's solution. It is infinite if the curvatures of a loaded
+  /// patch are not positive.
   void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
                       std::vector<ErrorEstimate>& errors) const override;
-  /// True if every patch of a valid problem has cells enough and is a bowl, loaded or not: solve() then does not refuse
-  /// it.
+  /// True if every patch of a valid problem has enough cells and positive curvatures, loaded or not. solve() then does
+  /// not reject the problem.
   static bool canSolve(const NormalProblem& problem);
-  /// What the estimate is a weighted sum of.
+  /// Terms of the estimate, which is their weighted sum.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
  private:

@@ -14,15 +14,15 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double kLoadTolerance = 1e-10;  ///< of the load, relative
+constexpr double kLoadTolerance = 1e-10;  ///< relative error of the load
 constexpr int kMostEvaluations = 60;
 
-/// As printed by test/calibration/calibrate_error_estimate.cpp.
+/// Output of test/calibration/calibrate_error_estimate.cpp.
 constexpr ShapeWeights error_weights{
     {0.113, 0, 0.847, 0.00813}, {0.100, 0.0661, 0.0013, 0.0112}, {0.0622, 0, 0.0560, 0.00569}};
 }  // namespace
 
-struct KikPiotrowski::Workshop
+struct KikPiotrowski::Impl
 {
   std::vector<StripGap> gaps;
   std::vector<StripArea> areas;
@@ -34,7 +34,7 @@ struct KikPiotrowski::Workshop
   double firstTouch(const NormalProblem& problem) const;
 };
 
-bool KikPiotrowski::Workshop::fit(const NormalProblem& problem)
+bool KikPiotrowski::Impl::fit(const NormalProblem& problem)
 {
   gaps.resize(problem.patches.size());
   areas.resize(problem.patches.size());
@@ -46,8 +46,8 @@ bool KikPiotrowski::Workshop::fit(const NormalProblem& problem)
   return large_enough;
 }
 
-/// Load carried at a common approach; false if a loaded strip does not open along x.
-bool KikPiotrowski::Workshop::loadAt(const NormalProblem& problem, double approach, double& load)
+/// Load at a common approach. Returns false if the gap of a loaded strip does not open along x.
+bool KikPiotrowski::Impl::loadAt(const NormalProblem& problem, double approach, double& load)
 {
   load = 0;
   for (std::size_t k = 0; k < gaps.size(); ++k)
@@ -63,7 +63,7 @@ bool KikPiotrowski::Workshop::loadAt(const NormalProblem& problem, double approa
   return true;
 }
 
-double KikPiotrowski::Workshop::firstTouch(const NormalProblem& problem) const
+double KikPiotrowski::Impl::firstTouch(const NormalProblem& problem) const
 {
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < gaps.size(); ++k)
@@ -73,16 +73,16 @@ double KikPiotrowski::Workshop::firstTouch(const NormalProblem& problem) const
   return first;
 }
 
-/// The common approach that carries the load, by a secant on the logarithms of approach (from the first touch on) and
-/// load: Hertz's load grows with its power 3/2.
-SolveStatus KikPiotrowski::Workshop::findApproach(const NormalProblem& problem, NormalSolution& solution)
+/// Common approach that carries the load, by a secant method on the logarithms of approach (from the first touch) and
+/// load. A Hertz load is proportional to the power 3/2 of the approach.
+SolveStatus KikPiotrowski::Impl::findApproach(const NormalProblem& problem, NormalSolution& solution)
 {
   const double first = firstTouch(problem), bend = gaps[0].deepest.bend;
   if (!(bend > 0))
   {
     return SolveStatus::no_positive_curvature;
   }
-  // At first as on a sphere of the curvature along x (Johnson 1985, eq. 4.23).
+  // First value: a sphere with the curvature along x (Johnson 1985, eq. 4.23).
   const double pressed = problem.value / problem.modulus;
   double log_approach = std::log(9.0 / 8.0 * pressed * pressed * bend) / 3;
   double power = 1.5, last_approach = 0, last_error = 0;
@@ -111,7 +111,7 @@ SolveStatus KikPiotrowski::Workshop::findApproach(const NormalProblem& problem, 
   return SolveStatus::iteration_limit;
 }
 
-SolveStatus KikPiotrowski::Workshop::solve(const NormalProblem& problem, NormalSolution& solution)
+SolveStatus KikPiotrowski::Impl::solve(const NormalProblem& problem, NormalSolution& solution)
 {
   if (!isValid(problem) || !fit(problem))
   {
@@ -128,7 +128,7 @@ SolveStatus KikPiotrowski::Workshop::solve(const NormalProblem& problem, NormalS
   return !sound ? SolveStatus::no_positive_curvature : load > 0 ? SolveStatus::converged : SolveStatus::no_contact;
 }
 
-KikPiotrowski::KikPiotrowski() : workshop_(std::make_unique<Workshop>()) {}
+KikPiotrowski::KikPiotrowski() : impl_(std::make_unique<Impl>()) {}
 KikPiotrowski::~KikPiotrowski() = default;
 KikPiotrowski::KikPiotrowski(KikPiotrowski&&) noexcept = default;
 KikPiotrowski& KikPiotrowski::operator=(KikPiotrowski&&) noexcept = default;
@@ -138,14 +138,14 @@ void KikPiotrowski::solve(const NormalProblem& problem, bool /*warm*/, NormalSol
   solution.patches.resize(problem.patches.size());
   solution.iterations = 0;
   solution.residual = 0;
-  solution.status = workshop_->solve(problem, solution);
+  solution.status = impl_->solve(problem, solution);
   for (std::size_t k = 0; isUsable(solution.status) && k < problem.patches.size(); ++k)
   {
     const Grid& grid = problem.patches[k].grid;
-    const StripArea& area = workshop_->areas[k];
+    const StripArea& area = impl_->areas[k];
     PatchPressure& patch = solution.patches[k];
     patch.grid = grid;
-    fillPressure(grid, workshop_->gaps[k], area, patch.pressure);
+    fillPressure(grid, impl_->gaps[k], area, patch.pressure);
     patch.force = area.force;
     patch.area = area.area;
     patch.moved_at_discontinuities = 0;
@@ -176,10 +176,10 @@ void KikPiotrowski::estimateErrors(const NormalProblem& problem, const NormalSol
     {
       return ErrorEstimate();
     }
-    // The bodies may overlap between the cells alone, which then tell nothing.
-    const bool told = ownApproach(problem, solution, k) > 0;
-    return told ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate{1, 1, 1};
+    // If the bodies overlap only between the cells, the cells give no error terms.
+    const bool known = ownApproach(problem, solution, k) > 0;
+    return known ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate{1, 1, 1};
   };
-  inCommon(problem, solution, alone, errors);
+  withSharedApproach(problem, solution, alone, errors);
 }
 }  // namespace wheel_rail_contact::core

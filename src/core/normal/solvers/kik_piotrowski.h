@@ -9,26 +9,28 @@
 
 namespace wheel_rail_contact::core
 {
-/// Kik and Piotrowski's strip method (Piotrowski and Kik 2008, Vehicle System Dynamics 46, 27–48).
+/// Strip method of Kik and Piotrowski (Piotrowski and Kik 2008, Vehicle System Dynamics 46, 27–48).
 ///
-/// The contact area is taken from the overlap of the undeformed bodies at 0.55 of the approach (their eq. 7): a strip
-/// at y reaches over l(y) = sqrt((0.55 approach - gap(y)) / A), A being the gap's coefficient along x. On each strip
-/// the pressure is a half-ellipse proportional to its length, p = p0 sqrt(l² - x²) / l0, and p0 follows from the
+/// The contact area is the overlap of the undeformed bodies at 0.55 of the approach (their eq. 7). A strip at y has the
+/// half-length l(y) = sqrt((0.55 approach - gap(y)) / A), where A is the coefficient of the gap along x. The pressure
+/// on each strip is a half-ellipse proportional to its length, p = p0 sqrt(l² - x²) / l0. p0 follows from the
 /// displacement at the deepest point, which must equal the approach (their eq. 13). Shape correction: the area is
-/// stretched along and squeezed across (or the other way round), its length times width kept, until its length over its
-/// width is that of the Hertz ellipse whose curvatures would give an overlap of the uncorrected length and width.
+/// stretched along and compressed across, or the reverse, with a constant product of length and width. Its ratio of
+/// length to width is then that of the Hertz ellipse whose curvatures would give an overlap of the uncorrected length
+/// and width.
 ///
-/// Where this deviates from the paper:
-/// * A is taken from each column of the gap, and strips may lie askew (yaw): their middle is the column's lowest place.
-///   The paper has A = 1 / (2 wheel radius) and symmetric strips. Displacements are computed as if not askew.
-/// * The inner integral of the displacement is done in closed form (elliptic integrals), the outer one by a rule that
-///   takes care of the root at the area's ends and of the logarithm at the deepest point.
-/// * The ratio of the Hertz ellipse comes from the closed form, not from tables.
-/// * Two lobes in one patch are one area with one displacement condition; width is the sum of both.
-/// Several patches share the approach; the approach that carries the load is found by a secant on logarithms.
+/// Deviations from the paper:
+/// * A is determined for each column of the gap, and strips may be shifted along x (yaw): their middle is the lowest
+///   point of the column. The paper has A = 1 / (2 wheel radius) and symmetric strips. Displacements are computed for
+///   unshifted strips.
+/// * The inner integral of the displacement is computed in closed form (elliptic integrals). The rule for the outer
+///   integral takes the root at the ends of the area and the logarithm at the deepest point into account.
+/// * The ratio of the Hertz ellipse is computed in closed form, not from tables.
+/// * Two lobes in one patch are one area with one displacement condition; its width is the sum of both.
+/// Several patches share the approach. The approach that carries the load is found by a secant method on logarithms.
 ///
-/// iterations counts evaluations of the load, residual is the relative error of the load that is left. Status
-/// no_positive_curvature (not usable) where a loaded strip's gap does not open along x.
+/// `iterations` counts evaluations of the load. `residual` is the remaining relative error of the load. The status is
+/// no_positive_curvature (not usable) if the gap of a loaded strip does not open along x.
 class KikPiotrowski : public NormalSolver
 {
  public:
@@ -40,14 +42,15 @@ class KikPiotrowski : public NormalSolver
   const char* name() const override { return "kik_piotrowski"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
-  /// From the method's own bias, and from what tells the overlap from that of the paraboloid of the same moments.
+  /// Estimates the errors from the bias of the method and from the difference between the overlap and that of the
+  /// paraboloid with the same moments.
   void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
                       std::vector<ErrorEstimate>& errors) const override;
-  /// What the estimate is a weighted sum of, beside the method's bias.
+  /// Terms of the estimate, which is their weighted sum.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
  private:
-  struct Workshop;
-  std::unique_ptr<Workshop> workshop_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 }  // namespace wheel_rail_contact::core

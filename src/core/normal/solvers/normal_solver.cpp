@@ -61,7 +61,7 @@ std::unique_ptr<NormalSolver> makeNormalSolver(NormalMethod method)
     case NormalMethod::conjugate_gradient:
       return std::make_unique<ConjugateGradients>(ConjugateGradientsOptions());
     default:
-      throw std::invalid_argument("method = auto: chooses a grid for each wheel and needs a WheelsetContact");
+      throw std::invalid_argument("method = auto: requires a WheelsetContact, because a grid is chosen for each wheel");
   }
 }
 }  // namespace wheel_rail_contact::core

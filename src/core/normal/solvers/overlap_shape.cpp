@@ -54,7 +54,8 @@ GapMinimum momentParaboloid(const PatchGap& gap, double level)
   paraboloid.gap = level - deepest;
   paraboloid.x = grid.symmetric ? 0 : x1 / sum;
   paraboloid.y = y1 / sum;
-  // A paraboloid's second moment about its axis is a sixth of the squared semi-axis; a cell has its own besides.
+  // The second moment of a paraboloid about its axis is a sixth of the squared semi-axis. That of a cell about its own
+  // axis is added.
   const double half_x2 = 6 * (x2 / sum - paraboloid.x * paraboloid.x + grid.dx * grid.dx / 12);
   const double half_y2 = 6 * (y2 / sum - paraboloid.y * paraboloid.y + grid.dy * grid.dy / 12);
   paraboloid.curvature = {deepest / half_x2, deepest / half_y2};

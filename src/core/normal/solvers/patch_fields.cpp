@@ -16,11 +16,11 @@ bool isValid(const PatchGap& patch)
                       patch.gap.rows() == grid.rows() && patch.gap.cols() == grid.ny;
   const bool sized = grid.dx > 0 && grid.dy > 0 && std::isfinite(grid.dx) && std::isfinite(grid.dy);
   const bool weighted = patch.weight > 0 && std::isfinite(patch.weight);
-  // Zero times a value that is not finite is not a number, and stays so in the sum.
+  // Zero times a value that is not finite is NaN, and so is the sum.
   return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }
 
-/// Writes value(row, column) into the patch's cells of a field in its operator's order.
+/// Writes value(row, column) to the cells of the patch in a field, in the order of its operator.
 template <typename Value>
 void fillCells(const PatchLayout& patch, Value value, LaneBuffer& field)
 {

@@ -10,37 +10,37 @@
 
 namespace wheel_rail_contact::core
 {
-/// Where a patch's fields lie in the solver's arrays, and what turns them into pascals and newtons.
+/// Position of the fields of a patch in the arrays of the solver, and their conversion to pascals and newtons.
 ///
-/// In the arrays a pressure p stands as the length p dy / (pi E*), so that the operator's product with it is the
-/// displacement [m] itself.
+/// In the arrays a pressure p is stored as the length p dy / (pi E*). The product of the operator with it is the
+/// displacement [m].
 struct PatchLayout
 {
   std::shared_ptr<const InfluenceOperator> influence;  ///< null: cells in the order of the gap arrays
   Grid grid;
   int begin = 0, size = 0;  ///< range in the arrays
   double weight = 1;        ///< share of the approach and of the load [-]
-  double stiffness = 0;     ///< pi E* / dy [Pa/m]: from a length in the arrays to a pressure
-  double force = 0;         ///< normal force of a length 1 m in one stored cell [N/m]
-  double least_gap = 0;     ///< [m]
+  double stiffness = 0;     ///< pi E* / dy [Pa/m]: factor from a stored length to a pressure
+  double force = 0;         ///< normal force of a stored length of 1 m in one stored cell [N/m]
+  double least_gap = 0;     ///< smallest gap [m]
 };
 
-/// Gap in cells that only pad the arrays: never touched [m].
+/// Gap of padding cells, which never touch [m].
 constexpr double kNoSurface = 1e300;
 
-/// True if the problem can be solved at all: cells, finite gaps, weights, modulus and value in range.
+/// True if the problem is valid: cells, finite gaps, and weights, modulus and value in range.
 bool isValid(const NormalProblem& problem);
 
-/// Lays out the patches one after another: with a cache in their operators' order of cells, without one in that of the
-/// gap arrays. Returns the arrays' length.
+/// Arranges the patches one after another. With a cache, cells are in the order of the operators, otherwise in that of
+/// the gap arrays. Returns the length of the arrays.
 int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches);
 
-/// Writes factor * values into the patch's cells of a field; padding stays as it is.
+/// Writes factor * values to the cells of the patch in a field. Padding is not changed.
 void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& values, LaneBuffer& field);
 
-/// Writes a value for each column of cells into all cells of it; only for patches laid out with a cache.
+/// Writes the value of each column to all of its cells. Only for patches arranged with a cache.
 void columnsToField(const PatchLayout& patch, const Eigen::Ref<const Eigen::ArrayXd>& values, LaneBuffer& field);
 
-/// Writes factor * field into `values`, rows × columns.
+/// Writes factor * field to `values` (rows × columns).
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values);
 }  // namespace wheel_rail_contact::core

@@ -11,7 +11,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Errors for each unit of bias over the approach [-].
+/// Errors per unit of the bias over the approach [-].
 constexpr ErrorEstimate errors_per_bias{1.4, 3.2, 0.9};
 }  // namespace
 

@@ -17,14 +17,15 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Secant steps for the load; few are needed, more mean that sweeps ended too early to tell the load.
+/// Largest number of secant steps for the load. Few are needed; more are a sign that the sweeps ended too early for an
+/// accurate load.
 constexpr int kSecantSteps = 30;
 
 void checkShare(const char* name, double value)
 {
   if (!(value > 0 && value < 1))
   {
-    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must lie in (0, 1)");
+    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be in (0, 1)");
   }
 }
 
@@ -37,8 +38,8 @@ void checkCount(const char* name, int value)
 }
 }  // namespace
 
-/// All state of a solve; fields hold the patches one after another in the order of the gap arrays, pressures as lengths
-/// (see PatchLayout).
+/// State of a solution. Fields contain the patches one after another, in the order of the gap arrays. Pressures are
+/// stored as lengths (see PatchLayout).
 class Seidel::Sweeps
 {
  public:
@@ -60,7 +61,7 @@ class Seidel::Sweeps
   SolveStatus applyApproach(double approach);
   bool holdLoad();
   void updateResidual();
-  void lookForStripes();
+  void checkForStripes();
 
   SeidelOptions options_;
   const NormalProblem* problem_ = nullptr;
@@ -68,11 +69,11 @@ class Seidel::Sweeps
   std::vector<InfluenceTable> tables_;
   PressureMeasures measures_;
   LaneBuffer p_, u_, gap_;        ///< pressure, displacement, gap
-  LaneBuffer p_old_, u_old_, r_;  ///< before the last sweep; residual
+  LaneBuffer p_old_, u_old_, r_;  ///< values before the last sweep; residual
   double approach_ = 0;           ///< [m]
   double residual_ = 1;           ///< relative [-]
   int sweeps_ = 0;
-  bool indefinite_ = false;  ///< a change with negative energy was met
+  bool indefinite_ = false;  ///< a change of the pressure had negative energy
 };
 
 void Seidel::Sweeps::begin(const NormalProblem& problem)
@@ -106,7 +107,7 @@ void Seidel::Sweeps::clearPressure()
   }
 }
 
-/// Computes the displacement of the whole pressure afresh.
+/// Recomputes the displacement from the whole pressure.
 void Seidel::Sweeps::fillDisplacement()
 {
   for (std::size_t k = 0; k < patches_.size(); ++k)
@@ -121,7 +122,7 @@ void Seidel::Sweeps::fillDisplacement()
   }
 }
 
-/// One pass over all cells; returns the root mean square change of the pressure over its root mean square.
+/// One pass over all cells. Returns the root mean square change of the pressure over its root mean square.
 double Seidel::Sweeps::sweep()
 {
   double energy = 0, change = 0, square = 0;
@@ -146,7 +147,7 @@ double Seidel::Sweeps::sweep()
   return square > 0 ? std::sqrt(change / square) : 0;
 }
 
-/// p = max(p - w / a_own, 0) in one cell after the other.
+/// p = max(p - w / a_own, 0), cell by cell.
 void Seidel::Sweeps::sweepPatch(std::size_t k)
 {
   const PatchLayout& patch = patches_[k];
@@ -167,7 +168,7 @@ void Seidel::Sweeps::sweepPatch(std::size_t k)
   }
 }
 
-/// Sweeps until the change is small.
+/// Sweeps until the change of the pressure is small.
 SolveStatus Seidel::Sweeps::settle()
 {
   while (sweeps_ < options_.max_sweeps)
@@ -225,7 +226,7 @@ SolveStatus Seidel::Sweeps::solvePrinted()
   return SolveStatus::stalled;
 }
 
-/// Scales pressure and displacement to the load, and takes the approach from the loaded cells.
+/// Scales pressure and displacement to the load and computes the approach from the loaded cells.
 bool Seidel::Sweeps::holdLoad()
 {
   const double load = loadOf(patches_, p_);
@@ -288,8 +289,8 @@ void Seidel::Sweeps::updateResidual()
   residual_ = worst / depth;
 }
 
-/// The iteration may have come to rest in stripes without a sweep that gained energy.
-void Seidel::Sweeps::lookForStripes()
+/// Checks for stripes: the iteration may converge to stripes without any sweep of negative energy.
+void Seidel::Sweeps::checkForStripes()
 {
   for (const PatchLayout& patch : patches_)
   {
@@ -301,7 +302,7 @@ void Seidel::Sweeps::finish(SolveStatus status, NormalSolution& solution)
 {
   if (isPrinted() && status == SolveStatus::converged)
   {
-    lookForStripes();
+    checkForStripes();
   }
   if (status != SolveStatus::no_contact)
   {

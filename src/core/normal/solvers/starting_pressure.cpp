@@ -11,7 +11,7 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Steps of the search for the level of interpenetration; the guess needs no more.
+/// Steps of the search for the interpenetration level; the first guess needs no more.
 constexpr int kHalvings = 12;
 
 bool isLoadControlled(const NormalProblem& problem)
@@ -19,15 +19,15 @@ bool isLoadControlled(const NormalProblem& problem)
   return problem.control == NormalProblem::Control::load;
 }
 
-/// Radius of the circle with the area of the cells that lie below `level` [m].
+/// Radius of the circle with the area of the cells below `level` [m].
 double equivalentRadius(const PatchLayout& patch, const LaneBuffer& gap, double level)
 {
   const double cells = laneKernels().count_below(patch.size, level, gap.data() + patch.begin);
   return std::sqrt(cells * patch.grid.cellArea() / kPi);
 }
 
-/// Load that circular Hertz contacts of the patches' areas of interpenetration would carry [N], `level` being half the
-/// approach: F = 4/3 E* a delta (Johnson 1985, eq. 4.22 to 4.24).
+/// Load of circular Hertz contacts with the interpenetration areas of the patches [N]. `level` is half the approach: F
+/// = 4/3 E* a delta (Johnson 1985, eq. 4.22 to 4.24).
 double loadAt(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
               double level)
 {
@@ -76,8 +76,8 @@ bool hasShape(const Eigen::ArrayXXd& values, const Grid& grid)
   return values.rows() == grid.rows() && values.cols() == grid.ny;
 }
 
-/// Copies the displacement of an earlier solution on cells of the same aspect;
-/// false if it is not the pressure's.
+/// Copies the displacement of an earlier solution on cells of the same aspect. Returns false if it does not belong to
+/// the pressure.
 bool copyDisplacement(const PatchLayout& patch, const PatchPressure& earlier, const LaneBuffer& pressure,
                       LaneBuffer& displacement)
 {
@@ -85,7 +85,7 @@ bool copyDisplacement(const PatchLayout& patch, const PatchPressure& earlier, co
   {
     return false;
   }
-  // The same pressures on cells of another size displace in proportion.
+  // The same pressures on cells of another size cause proportional displacements.
   toField(patch, patch.grid.dy / earlier.grid.dy, earlier.displacement, displacement);
   return patch.influence->isProduct(pressure.data() + patch.begin, displacement.data() + patch.begin);
 }
@@ -153,7 +153,7 @@ Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& pa
   }
   for (const PatchLayout& patch : patches)
   {
-    // Hertz: p = 4 E* / (pi a) sqrt(depth of the deepest point) sqrt(depth), depths below half the approach.
+    // Hertz: p = 4 E* / (pi a) sqrt(depth of the deepest point) sqrt(depth), with depths below half the approach.
     const double own_level = patch.weight * level;
     const double depth = std::max(own_level - patch.least_gap, 0.0);
     const double radius = equivalentRadius(patch, gap, own_level);

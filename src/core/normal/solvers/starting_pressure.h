@@ -7,31 +7,31 @@
 
 namespace wheel_rail_contact::core
 {
-/// Load of a pressure field [N], counted by the patches' weights.
+/// Load of a pressure field [N]: weighted sum over the patches.
 double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure);
 
-/// Common approach at which anything touches [m].
+/// Common approach of first touch [m].
 double firstTouch(const std::vector<PatchLayout>& patches);
 
-/// Rough approach that carries the load [m]: that of circular Hertz contacts with the patches' areas of
-/// interpenetration at half of it. `gap` holds the patches' cells in any order.
+/// Rough approach that carries the load [m], from circular Hertz contacts with the interpenetration areas of the
+/// patches at half of it. `gap` contains the cells of the patches in any order.
 double approachForLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap);
 
-/// What a start found.
+/// Result of a start.
 enum class Start
 {
-  none,      ///< nothing to start from
+  none,      ///< no starting point
   pressure,  ///< pressure only
   complete   ///< pressure and its displacement
 };
 
-/// Takes over the pressure of an earlier solution, scaled to the load where that is given, and its displacement if that
-/// still belongs to it (same aspect of the cells).
+/// Takes the pressure of an earlier solution, in load control scaled to the load. Also takes its displacement if this
+/// still belongs to the pressure (same aspect of the cells).
 Start warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,
                 LaneBuffer& pressure, LaneBuffer& displacement);
 
-/// A first pressure from the gap: proportional to the root of the interpenetration at half the approach, as in a
-/// circular Hertz contact, where that is exact. None if, at a given approach, nothing touches.
+/// First pressure from the gap, proportional to the root of the interpenetration at half the approach; this is exact
+/// for a circular Hertz contact. Returns Start::none if nothing touches at a given approach.
 Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap,
                 LaneBuffer& pressure);
 }  // namespace wheel_rail_contact::core

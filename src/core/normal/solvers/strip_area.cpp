@@ -14,30 +14,30 @@ namespace
 {
 const double kPi = std::acos(-1.0);
 
-/// Share of the approach at which the overlap of the undeformed bodies is taken for the contact area.
+/// Share of the approach at which the overlap of the undeformed bodies gives the contact area.
 constexpr double kVirtualPenetration = 0.55;
 
-/// Squared half-length of a strip below a level [m²]; not positive where it is not loaded.
+/// Squared half-length of a strip below a level [m²]; not positive if the strip is not loaded.
 double squaredLength(const Strip& strip, double level)
 {
   return strip.bend > 0 ? (level - strip.gap) / strip.bend : -std::numeric_limits<double>::infinity();
 }
 
-/// Between the values in two neighbouring columns [m²]; the one at an end counts nothing at the other, and may be
-/// infinite.
+/// Interpolates between the values of two neighbouring columns [m²]. At an end only the value of this end counts; the
+/// other may be infinite.
 double squaredBetween(double first, double last, double share)
 {
   return share <= 0 ? first : share >= 1 ? last : (1 - share) * first + share * last;
 }
 
-/// Loaded part of the interval between two neighbouring columns, l² being linear between them.
+/// Loaded part of the interval between two neighbouring columns. l² is linear between them.
 struct Interval
 {
   double begin = 0, end = 0;  ///< of the loaded part, in shares of the interval [-]
   double squares = 0;         ///< integral of l² over the share [m²]
   double lengths = 0;         ///< integral of l over the share [m]
 
-  /// From l² in the two columns [m²].
+  /// `first` and `last`: l² in the two columns [m²].
   Interval(double first, double last)
   {
     if (!(first > 0) && !(last > 0))
@@ -53,28 +53,28 @@ struct Interval
   }
 };
 
-/// Mean of ln|y| between two places.
+/// Mean of ln|y| between two positions.
 double meanLogarithm(double begin, double end)
 {
   const auto primitive = [](double y) { return y == 0 ? 0 : y * std::log(std::abs(y)) - y; };
   return (primitive(end) - primitive(begin)) / (end - begin);
 }
 
-/// 1/l times the integral of sqrt(l² - x²) / sqrt(x² + y²) from -l to l, less its singular part -2 ln|y|.
+/// 1/l times the integral of sqrt(l² - x²) / sqrt(x² + y²) from -l to l, minus its singular part -2 ln|y|.
 double regularInfluence(double l, double y)
 {
   const double distance = std::abs(y), reach = std::hypot(l, y);
-  if (distance < 1e-6 * reach)  // where K - E is ln(4 l / |y|) - 1 to rounding
+  if (distance < 1e-6 * reach)  // K - E equals ln(4 l / |y|) - 1 to rounding
   {
     return 2 * (std::log(4 * l) - 1);
   }
   return 2 * l / reach * elliptic(distance / reach).d + 2 * std::log(distance);
 }
 
-/// Double integral of sqrt(l² - x²) / (distance from the deepest place) over the corrected area [m²].
+/// Double integral of sqrt(l² - x²) / (distance from the deepest point) over the corrected area [m²].
 ///
-/// Between two columns the regular part is taken linear, and the singular part at its mean, both times the integral of
-/// l.
+/// Between two columns the regular part is assumed linear and the singular part is replaced by its mean. Both are
+/// multiplied by the integral of l.
 double compliance(const StripGap& gap, const StripArea& area)
 {
   const auto place = [&](double column) { return area.across * (gap.y0 + column * gap.dy - gap.y); };
@@ -115,16 +115,17 @@ Strip fitColumn(const PatchGap& patch, int column)
   return strip;
 }
 
-/// Carries `count` strips on beyond `edge`, which has its own curvature from the two before it; `step` is the way out.
-void goOn(Strip* edge, int step, int count)
+/// Extrapolates `count` strips beyond `edge`, with the curvature from the two strips before it. `step` is the outward
+/// direction.
+void extrapolate(Strip* edge, int step, int count)
 {
-  const double rise = edge->gap - edge[-step].gap, bend = rise - (edge[-step].gap - edge[-2 * step].gap);
-  const bool closed = !(rise + bend > 0) || !(bend >= 0);
+  const double increase = edge->gap - edge[-step].gap, bend = increase - (edge[-step].gap - edge[-2 * step].gap);
+  const bool closed = !(increase + bend > 0) || !(bend >= 0);
   for (int k = 1; k <= count; ++k)
   {
     Strip& strip = edge[k * step];
     strip = *edge;
-    strip.gap = closed ? std::numeric_limits<double>::infinity() : edge->gap + k * (rise + 0.5 * (k + 1) * bend);
+    strip.gap = closed ? std::numeric_limits<double>::infinity() : edge->gap + k * (increase + 0.5 * (k + 1) * bend);
   }
 }
 
@@ -137,7 +138,7 @@ void findDeepest(StripGap& gap)
   if (lowest == gap.strips.begin() || lowest == gap.strips.end() - 1 || !std::isfinite(lowest[-1].gap) ||
       !std::isfinite(lowest[1].gap))
   {
-    return;  // the grid cuts the overlap off at its deepest place
+    return;  // the grid cuts the overlap at its deepest point
   }
   const Strip &before = lowest[-1], &after = lowest[1];
   const double slope = 0.5 * (after.gap - before.gap), second = before.gap - 2 * lowest->gap + after.gap;
@@ -149,7 +150,7 @@ void findDeepest(StripGap& gap)
   gap.deepest.bend += std::abs(shift) * (next.bend - lowest->bend);
 }
 
-/// Factors that give the area the ratio of length and width of its Hertz ellipse.
+/// Sets the factors that give the area the ratio of length to width of its Hertz ellipse.
 void correctShape(StripArea& area)
 {
   const double length = 2 * area.half_length;
@@ -175,8 +176,8 @@ bool fitStrips(const PatchGap& patch, StripGap& gap)
   {
     first[j] = fitColumn(patch, j);
   }
-  goOn(&first[0], -1, beyond);
-  goOn(&first[grid.ny - 1], 1, beyond);
+  extrapolate(&first[0], -1, beyond);
+  extrapolate(&first[grid.ny - 1], 1, beyond);
   findDeepest(gap);
   return true;
 }
@@ -206,7 +207,8 @@ StripArea stripAreaAt(const StripGap& gap, double modulus, double approach)
   }
   area.half_length = std::sqrt(kVirtualPenetration * approach / gap.deepest.bend);
   correctShape(area);
-  // Half-ellipse on each strip: pressure / half_length * pi/2 * l² per unit of width, corrected along and across.
+  // Each strip carries a half-ellipse: pressure / half_length * pi/2 * l² per unit of width, corrected along and
+  // across.
   area.pressure = kPi * modulus * approach * area.along * area.half_length / compliance(gap, area);
   area.force = 0.5 * kPi * area.pressure * squares * area.along * area.across / area.half_length;
   area.area = 2 * lengths * area.along * area.across;

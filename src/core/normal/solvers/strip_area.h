@@ -7,43 +7,44 @@
 
 namespace wheel_rail_contact::core
 {
-/// A column of a gap as a parabola along x.
+/// Parabola along x that represents a column of a gap.
 struct Strip
 {
-  double gap = 0;   ///< lowest [m]
-  double x = 0;     ///< where [m]
+  double gap = 0;   ///< lowest value [m]
+  double x = 0;     ///< position of the lowest value [m]
   double bend = 0;  ///< coefficient of x² [1/m]
 };
 
-/// Columns of a gap, some more beyond its grid on either side, and its deepest place, which may lie between two
-/// columns.
+/// Columns of a gap, with additional ones beyond the grid on both sides, and its deepest point. The deepest point may
+/// lie between two columns.
 struct StripGap
 {
-  std::vector<Strip> strips;  ///< by rising y
-  double y0 = 0, dy = 0;      ///< of the first strip, and from one to the next [m]
+  std::vector<Strip> strips;  ///< by increasing y
+  double y0 = 0, dy = 0;      ///< y of the first strip, distance of neighbouring strips [m]
   Strip deepest;
-  double y = 0;  ///< of the deepest place [m]
+  double y = 0;  ///< y of the deepest point [m]
 };
 
-/// Fits the columns: parabolas through three of their cells (two on a symmetric grid). Beyond the grid the gap goes on
-/// with the curvature it has at its edge, for the overlap may be wider than the contact; it is closed off where it
-/// would fall or bend downwards. Needs 3 × 3 cells (symmetric: 2 stored rows); false if there are fewer.
+/// Fits parabolas through three cells of each column (two on a symmetric grid). Beyond the grid the gap is extrapolated
+/// with the curvature at its edge, because the overlap may be wider than the contact. It is closed off where the
+/// extrapolation would decrease or bend downwards. Returns false if the grid has fewer than 3 × 3 cells (symmetric: 2
+/// stored rows).
 bool fitStrips(const PatchGap& patch, StripGap& gap);
 
-/// Contact area and pressure by Kik and Piotrowski, see kik_piotrowski.h.
+/// Contact area and pressure of Kik and Piotrowski, see kik_piotrowski.h.
 struct StripArea
 {
   bool sound = true;             ///< every loaded strip opens along x
-  double level = 0;              ///< gap below which strips are loaded [m]
-  double half_length = 0;        ///< of the strip through the deepest place, uncorrected [m]
+  double level = 0;              ///< level of the gap below which strips are loaded [m]
+  double half_length = 0;        ///< of the strip through the deepest point, uncorrected [m]
   double width = 0;              ///< uncorrected [m]
   double along = 1, across = 1;  ///< factors of the shape correction [-]
-  double pressure = 0;           ///< in the deepest place [Pa]
+  double pressure = 0;           ///< at the deepest point [Pa]
   double force = 0;              ///< [N]
   double area = 0;               ///< [m²]
 };
 
-/// Area and pressure at a patch's own approach [m]; force zero where that is not positive.
+/// Area and pressure at the own approach of a patch [m]. The force is zero if the approach is not positive.
 StripArea stripAreaAt(const StripGap& gap, double modulus, double approach);
 
 /// Pressure at the cells' centres.

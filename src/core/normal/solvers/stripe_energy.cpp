@@ -9,7 +9,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Smallest box of cells around a pressure, in cells of the whole grid.
+/// Smallest box of cells around a pressure; size in cells of the whole grid.
 struct LoadedBox
 {
   int rows = 0, columns = 0;

@@ -5,7 +5,8 @@
 
 namespace wheel_rail_contact::core
 {
-/// Energy, up to a factor, of point forces on the smallest box of cells around `pressure` (in the order of the gap
-/// arrays) whose sign changes from column to column. Negative: on cells so long the influence matrix is indefinite.
+/// Energy, up to a factor, of point forces with alternating sign from column to column on the smallest box of cells
+/// around `pressure` (in the order of the gap arrays). A negative value means that the influence matrix is indefinite,
+/// because the cells are too long.
 double stripeEnergy(const Grid& grid, const double* pressure);
 }  // namespace wheel_rail_contact::core

@@ -8,22 +8,23 @@
 
 namespace wheel_rail_contact::core
 {
-/// A problem's support in the solver's order of cells: what a pressure moves it by, and what that opens.
+/// Compliant support of a problem in the cell order of the solver: its displacement under a pressure, and the opening
+/// of the gap by this displacement.
 class SupportField
 {
  public:
-  /// `length`: of the arrays that hold the patches.
+  /// `length`: length of the arrays that contain the patches.
   void begin(const NormalProblem& problem, const std::vector<PatchLayout>& patches, int length);
 
   bool compliant() const { return support_.compliant; }
   const Eigen::Matrix3d& compliance() const { return support_.compliance; }
   const Eigen::Vector3d& placed() const { return support_.placed; }
 
-  /// Forces of a pressure along the coordinates [N], [N m].
+  /// Forces of a pressure along the coordinates of the support [N], [N m].
   Eigen::Vector3d force(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure) const;
-  /// Coordinates under a pressure [m], [rad].
+  /// Coordinates of the support under a pressure [m], [rad].
   Eigen::Vector3d coordinates(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure) const;
-  /// Adds what the coordinates open to a displacement [m].
+  /// Adds the opening of the gap by the coordinates to a displacement [m].
   void open(const Eigen::Vector3d& coordinates, LaneBuffer& displacement) const;
 
  private:

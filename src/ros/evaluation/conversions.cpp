@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/conversions.h"
+#include "ros/evaluation/conversions.h"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +12,13 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Status constants of the message by ContactStatus.
+/// Status constants of the message, in the order of ContactStatus.
 constexpr std::array<std::uint8_t, 5> status_constants{WheelsetContact::OK, WheelsetContact::LIFT_OFF,
                                                        WheelsetContact::OFF_PROFILE, WheelsetContact::NOT_CONVERGED,
                                                        WheelsetContact::INVALID_INPUT};
 
-/// Name of a normal method in a patch, alive as long as the program: never `auto`, but the one it chose.
+/// The given name of a normal method as text with static lifetime. `auto` is refused: a patch has the method that auto
+/// chose.
 std::string_view methodNamed(const std::string& name)
 {
   for (const core::NormalMethod method : core::all_normal_methods)
@@ -127,7 +128,7 @@ PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& press
 
 void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::ArrayXXd& pressure)
 {
-  constexpr std::uint32_t largest = 1U << 15U;  // of either count, so that their product is safe
+  constexpr std::uint32_t largest = 1U << 15U;  // of nx and ny, so that their product does not overflow
   if (message.nx > largest || message.ny > largest || message.pressure.size() != std::size_t{message.nx} * message.ny)
   {
     throw std::invalid_argument("pressure grid: " + std::to_string(message.pressure.size()) + " values for a grid of " +
@@ -141,7 +142,7 @@ void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::Arra
   result.y0 = message.y0;
   if (result.nx > 0 && std::abs(result.x(0) - message.x0) > 1e-9 * std::abs(result.nx * message.dx))
   {
-    throw std::invalid_argument("pressure grid: its middle is not at x = 0");
+    throw std::invalid_argument("pressure grid: its centre is not at x = 0");
   }
   grid = result;
   pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/contact_statistics.h"
+#include "ros/evaluation/contact_statistics.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "ros/node/conversions.h"
+#include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
 {
@@ -15,7 +15,7 @@ using diagnostic_msgs::DiagnosticStatus;
 constexpr std::array<const char*, ContactStatistics::statuses> status_names{
     "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM"};
 constexpr std::array<const char*, PairingCounts::reasons> drop_names{
-    "no partner of near enough stamp", "stamp given twice", "time went back", "waited too long for a partner"};
+    "no message with a matching stamp", "duplicate stamp", "time went back", "queue full while waiting for a match"};
 
 template <typename Counts>
 std::uint64_t total(const Counts& counts)
@@ -36,11 +36,11 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   }
   else if (evaluated > 0 && unusable == evaluated)
   {
-    report.summaryf(DiagnosticStatus::ERROR, "no answer usable: %s", now.last_reason.c_str());
+    report.summaryf(DiagnosticStatus::ERROR, "no usable result: %s", now.last_reason.c_str());
   }
   else if (unusable > 0)
   {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers not usable: %s", unusable, evaluated,
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results not usable: %s", unusable, evaluated,
                     now.last_reason.c_str());
   }
   else if (dropped > 0)
@@ -49,11 +49,11 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   }
   else if (evaluated == 0 && now.pairing.received > before.pairing.received)
   {
-    report.summary(DiagnosticStatus::WARN, "what comes in finds no partner");
+    report.summary(DiagnosticStatus::WARN, "no pose and load with matching stamps");
   }
   else if (now.lacking_neighbour > before.lacking_neighbour)
   {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers lack a neighbour's forces",
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results lack a neighbour's forces",
                     now.lacking_neighbour - before.lacking_neighbour, evaluated);
   }
   else if (now.beyond_linear_range > before.beyond_linear_range)
@@ -62,12 +62,12 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   }
   else if (now.above_tolerance > before.above_tolerance)
   {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu answers with an error estimate above contact/tolerance",
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results with an error estimate above contact/tolerance",
                     now.above_tolerance - before.above_tolerance, evaluated);
   }
   else if (evaluated > 0)
   {
-    report.summaryf(DiagnosticStatus::OK, "%lu answers", evaluated);
+    report.summaryf(DiagnosticStatus::OK, "%lu results", evaluated);
   }
   else
   {
@@ -138,22 +138,22 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
 {
   summarize(now, before, report);
   report.add("messages received", now.pairing.received);
-  report.add("messages waiting for a partner", now.pairing.waiting);
+  report.add("messages waiting for a match", now.pairing.waiting);
   for (std::size_t i = 0; i < drop_names.size(); ++i)
   {
     report.add(std::string("messages dropped: ") + drop_names[i], now.pairing.dropped[i]);
   }
   report.add("inputs dropped: overload", now.overload);
-  report.add("answers", now.evaluated());
+  report.add("results", now.evaluated());
   for (std::size_t i = 0; i < status_names.size(); ++i)
   {
-    report.add(std::string("answers ") + status_names[i], now.results[i]);
+    report.add(std::string("results ") + status_names[i], now.results[i]);
   }
   report.add("internal errors", now.internal_errors);
-  report.add("answers beyond the table's linear range", now.beyond_linear_range);
-  report.add("last beyond the table's linear range", now.last_beyond_linear_range);
-  report.add("answers with an error estimate above contact/tolerance", now.above_tolerance);
-  report.add("answers that lack a neighbour's forces", now.lacking_neighbour);
+  report.add("results beyond the table's linear range", now.beyond_linear_range);
+  report.add("last result beyond the table's linear range", now.last_beyond_linear_range);
+  report.add("results with an error estimate above contact/tolerance", now.above_tolerance);
+  report.add("results that lack a neighbour's forces", now.lacking_neighbour);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);
   addTimes(now, before, report);

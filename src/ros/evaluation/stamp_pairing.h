@@ -15,58 +15,61 @@
 
 namespace wheel_rail_contact
 {
-/// Why a sample never became part of an answer.
+/// Reason why a sample was dropped.
 enum class DropReason
 {
-  unmatched,  ///< no sample of another channel had a stamp near enough
-  duplicate,  ///< its channel had a sample of that stamp already
-  time_jump,  ///< time went back while it waited for its partner, or it came out of order
-  queue_full  ///< newer samples of its channel pushed it out while it waited
+  unmatched,  ///< another channel has no sample with a stamp within the slop
+  duplicate,  ///< the previous sample of the channel has the same stamp
+  time_jump,  ///< time went back while the sample waited for a match, or the sample was out of order
+  queue_full  ///< newer samples of the channel filled the queue while the sample waited
 };
 
-/// Where the samples went. At any time: received = paired + sum of dropped + waiting.
+/// Numbers of samples. At any time: received = paired + sum of dropped + waiting.
 struct PairingCounts
 {
-  static constexpr std::size_t reasons = 4;  ///< number of them
+  static constexpr std::size_t reasons = 4;  ///< number of constants of DropReason
 
-  std::uint64_t received = 0;                    ///< samples
-  std::uint64_t paired = 0;                      ///< samples in sets
+  std::uint64_t received = 0;                    ///< all samples
+  std::uint64_t paired = 0;                      ///< samples in complete sets
   std::array<std::uint64_t, reasons> dropped{};  ///< by DropReason
-  std::uint64_t waiting = 0;                     ///< for their partners
+  std::uint64_t waiting = 0;                     ///< samples that wait for a match
 };
 
-/// Puts samples of several channels together by their stamps: one of each channel, all stamps within `slop`.
+/// Combines samples of several channels by their stamps into sets: one sample of each channel, all stamps within
+/// `slop`.
 ///
-/// The channels are merged like sorted lists. Whenever every channel has a sample waiting, the oldest of each are
-/// compared: they form a set if their stamps lie within the slop, otherwise the oldest of them has no partner. So the
-/// sets depend on the sequence of each channel only, not on how the channels interleave on their way here, no clock is
-/// asked, and a live node and a replay of its bag form the same sets. A slop below half the sampling interval is
-/// unambiguous.
+/// *Matching.* The channels are merged like sorted lists. Whenever every channel has a waiting sample, the oldest
+/// sample of each channel is compared. They form a set if their stamps are within the slop. Otherwise the oldest of
+/// them is dropped as unmatched. The sets therefore depend only on the sequence of each channel, not on the order in
+/// which the channels arrive, nor on a clock. A live node and a replay of its bag form the same sets. A slop below half
+/// the sampling interval is unambiguous.
 ///
-/// message_filters cannot be used for this: it works on subscribers and callbacks only, its approximate policy depends
-/// on the order of arrival, and neither policy tells what it dropped.
+/// *Time that goes back.* The stamps of a channel must increase. If a stamp decreases, time has been set back: a bag
+/// loops, or a simulation restarts. The channels do so one after the other.
+/// - The new samples of a channel that has gone back are kept apart until all other channels have gone back, too.
+///   Meanwhile the samples of the other channels are still matched with the old samples of this channel. No set is lost
+///   at the end of a loop, and no set combines samples from before and after the jump.
+/// - A channel whose stamps have not passed the stamp to which another channel went back is treated as gone back, too.
+/// - If a channel passes the stamp at which it went back before all others have followed, it only had a sample out of
+///   order.
 ///
-/// Within a channel stamps must rise. A stamp going back means that time has been set back (a bag loops, a simulation
-/// is restarted). Channels learn of that one after the other: what comes from one that has gone back waits apart until
-/// all others have, while the others go on to be paired with what it left waiting. So no set is lost at the seam of a
-/// loop, and none is made of samples before and after it. A channel that has not been beyond the stamp to which another
-/// went back counts as gone with it. A channel that gets beyond where it went back from before the others followed had
-/// only a sample out of order.
+/// message_filters is not suitable: it works only with subscribers and callbacks, its approximate policy depends on the
+/// order of arrival, and none of its policies reports dropped messages.
 ///
-/// @tparam Sample cheap to move, such as a pointer to a message
+/// @tparam Sample a type that is cheap to move, such as a pointer to a message
 template <typename Sample>
 class StampPairing
 {
  public:
   /// @param channels number of channels, >= 1
-  /// @param slop largest distance of the stamps of one set [s], >= 0
-  /// @param capacity greatest number of samples that wait in one channel, >= 1; the oldest make room
+  /// @param slop largest difference of the stamps of one set [s], >= 0
+  /// @param capacity largest number of waiting samples of a channel, >= 1; if it is exceeded, the oldest is dropped
   StampPairing(std::size_t channels, double slop, std::size_t capacity)
       : channels_(channels), slop_(std::llround(slop * 1e9)), capacity_(capacity)
   {
   }
 
-  /// Takes a sample. @return the set it completes, by channel, if any.
+  /// Adds a sample. @return the set that it completes, ordered by channel, if any.
   std::optional<std::vector<Sample>> add(std::size_t channel, const ros::Time& stamp, Sample sample)
   {
     ++counts_.received;
@@ -96,7 +99,7 @@ class StampPairing
     return merge();
   }
 
-  /// Drops what still waits: at the end of a recording its partners will not come.
+  /// Drops all waiting samples as unmatched, at the end of a recording.
   void finish()
   {
     for (Channel& channel : channels_)
@@ -106,10 +109,10 @@ class StampPairing
     }
   }
 
-  /// Where the samples went so far.
+  /// Numbers of samples received, paired, dropped and waiting.
   const PairingCounts& counts() const { return counts_; }
 
-  /// True if nothing waits for a partner, nor for a channel to follow another back in time.
+  /// True if no sample waits, and no channel has gone back in time before the others.
   bool isSettled() const
   {
     return counts_.waiting == 0 &&
@@ -123,16 +126,16 @@ class StampPairing
     std::uint64_t arrival;  ///< number among all samples received
     Sample sample;
   };
-  using Queue = std::deque<Entry>;  ///< stamps rising
+  using Queue = std::deque<Entry>;  ///< in order of increasing stamps
 
   struct Channel
   {
-    Queue waiting;
-    Queue after;                       ///< what came since it went back, as long as others have not followed
-    std::optional<std::int64_t> last;  ///< newest stamp [ns]
-    bool gone_back = false;            ///< while others have not followed
-    std::int64_t left_at = 0;          ///< the stamp from which it went back [ns]
-    std::uint64_t went_at = 0;         ///< the arrival with which it went back
+    Queue waiting;                     ///< samples that can be matched
+    Queue after;                       ///< samples since it went back, until all other channels have gone back
+    std::optional<std::int64_t> last;  ///< stamp of the last sample [ns]
+    bool gone_back = false;            ///< it has gone back, and other channels have not
+    std::int64_t left_at = 0;          ///< stamp before it went back [ns]
+    std::uint64_t went_at = 0;         ///< arrival number of the sample with which it went back
   };
 
   std::uint64_t& dropped(DropReason reason) { return counts_.dropped[static_cast<std::size_t>(reason)]; }
@@ -152,7 +155,7 @@ class StampPairing
     }
   }
 
-  /// A channel goes back to a stamp [ns]. With the last one the new time begins for all.
+  /// Handles a channel that goes back to a stamp [ns]. When all channels have gone back, the old samples are dropped.
   void goBack(Channel& own, std::int64_t stamp)
   {
     dropAll(own.after, DropReason::time_jump);
@@ -168,11 +171,12 @@ class StampPairing
     }
     if (std::all_of(channels_.begin(), channels_.end(), [](const Channel& channel) { return channel.gone_back; }))
     {
-      beginAnew();
+      restart();
     }
   }
 
-  void beginAnew()
+  /// Continues with the samples since the jump.
+  void restart()
   {
     for (Channel& channel : channels_)
     {
@@ -182,7 +186,8 @@ class StampPairing
     }
   }
 
-  /// Time has not been set back after all. What waited in other channels when it seemed so is not trusted.
+  /// Ends the separation of a channel that only had a sample out of order. Drops the samples of the other channels that
+  /// arrived before that sample: if time was set back nevertheless, they belong to the time before.
   void rejoin(Channel& own)
   {
     dropAll(own.after, DropReason::time_jump);
@@ -196,7 +201,7 @@ class StampPairing
     }
   }
 
-  /// Only the channel just added to can have been empty before, so at most one set comes of it.
+  /// Forms at most one set, because only the channel of the new sample can have been empty before.
   std::optional<std::vector<Sample>> merge()
   {
     const auto earlier = [](const Channel& a, const Channel& b)

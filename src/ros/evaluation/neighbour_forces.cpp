@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/neighbour_forces.h"
+#include "ros/evaluation/neighbour_forces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "ros/node/conversions.h"
+#include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
 {
@@ -13,7 +13,7 @@ namespace
 {
 constexpr auto longest_age_ns = static_cast<std::int64_t>(1e9 * NeighbourForces::longest_age);
 
-/// From one stamp to another [ns]. (ros::Duration throws above 68 years, and stamps may be anything.)
+/// Time from `earlier` to `stamp` [ns]. Stamps may have any value, and ros::Duration throws above 68 years.
 std::int64_t ageAt(const ros::Time& stamp, const ros::Time& earlier)
 {
   return static_cast<std::int64_t>(stamp.toNSec()) - static_cast<std::int64_t>(earlier.toNSec());
@@ -24,7 +24,7 @@ core::RailForce forceOn(const RailDeflection& rail)
   return {rail.lateral_force, rail.vertical_force, rail.moment};
 }
 
-/// A foreign message may hold anything.
+/// False for values from an invalid message.
 bool isFinite(const core::RailForce& force)
 {
   return std::isfinite(force.lateral) && std::isfinite(force.vertical) && std::isfinite(force.moment);
@@ -46,7 +46,7 @@ void NeighbourForces::add(std::size_t neighbour, const NeighbourResult& result)
   {
     results.pop_back();
   }
-  if (results.size() == most_kept)
+  if (results.size() == capacity)
   {
     results.pop_front();
   }
@@ -85,7 +85,7 @@ NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
   return effect;
 }
 
-/// Of the newest answer before the stamp; null if there is none, or it is too old or not usable.
+/// Forces of the newest result before the stamp; null if there is none, or if it is too old or not usable.
 const NeighbourForces::Forces* NeighbourForces::forcesAt(const Neighbour& neighbour, const ros::Time& stamp)
 {
   const auto& results = neighbour.results;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/result_text.h"
+#include "ros/evaluation/result_text.h"
 
-#include "ros/node/contact_statistics.h"
-#include "ros/node/text.h"
+#include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {

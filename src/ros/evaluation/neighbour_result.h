@@ -14,11 +14,11 @@
 
 namespace wheel_rail_contact
 {
-/// What a wheelset needs to know of a neighbour's answer. It is read from a message WheelsetContact up to the patches,
-/// which may be large, or damaged and claim to be.
+/// The part of a neighbour's result that a wheelset uses. It is read from a message WheelsetContact without the
+/// patches, which may be large, or of a wrong size in a damaged message.
 struct NeighbourResult
 {
-  ros::Time stamp;                            ///< of the neighbour's input
+  ros::Time stamp;                            ///< of the input of the neighbour
   std::uint8_t status = WheelsetContact::OK;  ///< constant of the message WheelsetContact
   RailDeflection left_rail;                   ///< as in the message
   RailDeflection right_rail;                  ///< as in the message
@@ -29,12 +29,12 @@ namespace ros
 {
 namespace message_traits
 {
-/// That of the whole message.
+/// Same as for WheelsetContact.
 template <>
 struct MD5Sum<wheel_rail_contact::NeighbourResult> : MD5Sum<wheel_rail_contact::WheelsetContact>
 {
 };
-/// That of the whole message.
+/// Same as for WheelsetContact.
 template <>
 struct DataType<wheel_rail_contact::NeighbourResult> : DataType<wheel_rail_contact::WheelsetContact>
 {

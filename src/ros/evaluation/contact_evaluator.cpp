@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/contact_evaluator.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ros/node/conversions.h"
-#include "ros/node/text.h"
+#include "ros/evaluation/conversions.h"
+#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
@@ -13,7 +13,7 @@ namespace
 {
 std::string rangeWarning(core::Side side, const core::RailResult& rail, double linear_range)
 {
-  return formatted("%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table holds up to %g",
+  return formatted("%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table is valid up to %g",
                    sideName(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
                    std::abs(rail.lateral_force / rail.vertical_force), linear_range);
 }

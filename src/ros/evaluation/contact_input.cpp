@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/contact_input.h"
+#include "ros/evaluation/contact_input.h"
 
 #include <tf2/exceptions.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ros/node/conversions.h"
+#include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
 {
@@ -23,7 +23,7 @@ constexpr double quaternion_tolerance = 1e-3;
   throw UnusableInput(WheelsetContact::INVALID_INPUT, reason);
 }
 
-/// A message as it is kept. A frame_id longer than any name is cut, so that messages that wait take bounded memory.
+/// The message to store: with a frame_id that is cut at the longest stored length.
 template <typename Message>
 boost::shared_ptr<const Message> kept(const boost::shared_ptr<const Message>& message)
 {
@@ -59,7 +59,7 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Pose& pose)
   const double norm = q.norm();
   if (!(std::abs(norm - 1) <= quaternion_tolerance))
   {
-    refuse("pose: the quaternion's length is " + std::to_string(norm) + ", it must be 1 within 0.001");
+    refuse("pose: the length of the quaternion is " + std::to_string(norm) + ", but must be 1 within 0.001");
   }
   return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) * q.normalized();
 }
@@ -71,7 +71,7 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform)
   return Eigen::Translation3d(t.x, t.y, t.z) * Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized();
 }
 
-/// A text of unknown origin, cut to what a reason has room for.
+/// A text from outside, cut to a length that is suitable for a reason.
 std::string shown(const std::string& text)
 {
   constexpr std::size_t room = 200;
@@ -89,7 +89,8 @@ Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std:
   }
   if (!isFrameName(frame))
   {
-    throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: its frame_id '" + shown(frame) + "' names no tf frame");
+    throw UnusableInput(WheelsetContact::NO_TRANSFORM,
+                        "pose: frame_id '" + shown(frame) + "' is not a valid tf frame name");
   }
   try
   {
@@ -97,7 +98,7 @@ Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std:
   }
   catch (const tf2::TransformException& error)
   {
-    throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: no transform from its frame '" + shown(frame) + "' to '" +
+    throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: no transform from frame '" + shown(frame) + "' to '" +
                                                            track_frame + "' (track/frame): " + shown(error.what()));
   }
 }
@@ -107,8 +108,7 @@ void setLoad(const geometry_msgs::WrenchStamped& load, const std::string& track_
   const std::string& frame = load.header.frame_id;
   if (!frame.empty() && frame != track_frame)
   {
-    refuse("load: its frame_id is '" + shown(frame) + "', but it must be in track axes: '" + track_frame +
-           "' or empty");
+    refuse("load: frame_id is '" + shown(frame) + "', but must be '" + track_frame + "' or empty (track axes)");
   }
   requireFinite(load.wrench, "load");
   state.force_z = load.wrench.force.z;

@@ -10,7 +10,7 @@
 
 namespace wheel_rail_contact
 {
-/// As printf() prints it; of a longer text the first 255 bytes.
+/// Text formatted as by printf(), cut at 255 bytes.
 template <typename... Values>
 std::string formatted(const char* format, Values... values)
 {
@@ -19,7 +19,7 @@ std::string formatted(const char* format, Values... values)
   return {text.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), text.size() - 1)};
 }
 
-/// `left` or `right`.
+/// "left" or "right".
 inline const char* sideName(core::Side side)
 {
   return side == core::Side::left ? "left" : "right";

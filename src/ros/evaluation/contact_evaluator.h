@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <std_msgs/Header.h>
+
+#include <cstdint>
+#include <string>
+
+#include <wheel_rail_contact/WheelsetContact.h>
+#include "core/track/placement.h"
+#include "ros/evaluation/contact_input.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
+
+namespace wheel_rail_contact
+{
+/// Result for one input, from which messages and markers are made.
+struct ContactOutput
+{
+  std_msgs::Header header;                               ///< stamp of the pose; frame_id is the track frame
+  std::uint8_t status = WheelsetContact::INVALID_INPUT;  ///< constant of the message WheelsetContact
+  std::string reason;                                    ///< status_text; empty if OK and without a warning
+  core::WheelsetState state;                             ///< input of the evaluation; zero if the input was unusable
+  const core::WheelsetResult* result = nullptr;          ///< null unless usable; valid until the next evaluation
+  std::string beyond_linear_range;  ///< linearRangeWarning(); empty if both rails are within the linear range
+  bool lacks_neighbour = false;     ///< evaluated without the forces of a neighbour (NeighbourForces)
+
+  /// Position of the axle centre along the track [m].
+  double x() const { return state.x; }
+  /// Wheelset pose, track frame: with the solved height and roll if usable, otherwise as in the input.
+  core::WheelsetPose pose() const;
+};
+
+/// Evaluates inputs, for the live node and for the replay. Not thread-safe.
+class ContactEvaluator
+{
+ public:
+  /// @throw std::invalid_argument if the core rejects the configuration.
+  explicit ContactEvaluator(const NodeConfig& config);
+
+  /// Returns one output for each input. Does not throw for an unusable input: see ContactOutput::status.
+  ContactOutput evaluate(const PreparedInput& input);
+
+ private:
+  std::string track_frame_;
+  double linear_range_;
+  core::WheelsetContact contact_;
+};
+
+/// Warning with side, Y, Q and |Y|/Q of each rail whose |Y|/Q exceeds the range of the compliance table; empty if both
+/// rails are within the range.
+/// @param linear_range largest |Y|/Q for which the table is valid [-]
+std::string linearRangeWarning(const core::WheelsetResult& result, double linear_range);
+
+/// Message of an output.
+/// @param with_grids false: the pressure grids are left empty
+/// @param solve_time wall time of the evaluation [s]
+WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double solve_time);
+
+/// Output from which a message was made. Fills `result`; a usable output refers to it.
+/// @throw std::invalid_argument for an unknown constant or method, or a grid of the wrong size (fromMessage()).
+ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetResult& result);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/stamp_pairing.h"
+
+namespace wheel_rail_contact
+{
+/// Name of a status constant, as in the message WheelsetContact.
+const char* statusName(std::uint8_t status);
+/// Text for diagnostics and the output of a replay.
+const char* dropName(DropReason reason);
+
+/// Counts of a server since its start. Each message that is lost is counted here.
+struct ContactStatistics
+{
+  static constexpr std::size_t statuses = 6;  ///< number of status constants
+
+  PairingCounts pairing;                          ///< single messages
+  std::uint64_t overload = 0;                     ///< inputs that newer ones pushed out of the queue
+  std::array<std::uint64_t, statuses> results{};  ///< by status constant of the message WheelsetContact
+  std::uint64_t internal_errors = 0;      ///< inputs whose evaluation threw an exception: a fault of the program
+  std::uint64_t beyond_linear_range = 0;  ///< results with |Y|/Q beyond the range of the compliance table
+  std::uint64_t above_tolerance = 0;      ///< usable results with an error estimate above contact/tolerance
+  std::uint64_t lacking_neighbour = 0;    ///< results without the forces of a neighbour
+  std::uint64_t messages_built = 0;       ///< result messages, built only for subscribers
+  std::uint64_t marker_arrays_built = 0;  ///< marker arrays, built only for subscribers
+  double solve_time_sum = 0;              ///< of all results [s]
+  double solve_time_max = 0;              ///< since the last report [s]
+  std::string last_beyond_linear_range;   ///< warning of the newest result beyond the linear range
+  std::string last_reason;                ///< reason of the newest result that has one
+
+  /// Adds a result.
+  /// @param solve_time wall time of the evaluation [s]
+  void count(const ContactOutput& output, double solve_time);
+
+  /// Number of results, of any status.
+  std::uint64_t evaluated() const;
+  /// Number of usable results.
+  std::uint64_t usable() const;
+  /// Number of dropped inputs and of dropped single messages.
+  std::uint64_t dropped() const;
+};
+
+/// Fills a diagnostic report on the time since the last report.
+///
+/// ERROR: an internal error, or results of which none is usable. WARN: unusable results, dropped inputs or messages,
+/// messages but no results, unknown forces of a neighbour, a rail beyond the range of its table, or an error estimate
+/// above the tolerance. OK: otherwise.
+/// @param before statistics at the last report
+void diagnose(const ContactStatistics& now, const ContactStatistics& before,
+              diagnostic_updater::DiagnosticStatusWrapper& report);
+}  // namespace wheel_rail_contact

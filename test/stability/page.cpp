@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "page.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheel_rail_contact::core::stability
+{
+namespace
+{
+/// Reasons of all refusals, in the order in which they occur.
+std::vector<std::string> reasonsOf(const std::vector<MapTable>& tables)
+{
+  std::vector<std::string> reasons;
+  for (const MapTable& table : tables)
+  {
+    for (const MapRow& row : table.rows)
+    {
+      for (const Verdict& verdict : row.verdicts)
+      {
+        const std::string& reason = verdict.reason();
+        if (!reason.empty() && std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+        {
+          reasons.push_back(reason);
+        }
+      }
+    }
+  }
+  return reasons;
+}
+
+/// (a), (b), ...
+std::string letter(std::size_t index)
+{
+  return {'(', static_cast<char>('a' + index), ')'};
+}
+
+std::string entry(const Verdict& verdict, const std::vector<std::string>& reasons)
+{
+  const auto reason = std::find(reasons.begin(), reasons.end(), verdict.reason());
+  return verdict.text() +
+         (reason == reasons.end() ? "" : " " + letter(static_cast<std::size_t>(reason - reasons.begin())));
+}
+
+void writeLegend(std::ostream& out, const std::vector<std::string>& reasons)
+{
+  out << "| entry | meaning |\n|---|---|\n| " << error_classes.front().text << " | error of the highest pressure up to "
+      << std::lround(100 * error_classes.front().upper) << " % |\n| ";
+  for (std::size_t k = 1; k < error_classes.size(); ++k)
+  {
+    out << (k > 1 ? "; " : "") << error_classes[k].text;
+  }
+  out << " | error of the highest pressure |\n"
+         "| flagged | the error estimate of the result is above the tolerance. The node reports this in `status_text`. "
+         "Results that are right are not marked |\n"
+         "| no reference | the reference itself may be wrong by more than "
+      << std::lround(100 * error_classes.front().upper)
+      << " % |\n"
+         "| no contact | neither wheel touches its rail, in the reference too |\n"
+         "| refused | no result; the letter gives the reason |\n";
+  for (std::size_t k = 0; k < reasons.size(); ++k)
+  {
+    out << "| " << letter(k) << " | " << reasons[k] << " |\n";
+  }
+}
+
+void writeTable(std::ostream& out, const MapTable& table, const std::vector<std::string>& reasons)
+{
+  out << "\n## " << table.title << "\n\n" << table.text << "\n\n| situation |";
+  for (const std::string& column : table.columns)
+  {
+    out << ' ' << column << " |";
+  }
+  out << "\n|---|";
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+  {
+    out << "---|";
+  }
+  out << '\n';
+  for (const MapRow& row : table.rows)
+  {
+    out << "| " << row.situation << " |";
+    for (const Verdict& verdict : row.verdicts)
+    {
+      out << ' ' << entry(verdict, reasons) << " |";
+    }
+    out << '\n';
+  }
+}
+
+/// The fields of a row of a table, without spaces at both ends and letters of reasons.
+std::vector<std::string> fieldsOf(const std::string& line)
+{
+  std::vector<std::string> fields;
+  const std::string separator = " | ";
+  std::size_t begin = 2, end = 0;
+  while ((end = line.find(separator, begin)) != std::string::npos)
+  {
+    fields.push_back(line.substr(begin, end - begin));
+    begin = end + separator.size();
+  }
+  fields.push_back(line.substr(begin, line.rfind(" |") - begin));
+  for (std::string& field : fields)
+  {
+    field = field.rfind("refused (", 0) == 0 ? "refused" : field;
+  }
+  return fields;
+}
+}  // namespace
+
+void writePage(std::ostream& out, const std::vector<MapTable>& tables)
+{
+  out << "# Stability of the methods\n\n"
+         "<!-- This page is generated. To generate it again after a change of a method:\n"
+         "cmake --build build --target stability_page\n"
+         "build/devel/lib/wheel_rail_contact/stability_page > doc/stability.md\n"
+         "-->\n\n"
+         "This page shows in which situations each method is accurate, inaccurate, or without a result.\n\n";
+  const std::vector<std::string> reasons = reasonsOf(tables);
+  writeLegend(out, reasons);
+  out << "\nThe test `test_stability` solves each situation again. `auto` must be right, refused or flagged in each of "
+         "them. The other entries must be those of the page, except where a value is within "
+      << std::lround(100 * border_margin)
+      << " % of the border between two classes. `stability_campaign` checks random wheelsets "
+         "([CONTRIBUTING](../CONTRIBUTING.md#stability)).\n";
+  for (const MapTable& table : tables)
+  {
+    writeTable(out, table, reasons);
+  }
+}
+
+PageEntries readPage(std::istream& in)
+{
+  PageEntries entries;
+  std::string title;
+  std::vector<std::string> columns;
+  for (std::string line; std::getline(in, line);)
+  {
+    if (line.rfind("## ", 0) == 0)
+    {
+      title = line.substr(3);
+      columns.clear();
+    }
+    if (title.empty() || line.rfind("| ", 0) != 0)
+    {
+      continue;
+    }
+    const std::vector<std::string> fields = fieldsOf(line);
+    if (columns.empty())
+    {
+      columns = fields;
+      continue;
+    }
+    for (std::size_t k = 1; k < std::min(fields.size(), columns.size()); ++k)
+    {
+      entries[title][fields[0]][columns[k]] = fields[k];
+    }
+  }
+  return entries;
+}
+}  // namespace wheel_rail_contact::core::stability
