@@ -17,7 +17,7 @@ namespace
 {
 /// Column names with units: first the columns of the result, then those of the patch.
 constexpr const char* header =
-    "answer [-],wheelset,stamp [s],status,reason,x [m],y [m],z [m],roll [rad],yaw [rad],"
+    "result [-],wheelset,stamp [s],status,reason,x [m],y [m],z [m],roll [rad],yaw [rad],"
     "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
     "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
     "right_vertical_force [N],"

@@ -23,7 +23,7 @@ def violations(parameters, results):
 
 class Bounds(unittest.TestCase):
     def test_results_within_the_bounds_pass(self):
-        parameters = {"answers": 2, "flange_contact": False,
+        parameters = {"results": 2, "flange_contact": False,
                       "bounds": {"max_pressure": {"max": 1e9}, "area": {"min": 1e-5, "max": 1e-4}}}
         good = [result(max_pressure=p, area=a, contact_angle=0.69) for p, a in ((1e9, 1e-5), (0, 1e-4))]
         self.assertEqual(violations(parameters, good), {})
@@ -55,13 +55,13 @@ class Bounds(unittest.TestCase):
         self.assertEqual(violations({"refusals": 1, "lift_offs": 1}, results), {})
 
     def test_run_without_results_fails(self):
-        self.assertEqual(violations({}, []), {"answers": "0 results, at least 1 are required"})
+        self.assertEqual(violations({}, []), {"results": "0 results, at least 1 are required"})
 
     def test_numbers_may_be_strings(self):
         self.assertEqual(read_limits({"bounds": {"max_pressure": {"max": "2e9"}}}).bounds["max_pressure"][1], 2e9)
 
     def test_invalid_parameters_are_refused_by_name(self):
-        for parameters, name in (({"answer": 1}, "answer = 1"), ({"answers": 1.5}, "answers = 1.5"),
+        for parameters, name in (({"result": 1}, "result = 1"), ({"results": 1.5}, "results = 1.5"),
                                  ({"refusals": -1}, "refusals"), ({"flange_contact": "no"}, "flange_contact"),
                                  ({"idle": 0}, "idle"), ({"bounds": {"presure": {"max": 1}}}, "bounds/presure"),
                                  ({"bounds": {"area": {"most": 1}}}, "bounds/area"),

@@ -13,7 +13,7 @@ class Failing(unittest.TestCase):
     def test_violated_bounds_are_reported(self):
         with tempfile.TemporaryDirectory() as folder:
             bounds = pathlib.Path(folder) / "bounds.yaml"
-            bounds.write_text("answers: 201\nflange_contact: false\nbounds: {normal_force: {max: 1.2e+5}, area: {min: 0}}\n")
+            bounds.write_text("results: 201\nflange_contact: false\nbounds: {normal_force: {max: 1.2e+5}, area: {min: 0}}\n")
             run = subprocess.run(["rostest", EXAMPLE, f"bounds:={bounds}"], capture_output=True, text=True, check=False,
                                  cwd=folder, env={**os.environ, "ROS_HOME": folder})
             results = "".join(path.read_text() for path in pathlib.Path(folder).rglob("rosunit-contact_check.xml"))

@@ -147,10 +147,10 @@ TEST_F(Picture, ColourRepresentsThePressure)
 TEST_F(Picture, ForceArrowPointsIntoTheRailAndHasTheLengthOfTheForce)
 {
   const Marker arrow = findMarker(draw(), "force", 0);
-  const auto &narrow_end = arrow.points[0], &head = arrow.points[1];
-  EXPECT_NEAR(std::hypot(head.y - narrow_end.y, head.z - narrow_end.z), config.markers.force_scale * 1e5, 1e-12);
-  EXPECT_LT(head.z, narrow_end.z);
-  EXPECT_GT(head.y, narrow_end.y) << "on the left rail the force on the tread points outward";
+  const auto &tail = arrow.points[0], &head = arrow.points[1];
+  EXPECT_NEAR(std::hypot(head.y - tail.y, head.z - tail.z), config.markers.force_scale * 1e5, 1e-12);
+  EXPECT_LT(head.z, tail.z);
+  EXPECT_GT(head.y, tail.y) << "on the left rail the force on the tread points outward";
 }
 
 TEST_F(Picture, LabelGivesPressureAndArea)

@@ -280,10 +280,8 @@ MapTable shapeMap()
       "cells, without an error estimate. The reference is `conjugate_gradient` on 96 × 192 cells. \"At the border\": "
       "there is pressure in the outer cells; a wheelset would then be solved again on a larger grid. The conformal "
       "gaps (radius 13 mm in 14 mm to 13 mm) end in steep parabolas 7 mm from their middle, the flat one and the "
-      "saddle "
-      "5 mm from it. The step is as high as that of S1002 at y = −35 mm. At a step the exact pressure is unbounded: "
-      "the "
-      "highest pressure grows as the cells become smaller.",
+      "saddle 5 mm from it. The step is as high as that of S1002 at y = −35 mm. At a step the exact pressure is "
+      "unbounded: the highest pressure grows as the cells become smaller.",
       {},
       {}};
   for (const NormalMethod method : all_normal_methods)
@@ -313,8 +311,8 @@ MapTable fewCellsMap()
       "Patches of few cells",
       "An elliptic contact (Hertz, curvatures 1:2) on 5 to 7 cells each way, few of which have pressure (counted for "
       "`conjugate_gradient`). The reference is the exact solution. Column \"error estimate\": whether the estimate of "
-      "`conjugate_gradient` covers the error of the highest pressure, and whether it is above 10 %. A "
-      "result with such an estimate is flagged at any tolerance up to 10 %. A wheelset is solved again on another grid "
+      "`conjugate_gradient` covers the error of the highest pressure, and whether it is above 10 %. A result "
+      "with such an estimate is flagged at any tolerance up to 10 %. A wheelset is solved again on another grid "
       "if a patch has pressure in fewer than three cells, and refused if no sufficient grid is found.",
       {"conjugate_gradient", "error estimate", "seidel", "seidel_printed"},
       {}};
@@ -356,8 +354,7 @@ MapTable boxMap()
       "Size of the grid",
       "An elliptic contact (Hertz, curvatures 1:2), solved by `conjugate_gradient` on 16 × 32 cells. The grid is "
       "smaller or larger than the contact. The reference is the exact solution. A wheelset is solved again on a larger "
-      "grid if "
-      "there is pressure at the border, and on a smaller one if the grid is much larger than the contact.",
+      "grid if there is pressure at the border, and on a smaller one if the grid is much larger than the contact.",
       {"conjugate_gradient", "pressure at the border"},
       {}};
   for (const double margin : {0.8, 0.9, 1.0, 1.1, 2.0, 4.0, 8.0})

@@ -199,8 +199,7 @@ void Tally::print() const
   printRefusals();
   std::printf(
       "steps of 1 um: %ld continuous, %ld with a jump of a contact, %ld discontinuous without a jump, %ld with one "
-      "result "
-      "refused, %ld with both refused\n",
+      "result refused, %ld with both refused\n",
       count(Pair::continuous), count(Pair::jumped), count(Pair::discontinuous), count(Pair::one_refused),
       count(Pair::both_refused));
   for (const std::string& example : discontinuous_)

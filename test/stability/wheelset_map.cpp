@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "../core/balance/wheelset_scene.h"
 #include "scene_profile.h"
@@ -141,6 +142,7 @@ WheelsetResult reference(ContactModelConfig config, const WheelsetState& state, 
   return result(config, NormalMethod::conjugate_gradient, state);
 }
 
+/// Largest relative error of the maximum pressure of a wheel [-]; infinite if a pressure is not a number.
 double pressureError(const WheelsetResult& found, const WheelsetResult& truth)
 {
   double error = 0;
@@ -148,7 +150,8 @@ double pressureError(const WheelsetResult& found, const WheelsetResult& truth)
   {
     const double expected = wheelTotal(truth, side).max_pressure;
     const double value = wheelTotal(found, side).max_pressure;
-    error = std::max(error, expected > 0 ? std::abs(value / expected - 1) : value > 0 ? 1 : 0);
+    const double one = expected > 0 ? std::abs(value / expected - 1) : value > 0 ? 1 : 0;
+    error = std::isfinite(value) ? std::max(error, one) : std::numeric_limits<double>::infinity();
   }
   return error;
 }
@@ -198,8 +201,8 @@ MapTable wheelsetMap()
       "Wheel S1002 on rail 60E1, rail inclination 1:40, gauge 1.435 m, 100 kN per wheel, tolerance 0.01, unless the "
       "situation gives another value. y is the lateral displacement to the left. \"pads 40/100\" gives the lateral and "
       "vertical stiffness of the rail pads in kN/mm; the rails are rigid in all other situations. Profiles with names "
-      "in "
-      "small letters are in `test/stability/profiles`. The \"wavy\" ones pass through all of their points, which have "
+      "in small letters are in `test/stability/profiles`. The \"wavy\" ones pass through all of their points, which "
+      "have "
       "noise of 0.5 µm. The points of the others have noise of 5 µm and are smoothed; \"hollow\" and \"worn\" profiles "
       "are worn. The reference is `conjugate_gradient` on 128 × 256 cells. There is no reference where it differs from "
       "the result on 64 × 128 cells by more than 2 %.",

@@ -130,8 +130,8 @@ struct PatchPressure
 {
   Grid grid;                 ///< grid of the pressure
   Eigen::ArrayXXd pressure;  ///< pressure of each cell [Pa], same shape as the gap
-  Eigen::ArrayXXd
-      displacement;  ///< displacement of both surfaces away from one another by the pressure [m], same shape
+  /// Displacement of both surfaces away from one another by the pressure [m], same shape as the gap.
+  Eigen::ArrayXXd displacement;
   double force = 0;  ///< normal force of the whole patch [N]
   /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
   /// pressure of the highest cell.

@@ -39,9 +39,9 @@ double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
 {
   Eigen::Index i = 0, j = 0;
   const double least = gap.minCoeff(&i, &j);
-  const bool peak = grid.symmetric && i == 0;  // the neighbour of this cell is its mirror image
-  const bool inside = (peak || i > 0) && i + 1 < gap.rows();
-  const double along = inside ? fall(peak ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0;
+  const bool at_mirror = grid.symmetric && i == 0;  // the neighbour of this cell is its mirror image
+  const bool inside = (at_mirror || i > 0) && i + 1 < gap.rows();
+  const double along = inside ? fall(at_mirror ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0;
   return least - along - fallAcross(gap, i, j);
 }
 

@@ -15,7 +15,7 @@ namespace wheel_rail_contact
 struct PatchStyle
 {
   double zoom = 30;               ///< magnification in the tangent plane [-], >= 0; 0: no magnified surface
-  double lift = 0.18;             ///< height of the magnified surface above the true patch [m], >= 0
+  double lift = 0.18;             ///< height of the magnified surface above the true patch [m], >= 0; 0: replaces it
   double pressure_height = 0.15;  ///< height of the magnified surface at `max_pressure` [m], >= 0
   double max_pressure = 2e9;      ///< pressure at the upper end of the colour scale [Pa], > 0
   int points = 36;                ///< minimum number of points of a magnified surface in each direction, > 0

@@ -55,7 +55,7 @@ def yes_or_no(name, value):
 @dataclass
 class Limits:
     """Requirements for the results. The names of the fields are those of the parameters."""
-    answers: int = 1              # minimum number of results
+    results: int = 1              # minimum number of results
     refusals: int = 0             # maximum number of results that are not usable
     lift_offs: int = 0            # maximum number of results in which a wheel carries no load
     flange_contact: bool = True   # False: a contact angle of flange_angle or more is a violation
@@ -65,7 +65,7 @@ class Limits:
     bounds: dict = field(default_factory=dict)  # name in QUANTITIES -> (min, max)
 
 
-PARSERS = {"answers": whole_number, "refusals": whole_number, "lift_offs": whole_number, "flange_contact": yes_or_no,
+PARSERS = {"results": whole_number, "refusals": whole_number, "lift_offs": whole_number, "flange_contact": yes_or_no,
            "flange_angle": number, "patience": seconds, "idle": seconds}
 
 
@@ -104,12 +104,12 @@ def _read_bounds(groups):
 def check_names(limits):
     """Names of the checks. Each one is a test of the rostest."""
     flange = [] if limits.flange_contact else ["flange_contact"]
-    return ["answers", "refusals", "lift_offs", *flange, *limits.bounds]
+    return ["results", "refusals", "lift_offs", *flange, *limits.bounds]
 
 
 def violation(check, limits, results):
     """Violation of a check by the results, as text; empty if there is none."""
-    if check == "answers":
+    if check == "results":
         return _too_few(limits, results)
     if check == "refusals":
         return _too_many("refused", limits.refusals, [r for r in results if r.status not in USABLE])
@@ -124,7 +124,7 @@ def violation(check, limits, results):
 
 
 def _too_few(limits, results):
-    return "" if len(results) >= limits.answers else f"{len(results)} results, at least {limits.answers} are required"
+    return "" if len(results) >= limits.results else f"{len(results)} results, at least {limits.results} are required"
 
 
 def _when(result):

@@ -1,40 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "same_bits.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 
 namespace
 {
-void expectSameBits(const PatchResult& a, const PatchResult& b)
-{
-  EXPECT_EQ(a.side, b.side);
-  EXPECT_EQ(a.pose.y, b.pose.y);
-  EXPECT_EQ(a.pose.z, b.pose.z);
-  EXPECT_EQ(a.pose.angle, b.pose.angle);
-  EXPECT_EQ(a.normal_force, b.normal_force);
-  EXPECT_EQ(a.max_pressure, b.max_pressure);
-  EXPECT_EQ(a.area, b.area);
-  EXPECT_EQ(a.approach, b.approach);
-  EXPECT_EQ(a.error_estimate, b.error_estimate);
-  ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
-  ASSERT_EQ(a.pressure.cols(), b.pressure.cols());
-  EXPECT_TRUE((a.pressure == b.pressure).all());
-}
-
-void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
-{
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.z, b.z);
-  EXPECT_EQ(a.roll, b.roll);
-  ASSERT_EQ(a.patches.size(), b.patches.size());
-  for (std::size_t k = 0; k < a.patches.size(); ++k)
-  {
-    expectSameBits(a.patches[k], b.patches[k]);
-  }
-}
-
 /// States that differ strongly from one another.
 const WheelsetState varied_states[] = {stateAt(0, 1e5), stateAt(3e-3, 2e4), stateAt(-5.2e-3, 1e5, 0.005),
                                        stateAt(7e-3, 8e4), stateAt(-1e-3, 1e3)};

@@ -118,7 +118,7 @@ TEST(HotPath, ConjugateGradientsComputeNoCoefficientOnPatchesOfOtherShapes)
   {
     NormalProblem problem = hertzCase(std::exp2(k / 8.0), 12, 20, false, 1.2).problem;
     Grid& grid = problem.patches[0].grid;
-    grid.dx = cell_aspect::aspect(cell_aspect::nearestAspect(grid.dx / grid.dy)) * grid.dy;
+    grid.dx = cell_aspect::aspect(cell_aspect::nearestIndex(grid.dx / grid.dy)) * grid.dy;
     problems.push_back(std::move(problem));
   }
   ConjugateGradients solver;

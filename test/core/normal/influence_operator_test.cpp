@@ -201,7 +201,7 @@ TEST(CellAspect, CoveringGridIsLittleLargerThanTheBox)
     EXPECT_GE(32 * cell.dy, width * (1 - 1e-12)) << "seed " << seed;
     // Half a step of the series of aspects: 2^(1/16).
     EXPECT_LE(16 * cell.dx * 32 * cell.dy, 1.0443 * length * width) << "seed " << seed;
-    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, cell_aspect::aspect(cell_aspect::nearestAspect(cell.dx / cell.dy)));
+    EXPECT_DOUBLE_EQ(cell.dx / cell.dy, cell_aspect::aspect(cell_aspect::nearestIndex(cell.dx / cell.dy)));
   }
 }
 

@@ -172,8 +172,8 @@ TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPosition)
 //
 // The ends of the intervals only determine the first grid, which grows until it covers the pressure. They are
 // interpolated between stations or computed from the curvature at the minimum. The separation there may differ from the
-// level by the depth (the grid is then too wide or too narrow by sqrt(2)). On the flank, where the curvature jumps at a
-// section boundary, the difference may be larger.
+// given value by the depth (the grid is then too wide or too narrow by sqrt(2)). On the flank, where the curvature
+// jumps at a section boundary, the difference may be larger.
 TEST_F(ContactSearchTest, OverlapIntervalsAgreeWithBruteForce)
 {
   for (int i = 0; i < 200; ++i)

@@ -17,14 +17,12 @@ from wheel_rail_contact.msg import WheelsetContact
 
 NODE = os.environ["CONTACT_NODE"]
 TIMEOUT = 60   # [s] for each expected event
-EXIT_TIME = float(os.environ["EXIT_TIME"])  # [s] for a node to end; the running evaluation takes minutes
-TRIES = 3  # one of them must end within EXIT_TIME, because the machine may be busy
 PROFILES = ["_wheel/profile:=S1002", "_rail/profile:=60E1"]
 PAIRS = 150  # less than the largest number of inputs that the node queues
 QUEUE = 2 * PAIRS  # of the publishers: large enough for all messages
 IN_TRANSIT = 3  # results that may be lost between a node that ends and its subscriber
 FAST = ["_contact/method:=seidel", "_contact/grid/along:=64", "_contact/grid/across:=64"]
-# The slowest method on its largest grid.
+# The slowest method on its largest grid: an evaluation takes minutes, which is longer than TIMEOUT.
 SLOW = ["_contact/method:=seidel", "_contact/grid/along:=256", "_contact/grid/across:=256"]
 
 
@@ -139,18 +137,15 @@ class Endings(unittest.TestCase):
         return node
 
     def end_busy_node(self, name, signal_number):
-        """Ends a node during its evaluation. @return time until its end [s]"""
+        """Ends a node during its evaluation, without waiting for the result."""
         node = self.start_node(name, *SLOW)
         for seconds in (1, 2, 3):
             node.send(seconds)
         self.assertTrue(wait_for(lambda: node.diagnostics.get("messages received") == "6"), node.diagnostics)
         self.assertEqual(node.diagnostics["messages waiting for a match"], "0")
-        begin = time.monotonic()
         self.assertEqual(node.end(signal_number), 0)
-        taken = time.monotonic() - begin
         self.assertEqual(node.results, [], "the evaluation ended before the signal")
         self.assertEqual(node.not_evaluated(), 3)
-        return taken
 
     # unittest runs the tests in alphabetical order. The test that kills the master must be last, because rospy does not
     # register its topics with a new master.
@@ -158,10 +153,7 @@ class Endings(unittest.TestCase):
     def test_node_ends_on_signals_during_an_evaluation(self):
         for signal_number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(signal=signal_number):
-                times = []
-                while not times or (times[-1] > EXIT_TIME and len(times) < TRIES):
-                    times.append(self.end_busy_node(f"busy_{signal_number}_{len(times)}", signal_number))
-                self.assertLess(min(times), EXIT_TIME)
+                self.end_busy_node(f"busy_{signal_number}", signal_number)
 
     def test_node_continues_after_malformed_messages(self):
         node = self.start_node("malformed")

@@ -31,7 +31,7 @@ constexpr double usual_move = 0.2;
 
 /// Columns of at most `narrow_cells` loaded cells are narrower than the cells resolve. The tips of an oval have up to
 /// `narrow_tips` of them. Each further one belongs to a narrow end and adds `narrow_end_cells` cells to the area error.
-/// Taken from known narrow ends: normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
+/// Taken from known narrow ends: test/core/normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
 constexpr int narrow_cells = 2;
 constexpr int narrow_tips = 4;
 constexpr double narrow_end_cells = 1.5;
@@ -41,8 +41,8 @@ constexpr double narrow_end_cells = 1.5;
 constexpr double few_cells_error = 6;
 
 /// Possible growth of a secondary peak that has an unloaded neighbour across the track: a lobe of two columns. Taken
-/// from one case, balance/warm_start_test.cpp: with finer cells the peak grows by 0.64 of its value on 24 × 56 cells
-/// and by 0.96 of its value on 20 × 48 cells.
+/// from one case, test/core/balance/warm_start_test.cpp: with finer cells the peak grows by 0.64 of its value on 24 ×
+/// 56 cells and by 0.96 of its value on 20 × 48 cells.
 constexpr double lobe_growth = 1;
 
 /// Limit for the jumps at a peak. The estimate is then above 100 %.
@@ -314,7 +314,7 @@ const ErrorWeights& gridErrorWeights()
   // * pressure, second: as many estimates hold on 2000 gaps with lobes, waves and curvature discontinuities as on
   //   others.
   // * pressure, third: the largest estimate holds on 402 curvature discontinuities between arcs of 13 mm to 3 m radius.
-  // * pressure, fourth: stability/roughness_test.cpp passes.
+  // * pressure, fourth: test/stability/roughness_test.cpp passes.
   // * area, all but the first: one and a half times to twice as much, for narrow ends and for curvature discontinuities
   //   of wheelsets.
   // * residual (the last weight of each): set by hand. On 150 wheelsets the errors of pressure and area that it caused

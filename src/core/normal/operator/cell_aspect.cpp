@@ -13,12 +13,12 @@ namespace
 constexpr double kAspectsPerOctave = 8;
 }
 
-double aspect(int level)
+double aspect(int index)
 {
-  return std::exp2(level / kAspectsPerOctave);
+  return std::exp2(index / kAspectsPerOctave);
 }
 
-int nearestAspect(double dx_over_dy)
+int nearestIndex(double dx_over_dy)
 {
   const double clamped = std::clamp(dx_over_dy, aspect(kLowest), aspect(kHighest));
   return static_cast<int>(std::lround(kAspectsPerOctave * std::log2(clamped)));
@@ -27,7 +27,7 @@ int nearestAspect(double dx_over_dy)
 Cell coveringCell(double length, double width, int nx, int ny)
 {
   const double dx = length / nx, dy = width / ny;
-  const double rounded_aspect = aspect(nearestAspect(dx / dy));
+  const double rounded_aspect = aspect(nearestIndex(dx / dy));
   Cell cell;
   cell.dy = std::max(dy, dx / rounded_aspect);
   cell.dx = cell.dy * rounded_aspect;

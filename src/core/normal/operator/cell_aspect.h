@@ -3,19 +3,19 @@
 
 namespace wheel_rail_contact::core
 {
-/// Series of cell aspects dx/dy whose influence coefficients are computed in advance: 2^(k/8) for the levels k = -24 …
+/// Series of cell aspects dx/dy whose influence coefficients are computed in advance: 2^(k/8) for the indices k = -24 …
 /// 40, that is 1/8 to 32. A moving contact therefore computes no logarithm. Rounding to this series makes a box at most
 /// 4.4 % larger than required.
 namespace cell_aspect
 {
-constexpr int kLowest = -24;  ///< level of aspect 1/8
-constexpr int kHighest = 40;  ///< level of aspect 32
+constexpr int kLowest = -24;  ///< index of aspect 1/8
+constexpr int kHighest = 40;  ///< index of aspect 32
 
-/// Aspect dx/dy of a level [-].
-double aspect(int level);
+/// Aspect dx/dy of the series by its index [-].
+double aspect(int index);
 
-/// Level whose aspect is nearest to `dx_over_dy` (> 0) in the logarithm, limited to kLowest … kHighest.
-int nearestAspect(double dx_over_dy);
+/// Index of the aspect nearest to `dx_over_dy` (> 0) in the logarithm, limited to kLowest … kHighest.
+int nearestIndex(double dx_over_dy);
 
 /// Cell of an nx × ny grid whose aspect is in the series.
 struct Cell

@@ -25,10 +25,10 @@ using Shared = std::shared_ptr<const InfluenceOperator>;
 class SharedOperators
 {
  public:
-  Shared find(int nx, int ny, bool symmetric, int level)
+  Shared find(int nx, int ny, bool symmetric, int index)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return at({nx, ny, symmetric, level});
+    return at({nx, ny, symmetric, index});
   }
 
  private:
@@ -39,9 +39,9 @@ class SharedOperators
     Shared& found = operators_[key];
     if (!found)
     {
-      const auto [nx, ny, symmetric, level] = key;
-      const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, level}) : anyOf(nx, ny);
-      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, cell_aspect::aspect(level), symmetric},
+      const auto [nx, ny, symmetric, index] = key;
+      const Shared whole = symmetric && nx % 2 == 0 ? at({nx, ny, false, index}) : anyOf(nx, ny);
+      found = std::make_shared<InfluenceOperator>(OperatorShape{nx, ny, cell_aspect::aspect(index), symmetric},
                                                   whole.get());
     }
     return found;
@@ -66,15 +66,15 @@ SharedOperators& sharedOperators()
   return shared;
 }
 
-/// Finds the level of an aspect; false if the aspect is not in the series.
-bool roundedAspect(double aspect, int& level)
+/// Finds the index of an aspect in the series of cell_aspect.h; false if the aspect is not in the series.
+bool findInSeries(double aspect, int& index)
 {
   if (!(aspect > 0))
   {
     return false;
   }
-  level = cell_aspect::nearestAspect(aspect);
-  return std::abs(cell_aspect::aspect(level) - aspect) <= kSameAspect * aspect;
+  index = cell_aspect::nearestIndex(aspect);
+  return std::abs(cell_aspect::aspect(index) - aspect) <= kSameAspect * aspect;
 }
 }  // namespace
 
@@ -98,13 +98,13 @@ OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
 void OperatorCache::prepare(int nx, int ny)
 {
   const double square = static_cast<double>(ny) / nx;
-  const int last = cell_aspect::nearestAspect(longest * square);
-  for (int level = cell_aspect::nearestAspect(square / widest); level <= last; ++level)
+  const int last = cell_aspect::nearestIndex(longest * square);
+  for (int index = cell_aspect::nearestIndex(square / widest); index <= last; ++index)
   {
-    find(nx, ny, false, cell_aspect::aspect(level));
+    find(nx, ny, false, cell_aspect::aspect(index));
     if (nx % 2 == 0)
     {
-      find(nx, ny, true, cell_aspect::aspect(level));
+      find(nx, ny, true, cell_aspect::aspect(index));
     }
   }
 }
@@ -118,11 +118,11 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
   if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + kSameAspect))
   {
     Entry added;
-    int level = 0;
-    added.rounded_aspect = roundedAspect(aspect, level);
-    if (added.rounded_aspect)
+    int index = 0;
+    added.in_series = findInSeries(aspect, index);
+    if (added.in_series)
     {
-      added.influence = sharedOperators().find(nx, ny, symmetric, level);
+      added.influence = sharedOperators().find(nx, ny, symmetric, index);
     }
     else
     {
@@ -139,16 +139,15 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
 
 void OperatorCache::forgetOldest(Family& family)
 {
-  const auto others = std::count_if(family.entries.begin(), family.entries.end(),
-                                    [](const Entry& entry) { return !entry.rounded_aspect; });
+  const auto others =
+      std::count_if(family.entries.begin(), family.entries.end(), [](const Entry& entry) { return !entry.in_series; });
   if (others <= kOthersKept)
   {
     return;
   }
-  const auto oldest =
-      std::min_element(family.entries.begin(), family.entries.end(),
-                       [](const Entry& a, const Entry& b)
-                       { return a.rounded_aspect != b.rounded_aspect ? b.rounded_aspect : a.last_use < b.last_use; });
+  const auto oldest = std::min_element(family.entries.begin(), family.entries.end(),
+                                       [](const Entry& a, const Entry& b)
+                                       { return a.in_series != b.in_series ? b.in_series : a.last_use < b.last_use; });
   family.entries.erase(oldest);
 }
 }  // namespace wheel_rail_contact::core

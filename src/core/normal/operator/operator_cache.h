@@ -31,7 +31,7 @@ class OperatorCache
   struct Entry
   {
     std::shared_ptr<const InfluenceOperator> influence;
-    bool rounded_aspect = false;
+    bool in_series = false;  ///< its aspect is in the series of cell_aspect.h
     unsigned long last_use = 0;
   };
   struct Family

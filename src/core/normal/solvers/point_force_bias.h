@@ -13,7 +13,7 @@ double pointForceBias(const PatchPressure& pressure, double modulus);
 ///
 /// They are multiples of the bias over the approach. The factors were fitted once, by a program that is not kept, to
 /// 882 random contacts on grids of 4 × 16 to 12 × 32 cells. Together with the grid errors, the largest estimate was at
-/// least the true error in 98 % of them. normal/error_estimate_test.cpp requires 95 % on other contacts. The factors
-/// are not valid for cells so long that the matrix is indefinite (more than 4.70 times their width).
+/// least the true error in 98 % of them. test/core/normal/error_estimate_test.cpp requires 95 % on other contacts. The
+/// factors are not valid for cells so long that the matrix is indefinite (more than 4.70 times their width).
 ErrorEstimate pointForceErrors(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 }  // namespace wheel_rail_contact::core
