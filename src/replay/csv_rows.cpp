@@ -67,19 +67,19 @@ std::string angles(const geometry_msgs::Quaternion& q)
 }
 }  // namespace
 
-std::string csvRows(const WheelsetContact& output, std::uint64_t number, const std::string& wheelset)
+std::string csvRows(const WheelsetContact& result, std::uint64_t number, const std::string& wheelset)
 {
-  const auto& position = output.wheelset.position;
-  const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(output.header.stamp) + "," +
-                            statusName(output.status) + "," + quoted(output.status_text) + "," + cell(position.x) +
-                            cell(position.y) + cell(position.z) + angles(output.wheelset.orientation) +
-                            cells(output.left_rail) + cells(output.right_rail);
-  if (output.patches.empty())
+  const auto& position = result.wheelset.position;
+  const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(result.header.stamp) + "," +
+                            statusName(result.status) + "," + quoted(result.status_text) + "," + cell(position.x) +
+                            cell(position.y) + cell(position.z) + angles(result.wheelset.orientation) +
+                            cells(result.left_rail) + cells(result.right_rail);
+  if (result.patches.empty())
   {
     return start + no_patch + "\n";
   }
   std::string rows;
-  for (const ContactPatch& patch : output.patches)
+  for (const ContactPatch& patch : result.patches)
   {
     rows += start + cells(patch) + "\n";
   }
@@ -146,13 +146,13 @@ void CsvFile::truncate(std::uint64_t number)
   std::uint64_t results = 0;
   while (std::getline(before, line) && !before.eof())
   {
-    const std::uint64_t output = resultOf(line);
-    if (output >= number)
+    const std::uint64_t result = resultOf(line);
+    if (result >= number)
     {
       break;
     }
     length += line.size() + 1;
-    results = output + 1;
+    results = result + 1;
   }
   if (results != number)
   {

@@ -86,7 +86,7 @@ TEST(ContactStatistics, UnmatchedInputWarns)
   ContactStatistics now;
   now.pairing.received = now.pairing.waiting = 20;
   EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(reportOf(now, {}).message, "no pose and load with matching stamps");
+  EXPECT_EQ(reportOf(now, {}).message, "no inputs with matching stamps");
 }
 
 TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)

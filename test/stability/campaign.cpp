@@ -175,7 +175,7 @@ int writeRandomScene(unsigned long number, const std::string& file)
 double toAmount(const std::string& text)
 {
   std::size_t end = 0;
-  const double amount = std::isdigit(text[0]) != 0 ? std::stod(text, &end) : 0;
+  const double amount = std::isdigit(static_cast<unsigned char>(text[0])) != 0 ? std::stod(text, &end) : 0;
   if (end != text.size() || !(amount > 0))
   {
     throw std::invalid_argument("'" + text + "' is not a number > 0");

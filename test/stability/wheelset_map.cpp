@@ -202,10 +202,9 @@ MapTable wheelsetMap()
       "situation gives another value. y is the lateral displacement to the left. \"pads 40/100\" gives the lateral and "
       "vertical stiffness of the rail pads in kN/mm; the rails are rigid in all other situations. Profiles with names "
       "in small letters are in `test/stability/profiles`. The \"wavy\" ones pass through all of their points, which "
-      "have "
-      "noise of 0.5 µm. The points of the others have noise of 5 µm and are smoothed; \"hollow\" and \"worn\" profiles "
-      "are worn. The reference is `conjugate_gradient` on 128 × 256 cells. There is no reference where it differs from "
-      "the result on 64 × 128 cells by more than 2 %.",
+      "have noise of 0.5 µm. The points of the others have noise of 5 µm and are smoothed; \"hollow\" and \"worn\" "
+      "profiles are worn. The reference is `conjugate_gradient` on 128 × 256 cells. There is no reference where it "
+      "differs from the result on 64 × 128 cells by more than 2 %.",
       {},
       {}};
   for (const NormalMethod method : all_normal_methods)

@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core
 /// Isotropic elastic material. The default is steel.
 struct Material
 {
-  double young = 2.1e11;  ///< Young's modulus [Pa], > 0
+  double young = 2.1e11;  ///< Young's modulus [Pa], finite, > 0
   double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
 };
 

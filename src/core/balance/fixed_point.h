@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 
 namespace wheel_rail_contact::core

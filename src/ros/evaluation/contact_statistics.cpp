@@ -49,7 +49,7 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   }
   else if (evaluated == 0 && now.pairing.received > before.pairing.received)
   {
-    report.summary(DiagnosticStatus::WARN, "no pose and load with matching stamps");
+    report.summary(DiagnosticStatus::WARN, "no inputs with matching stamps");
   }
   else if (now.lacking_neighbour > before.lacking_neighbour)
   {

@@ -145,10 +145,10 @@ void ContactServer::subscribeToNeighbours()
                                   topic + " is published by this node itself");
     }
     subscribeAtOnce<NeighbourResult>(topic,
-                                     [this, i](const boost::shared_ptr<const NeighbourResult>& output)
+                                     [this, i](const boost::shared_ptr<const NeighbourResult>& result)
                                      {
                                        const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-                                       neighbours_.add(i, *output);
+                                       neighbours_.add(i, *result);
                                      });
   }
 }
