@@ -43,15 +43,18 @@ core::WheelsetResult withScaledDeflection(const core::WheelsetResult& result, co
 void addPressure(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
                  MarkerArray& markers)
 {
-  const PressureSurface fine = fineSurface(picture, options.patch);
   const bool magnified = options.patches && options.patch.zoom > 0;
-  if (magnified)
+  if (magnified || options.outlines)
   {
-    markers.markers.push_back(zoomedPatch(picture, fine, options.patch, header));
-  }
-  if (options.outlines)
-  {
-    markers.markers.push_back(patchOutline(picture, fine, options.patch, header));
+    const PressureSurface fine = fineSurface(picture, options.patch);
+    if (magnified)
+    {
+      markers.markers.push_back(zoomedPatch(picture, fine, options.patch, header));
+    }
+    if (options.outlines)
+    {
+      markers.markers.push_back(patchOutline(picture, fine, options.patch, header));
+    }
   }
   if (options.patches && (options.patch.lift > 0 || !magnified))
   {
