@@ -43,8 +43,8 @@ core::WheelsetResult exampleResult()
   result.z = 0.4597;
   result.yaw = 0.02;
   result.roll = -0.001;
-  result.rail[0] = {{1e-3, -2e-4, 3e-3}, 3.5e3, 1e5, -200, true};
-  result.rail[1] = {{-1e-3, 2e-4, -3e-3}, -3.5e3, 0, 30, false};
+  result.rail[0] = {{1e-3, -2e-4, 3e-3}, 3.5e3, 1e5, -200};
+  result.rail[1] = {{-1e-3, 2e-4, -3e-3}, -3.5e3, 0, 30};
   result.patches = {examplePatch(core::Side::left), examplePatch(core::Side::right)};
   return result;
 }
@@ -93,7 +93,6 @@ TEST(Conversions, ConversionToAMessageAndBackPreservesTheResult)
     EXPECT_EQ(after.rail[side].lateral_force, before.rail[side].lateral_force);
     EXPECT_EQ(after.rail[side].vertical_force, before.rail[side].vertical_force);
     EXPECT_EQ(after.rail[side].moment, before.rail[side].moment);
-    EXPECT_EQ(after.rail[side].coupled, before.rail[side].coupled);
   }
   ASSERT_EQ(after.patches.size(), 2U);
   expectEqual(after.patches[0], before.patches[0]);

@@ -30,10 +30,6 @@ struct RailResult
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
-  /// True: the contact was solved on the rail as deflected by these forces. False: these forces do not deflect the
-  /// rail, or they would change the contact by less than 0.3 of the tolerance. In the second case the deflection is
-  /// reported and is included in the height of the axle, but the contact was solved without it.
-  bool coupled = false;
 };
 
 /// True if the result may be used: the status is `ok` or `lift_off`.

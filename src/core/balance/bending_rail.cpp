@@ -13,10 +13,8 @@ constexpr double roll_arm = 0.1;             ///< converts a roll to a comparabl
 constexpr double sharpest_radius = 0.01;     ///< smallest radius of rail heads and wheel flanges [m]
 constexpr double slip_share = 0.01;          ///< gap error in slipRatio(), over contact/tolerance [-]
 constexpr double early_move = 0.3;           ///< share of the allowed displacement, see begin() [-]
-constexpr double same_load = 0.01;      ///< change of a wheel load up to which the rail keeps its start position [-]
-constexpr double effect_share = 0.3;    ///< share of contact/tolerance, see effectLimit() [-]
-constexpr double effect_reserve = 0.5;  ///< share of effectLimit() below which the bending is left out again [-]
-constexpr double flange_step = 2e-4;    ///< step of clearFlange() [m]
+constexpr double same_load = 0.01;    ///< change of a wheel load up to which the rail keeps its start position [-]
+constexpr double flange_step = 2e-4;  ///< step of clearFlange() [m]
 constexpr double greatest_lateral_share = 2.0;  ///< lateral over vertical force, limit in clearFlange() [-]
 constexpr double farthest_displacement = 0.05;  ///< limit of the displacement of a head [m], [rad]
 constexpr double unconverged = 2.0;             ///< any value above 1
@@ -43,8 +41,6 @@ void BendingRail::reset()
   result_.deflection = prescribed ? config_.rail_bending.prescribed : RailDeflection();
   own_ = toCoordinates(result_.deflection);
   offset_.setZero();
-  straight_ = mode_ == Mode::solved;
-  straighten_ = false;
   loaded_ = false;
   set(own_);
 }
@@ -57,7 +53,7 @@ void BendingRail::set(const Eigen::Vector3d& own)
   support.placed = placed_;
   if (mode_ == Mode::solved)
   {
-    support.compliant = !straight_;
+    support.compliant = true;
     support.compliance = compliance_;
   }
   wheel_.setRail(undeflected_.deflected(toDeflection(placed_ + offset_)), support);
@@ -97,12 +93,11 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   }
   const bool elsewhere = toCoordinates(offset) != offset_;
   offset_ = toCoordinates(offset);
-  straight_ = mode_ == Mode::solved && (cold || straight_ || straighten_);
-  if (cold || straighten_)
+  if (cold)
   {
-    set(straight_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : underLoad(load));
+    set(underLoad(load));
   }
-  else if (mode_ == Mode::solved && !straight_ && loaded_)
+  else if (mode_ == Mode::solved && loaded_)
   {
     const double ratio = std::max(load, 0.0) / result_.vertical_force;
     if (elsewhere || std::abs(ratio - 1) > same_load || slipRatio() > early_move)
@@ -114,7 +109,6 @@ void BendingRail::begin(bool cold, double load, const RailDeflection& offset)
   {
     set(placed_);
   }
-  straighten_ = false;
 }
 
 RigidTouch BendingRail::clearFlange(const RigidTouch& touch, const WheelsetPose& pose, double load)
@@ -124,7 +118,6 @@ RigidTouch BendingRail::clearFlange(const RigidTouch& touch, const WheelsetPose&
   {
     return touch;
   }
-  straight_ = false;
   const Eigen::Vector3d start = underLoad(load);
   const double most = greatest_lateral_share * load * compliance_(0, 0);
   RigidTouch moved = touch;
@@ -199,27 +192,11 @@ double BendingRail::slipRatio() const
                   wheel_.deflectionError() / config_.contact.tolerance);
 }
 
-/// Relative change of the contact below which the rail's bending is left out of the gap [-].
-double BendingRail::effectLimit() const
-{
-  return effect_share * config_.contact.tolerance;
-}
-
 double BendingRail::followContact(bool loaded)
 {
   if (!loaded)
   {
     return setStraight();
-  }
-  if (straight_)
-  {
-    if (wheel_.effectOf(wheel_.support(), effectLimit()) < effectLimit())
-    {
-      return 0;
-    }
-    straight_ = false;
-    moveTo(wheel_.support());
-    return unconverged;
   }
   const double open = slipRatio();
   if (open > 1)
@@ -265,10 +242,7 @@ double BendingRail::follow(bool loaded, double given_lateral)
 void BendingRail::finish(bool loaded)
 {
   loaded_ = loaded;
-  const bool solved = mode_ == Mode::solved && loaded;
-  own_ = solved ? wheel_.support() : placed_;
+  own_ = mode_ == Mode::solved && loaded ? wheel_.support() : placed_;
   result_.deflection = toDeflection(own_ + offset_);
-  result_.coupled = mode_ == Mode::mixed || (solved && !straight_);
-  straighten_ = solved && !straight_ && wheel_.effectOf(own_, effectLimit()) < effect_reserve * effectLimit();
 }
 }  // namespace wheel_rail_contact::core

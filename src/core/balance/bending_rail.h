@@ -15,8 +15,7 @@ namespace wheel_rail_contact::core
 /// - held: no deflection, or a prescribed one.
 /// - solved: the rail bends under the contact's own forces, and the normal method can solve a compliant support. The
 ///   deflection is then part of each normal solution. The rail is set again to the deflection of the previous pass
-///   until its displacement along the contact plane, which the gap contains only to first order, is small enough. The
-///   rail's own deflection is left out of the gap if it would change the contact by less than a part of the tolerance.
+///   until its displacement along the contact plane, which the gap contains only to first order, is small enough.
 /// - mixed: other methods, and given lateral forces. Anderson mixing brings the deflection used and the deflection that
 ///   the forces cause together.
 class BendingRail
@@ -80,7 +79,6 @@ class BendingRail
   double lateralForce(double of_contact, double given) const;
   RailForce takeForce(bool loaded, double given_lateral);
   double slipRatio() const;
-  double effectLimit() const;
   double followContact(bool loaded);
   double mix(const RailForce& force);
 
@@ -92,8 +90,6 @@ class BendingRail
   Eigen::Vector3d offset_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d placed_ = Eigen::Vector3d::Zero();  ///< own deflection to which the rail is set
   Eigen::Vector3d own_ = Eigen::Vector3d::Zero();     ///< own deflection of the last result
-  bool straight_ = false;                             ///< own deflection is left out of the gap
-  bool straighten_ = false;                           ///< the same, from the next state on
   bool loaded_ = false;                               ///< the wheel carried load in the last result
   double remaining_deflection_ = 0;                   ///< see remainingDeflection() [m]
   FixedPoint<3> mixing_;

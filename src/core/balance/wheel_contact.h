@@ -110,12 +110,6 @@ class WheelContact
   Eigen::Vector2d railDisplacement(const WheelPatch& patch) const;
   /// Largest of these displacements along the planes of the patches; the gaps contain them only to first order [m].
   double railSlip() const;
-  /// Relative change of the last contact by a small displacement of the rail [-]: the uneven part of the opening of the
-  /// gap over the pressure, over twice the approach. In a Hertz contact this is the shift of the pressure over its
-  /// half-width. Infinite on the flange, and if the displacement could bring another overlap interval into contact. The
-  /// latter is checked only below `limit` [-].
-  /// @param move  displacement in the coordinates of rail_support.h
-  double effectOf(const Eigen::Vector3d& move, double limit);
   /// Height of the force-weighted mean of the patch origins above the reference point of the rail head [m].
   double heightOverReference() const;
   /// Approach of a patch along its normal, from its own first touch. At least the overlap of its gap, also between the

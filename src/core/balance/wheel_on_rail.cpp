@@ -3,18 +3,11 @@
 // wheel_contact.cpp.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/balance/wheel_contact.h"
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
-constexpr double steepest_slope = 3.0;   ///< steepest slope of surfaces that may touch [-]
-constexpr double rail_head_size = 0.08;  ///< [m]
-}  // namespace
-
 void WheelContact::setRail(const PlacedRail& rail, const Support& support)
 {
   rail_ = rail;
@@ -56,20 +49,15 @@ double WheelContact::heightOverReference() const
 void WheelContact::settleSupport()
 {
   deflected_ = 0;
-  if (support_.compliance.isZero(0) || !(forces_.vertical > 0))
+  if (!support_.compliant || !(forces_.vertical > 0))
   {
     return;
   }
   const Eigen::Vector3d along(forces_.outward, -forces_.vertical, forces_.moment);
-  const Eigen::Vector3d coordinates =
-      support_.compliant ? solution_.support : Eigen::Vector3d(support_.compliance * along);
-  const Eigen::Vector3d move = coordinates - support_.placed;
+  const Eigen::Vector3d move = solution_.support - support_.placed;
   deflected_ = along.dot(move) / forces_.vertical;
-  problem_.support.placed = coordinates;
-  if (support_.compliant)
-  {
-    takeIntoGaps(move);
-  }
+  problem_.support.placed = solution_.support;
+  takeIntoGaps(move);
 }
 
 /// Converts gaps, first touches and approach to those of a rail that had been set at the end of the displacement.
@@ -104,32 +92,5 @@ double WheelContact::railSlip() const
     slip = std::max(slip, std::abs(tangent.dot(railDisplacement(patch))));
   }
   return slip;
-}
-
-double WheelContact::effectOf(const Eigen::Vector3d& move, double limit)
-{
-  double effect = 0;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    const PressureExtent& extent = patches_[k].extent;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (Eigen::Index j = extent.first_column; !extent.empty() && j <= extent.last_column; ++j)
-    {
-      const double opened = problem_.patches[k].opening.row(j).matrix().dot(move);
-      least = std::min(least, opened);
-      most = std::max(most, opened);
-    }
-    const bool flange = std::tan(patches_[k].plane.angle) > flange_slope;
-    const double change = flange ? std::numeric_limits<double>::infinity() : (most - least) / (2 * patchApproach(k));
-    effect = extent.empty() ? effect : std::max(effect, change);
-  }
-  if (effect > limit)
-  {
-    return effect;
-  }
-  const double reach = steepest_slope * (std::hypot(move[0], move[1]) + rail_head_size * std::abs(move[2]));
-  search_.overlapIntervals(touch_separation_ + solution_.approach + reach, intervals_);
-  return intervals_.size() == patches_.size() ? effect : std::numeric_limits<double>::infinity();
 }
 }  // namespace wheel_rail_contact::core

@@ -157,7 +157,6 @@ RailDeflection toMessage(const core::RailResult& rail)
   message.lateral_force = rail.lateral_force;
   message.vertical_force = rail.vertical_force;
   message.moment = rail.moment;
-  message.coupled = rail.coupled;
   return message;
 }
 
@@ -170,7 +169,6 @@ core::RailResult fromMessage(const RailDeflection& message)
   rail.lateral_force = message.lateral_force;
   rail.vertical_force = message.vertical_force;
   rail.moment = message.moment;
-  rail.coupled = message.coupled != 0;
   return rail;
 }
 
