@@ -37,7 +37,7 @@ std::uint32_t addTopic(const std::string& topic, BagWriter& bag)
 /// Stamp of a pair in the bag of writePairs(): 1000 of them per second.
 inline ros::Time stampOf(int pair)
 {
-  return ros::Time(1 + pair / 1000, static_cast<std::uint32_t>(pair % 1000) * 1000000U);
+  return ros::Time(static_cast<std::uint32_t>(1 + pair / 1000), static_cast<std::uint32_t>(pair % 1000) * 1000000U);
 }
 
 /// A bag of a wheelset with 100 kN on each wheel that is at `lateral(i)` [m] in pair i.

@@ -47,7 +47,7 @@ ScreenPanel::~ScreenPanel()
   overlays.destroy(overlay_);
   overlays.destroyOverlayElement(panel_);
   Ogre::MaterialManager::getSingleton().remove(material_->getHandle());
-  if (texture_)
+  if (texture_.get() != nullptr)
   {
     Ogre::TextureManager::getSingleton().remove(texture_->getHandle());
   }
@@ -55,7 +55,7 @@ ScreenPanel::~ScreenPanel()
 
 void ScreenPanel::resize(int width, int height)
 {
-  if (texture_)
+  if (texture_.get() != nullptr)
   {
     Ogre::TextureManager::getSingleton().remove(texture_->getHandle());
   }
@@ -69,7 +69,7 @@ void ScreenPanel::resize(int width, int height)
 void ScreenPanel::show(const QImage& image)
 {
   const auto width = static_cast<Ogre::uint32>(image.width()), height = static_cast<Ogre::uint32>(image.height());
-  if (!texture_ || texture_->getWidth() != width || texture_->getHeight() != height)
+  if (texture_.get() == nullptr || texture_->getWidth() != width || texture_->getHeight() != height)
   {
     resize(image.width(), image.height());
   }

@@ -125,9 +125,9 @@ void inBatches(std::size_t count, int passes, std::mt19937_64& random, Step step
 inline void printSizes(const char* name, const Eigen::ArrayXf& errors)
 {
   std::vector<double> sizes;
-  for (const float error : errors)
+  for (Eigen::Index i = 0; i < errors.size(); ++i)
   {
-    sizes.push_back(std::abs(static_cast<double>(error)));
+    sizes.push_back(std::abs(static_cast<double>(errors[i])));
   }
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
   std::printf("  %-16s mean %.3f, median %.3f, 90 %% %.3f, 98 %% %.3f\n", name, mean, chart::quantile(sizes, 0.5),

@@ -18,13 +18,14 @@ import types
 import unittest
 import unittest.mock
 
-import distributed
 import rosbag
 from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
+from wheel_rail_contact.campaign.cluster import dask
 from wheel_rail_contact.campaign.command_line import main
 from wheel_rail_contact.campaign.folder import Folder
 from wheel_rail_contact.campaign.interrupts import Interrupts
 from wheel_rail_contact.campaign.work import evaluate_slice, join_slices
+from wheel_rail_contact.command import Failure
 from wheel_rail_contact.msg import WheelsetContact
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
@@ -35,6 +36,13 @@ COMMAND = PACKAGE / "scripts" / "contact_campaign"
 GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
 TIMEOUT = 60  # [s] for the slowest machine
 PAIRS, SLICE, SLICES = 3000, 300, 10
+
+
+def setUpModule():
+    try:
+        dask()
+    except Failure as missing:
+        raise unittest.SkipTest(str(missing)) from None
 
 
 def wait_for(condition):
@@ -85,7 +93,7 @@ class Cluster:
         return self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--local-directory",
                            str(self.folder))
 
-    def end(self):
+    def close(self):
         for process in self.processes:
             process.kill()
             process.wait()
@@ -157,10 +165,10 @@ class ExternalCluster(Case):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.cluster = Cluster(pathlib.Path(folder.name))
-        cls.addClassCleanup(cls.cluster.end)
+        cls.addClassCleanup(cls.cluster.close)
         cls.worker = cls.cluster.add_worker()
-        with distributed.Client(cls.cluster.address) as client:
-            client.wait_for_workers(1, timeout=TIMEOUT)
+        with dask().Client(cls.cluster.address) as client:
+            wait_for(client.nthreads)
 
     def campaign(self, *bags, status=0, **options):
         found, printed = run(*self.command(*bags, **options), "--scheduler", self.cluster.address)
@@ -219,7 +227,6 @@ class ExternalCluster(Case):
 
     def test_slice_that_was_changed_on_the_disk_is_evaluated_again(self):
         from wheel_rail_contact.campaign import work
-        from wheel_rail_contact.command import Failure
         bag, part = self.make_bag(30), self.out / "parts" / "0.bag"
         task = {"bag": str(bag), "part": str(part), "slice": [None, None], "folder": str(self.folder),
                 "options": [str(word) for word in self.options]}
@@ -330,7 +337,7 @@ class Misuse(Case):
         self.assertIn("is not empty, and is not the folder of a campaign", self.refuse(*self.command(bag)))
         (self.out / "letter.txt").unlink()
         absent = "tcp://127.0.0.1:9"
-        with unittest.mock.patch("wheel_rail_contact.campaign.cluster.TIMEOUT", "0.5s"):
+        with unittest.mock.patch("wheel_rail_contact.campaign.cluster.TIMEOUT", 0.5):
             self.assertIn(f"--scheduler {absent}: found no scheduler", self.refuse(*self.command(bag), "--scheduler", absent))
         self.assertIn("slice: 10 differs from the campaign", self.refuse(*self.command(bag, slice=10)))
         (self.folder / "grid.yaml").write_text(GRID + "track: {rail_inclination: 0.05}\n")
@@ -350,6 +357,20 @@ class Misuse(Case):
         self.assertIn(f"--out {self.out}: contains a campaign of another version", printed)
         self.assertIn("use another folder", printed)
         self.assertEqual(self.manifest(), before)
+
+    def test_missing_or_old_dask_is_reported_in_one_sentence(self):
+        bag = self.make_bag(3)
+        old = types.SimpleNamespace(Client=object, __version__="1.25.0")
+        for module, message in ((None, "Dask is not installed"), (old, "Dask 1.25.0 is too old")):
+            with unittest.mock.patch.dict(sys.modules, distributed=module):
+                self.assertIn(f"contact_campaign: {message}", self.refuse(*self.command(bag)))
+
+    def test_scheduler_without_workers_is_refused(self):
+        bag = self.make_bag(3)
+        with tempfile.TemporaryDirectory() as folder, contextlib.closing(Cluster(pathlib.Path(folder))) as cluster:
+            with unittest.mock.patch("wheel_rail_contact.campaign.cluster.TIMEOUT", 0.5):
+                printed = self.refuse(*self.command(bag), "--scheduler", cluster.address)
+        self.assertIn("found no scheduler with workers at this address (no worker after 0.5 s)", printed)
 
     def test_two_bags_with_one_name_are_refused(self):
         bag = self.make_bag(3)

@@ -128,7 +128,7 @@ class QuickChart(unittest.TestCase):
         number, drawing = self.panels("chart.svg")
         self.assertEqual(number, 2)
         width = float(drawing.get("viewBox").split()[2])
-        sizes = [float(re.search(r"font: (?:\S+ )*?([\d.]+)px", text.get("style")).group(1))
+        sizes = [float(re.search(r"([\d.]+)px", text.get("style")).group(1))
                  for text in drawing.iter(f"{SVG}text")]
         self.assertGreaterEqual(830 / width * min(sizes), 11)  # [px] of a picture shown 830 px wide
         self.assertIn(self.facts["machine"], words(drawing))

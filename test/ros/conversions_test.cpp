@@ -30,7 +30,8 @@ core::PatchResult examplePatch(core::Side side)
   patch.grid.dx = 0.002;
   patch.grid.dy = 0.001;
   patch.grid.y0 = -0.0015;
-  patch.pressure = Eigen::ArrayXd::LinSpaced(12, 1e6, 12e6).reshaped(4, 3);
+  const Eigen::ArrayXd values = Eigen::ArrayXd::LinSpaced(12, 1e6, 12e6);
+  patch.pressure = Eigen::Map<const Eigen::ArrayXXd>(values.data(), 4, 3);
   return patch;
 }
 

@@ -107,13 +107,19 @@ End iterate(const Iteration& how, const Eigen::MatrixXd& matrix, const Eigen::Ve
   return End::sweeps_spent;
 }
 
+/// The values of all cells, column after column.
+Eigen::VectorXd asVector(const Eigen::ArrayXXd& cells)
+{
+  return Eigen::Map<const Eigen::VectorXd>(cells.data(), cells.size());
+}
+
 Verdict runIteration(const Iteration& how, int cells)
 {
   const HertzCase hertz = hertzCase(1, cells, cells, true);
   const NormalSolution truth = solvedClosely(hertz.problem);
   const PatchGap& patch = hertz.problem.patches[0];
   const Eigen::MatrixXd matrix = problems::influenceMatrix(patch.grid, hertz.problem.modulus);
-  const Eigen::VectorXd depth = (truth.approach - patch.gap).reshaped().matrix();
+  const Eigen::VectorXd depth = asVector(truth.approach - patch.gap);
   Eigen::VectorXd p;
   switch (iterate(how, matrix, depth, p))
   {
@@ -124,7 +130,7 @@ Verdict runIteration(const Iteration& how, int cells)
     default:
       break;
   }
-  const double off = (p - truth.patches[0].pressure.reshaped().matrix()).cwiseAbs().maxCoeff() / p.maxCoeff();
+  const double off = (p - asVector(truth.patches[0].pressure)).cwiseAbs().maxCoeff() / p.maxCoeff();
   return Verdict::ofError(off);
 }
 }  // namespace

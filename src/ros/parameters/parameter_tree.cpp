@@ -76,10 +76,10 @@ YAML::Node listToYaml(const XmlRpc::XmlRpcValue& value)
   return node;
 }
 
-YAML::Node groupToYaml(const XmlRpc::XmlRpcValue& value)
+YAML::Node groupToYaml(XmlRpc::XmlRpcValue& value)
 {
   YAML::Node node(YAML::NodeType::Map);
-  for (const auto& entry : value)
+  for (auto& entry : value)
   {
     node[entry.first] = toYaml(entry.second);
   }
@@ -118,7 +118,7 @@ ParameterTree readParameterFile(const std::string& file)
   }
 }
 
-YAML::Node toYaml(const XmlRpc::XmlRpcValue& value)
+YAML::Node toYaml(XmlRpc::XmlRpcValue value)
 {
   using XmlRpc::XmlRpcValue;
   switch (value.getType())
@@ -126,13 +126,13 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value)
     case XmlRpcValue::TypeInvalid:
       return YAML::Node(YAML::NodeType::Null);
     case XmlRpcValue::TypeBoolean:
-      return YAML::Node(static_cast<const bool&>(value) ? "true" : "false");
+      return YAML::Node(static_cast<bool&>(value) ? "true" : "false");
     case XmlRpcValue::TypeInt:
-      return YAML::Node(std::to_string(static_cast<const int&>(value)));
+      return YAML::Node(std::to_string(static_cast<int&>(value)));
     case XmlRpcValue::TypeDouble:
-      return YAML::Node(digits(static_cast<const double&>(value)));
+      return YAML::Node(digits(static_cast<double&>(value)));
     case XmlRpcValue::TypeString:
-      return YAML::Node(static_cast<const std::string&>(value));
+      return YAML::Node(static_cast<std::string&>(value));
     case XmlRpcValue::TypeArray:
       return listToYaml(value);
     case XmlRpcValue::TypeStruct:

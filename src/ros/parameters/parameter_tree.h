@@ -23,8 +23,9 @@ ParameterTree readParameterFile(const std::string& file);
 
 /// A namespace of the parameter server as a YAML document. Numbers are written with 17 digits and keep their exact
 /// value: a parameter from the server is identical to one from the file.
+/// The value is a copy, because before ROS 1.15 an XmlRpcValue gives no access to its content if it is const.
 /// @throw std::invalid_argument for dates and binary data.
-YAML::Node toYaml(const XmlRpc::XmlRpcValue& value);
+YAML::Node toYaml(XmlRpc::XmlRpcValue value);
 
 /// Union of both trees. For names in both, the value is that of `upper`.
 ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper);

@@ -63,7 +63,8 @@ class Picture:
             axis.tick_params(labelsize=8)
             axis.grid(alpha=0.3)
             axis.set_xlabel(f"wheelset towards the {SIDES[self.side]} rail [mm]", fontsize=8)
-            axis.spines[["top", "right"]].set_visible(False)
+            for edge in ("top", "right"):
+                axis.spines[edge].set_visible(False)
 
     def draw(self, instant):
         """Picture at an instant (index into the histories of the runs), as (height, width, 3) bytes."""

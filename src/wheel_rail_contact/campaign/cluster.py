@@ -1,28 +1,43 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Connection to the workers."""
+import asyncio
 import contextlib
 import logging
 import os
 import tempfile
+import time
 
 from ..command import Failure
 
-TIMEOUT = "20s"  # for the scheduler, and for its first worker
+TIMEOUT = 20  # for the scheduler, and for its first worker [s]
+POLL_PERIOD = 0.1  # between checks for the first worker [s]
 
 
-def _dask():
+def dask():
+    """The module distributed. Raises Failure if it is not installed, or too old."""
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "critical")  # here and in workers: lost workers are not errors
     try:
         import distributed
     except ImportError as error:
         raise Failure("Dask is not installed; on Debian: apt install python3-distributed") from error
+    if not hasattr(distributed.Client, "nthreads"):
+        raise Failure(f"Dask {distributed.__version__} is too old; doc/platforms.md states the oldest supported version")
     return distributed
+
+
+def _wait_for_worker(client):
+    """Waits for the first worker. The method wait_for_workers has no timeout in the oldest supported version."""
+    end = time.monotonic() + TIMEOUT
+    while not client.nthreads():
+        if time.monotonic() > end:
+            raise TimeoutError(f"no worker after {TIMEOUT} s")
+        time.sleep(POLL_PERIOD)
 
 
 @contextlib.contextmanager
 def connect(scheduler):
     """A client of the scheduler at this address. Without an address: of a local scheduler with one worker per core."""
-    distributed = _dask()
+    distributed = dask()
     with contextlib.ExitStack() as stack:
         if scheduler:
             target = scheduler
@@ -34,7 +49,7 @@ def connect(scheduler):
                 silence_logs=logging.CRITICAL))
         try:
             client = stack.enter_context(distributed.Client(target, timeout=TIMEOUT))
-            client.wait_for_workers(1, timeout=TIMEOUT)
-        except (OSError, TimeoutError, distributed.TimeoutError) as error:
+            _wait_for_worker(client)
+        except (OSError, TimeoutError, asyncio.TimeoutError) as error:
             raise Failure(f"--scheduler {scheduler}: found no scheduler with workers at this address ({error})") from None
         yield client

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What both pictures share: name, colour and marker of each method, tick labels, file formats."""
+"""What both pictures share: name, colour and marker of each method, ticks, file formats."""
 import math
 
 # Colours that people with any colour vision can distinguish (Okabe and Ito 2008), and a marker for each.
@@ -23,10 +23,11 @@ def grid_text(text):
     return text.replace("x", "×")
 
 
-def decades(low, high):
-    """Ticks at the powers of ten from low to high, and their labels."""
+def set_ticks(axis, low, high):
+    """Draws ticks of an axis (axes.xaxis or axes.yaxis) at the powers of ten from low to high, with labels."""
     powers = [10.0 ** n for n in range(math.ceil(math.log10(low)), math.floor(math.log10(high)) + 1)]
-    return powers, [f"{power:g}" for power in powers]
+    axis.set_ticks(powers)
+    axis.set_ticklabels([f"{power:g}" for power in powers])
 
 
 def share_labels(points):

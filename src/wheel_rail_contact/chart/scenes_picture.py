@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from .front import over_scenes, pareto
-from .picture import METHODS, STYLE, decades, grid_text, save, setting_label, share_labels
+from .picture import METHODS, STYLE, grid_text, save, set_ticks, setting_label, share_labels
 
 FAILURES = {"refused": ("x", "refused"), "other_patches": ("+", "other patches found"),
             "not_run": (">", "not run: too slow")}
@@ -109,8 +109,8 @@ def _median_points(rows):
 def _draw_panel(axes, points, title, frame):
     axes.set(xscale="log", yscale="log", xlim=frame.times, ylim=(frame.errors[0], frame.top))
     axes.set_title(title, fontsize=frame.title)
-    axes.set_yticks(*decades(*frame.errors))
-    axes.set_xticks(*decades(*frame.times))
+    set_ticks(axes.yaxis, *frame.errors)
+    set_ticks(axes.xaxis, *frame.times)
     axes.minorticks_off()
     axes.grid(color="0.92", zorder=0)
     axes.axhspan(frame.errors[1], frame.top, color="0.93", zorder=0)
@@ -186,6 +186,7 @@ def _draw_legend(axes, rows):
         handles.append(Line2D([], [], color="0.3", marker=marker, linestyle="none", markersize=7, label=name))
     handles.append(Line2D([], [], color=FRONT, linewidth=6, alpha=0.75,
                           label="best of the fixed methods\n(Pareto front)"))
-    axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
-                title=f"Methods on {len(grids)} grids,\n8×16 to 64×128; auto at\n10, 3, 1 and 0.3 %",
-                title_fontsize=9.5, alignment="left")
+    legend = axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
+                         title=f"Methods on {len(grids)} grids,\n8×16 to 64×128; auto at\n10, 3, 1 and 0.3 %",
+                         title_fontsize=9.5)
+    legend.get_children()[0].align = "left"  # the argument `alignment` is newer than the oldest supported matplotlib

@@ -3,7 +3,7 @@
 import math
 
 from .front import over_scenes
-from .picture import METHODS, STYLE, decades, grid_text, save, setting_label, share_labels
+from .picture import METHODS, STYLE, grid_text, save, set_ticks, setting_label, share_labels
 
 SIZE = (8.3, 5.15)  # [in]; a browser that shows the picture 830 px wide shows 9 pt as 12.5 px
 # Grids of conjugate gradients with a label: its offset [pt] and alignment.
@@ -79,8 +79,8 @@ def _label(axes, method, text, point, offset, alignment):
 def _scale(axes, points):
     times, errors, _ = zip(*points)
     axes.set(xlim=(min(times) / 2, 2 * max(times)), ylim=(min(errors) / 2, 2 * max(errors)))
-    axes.set_xticks(*decades(*axes.get_xlim()))
-    axes.set_yticks(*decades(*axes.get_ylim()))
+    set_ticks(axes.xaxis, *axes.get_xlim())
+    set_ticks(axes.yaxis, *axes.get_ylim())
     axes.minorticks_off()
 
 

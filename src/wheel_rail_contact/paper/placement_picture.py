@@ -51,15 +51,21 @@ def _placements(axes, profiles, contacts, case):
     axes.set_title("dashed: 0.2435 mm outward" + (" and 13 mrad inward" if case == "turned" else ""), fontsize=10)
 
 
+def _edges(centres):
+    """Edges of equal cells with these centres."""
+    half = 0.5 * (centres[1] - centres[0])
+    return np.append(centres - half, centres[-1] + half)
+
+
 def _pressure(axes, rows, top):
     mesh = None
     for patch in sorted({row["patch"] for row in rows}):
         cells = [row for row in rows if row["patch"] == patch]
         across, along = sorted({row["y"] for row in cells}), sorted({row["x"] for row in cells})
         pressure = np.array([row["pressure"] for row in cells]).reshape(len(across), len(along)).T
-        mesh = axes.pcolormesh(1e3 * np.array(across), 1e3 * np.array(along),
+        mesh = axes.pcolormesh(_edges(1e3 * np.array(across)), _edges(1e3 * np.array(along)),
                                np.ma.masked_less_equal(1e-6 * pressure, 0), vmin=0, vmax=1e-6 * top, cmap="viridis",
-                               shading="nearest", rasterized=True)
+                               rasterized=True)
     axes.set(aspect="equal", xlim=PATCH_WINDOW[:2], ylim=PATCH_WINDOW[2:], xlabel="across, to the field side [mm]")
     return mesh
 

@@ -162,8 +162,9 @@ TEST(ClosedForm, WarmAndColdResultsAgreeAfterJumps)
   WheelsetContact warm(scene), cold(scene);
   for (int i = 0; i < 60; ++i)
   {
-    const WheelsetState state =
-        stateAt(uniform(-6e-3, 6e-3), uniform(5e3, 150e3), i % 3 == 0 ? uniform(-0.01, 0.01) : 0);
+    const double y = uniform(-6e-3, 6e-3);  // one statement each: compilers evaluate arguments in different orders
+    const double wheel_load = uniform(5e3, 150e3);
+    const WheelsetState state = stateAt(y, wheel_load, i % 3 == 0 ? uniform(-0.01, 0.01) : 0);
     cold.reset();
     const WheelsetResult &result = warm.evaluate(state), &fresh = cold.evaluate(state);
     ASSERT_EQ(result.status, ContactStatus::ok) << "state " << i << ": " << result.reason;

@@ -47,6 +47,17 @@ std::string csv(const std::vector<Point>& points)
   return "y_m,z_m\n" + lines(points, ",");
 }
 
+/// The points in a random order that is the same with every standard library. The order of std::shuffle is not.
+std::vector<Point> shuffled(std::vector<Point> points, unsigned seed)
+{
+  std::mt19937 random(seed);
+  for (std::size_t i = points.size() - 1; i > 0; --i)
+  {
+    std::swap(points[i], points[random() % (i + 1)]);
+  }
+  return points;
+}
+
 TEST(LoadProfile, StandardProfilesAreFoundByNameAndKind)
 {
   EXPECT_EQ(loadProfile("S1002", ProfileKind::wheel).name(), "S1002");
@@ -170,11 +181,9 @@ TEST(ProfileFiles, ImplausibleProfilesAreRejected)
   std::vector<Point> points = rail;
   std::swap(points[100], points[110]);
   rejected(points, 103, "run back");
-  points = rail;
-  const unsigned seed = 3;
+  const unsigned seed = 10;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::shuffle(points.begin(), points.end(), std::mt19937(seed));
-  rejected(points, 4, "run back");
+  rejected(shuffled(rail, seed), 4, "run back");
   points = rail;
   points.insert(points.end(), rail.rbegin(), rail.rend());
   rejected(points, rail.size() + 3, "run back");
