@@ -220,7 +220,7 @@ void printReplayUsage(std::ostream& out)
          "                      [--from T] [--to T] [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
          "\n"
          "Evaluates every pair of pose and load in a bag, as fast as the cores allow. The results are those of the\n"
-         "live node. The same bag and parameters give the same file, to the last byte.\n"
+         "live node. On one machine, the same bag and parameters give the same file, to the last byte.\n"
          "\n"
          "  --config F.yaml     parameters, applied over config/default.yaml and over the files given before\n"
          "  --threads N         number of threads that evaluate; default: one per core\n"
