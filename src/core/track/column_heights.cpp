@@ -32,9 +32,31 @@ Tangents beside(const ColumnGroup::Points& p, const Numbers& shift)
 }
 }  // namespace
 
-void ColumnGroup::set(int column, double place, double parameter, const CurveExpansion& point, double height,
-                      double discontinuity_distance)
+void fillColumn(const Grid& grid, const HeightPolynomial& polynomial, double* height)
 {
+  // Copies: the compiler would otherwise assume that writing to `height` changes them, and load them again.
+  const Grid g = grid;
+  const HeightPolynomial c = polynomial;
+  for (int row = 0; row < g.rows(); ++row)
+  {
+    const double x = g.x(row);
+    height[row] = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
+  }
+}
+
+void ColumnGroup::Coordinate::set(int column, const WheelCoordinate& value)
+{
+  origin[column] = value.origin;
+  along[column] = value.along;
+  down[column] = value.down;
+  forward[column] = value.forward;
+}
+
+void ColumnGroup::set(int column, const WheelSections& seen, double place, double parameter,
+                      const CurveExpansion& point, double height, double discontinuity_distance)
+{
+  tangent.set(column, seen.y);
+  normal.set(column, seen.z);
   const CurvePoint& p = point.point;
   profile.y[column] = p.y;
   profile.z[column] = p.z;
@@ -50,9 +72,20 @@ void ColumnGroup::set(int column, double place, double parameter, const CurveExp
   reach[column] = std::min(discontinuity_distance, expansion_reach);
 }
 
-ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& seen, double plane_x, double reach,
+WheelSections ColumnGroup::seen(int column, const WheelSections& wheel) const
+{
+  const auto value = [column](const Coordinate& c) -> WheelCoordinate {
+    return {c.origin[column], c.along[column], c.down[column], c.forward[column]};
+  };
+  WheelSections sections = wheel;
+  sections.y = value(tangent);
+  sections.z = value(normal);
+  return sections;
+}
+
+ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& wheel, double plane_x, double reach,
                              bool symmetric)
-    : profile_(&profile), seen_(seen), plane_x_(plane_x), reach_(reach), symmetric_(symmetric)
+    : profile_(&profile), wheel_(wheel), plane_x_(plane_x), reach_(reach), symmetric_(symmetric)
 {
 }
 
@@ -60,9 +93,11 @@ ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& seen, 
 /// accurate, Newton's method on the profile itself.
 Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) const
 {
-  const SectionPoint<Numbers> start = seen_.at<Numbers>(columns.profile, plane_x_ + x);
+  const double at_x = plane_x_ + x;
+  const SectionPoint<Numbers> start = wheel_.at<Numbers>(columns.profile, at_x, columns.tangent, columns.normal);
   const Numbers shift = (columns.t - start.y) / start.dy;
-  const SectionPoint<Numbers> point = seen_.at<Numbers>(beside(columns.profile, shift), plane_x_ + x);
+  const SectionPoint<Numbers> point =
+      wheel_.at<Numbers>(beside(columns.profile, shift), at_x, columns.tangent, columns.normal);
   const Numbers miss = columns.t - point.y;
   Numbers n = point.z + point.dz / point.dy * miss;
   for (int k = 0; k < count; ++k)
@@ -71,7 +106,8 @@ Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) 
         point.dy[k] > 0 && std::abs(miss[k]) < tangential_tolerance && std::abs(shift[k]) < columns.reach[k];
     if (!found)
     {
-      const auto curve = [&](double u, PlanePoint& at) { return seen_.at(profile_->at(u), plane_x_ + x, at); };
+      const WheelSections seen = columns.seen(k, wheel_);
+      const auto curve = [&](double u, PlanePoint& at) { return seen.at(profile_->at(u), at_x, at); };
       double u = columns.u[k];
       LocalPoint local;
       n[k] = pointOver(columns.t[k], curve, u, local) ? local.n : std::numeric_limits<double>::quiet_NaN();

@@ -62,21 +62,40 @@ struct ColumnGroup
     Numbers ddy = Numbers::Zero(), ddz = Numbers::Zero(), dddy = Numbers::Zero(), dddz = Numbers::Zero();
   };
 
+  /// A coordinate of the wheel in the axes of each column, as in WheelCoordinate.
+  struct Coordinate
+  {
+    Numbers origin = Numbers::Zero(), along = Numbers::Zero(), down = Numbers::Zero(), forward = Numbers::Zero();
+
+    void set(int column, const WheelCoordinate& value);
+  };
+
   Points profile;                   ///< points of the wheel profile
+  Coordinate tangent, normal;       ///< coordinates of the wheel along the plane of each column, and normal to it
   Numbers u = Numbers::Zero();      ///< parameter of the wheel profile [m]
   Numbers t = Numbers::Zero();      ///< position of the column in the plane [m]
   Numbers n = Numbers::Zero();      ///< height of the wheel above the plane at the middle of the column [m]
   Numbers reach = Numbers::Zero();  ///< distance along the profile within which the expansion is accurate [m]
 
-  /// Sets the values of one column. `discontinuity_distance`: distance along the profile to the nearest discontinuity
-  /// [m].
-  void set(int column, double place, double parameter, const CurveExpansion& point, double height,
-           double discontinuity_distance);
+  /// Sets the values of one column.
+  /// @param seen  sections of the wheel in the axes t and n of the plane of the column
+  /// @param discontinuity_distance  distance along the profile to the nearest discontinuity [m]
+  void set(int column, const WheelSections& seen, double place, double parameter, const CurveExpansion& point,
+           double height, double discontinuity_distance);
+
+  /// Sections of the wheel in the axes of one column. The coordinates of `wheel` are not used.
+  WheelSections seen(int column, const WheelSections& wheel) const;
 };
 
 /// Heights of the wheel above the columns of a group [m], as polynomials of x, with x from the origin of the plane.
 /// Rows: columns of the group; columns: coefficients of x^0 to x^4. NaN if the wheel has no point above a column.
 using HeightPolynomials = Eigen::Array<double, ColumnGroup::together, 5>;
+
+/// Coefficients of one column.
+using HeightPolynomial = Eigen::Array<double, 5, 1>;
+
+/// Evaluates a polynomial at the cells of a column. `height` has one element for each row of the grid.
+void fillColumn(const Grid& grid, const HeightPolynomial& polynomial, double* height);
 
 /// Computes the heights of the wheel along columns of a gap.
 class ColumnHeights
@@ -84,11 +103,11 @@ class ColumnHeights
  public:
   /// Keeps a reference to `profile`.
   /// @param profile    of the wheel
-  /// @param seen       sections of the wheel in the axes t and n of the plane
+  /// @param wheel      sections of the wheel; its coordinates are not used
   /// @param plane_x    x of the origin of the plane [m]
   /// @param reach      half the length of the columns [m]
   /// @param symmetric  the gap is even in x (no yaw)
-  ColumnHeights(const Profile& profile, const WheelSections& seen, double plane_x, double reach, bool symmetric);
+  ColumnHeights(const Profile& profile, const WheelSections& wheel, double plane_x, double reach, bool symmetric);
 
   /// Polynomials of the first `count` columns of the group.
   HeightPolynomials polynomials(const ColumnGroup& columns, int count) const;
@@ -101,7 +120,7 @@ class ColumnHeights
   HeightPolynomials fullPolynomials(const ColumnGroup& columns, int count) const;
 
   const Profile* profile_;
-  WheelSections seen_;
+  WheelSections wheel_;
   double plane_x_, reach_;  ///< [m]
   bool symmetric_;
 };

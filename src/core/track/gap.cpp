@@ -11,39 +11,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Sections of a wheel in the axes t and n of a plane.
-WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel)
-{
-  const WheelCoordinate& y = wheel.y;
-  const WheelCoordinate& z = wheel.z;
-  const auto turned = [&](double share_y, double share_z, double origin) -> WheelCoordinate
-  {
-    return {origin, share_y * y.along + share_z * z.along, share_y * y.down + share_z * z.down,
-            share_y * y.forward + share_z * z.forward};
-  };
-  WheelSections seen = wheel;
-  const PlanePoint centre{y.origin, z.origin, 0, 0};
-  seen.y = turned(axes.cosine(), axes.sine(), axes.t(centre));
-  seen.z = turned(-axes.sine(), axes.cosine(), axes.n(centre));
-  return seen;
-}
-
 /// Frame of a rail in the axes t and n of a plane.
 RailFrame seenFrom(const PlaneAxes& axes, const RailFrame& rail)
 {
   const PlanePoint origin = rail.at({0, 0, 1, 0, 0, 0});
   return {axes.t(origin), axes.n(origin), axes.dt(origin), axes.dn(origin)};
-}
-
-/// Evaluates the polynomial c at the cells of a column. Arguments are copies: the compiler would otherwise assume that
-/// writing to `height` changes them, and load them again.
-void fillColumn(Grid grid, std::array<double, 5> c, double* height)
-{
-  for (int row = 0; row < grid.rows(); ++row)
-  {
-    const double x = grid.x(row);
-    height[row] = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
-  }
 }
 
 /// Starting parameters for the points of successive columns. They are extrapolated linearly over two columns from the
@@ -162,7 +134,7 @@ class GapBuilder
     column.slope = 0.5 * (rail.slope + wheel.slope);
     column.gap_slope = wheel.slope - rail.slope;
     column.rail_height = rail.n;
-    columns_.set(k, t, u, profile, wheel.n, wheel_profile_.reach());
+    columns_.set(k, wheel_, t, u, profile, wheel.n, wheel_profile_.reach());
     return true;
   }
 
@@ -181,9 +153,10 @@ class GapBuilder
       const int j = place_[static_cast<std::size_t>(k)];
       if (std::isfinite(heights.row(k).sum()))
       {
-        const double constant = heights(k, 0) - columns[static_cast<std::size_t>(j)].rail_height;
+        HeightPolynomial polynomial = heights.row(k).transpose();
+        polynomial[0] -= columns[static_cast<std::size_t>(j)].rail_height;
         found_any = true;
-        fillColumn(grid_, {constant, heights(k, 1), heights(k, 2), heights(k, 3), heights(k, 4)}, gap.col(j).data());
+        fillColumn(grid_, polynomial, gap.col(j).data());
       }
       else
       {
@@ -214,6 +187,22 @@ ContactPlane tangentPlane(const PlacedWheel& wheel, const PlacedRail& rail, cons
     plane.x = locus.x;
   }
   return plane;
+}
+
+WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel)
+{
+  const WheelCoordinate& y = wheel.y;
+  const WheelCoordinate& z = wheel.z;
+  const auto turned = [&](double share_y, double share_z, double origin) -> WheelCoordinate
+  {
+    return {origin, share_y * y.along + share_z * z.along, share_y * y.down + share_z * z.down,
+            share_y * y.forward + share_z * z.forward};
+  };
+  WheelSections seen = wheel;
+  const PlanePoint centre{y.origin, z.origin, 0, 0};
+  seen.y = turned(axes.cosine(), axes.sine(), axes.t(centre));
+  seen.z = turned(-axes.sine(), axes.cosine(), axes.n(centre));
+  return seen;
 }
 
 PlaneAxes::PlaneAxes(const ContactPlane& plane)

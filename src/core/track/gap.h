@@ -51,6 +51,9 @@ class PlaneAxes
   double y_, z_, cosine_, sine_;
 };
 
+/// Sections of a wheel in the axes t and n of a plane.
+WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel);
+
 /// Both bodies at the middle (x = 0) of a column of a gap, that is, at constant y in the patch frame.
 struct GapColumn
 {

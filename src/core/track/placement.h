@@ -133,7 +133,14 @@ struct WheelSections
   /// Lower point at `x` of the wheel circle through a profile point `p`: a CurvePoint, or several points whose y, z, dy
   /// and dz are arrays.
   template <typename Number, typename Point>
-  SectionPoint<Number> at(const Point& p, double x) const;
+  SectionPoint<Number> at(const Point& p, double x) const
+  {
+    return at<Number>(p, x, y, z);
+  }
+  /// Same in two other coordinates, whose members have the names of those of WheelCoordinate. Several points may have
+  /// different coordinates.
+  template <typename Number, typename Point, typename Coordinate>
+  SectionPoint<Number> at(const Point& p, double x, const Coordinate& first, const Coordinate& second) const;
   /// Same for one point. @return false if x is outside the circle.
   bool at(const CurvePoint& p, double x, PlanePoint& out) const;
 };
@@ -185,8 +192,9 @@ class PlacedWheel
   double forward_x_;  ///< x component of the forward direction [-]
 };
 
-template <typename Number, typename Point>
-SectionPoint<Number> WheelSections::at(const Point& p, double x) const
+template <typename Number, typename Point, typename Coordinate>
+SectionPoint<Number> WheelSections::at(const Point& p, double x, const Coordinate& first,
+                                       const Coordinate& second) const
 {
   using std::sqrt;
   const Number r = radius - p.z;
@@ -195,10 +203,10 @@ SectionPoint<Number> WheelSections::at(const Point& p, double x) const
   const Number down = sqrt(r * r - forward * forward);          // r cos(t)
   const Number forward_slope = -axle_x * per_forward_x * p.dy;
   const Number down_slope = (-r * p.dz - forward * forward_slope) / down;
-  const auto coordinate = [&](const WheelCoordinate& c) -> Number
+  const auto coordinate = [&](const Coordinate& c) -> Number
   { return c.origin + c.along * along + c.down * down + c.forward * forward; };
-  const auto slope = [&](const WheelCoordinate& c) -> Number
+  const auto slope = [&](const Coordinate& c) -> Number
   { return c.along * p.dy + c.down * down_slope + c.forward * forward_slope; };
-  return {down, coordinate(y), coordinate(z), slope(y), slope(z)};
+  return {down, coordinate(first), coordinate(second), slope(first), slope(second)};
 }
 }  // namespace wheel_rail_contact::core
