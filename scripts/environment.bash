@@ -22,6 +22,8 @@ fi
 # All nodes use localhost, because the host name may not resolve. ROS writes its logs to the build folder.
 unset ROS_IP
 export ROS_HOSTNAME=localhost
+# rosdep keeps its rules in the ROS_HOME of the calling shell. The variable is exported, because these scripts call each other.
+export CALLER_ROS_HOME=${CALLER_ROS_HOME-${ROS_HOME:-}}
 export ROS_HOME=$build/ros_home
 
 # Prints a progress message to standard error.
