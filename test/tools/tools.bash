@@ -21,6 +21,13 @@ require()
   fi
 }
 
+# oldest_version SOFTWARE: prints the oldest supported version, which doc/platforms.md states.
+oldest_version()
+{
+  sed --quiet "s/^| $1 | \([0-9.]*\) |.*/\1/p" doc/platforms.md | grep . ||
+    { echo "doc/platforms.md does not state the oldest version of $1" >&2; return 1; }
+}
+
 cpp_files()
 {
   find include src test -name '*.h' -print0 -o -name '*.cpp' -print0 | sort --zero-terminated
