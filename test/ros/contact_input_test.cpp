@@ -10,6 +10,8 @@
 
 #include <wheel_rail_contact/WheelsetContact.h>
 
+#include "message_bytes.h"
+
 using namespace wheel_rail_contact;
 
 namespace
@@ -95,8 +97,8 @@ TEST(ContactInput, LongFrameNamesOfWaitingMessagesAreCut)
     EXPECT_GT(name.size(), InputPairing::longest_frame_name) << "the cut name must not become a valid name";
     EXPECT_LT(name.capacity(), 2 * InputPairing::longest_frame_name);
   }
-  EXPECT_EQ(pair->pose->pose, named.pose);
-  EXPECT_EQ(pair->load->wrench, load.wrench);
+  EXPECT_EQ(bytesOf(pair->pose->pose), bytesOf(named.pose));
+  EXPECT_EQ(bytesOf(pair->load->wrench), bytesOf(load.wrench));
 }
 
 TEST(ContactInput, StateHasTheValuesOfPoseAndLoad)

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "message_bytes.h"
+
 using namespace wheel_rail_contact;
 
 namespace
@@ -51,9 +53,7 @@ TEST(NeighbourForces, ResultIsReadWithoutItsPatches)
   message.status_text = "the left wheel carries no load";
   message.left_rail.lateral_force = 1e3;
   message.right_rail.moment = 2e3;
-  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
-  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(out, message);
+  std::vector<std::uint8_t> bytes = bytesOf(message);
   const std::size_t patches = bytes.size() - sizeof(message.solve_time) - sizeof(std::uint32_t);
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(patches), sizeof(std::uint32_t), 0xff);
 
@@ -62,8 +62,8 @@ TEST(NeighbourForces, ResultIsReadWithoutItsPatches)
   ros::serialization::deserialize(in, result);
   EXPECT_EQ(result.stamp, message.header.stamp);
   EXPECT_EQ(result.status, message.status);
-  EXPECT_EQ(result.left_rail, message.left_rail);
-  EXPECT_EQ(result.right_rail, message.right_rail);
+  EXPECT_EQ(bytesOf(result.left_rail), bytesOf(message.left_rail));
+  EXPECT_EQ(bytesOf(result.right_rail), bytesOf(message.right_rail));
 }
 
 TEST(NeighbourForces, EffectIsCompleteIfTheForcesOfAllNeighboursAreKnown)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "../message_bytes.h"
 #include "contact_client.h"
 
 using namespace wheel_rail_contact;
@@ -28,7 +29,7 @@ TEST(LiveNodelet, GivesBitwiseTheSameResultsAsTheNode)
     WheelsetContact a = node.results()[i], b = nodelet.results()[i];
     a.solve_time = b.solve_time = 0;
     a.header.seq = b.header.seq = 0;
-    EXPECT_EQ(a, b) << "result " << i;
+    EXPECT_EQ(bytesOf(a), bytesOf(b)) << "result " << i;
   }
   EXPECT_EQ(node.results()[20].status, WheelsetContact::NO_TRANSFORM);
 }

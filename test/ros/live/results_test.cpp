@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../message_bytes.h"
 #include "contact_client.h"
 
 using namespace wheel_rail_contact;
@@ -117,9 +118,9 @@ TEST(LiveNode, ResultOfARefusedInputHasNoPose)
   const auto result = requestChanged(client, [](Pose& pose, Load&) { pose.pose.position.x = not_a_number; });
   geometry_msgs::Pose nowhere;
   nowhere.orientation.w = 1;
-  EXPECT_EQ(result.wheelset, nowhere);
-  EXPECT_EQ(result.left_rail, RailDeflection());
-  EXPECT_EQ(result.right_rail, RailDeflection());
+  EXPECT_EQ(bytesOf(result.wheelset), bytesOf(nowhere));
+  EXPECT_EQ(bytesOf(result.left_rail), bytesOf(RailDeflection()));
+  EXPECT_EQ(bytesOf(result.right_rail), bytesOf(RailDeflection()));
 }
 
 TEST(LiveNode, RefusesHugeValuesAndStatesOffTheTrack)
