@@ -112,7 +112,7 @@ class QuickChart(unittest.TestCase):
 
     def test_pictures_show_every_method(self):
         for name in ("chart.png", "chart_scenes.png"):
-            pixels = image.imread(self.out / name)[..., :3]
+            pixels = image.imread(str(self.out / name))[..., :3]
             self.assertGreater(min(pixels.shape[:2]), 1000)
             for method, (_, colour, _) in METHODS.items():
                 close = abs(pixels - to_rgb(colour)).max(axis=2) < 0.02

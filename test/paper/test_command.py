@@ -39,7 +39,7 @@ class Command(unittest.TestCase):
             for name in TABLES:
                 self.assertGreater(len(Path(folder, "new", name).read_text(encoding="ascii").splitlines()), 1, name)
             for name in PICTURES:
-                pixels = image.imread(Path(folder, "new", name))[:, :, :3]
+                pixels = image.imread(str(Path(folder, "new", name)))[:, :, :3]
                 # The standard deviation of a blank picture is 0, of thin lines on white 0.1, of coloured areas more.
                 self.assertGreater(pixels.std(), 0.05, name)
                 self.assertGreater(len({tuple(row) for row in pixels.reshape(-1, 3)[::7]}), 50, name)

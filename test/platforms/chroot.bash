@@ -33,7 +33,7 @@ choose_release()
       mirror=$debian
       components=main
       keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-      lists=("deb $debian $1 main" "deb $debian-security $1-security main")
+      lists=("deb $debian $1 main")  # without security updates: those of old releases are no longer complete
       ;;
     focal | jammy)
       mirror=$ubuntu

@@ -84,12 +84,12 @@ class Report(SweepCase):
         subprocess.run([BROWSER, "--no-sandbox", "--hide-scrollbars", "--force-color-profile=srgb",
                         f"--window-size={WINDOW[0]},{WINDOW[1]}", f"--screenshot={shot}", (out / "report.html").as_uri()],
                        check=True, capture_output=True, timeout=60)
-        page = image.imread(shot)[:, :, :3]
+        page = image.imread(str(shot))[:, :, :3]
         self.assertEqual(page.shape[:2], WINDOW[::-1])
         seen = 0
         left = (WINDOW[0] - PAGE_WIDTH) // 2
         for path in sorted(out.glob("*.png")):
-            picture = image.imread(path)[:, :, :3]
+            picture = image.imread(str(path))[:, :, :3]
             height, width = picture.shape[:2]
             if width > PAGE_WIDTH:
                 continue  # scaled by the browser

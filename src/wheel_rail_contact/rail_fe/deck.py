@@ -14,7 +14,8 @@ def write_deck(path, model, fields):
         _write_mesh(deck, model.mesh)
         deck.write(f"*MATERIAL, NAME=STEEL\n*ELASTIC\n{model.young:.9g}, {model.poisson:.9g}\n"
                    "*SOLID SECTION, ELSET=RAIL, MATERIAL=STEEL\n")
-        _write_supports(deck, model.supports, len(model.mesh.elements))
+        _write_fixed(deck, model.supports.fixed)
+        _write_springs(deck, model.supports.springs, model.mesh)
         _write_set(deck, "REPORTED", model.reported)
         for case in model.cases:
             _write_step(deck, case, fields)
@@ -29,14 +30,28 @@ def _write_mesh(deck, mesh):
         deck.write(_wrapped([number, *element], 11))
 
 
-def _write_supports(deck, supports, last_element):
-    for name, (nodes, _) in supports.fixed.items():
+def _write_fixed(deck, fixed):
+    for name, (nodes, _) in fixed.items():
         _write_set(deck, name, nodes)
-    for name, (_, freedoms) in supports.fixed.items():
+    for name, (_, freedoms) in fixed.items():
         deck.write("*BOUNDARY\n" + "".join(f"{name}, {freedom}\n" for freedom in freedoms))
-    for number, (node, freedom, stiffness) in enumerate(supports.springs, start=1):
-        deck.write(f"*ELEMENT, TYPE=SPRING1, ELSET=PAD{number}\n{last_element + number}, {node + 1}\n"
-                   f"*SPRING, ELSET=PAD{number}\n{freedom}\n{stiffness:.9e}\n")
+
+
+def _write_springs(deck, springs, mesh):
+    """Each spring connects its node with a fixed node, 1 m away in the direction of its degree of freedom. CalculiX 2.11
+    has no springs to the ground."""
+    if not springs:
+        return
+    nodes, freedoms, _ = zip(*springs)
+    ends = mesh.nodes[list(nodes)] + np.eye(3)[np.array(freedoms) - 1]
+    numbers = len(mesh.nodes) + 1 + np.arange(len(springs))
+    deck.write("*NODE, NSET=GROUND\n")
+    np.savetxt(deck, np.column_stack([numbers, ends]), fmt="%d, %.12g, %.12g, %.12g")
+    deck.write("*BOUNDARY\nGROUND, 1, 3\n")
+    for number, (node, _, stiffness) in enumerate(springs, start=1):
+        deck.write(f"*ELEMENT, TYPE=SPRINGA, ELSET=PAD{number}\n"
+                   f"{len(mesh.elements) + number}, {node + 1}, {numbers[number - 1]}\n"
+                   f"*SPRING, ELSET=PAD{number}\n\n{stiffness:.9e}\n")
 
 
 def _write_set(deck, name, nodes):
