@@ -394,7 +394,7 @@ TEST(Parameters, ParameterServerTypesAreConvertedToYaml)
   XmlRpc::XmlRpcValue server;
   server["a"] = 5;
   server["b"] = "210e9";
-  server["c"] = true;
+  server["c"] = XmlRpc::XmlRpcValue(true);  // before ROS 1.15, an assignment of true stores the number 1
   server["d"][0] = "z";
   server["d"][1] = "roll";
   server["e"].setSize(0);
