@@ -7,9 +7,8 @@
 # Not verified: this file was never built, because no container registry was reachable where it was written. The check
 # check_setup runs scripts/setup with the environment and without the package lists of this base image.
 #
-# The base image contains rosdep with rules for Noetic; ros:noetic-ros-core does not. Its last version installs ROS packages
-# from the final snapshot of Noetic (github.com/docker-library/official-images, pull request 19221, June 2025). Older versions
-# contain a key that expired on 1 June 2025; --pull replaces them.
+# --pull: images from before June 2025 contain an expired key. The newer ones install ROS packages from the final snapshot of
+# Noetic (github.com/docker-library/official-images, pull request 19221). ros:noetic-ros-core contains no rosdep.
 FROM ros:noetic-ros-base-focal
 
 # Without rviz. To include it, remove this line.

@@ -10,6 +10,7 @@ build=$root/build
 # ROS requires the python3 of the system. A python3 from pyenv, conda or a virtual environment lacks the ROS modules.
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 unset PYTHONHOME CDPATH GREP_OPTIONS MAKEFLAGS DESTDIR
+unset LANGUAGE  # programs with translated messages follow it even in the locale C.UTF-8
 export LC_ALL=C.UTF-8
 
 # Removes the devel space of this build from CMAKE_PREFIX_PATH: the calling shell may have sourced its setup file.

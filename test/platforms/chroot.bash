@@ -58,9 +58,9 @@ download_ubuntu_keyring()
   keyring=$folder/archive.gpg
   rm -f "$keyring"
   for key in "${ubuntu_keys[@]}"; do
-    gpg --batch --no-default-keyring --keyring "$ubuntu_keyring" --export "$key" >> "$keyring" 2> /dev/null
+    gpg --batch --no-default-keyring --keyring "$ubuntu_keyring" --export "$key" >> "$keyring"
   done
-  gpg --batch --show-keys --with-colons "$keyring" 2> /dev/null | grep --quiet "^fpr:*${ubuntu_keys[1]}:" ||
+  gpg --batch --show-keys --with-colons "$keyring" | grep --quiet "^fpr:*${ubuntu_keys[1]}:" ||
     die "$package does not contain the signing key ${ubuntu_keys[1]}"
 }
 
@@ -89,7 +89,9 @@ install_diagnostic_updater()
 {
   local folder=$1 name=libdiagnostic-updater-dev_1.10.1+ds1-3_amd64.deb
   local sum=2789285cb32ea016c45d86a61614fa8a9da52e7bd31cb4f0771b643b21d8b0d6
-  [[ ! -e $folder/root/$name ]] || return 0
+  if in_root "$folder" dpkg --status libdiagnostic-updater-dev > /dev/null 2>&1; then
+    return 0
+  fi
   curl --fail --silent --show-error --output "$folder/root/$name" "$debian/pool/main/r/ros-diagnostics/$name"
   sha256sum --check --quiet <<< "$sum $folder/root/$name"
   in_root "$folder" apt-get update --quiet

@@ -18,8 +18,9 @@ STORED = pathlib.Path(__file__).parent / "stored"
 CONFIG = SHIPPED.parents[1] / "config"
 BAGS = ("manchester_sweep", "paper")
 TEXTS = ("result [-]", "status", "side")
-NUMBERS = ("y [m]", "z [m]", "roll [rad]", "contact_angle [rad]", "normal_force [N]", "approach [m]", "area [m^2]",
-           "max_pressure [Pa]", "error_estimate [-]")
+NUMBERS = ("z [m]", "contact_angle [rad]", "normal_force [N]", "approach [m]", "area [m^2]", "max_pressure [Pa]",
+           "error_estimate [-]")
+LIGHT = 1e3  # normal force below which the pressure is not compared [N]: 1 % of the wheel load, as a patch that begins
 
 
 def config_of(name):
@@ -51,10 +52,13 @@ class StoredResults(ReplayCase):
             return
         new, old = ({column: float(table[column]) for column in NUMBERS} for table in (row, other))
         estimates = new["error_estimate [-]"] + old["error_estimate [-]"]
-        for column in ("max_pressure [Pa]", "area [m^2]", "approach [m]"):
+        if old["normal_force [N]"] < LIGHT:
+            self.assertLess(new["normal_force [N]"], 2 * LIGHT)
+            return
+        self.assertLess(estimates, 0.1)
+        for column in ("max_pressure [Pa]", "area [m^2]", "approach [m]", "normal_force [N]"):
             self.assertLessEqual(abs(new[column] / old[column] - 1), estimates, column)
-        # The estimates also bound the changes of force (relative), height (relative to the approach) and roll.
-        self.assertLessEqual(abs(new["normal_force [N]"] / old["normal_force [N]"] - 1), estimates)
+        # The height is accurate to the same share of the approach, the angle to this share of 1 rad.
         self.assertLessEqual(abs(new["z [m]"] - old["z [m]"]), estimates * old["approach [m]"])
         self.assertLessEqual(abs(new["contact_angle [rad]"] - old["contact_angle [rad]"]), estimates)
 

@@ -23,6 +23,8 @@ def write(build_dir, folder):
     commands = (build_dir / "compile_commands.json").read_text()
     installed = re.search(r"-isystem (\S+/eigen3)", commands).group(1)
     shutil.copytree(f"{installed}/Eigen", folder / "Eigen", dirs_exist_ok=True)
+    if not (folder / "Eigen" / "src" / "Core" / "Reshaped.h").exists():
+        return  # Eigen 3.3 is installed
     for name, pattern, replacement in REMOVED:
         file = folder / "Eigen" / "src" / name
         text, count = re.subn(pattern, replacement, file.read_text(), flags=re.DOTALL)

@@ -106,7 +106,7 @@ run()
   [[ $# -gt 0 ]] || set -- "$package/scripts/setup"
   : > "$case_dir/state/commands"
   status=0
-  env --ignore-environment PATH="$case_dir/path:$scratch_dir/programs" HOME="$home" STATE="$case_dir/state" ROSDEP="$rosdep" \
+  env --ignore-environment LANGUAGE=de PATH="$case_dir/path:$scratch_dir/programs" HOME="$home" STATE="$case_dir/state" ROSDEP="$rosdep" \
     NOETIC_PREFIX="$noetic" ROSDEP_SOURCE_PATH="$scratch_dir/sources" ROSDISTRO_INDEX_URL="file://$scratch_dir/index.yaml" \
     ROS_OS_OVERRIDE=ubuntu:20.04:focal "${variables[@]}" "$@" > "$case_dir/output" 2>&1 || status=$?
 }

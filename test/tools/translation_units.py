@@ -50,17 +50,17 @@ def groups(folder, build_dir):
     return [(flags, sorted(files)) for (_, flags), files in sorted(found.items())]
 
 
-def write(files, folder):
-    """Writes a source to the folder that includes all files."""
+def write(flags, files, folder):
+    """Writes a source to the folder that includes all files. Its name is unique for files and flags."""
     text = "".join(f'#include "{file}"\n' for file in files)
-    unit = folder / f"{files[0].parent.name}_{hashlib.sha256(text.encode()).hexdigest()[:12]}.cpp"
+    unit = folder / f"{files[0].parent.name}_{hashlib.sha256((repr(flags) + text).encode()).hexdigest()[:12]}.cpp"
     unit.write_text(text)
     return unit
 
 
 def join(clang, flags, files, folder):
     """A source in the folder that includes all files, or None if they do not compile together."""
-    unit = write(files, folder)
+    unit = write(flags, files, folder)
     if len(files) == 1 or not subprocess.run([clang, *flags, "-w", "-fsyntax-only", unit], stderr=subprocess.DEVNULL,
                                              check=False).returncode:
         return unit

@@ -21,7 +21,7 @@ def dask():
     except ImportError as error:
         raise Failure("Dask is not installed; on Debian: apt install python3-distributed") from error
     if not hasattr(distributed.Client, "nthreads"):
-        raise Failure(f"Dask {distributed.__version__} is too old; doc/platforms.md states the oldest supported version")
+        raise Failure(f"Dask {distributed.__version__} is too old; run: python3 -m pip install --user distributed")
     return distributed
 
 
