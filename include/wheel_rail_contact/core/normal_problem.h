@@ -60,6 +60,12 @@ struct PatchGap
   /// times the common approach, and weight times its normal force counts in the common load. 1 for a single patch that
   /// is pressed along its normal.
   double weight = 1;
+  /// Further factor of the weight in each column [-], > 0; empty: 1 everywhere. Columns on a curved surface have
+  /// different normals. Only ConjugateGradients uses it.
+  Eigen::ArrayXd column_weight;
+  /// Angle about x of the normal in each column, from that of the patch [rad]; empty: 0 everywhere. The displacement by
+  /// a pressure in another column is projected onto the normal. Only ConjugateGradients uses it.
+  Eigen::ArrayXd turn;
   /// Change of the gap in each column per unit of each coordinate of the support: ny × 3, positive if the gap opens
   /// [m/m] or [m/rad]. Used only if the support is compliant. For a rigid body the opening is linear in y; the
   /// computation of max_pressure relies on this.

@@ -31,6 +31,12 @@ class DenseActiveSet
     {
       State state;
       state.matrix = influenceMatrix(patch.grid, problem.modulus);
+      state.weight = patch.weight * ofCells(patch, patch.column_weight, 1);
+      const Eigen::VectorXd turn = ofCells(patch, patch.turn, 0);
+      for (Eigen::Index i = 0; i < turn.size(); ++i)
+      {
+        state.matrix.col(i).array() *= (turn.array() - turn[i]).cos();
+      }
       state.gap = Eigen::Map<const Eigen::VectorXd>(patch.gap.data(), patch.gap.size());
       state.loaded.assign(static_cast<std::size_t>(patch.gap.size()), true);
       states_.push_back(std::move(state));
@@ -70,9 +76,20 @@ class DenseActiveSet
   struct State
   {
     Eigen::MatrixXd matrix;
-    Eigen::VectorXd gap, pressure, distance, response, closing;
+    Eigen::VectorXd weight, gap, pressure, distance, response, closing;
     std::vector<bool> loaded;
   };
+
+  /// Values of the columns, or `constant` if there are none, as values of the cells.
+  static Eigen::VectorXd ofCells(const PatchGap& patch, const Eigen::ArrayXd& columns, double constant)
+  {
+    Eigen::VectorXd cells = Eigen::VectorXd::Constant(patch.gap.size(), constant);
+    for (Eigen::Index i = 0; i < cells.size() && columns.size() > 0; ++i)
+    {
+      cells[i] = columns[i / patch.grid.rows()];
+    }
+    return cells;
+  }
 
   /// Computes the approach and the pressures of the loaded cells for which their distance is zero.
   void solveLoaded(double& approach)
@@ -82,10 +99,10 @@ class DenseActiveSet
     {
       State& s = states_[k];
       const PatchGap& patch = problem_.patches[k];
-      s.response = solveOn(s, Eigen::VectorXd::Constant(s.gap.size(), patch.weight));
+      s.response = solveOn(s, s.weight);
       s.closing = solveOn(s, s.gap);
-      by_approach += patch.weight * patch.grid.cellArea() * s.response.sum();
-      by_gap += patch.weight * patch.grid.cellArea() * s.closing.sum();
+      by_approach += patch.grid.cellArea() * s.weight.dot(s.response);
+      by_gap += patch.grid.cellArea() * s.weight.dot(s.closing);
     }
     approach =
         problem_.control == NormalProblem::Control::load ? (problem_.value + by_gap) / by_approach : problem_.value;
@@ -93,8 +110,7 @@ class DenseActiveSet
     {
       State& s = states_[k];
       s.pressure = approach * s.response - s.closing;
-      s.distance = s.matrix * s.pressure + s.gap;
-      s.distance.array() -= problem_.patches[k].weight * approach;
+      s.distance = s.matrix * s.pressure + s.gap - approach * s.weight;
     }
   }
 

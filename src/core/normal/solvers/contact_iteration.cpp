@@ -49,7 +49,9 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
     workspace_.reserve(*patches_[k].influence);
     toField(patches_[k], 1, problem.patches[k].gap, gap_);
   }
+  columns_.begin(problem, patches_, length, gap_);
   support_.begin(problem, patches_, length);
+  support_.scale(columns_);
   residual_ = 1;
   s_q_ = 0;
   trial_length_ = 1;
@@ -61,6 +63,11 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
 bool ContactIteration::start(const NormalSolution* earlier)
 {
   Start found = earlier ? warmStart(*problem_, patches_, *earlier, p_, u_) : Start::none;
+  if (found != Start::none && columns_.scaled())
+  {
+    columns_.scale(p_, u_);
+    scaleToLoad();
+  }
   if (found == Start::none)
   {
     found = coldStart(*problem_, patches_, gap_, p_);
@@ -129,10 +136,7 @@ bool ContactIteration::shouldContinue(SolveStatus& status)
 
 void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
 {
-  for (const PatchLayout& patch : patches_)
-  {
-    patch.influence->multiply(in.data() + patch.begin, out.data() + patch.begin, workspace_);
-  }
+  columns_.multiply(patches_, in, out, workspace_);
   ++products_;
 }
 
@@ -151,6 +155,18 @@ void ContactIteration::end()
   {
     support_coordinates_ = support_.coordinates(patches_, p_);
     support_.open(support_.placed() - support_coordinates_, u_);
+  }
+  columns_.unscale(p_, u_);
+}
+
+/// In load control, scales pressure and displacement to the load.
+void ContactIteration::scaleToLoad()
+{
+  const double factor = load_controlled_ ? problem_->value / loadOf(patches_, p_) : 1;
+  for (const PatchLayout& patch : patches_)
+  {
+    kernels_.scale(patch.size, factor, p_.data() + patch.begin);
+    kernels_.scale(patch.size, factor, u_.data() + patch.begin);
   }
 }
 
@@ -251,7 +267,7 @@ TrialStep ContactIteration::precondition()
   for (const PatchLayout& patch : patches_)
   {
     const int at = patch.begin;
-    patch.influence->precondition(r_.data() + at, z_.data() + at, workspace_);
+    columns_.precondition(patch, r_, z_, workspace_);
     const MaskedSums sums = kernels_.masked_sums(patch.size, r_.data() + at, z_.data() + at, q_.data() + at);
     weights += patch.force * patch.weight * patch.weight * sums.count;
     sum_z += patch.force * patch.weight * sums.z;

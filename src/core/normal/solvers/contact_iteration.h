@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/normal/operator/lanes.h"
+#include "core/normal/solvers/column_fields.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/patch_fields.h"
 #include "core/normal/solvers/starting_pressure.h"
@@ -26,7 +27,8 @@ class ContactIteration
 
   SolveStatus iterate();
 
-  /// Removes the contribution of the support from the displacement. Afterwards only the results may be read.
+  /// Removes the contribution of the support from the displacement, and the weights of the columns. Afterwards only the
+  /// results may be read.
   void end();
 
   const std::vector<PatchLayout>& patches() const { return patches_; }
@@ -43,6 +45,7 @@ class ContactIteration
   bool shouldContinue(SolveStatus& status);
   void multiply(const LaneBuffer& in, LaneBuffer& out);
   void addSupportDisplacement(const LaneBuffer& pressure, LaneBuffer& displacement);
+  void scaleToLoad();
   void scaleToApproach();
   void advance(double length);
   double supportApproach() const;
@@ -61,6 +64,7 @@ class ContactIteration
   bool load_controlled_ = true;
   std::vector<PatchLayout> patches_;
 
+  ColumnFields columns_;
   SupportField support_;
   Eigen::Vector3d support_coordinates_ = Eigen::Vector3d::Zero();
   LaneBuffer p_, u_, gap_;   ///< pressure, displacement (with the opening by the support), gap

@@ -15,7 +15,10 @@ bool isValid(const PatchGap& patch)
   const bool shaped = grid.nx >= 2 && grid.ny >= 2 && !(grid.symmetric && grid.nx % 2 != 0) &&
                       patch.gap.rows() == grid.rows() && patch.gap.cols() == grid.ny;
   const bool sized = grid.dx > 0 && grid.dy > 0 && std::isfinite(grid.dx) && std::isfinite(grid.dy);
-  const bool weighted = patch.weight > 0 && std::isfinite(patch.weight);
+  const auto fits = [&grid](const Eigen::ArrayXd& values) { return values.size() == 0 || values.size() == grid.ny; };
+  const bool weighted = patch.weight > 0 && std::isfinite(patch.weight) && fits(patch.column_weight) &&
+                        fits(patch.turn) && (patch.column_weight > 0).all() && patch.column_weight.isFinite().all() &&
+                        patch.turn.isFinite().all();
   // Zero times a value that is not finite is NaN, and so is the sum.
   return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }

@@ -21,6 +21,14 @@ void SupportField::begin(const NormalProblem& problem, const std::vector<PatchLa
   }
 }
 
+void SupportField::scale(const ColumnFields& columns)
+{
+  for (std::size_t m = 0; m < openings_.size() && compliant(); ++m)
+  {
+    columns.scaleOpening(openings_[m]);
+  }
+}
+
 Eigen::Vector3d SupportField::force(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure) const
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();

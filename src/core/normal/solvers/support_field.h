@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/normal/solvers/patch_fields.h"
+#include "core/normal/solvers/column_fields.h"
 
 namespace wheel_rail_contact::core
 {
@@ -15,6 +15,9 @@ class SupportField
  public:
   /// `length`: length of the arrays that contain the patches.
   void begin(const NormalProblem& problem, const std::vector<PatchLayout>& patches, int length);
+
+  /// Scales the openings, as ColumnFields scales the gap.
+  void scale(const ColumnFields& columns);
 
   bool compliant() const { return support_.compliant; }
   const Eigen::Matrix3d& compliance() const { return support_.compliance; }

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Patches whose columns have normals of their own, as on a curved surface.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "dense_active_set.h"
+#include "problems.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double strict_residual = 1e-9;
+constexpr unsigned seed = 7;
+
+NormalSolution solved(const NormalProblem& problem, NormalSolution solution = {}, bool warm = false)
+{
+  ConjugateGradientsOptions options;
+  options.residual = strict_residual;
+  ConjugateGradients(options).solve(problem, warm, solution);
+  return solution;
+}
+
+/// Normals that turn by up to 1 rad over a patch, and the weights of a vertical load.
+void turnColumns(std::mt19937_64& random, PatchGap& patch)
+{
+  const double total = problems::uniform(random, -1, 1);
+  const double middle = problems::uniform(random, -0.4, 0.4);
+  patch.turn = Eigen::ArrayXd::LinSpaced(patch.grid.ny, middle - 0.5 * total, middle + 0.5 * total);
+  patch.column_weight = patch.turn.cos();
+}
+
+void expectEqual(const NormalProblem& problem, const NormalSolution& solution)
+{
+  ASSERT_EQ(solution.status, SolveStatus::converged);
+  problems::DenseActiveSet dense(problem);
+  const auto exact = dense.solve();
+  EXPECT_NEAR(solution.approach / exact.approach, 1, 1e-7);
+  for (std::size_t k = 0; k < problem.patches.size(); ++k)
+  {
+    const double highest = exact.pressure[k].maxCoeff();
+    EXPECT_LE((solution.patches[k].pressure - exact.pressure[k]).abs().maxCoeff(), 1e-5 * highest);
+  }
+}
+}  // namespace
+
+// The residual of 1e-9 is relative to the overlap; the pressures of single cells differ by more.
+TEST(ColumnFields, WeightsAndTurnedNormalsGiveTheExactSolution)
+{
+  std::cout << "seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  for (int scene = 0; scene < 12; ++scene)
+  {
+    SCOPED_TRACE(scene);
+    NormalProblem problem = problems::randomProblem(random, 1 + scene % 2);
+    for (PatchGap& patch : problem.patches)
+    {
+      turnColumns(random, patch);
+    }
+    if (scene % 3 == 1)  // weights alone
+    {
+      problem.patches[0].turn.resize(0);
+    }
+    if (scene % 3 == 2)  // turned normals alone
+    {
+      problem.patches[0].column_weight.resize(0);
+    }
+    const NormalSolution solution = solved(problem);
+    expectEqual(problem, solution);
+    problem.control = NormalProblem::Control::approach;
+    problem.value = solution.approach;
+    expectEqual(problem, solved(problem));
+  }
+}
+
+TEST(ColumnFields, ColumnsWithEqualNormalsAreOnePlane)
+{
+  std::mt19937_64 random(seed);
+  NormalProblem problem = problems::randomProblem(random, 1);
+  const NormalSolution plane = solved(problem);
+  PatchGap& patch = problem.patches[0];
+  patch.turn = Eigen::ArrayXd::Constant(patch.grid.ny, 0.3);
+  patch.column_weight = Eigen::ArrayXd::Constant(patch.grid.ny, 0.8);
+  patch.weight /= 0.8;
+  const NormalSolution turned = solved(problem);
+  EXPECT_NEAR(turned.approach / plane.approach, 1, 1e-8);
+  EXPECT_LT((turned.patches[0].pressure - plane.patches[0].pressure).abs().maxCoeff(),
+            1e-5 * plane.patches[0].max_pressure);
+}
+
+TEST(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
+{
+  std::mt19937_64 random(seed);
+  NormalProblem problem = problems::randomProblem(random, 1);
+  PatchGap& patch = problem.patches[0];
+  turnColumns(random, patch);
+  const NormalSolution solution = solved(problem);
+  const Eigen::ArrayXd columns = solution.patches[0].pressure.colwise().sum() * patch.grid.cellArea();
+  EXPECT_NEAR(patch.weight * (columns * patch.column_weight).sum() / problem.value, 1, 1e-9);
+}
+
+TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithoutFurtherProducts)
+{
+  std::mt19937_64 random(seed);
+  NormalProblem problem = problems::randomProblem(random, 1);
+  turnColumns(random, problem.patches[0]);
+  const NormalSolution cold = solved(problem);
+  const NormalSolution warm = solved(problem, cold, true);
+  EXPECT_LE(warm.iterations, 2);
+  EXPECT_LT((warm.patches[0].pressure - cold.patches[0].pressure).abs().maxCoeff(),
+            1e-6 * cold.patches[0].max_pressure);
+}
+
+TEST(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)
+{
+  std::mt19937_64 random(seed);
+  NormalProblem problem = problems::randomProblem(random, 1);
+  problem.patches[0].column_weight = Eigen::ArrayXd::Ones(1);
+  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
+  problem.patches[0].column_weight = Eigen::ArrayXd::Constant(problem.patches[0].grid.ny, -1);
+  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
+}
+}  // namespace wheel_rail_contact::core
