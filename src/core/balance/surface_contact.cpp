@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/balance/surface_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double margin = 0.02;            ///< width of the grid beyond each end of the overlap, over its width [-]
+constexpr double typical_load = 1e5;       ///< [N]; under it the overlap is about typical_overlap
+constexpr double typical_overlap = 6e-5;   ///< [m]
+constexpr double smallest_opening = 0.05;  ///< limit of the weights; a column with a smaller one carries no load [-]
+constexpr int most_solutions = 60;         ///< bisection alone needs fewer
+
+/// Range of the contact locus along the track over the overlap, and half the length of the overlap about it [m].
+struct Extent
+{
+  double x_least, x_most, half;
+};
+
+Extent extentAlong(const PlacedWheel& wheel, const std::vector<OverlapInterval>& intervals, double depth)
+{
+  Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 0};
+  double radius = 0;
+  for (const OverlapInterval& interval : intervals)
+  {
+    const double shift = interval.contact.wheel_u - interval.contact.rail_u;
+    for (const double u : {interval.contact.wheel_u, interval.u_begin + shift, interval.u_end + shift})
+    {
+      const CurvePoint point = wheel.profile().at(u);
+      SpacePoint locus{};
+      if (wheel.locus(point, locus))
+      {
+        extent.x_least = std::min(extent.x_least, locus.x);
+        extent.x_most = std::max(extent.x_most, locus.x);
+      }
+      radius = std::max(radius, wheel.sections().radius - point.z);
+    }
+  }
+  // A wheel circle that overlaps by `depth` below its lowest point does so over this length.
+  extent.half = std::sqrt(2 * depth * radius);
+  return extent;
+}
+}  // namespace
+
+SurfaceContact::SurfaceContact(const Profile& wheel, const WheelsetConfig& wheelset, const PlacedRail& rail,
+                               double modulus, NormalSolver& solver, const SurfaceContactOptions& options)
+    : wheel_(wheel),
+      wheelset_(wheelset),
+      rail_(rail),
+      solver_(solver),
+      options_(options),
+      search_(wheel, rail.profile())
+{
+  search_.setRail(rail_);
+  problem_.modulus = modulus;
+  problem_.patches.resize(1);
+}
+
+/// Builds the problem at a pose. Returns false if the bodies do not overlap.
+bool SurfaceContact::build(const WheelsetPose& pose)
+{
+  height_ = pose.z;
+  const PlacedWheel wheel(wheel_, wheelset_, pose);
+  search_.setWheel(wheel);
+  if (!search_.nearest(touch_) || !(touch_.separation < 0))
+  {
+    return false;
+  }
+  search_.overlapIntervals(0, intervals_);
+  if (intervals_.empty())
+  {
+    return false;
+  }
+  const Extent along = extentAlong(wheel, intervals_, -touch_.separation);
+  const double begin = intervals_.front().u_begin, end = intervals_.back().u_end, beyond = margin * (end - begin);
+  const double half = (1 + margin) * (along.half + 0.5 * (along.x_most - along.x_least));
+  PatchGap& patch = problem_.patches[0];
+  patch.grid = {options_.cells_along,
+                options_.cells_across,
+                2 * half / options_.cells_along,
+                (end - begin + 2 * beyond) / options_.cells_across,
+                0,
+                pose.yaw == 0};
+  patch.grid.y0 = begin - beyond + 0.5 * patch.grid.dy - touch_.rail_u;
+  const SurfaceOrigin origin{0.5 * (along.x_least + along.x_most), touch_.rail_u, touch_.wheel_u};
+  if (!buildSurfaceGap(wheel, rail_, origin, patch.grid, patch.gap, columns_))
+  {
+    return false;
+  }
+  Eigen::Index row = 0, deepest = 0;
+  patch.gap.minCoeff(&row, &deepest);
+  const SurfaceColumn& reference = columns_[static_cast<std::size_t>(deepest)];
+  patch.weight = reference.perUp();
+  patch.column_weight.resize(patch.grid.ny);
+  patch.turn.resize(options_.turned_normals ? patch.grid.ny : 0);
+  for (int j = 0; j < patch.grid.ny; ++j)
+  {
+    const SurfaceColumn& column = columns_[static_cast<std::size_t>(j)];
+    patch.column_weight[j] = std::max(column.perUp(), smallest_opening) / patch.weight;
+    if (options_.turned_normals)
+    {
+      patch.turn[j] = column.angle - reference.angle;
+    }
+  }
+  return true;
+}
+
+SolveStatus SurfaceContact::solve(NormalProblem::Control control, double value)
+{
+  problem_.control = control;
+  problem_.value = value;
+  solver_.solve(problem_, false, solution_);
+  ++solutions_;
+  return solution_.status;
+}
+
+SolveStatus SurfaceContact::solveAt(const WheelsetPose& pose)
+{
+  solutions_ = 0;
+  if (!build(pose))
+  {
+    solution_.patches.clear();
+    solution_.status = SolveStatus::no_contact;
+    return solution_.status;
+  }
+  return solve(NormalProblem::Control::approach, 0);
+}
+
+SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
+{
+  const double overlap = typical_overlap * std::cbrt(std::pow(load / typical_load, 2));
+  double too_low = -std::numeric_limits<double>::infinity(), too_high = std::numeric_limits<double>::infinity();
+  WheelsetPose at = pose;
+  solutions_ = 0;
+  while (solutions_ < most_solutions)
+  {
+    if (!build(at))
+    {
+      too_high = std::min(too_high, at.z);
+      const bool near = touch_.separation >= 0 && std::isfinite(touch_.separation);
+      at.z = std::isfinite(too_low) ? 0.5 * (too_low + too_high) : at.z - (near ? touch_.separation : 0) - overlap;
+      ++solutions_;
+      continue;
+    }
+    const SolveStatus status = solve(NormalProblem::Control::load, load);
+    const double step = solution_.approach;  // further approach under the load: the wheel is too high by it
+    if (!isUsable(status) || std::abs(step) <= options_.approach * -touch_.separation)
+    {
+      return status;
+    }
+    (step > 0 ? too_high : too_low) = at.z;
+    at.z -= step;
+    if (!(at.z > too_low && at.z < too_high))
+    {
+      at.z = 0.5 * (too_low + too_high);
+    }
+  }
+  solution_.status = SolveStatus::iteration_limit;
+  return solution_.status;
+}
+
+double SurfaceContact::columnForce(std::size_t column) const
+{
+  return problem_.patches[0].grid.cellArea() *
+         solution_.patches[0].pressure.col(static_cast<Eigen::Index>(column)).sum();
+}
+
+double SurfaceContact::verticalForce() const
+{
+  double force = 0;
+  for (std::size_t j = 0; j < columns_.size() && !solution_.patches.empty(); ++j)
+  {
+    force += columnForce(j) * columns_[j].perUp();
+  }
+  return force;
+}
+
+double SurfaceContact::outwardForce() const
+{
+  double force = 0;
+  for (std::size_t j = 0; j < columns_.size() && !solution_.patches.empty(); ++j)
+  {
+    force -= columnForce(j) * columns_[j].perOutward();
+  }
+  return force;
+}
+
+double SurfaceContact::energy() const
+{
+  if (solution_.patches.empty())
+  {
+    return 0;
+  }
+  const PatchGap& patch = problem_.patches[0];
+  return -0.5 * patch.grid.cellArea() * (solution_.patches[0].pressure * patch.gap).sum();
+}
+}  // namespace wheel_rail_contact::core
