@@ -150,6 +150,7 @@ SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
     const double step = solution_.approach;  // further approach under the load: the wheel is too high by it
     if (!isUsable(status) || std::abs(step) <= options_.approach * -touch_.separation)
     {
+      height_ = at.z - step;
       return status;
     }
     (step > 0 ? too_high : too_low) = at.z;

@@ -42,8 +42,11 @@ class SurfaceContact
   /// leaves the bracket.
   SolveStatus solveLoad(const WheelsetPose& pose, double load);
 
-  /// Height of the axle centre in the last solution [m].
+  /// Height of the axle centre in the last solution [m]. Under a load, the height to which the remaining approach
+  /// leads.
   double height() const { return height_; }
+  /// Largest overlap of the undeformed bodies in the last solution [m].
+  double overlap() const { return -touch_.separation; }
   /// Vertical force of the wheel on the rail [N], down positive.
   double verticalForce() const;
   /// Lateral force of the wheel on the rail [N], outward positive.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "core/balance/surface_contact.h"
+#include "wheel_rail_contact/core/config.h"
+#include "wheel_rail_contact/core/wheelset_state.h"
+
+namespace wheel_rail_contact::core
+{
+/// Both wheels of a wheelset on rigid rails, on the surfaces of the rails: finds height and roll for given wheel loads.
+///
+/// At a given roll, each wheel has one height under its load (SurfaceContact). The roll is the one for which both
+/// heights are equal, by a bracketed secant search. The difference of the heights falls as the roll grows while
+/// tan(left contact angle) + tan(right contact angle) < distance of the contacts / rolling radius. Beyond that, several
+/// rolls may be in balance; the search then ends at the first one it brackets, from its start.
+class SurfaceWheelset
+{
+ public:
+  /// Keeps references to `config` and `solver`, which must outlive the object.
+  SurfaceWheelset(const ContactModelConfig& config, NormalSolver& solver, const SurfaceContactOptions& options);
+
+  /// Solves a state with positive loads on both wheels.
+  /// @param start  height and roll at which the search starts
+  SolveStatus solve(const WheelsetState& state, double start_z, double start_roll);
+
+  double z() const { return z_; }        ///< height of the axle centre [m]
+  double roll() const { return roll_; }  ///< roll of the axle [rad]
+  const SurfaceContact& wheel(Side side) const { return wheels_[static_cast<std::size_t>(side)]; }
+  /// Number of normal problems of both wheels in the last call.
+  int solutions() const { return solutions_; }
+
+ private:
+  SolveStatus heightsAt(const WheelsetState& state, double roll, double& difference);
+
+  const ContactModelConfig& config_;
+  std::array<SurfaceContact, 2> wheels_;
+  std::array<double, 2> heights_{};  ///< start of the next search at another roll [m]
+  double z_ = 0, roll_ = 0;
+  int solutions_ = 0;
+};
+}  // namespace wheel_rail_contact::core
