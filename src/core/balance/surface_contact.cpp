@@ -75,22 +75,35 @@ bool SurfaceContact::build(const WheelsetPose& pose)
   {
     return false;
   }
-  const Extent along = extentAlong(wheel, intervals_, -touch_.separation);
-  const double begin = intervals_.front().u_begin, end = intervals_.back().u_end, beyond = margin * (end - begin);
-  const double half = (1 + margin) * (along.half + 0.5 * (along.x_most - along.x_least));
   PatchGap& patch = problem_.patches[0];
-  patch.grid = {options_.cells_along,
-                options_.cells_across,
-                2 * half / options_.cells_along,
-                (end - begin + 2 * beyond) / options_.cells_across,
-                0,
-                pose.yaw == 0};
-  patch.grid.y0 = begin - beyond + 0.5 * patch.grid.dy - touch_.rail_u;
-  const SurfaceOrigin origin{0.5 * (along.x_least + along.x_most), touch_.rail_u, touch_.wheel_u};
+  const SurfaceOrigin origin = layGrid(wheel, patch.grid);
   if (!buildSurfaceGap(wheel, rail_, origin, patch.grid, patch.gap, columns_))
   {
     return false;
   }
+  setNormals(patch);
+  return true;
+}
+
+/// Lays the grid over the overlap. Returns its origin.
+SurfaceOrigin SurfaceContact::layGrid(const PlacedWheel& wheel, Grid& grid) const
+{
+  const Extent along = extentAlong(wheel, intervals_, overlap());
+  const double half = (1 + margin) * (along.half + 0.5 * (along.x_most - along.x_least));
+  const double begin = intervals_.front().u_begin;
+  const double width = intervals_.back().u_end - begin;
+  grid.nx = options_.cells_along;
+  grid.ny = options_.cells_across;
+  grid.dx = 2 * half / grid.nx;
+  grid.dy = (1 + 2 * margin) * width / grid.ny;
+  grid.y0 = begin - margin * width + 0.5 * grid.dy - touch_.rail_u;
+  grid.symmetric = wheel.pose().yaw == 0;
+  return {0.5 * (along.x_least + along.x_most), touch_.rail_u, touch_.wheel_u};
+}
+
+/// Sets weights and normals of the columns. The reference is the column with the deepest overlap.
+void SurfaceContact::setNormals(PatchGap& patch) const
+{
   Eigen::Index row = 0, deepest = 0;
   patch.gap.minCoeff(&row, &deepest);
   const SurfaceColumn& reference = columns_[static_cast<std::size_t>(deepest)];
@@ -106,7 +119,6 @@ bool SurfaceContact::build(const WheelsetPose& pose)
       patch.turn[j] = column.angle - reference.angle;
     }
   }
-  return true;
 }
 
 SolveStatus SurfaceContact::solve(NormalProblem::Control control, double value)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/track/contact_search.h"
@@ -63,6 +62,8 @@ class SurfaceContact
 
  private:
   bool build(const WheelsetPose& pose);
+  SurfaceOrigin layGrid(const PlacedWheel& wheel, Grid& grid) const;
+  void setNormals(PatchGap& patch) const;
   SolveStatus solve(NormalProblem::Control control, double value);
   double columnForce(std::size_t column) const;
 

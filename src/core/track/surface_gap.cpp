@@ -125,10 +125,15 @@ class SurfaceGapBuilder
     for (int k = 0; k < count; ++k)
     {
       double* const column = gap.col(place_[static_cast<std::size_t>(k)]).data();
-      const bool found = std::isfinite(heights.row(k).sum());
-      const HeightPolynomial polynomial = heights.row(k).transpose();
-      found ? fillColumn(grid_, polynomial, column) : void(std::fill_n(column, grid_.rows(), no_body_gap));
-      found_any = found_any || found;
+      if (std::isfinite(heights.row(k).sum()))
+      {
+        found_any = true;
+        fillColumn(grid_, heights.row(k).transpose(), column);
+      }
+      else
+      {
+        std::fill_n(column, grid_.rows(), no_body_gap);
+      }
     }
     return found_any;
   }

@@ -6,27 +6,15 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "../../manchester_scene.h"
+#include "bisection.h"
 
 using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Root of a function that changes its sign between `low` and `high`, by bisection.
-double root(const std::function<double(double)>& value, double low, double high)
-{
-  const bool rises = value(low) < 0;
-  for (int i = 0; i < 50; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    ((value(middle) < 0) == rises ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 /// Gap at one point of a plane, from the definition of the bodies alone: on the wheel the distance from the axle equals
 /// the radius of the profile; the rail is the profile itself.
 class DirectGap

@@ -6,10 +6,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "../../manchester_scene.h"
+#include "bisection.h"
 #include "core/track/contact_search.h"
 #include "core/track/gap.h"
 
@@ -17,18 +17,6 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-/// Root of a rising or falling function, by bisection.
-double root(const std::function<double(double)>& value, double low, double high)
-{
-  const bool rises = value(low) < 0;
-  for (int i = 0; i < 50; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    ((value(middle) < 0) == rises ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 class SurfaceGapTest : public testing::Test
 {
  protected:
