@@ -23,8 +23,8 @@ distribution_packages=(
   libgtest-dev libbenchmark-dev librostest-dev python3-rostest
   # demo: rviz and a virtual screen
   rviz xvfb imagemagick libgl1-mesa-dri
-  # contact_campaign: setpriv
-  util-linux
+  # contact_campaign: setpriv, and a module that the Dask package of Debian 11 requires without depending on it
+  util-linux python3-tornado
   # tables, pictures and reports
   python3-numpy python3-yaml python3-matplotlib python3-pil
 )

@@ -19,7 +19,8 @@ def dask():
     try:
         import distributed
     except ImportError as error:
-        raise Failure("Dask is not installed; on Debian: apt install python3-distributed") from error
+        raise Failure(f"Dask cannot be imported ({error}); on Debian: "
+                      "apt install python3-distributed python3-tornado") from error
     if not hasattr(distributed.Client, "nthreads"):
         raise Failure(f"Dask {distributed.__version__} is too old; run: python3 -m pip install --user distributed")
     return distributed
