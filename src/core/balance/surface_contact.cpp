@@ -64,6 +64,7 @@ SurfaceContact::SurfaceContact(const Profile& wheel, const WheelsetConfig& wheel
 bool SurfaceContact::build(const WheelsetPose& pose)
 {
   height_ = pose.z;
+  axle_y_ = pose.y;
   const PlacedWheel wheel(wheel_, wheelset_, pose);
   search_.setWheel(wheel);
   if (!search_.nearest(touch_) || !(touch_.separation < 0))
@@ -142,31 +143,47 @@ SolveStatus SurfaceContact::solveAt(const WheelsetPose& pose)
   return solve(NormalProblem::Control::approach, 0);
 }
 
-SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
+/// A lower height than `z`, at which the bodies do not overlap [m].
+double SurfaceContact::loweredHeight(double z, double load) const
 {
   const double overlap = typical_overlap * std::cbrt(std::pow(load / typical_load, 2));
+  const bool near = touch_.separation >= 0 && std::isfinite(touch_.separation);
+  return z - (near ? touch_.separation : 0) - overlap;
+}
+
+SolveStatus SurfaceContact::pass(const WheelsetPose& pose, double load)
+{
+  WheelsetPose at = pose;
+  for (int i = 0; i < most_solutions; ++i)
+  {
+    if (build(at))
+    {
+      const SolveStatus status = solve(NormalProblem::Control::load, load);
+      gap_height_ = at.z;
+      height_ = at.z - solution_.approach;
+      return status;
+    }
+    at.z = loweredHeight(at.z, load);
+  }
+  solution_.status = SolveStatus::no_contact;
+  return SolveStatus::iteration_limit;
+}
+
+SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
+{
   double too_low = -std::numeric_limits<double>::infinity(), too_high = std::numeric_limits<double>::infinity();
   WheelsetPose at = pose;
   solutions_ = 0;
   while (solutions_ < most_solutions)
   {
-    if (!build(at))
+    const SolveStatus status = pass(at, load);
+    // A positive approach that remains under the load: the wheel is too high by it.
+    if (!isUsable(status) || std::abs(remaining()) <= options_.approach * overlap())
     {
-      too_high = std::min(too_high, at.z);
-      const bool near = touch_.separation >= 0 && std::isfinite(touch_.separation);
-      at.z = std::isfinite(too_low) ? 0.5 * (too_low + too_high) : at.z - (near ? touch_.separation : 0) - overlap;
-      ++solutions_;
-      continue;
-    }
-    const SolveStatus status = solve(NormalProblem::Control::load, load);
-    const double step = solution_.approach;  // further approach under the load: the wheel is too high by it
-    if (!isUsable(status) || std::abs(step) <= options_.approach * -touch_.separation)
-    {
-      height_ = at.z - step;
       return status;
     }
-    (step > 0 ? too_high : too_low) = at.z;
-    at.z -= step;
+    (remaining() > 0 ? too_high : too_low) = gap_height_;
+    at.z = height_;
     if (!(at.z > too_low && at.z < too_high))
     {
       at.z = 0.5 * (too_low + too_high);
@@ -174,6 +191,22 @@ SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
   }
   solution_.status = SolveStatus::iteration_limit;
   return solution_.status;
+}
+
+double SurfaceContact::heightPerRoll()
+{
+  openings_.resize(1);
+  Eigen::ArrayXXd& openings = openings_.front();
+  openings.resize(static_cast<Eigen::Index>(columns_.size()), 2);
+  for (std::size_t j = 0; j < columns_.size(); ++j)
+  {
+    const SurfaceColumn& column = columns_[j];
+    // A roll moves the wheel by -(z - z_axle) outward and by y - y_axle upwards.
+    const double by_roll = -(column.z - gap_height_) * column.perOutward() + (column.y - axle_y_) * column.perUp();
+    openings.row(static_cast<Eigen::Index>(j)) << column.perUp(), by_roll;
+  }
+  const Eigen::VectorXd change = tangent_.stiffness(problem_, solution_, openings_, 0);
+  return change[0] > 0 ? -change[1] / change[0] : 0;
 }
 
 double SurfaceContact::columnForce(std::size_t column) const

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/normal/solvers/contact_tangent.h"
 #include "core/track/contact_search.h"
 #include "core/track/surface_gap.h"
 #include "wheel_rail_contact/core/normal_solver.h"
@@ -41,6 +42,14 @@ class SurfaceContact
   /// leaves the bracket.
   SolveStatus solveLoad(const WheelsetPose& pose, double load);
 
+  /// One pass of solveLoad(): solves the contact under the load with the gap of a pose. If the bodies do not overlap,
+  /// the pose is first lowered.
+  SolveStatus pass(const WheelsetPose& pose, double load);
+  /// Remaining approach of the last pass: the height of its gap minus height() [m].
+  double remaining() const { return solution_.approach; }
+  /// Change of the height by roll about the axle centre, under the same load [m/rad].
+  double heightPerRoll();
+
   /// Height of the axle centre in the last solution [m]. Under a load, the height to which the remaining approach
   /// leads.
   double height() const { return height_; }
@@ -61,11 +70,14 @@ class SurfaceContact
   int solutions() const { return solutions_; }
 
  private:
+  static constexpr double tangent_residual = 0.03;  ///< slopes need no more
+
   bool build(const WheelsetPose& pose);
   SurfaceOrigin layGrid(const PlacedWheel& wheel, Grid& grid) const;
   void setNormals(PatchGap& patch) const;
   SolveStatus solve(NormalProblem::Control control, double value);
   double columnForce(std::size_t column) const;
+  double loweredHeight(double z, double load) const;
 
   const Profile& wheel_;
   const WheelsetConfig& wheelset_;
@@ -78,6 +90,10 @@ class SurfaceContact
   std::vector<SurfaceColumn> columns_;
   NormalProblem problem_;
   NormalSolution solution_;
+  ContactTangent tangent_{tangent_residual};
+  std::vector<Eigen::ArrayXXd> openings_;  ///< by the wheel's displacement upwards, and by its roll
+  double gap_height_ = 0;                  ///< height of the axle centre for which the gap was built [m]
+  double axle_y_ = 0;                      ///< y of the axle centre in the last solution [m]
   double height_ = 0;
   int solutions_ = 0;
 };

@@ -9,12 +9,13 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double greatest_step = 2e-3;     ///< of the roll [rad]
-constexpr double tread_slope = -1.5;       ///< change of the height difference per roll on the tread [m/rad]
-constexpr double flattest_slope = -0.1;    ///< limit of the slope in a step [m/rad]
-constexpr double height_tolerance = 1e-3;  ///< remaining difference of the heights, over the smaller overlap [-]
-constexpr double finest_bracket = 1e-9;    ///< width at which a bracket without a zero ends the search [rad]
-constexpr int most_rolls = 60;             ///< bisection alone needs fewer
+constexpr double greatest_step = 2e-3;     ///< of the roll in a pass [rad]
+constexpr double flattest_slope = -0.1;    ///< limit of the slope of the height difference [m/rad]
+constexpr double open_limit = 0.02;        ///< remaining approach of a wheel at the end, over its overlap [-]
+constexpr double difference_limit = 0.01;  ///< difference of the heights at the end, over the smaller overlap [-]
+constexpr double uncertain_share = 0.2;  ///< error of the difference, over the sum of (remaining approach)²/overlap [-]
+constexpr double finest_bracket = 1e-9;  ///< width at which a bracket without a zero ends the search [rad]
+constexpr int most_passes = 80;          ///< bisection alone needs fewer
 
 SurfaceContact wheelOn(const ContactModelConfig& config, NormalSolver& solver, const SurfaceContactOptions& options)
 {
@@ -33,51 +34,65 @@ SurfaceWheelset::SurfaceWheelset(const ContactModelConfig& config, NormalSolver&
 {
 }
 
-/// Finds the heights of both wheels under their loads, and the height of the left one minus that of the right one.
-SolveStatus SurfaceWheelset::heightsAt(const WheelsetState& state, double roll, double& difference)
+/// One pass of both wheels at a roll.
+SolveStatus SurfaceWheelset::pass(const WheelsetState& state)
 {
   SolveStatus worst = SolveStatus::converged;
   for (const Side side : {Side::left, Side::right})
   {
     const auto k = static_cast<std::size_t>(side);
     const double load = -0.5 * state.force_z - sideSign(side) * state.torque_x / (2 * config_.wheelset.halfBase());
-    const SolveStatus status = wheels_[k].solveLoad(toSide(side, {state.y, heights_[k], state.yaw, roll}), load);
-    solutions_ += wheels_[k].solutions();
+    const SolveStatus status = wheels_[k].pass(toSide(side, {state.y, heights_[k], state.yaw, roll_}), load);
+    ++solutions_;
     heights_[k] = wheels_[k].height();
+    slopes_[k] = sideSign(side) * wheels_[k].heightPerRoll();
     worst = isUsable(status) ? worst : status;
   }
-  difference = heights_[0] - heights_[1];
   return worst;
 }
 
 SolveStatus SurfaceWheelset::solve(const WheelsetState& state, double start_z, double start_roll)
 {
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
-  double slope = tread_slope, last_roll = 0, last_difference = 0;
   heights_.fill(start_z);
   roll_ = start_roll;
   solutions_ = 0;
-  for (int i = 0; i < most_rolls; ++i)
+  for (int i = 0; i < most_passes; ++i)
   {
-    double difference = 0;
-    const SolveStatus status = heightsAt(state, roll_, difference);
-    z_ = 0.5 * (heights_[0] + heights_[1]);
-    const double overlap = std::min(wheels_[0].overlap(), wheels_[1].overlap());
-    if (!isUsable(status) || std::abs(difference) <= height_tolerance * overlap || most - least < finest_bracket)
+    const SolveStatus status = pass(state);
+    if (!isUsable(status))
     {
       return status;
     }
-    (difference > 0 ? least : most) = roll_;
-    if (i > 0)
+    double uncertain = 0, open = 0, overlap = std::numeric_limits<double>::infinity();
+    for (const SurfaceContact& wheel : wheels_)
     {
-      slope = std::min((difference - last_difference) / (roll_ - last_roll), flattest_slope);
+      uncertain += wheel.remaining() * wheel.remaining() / wheel.overlap();
+      open = std::max(open, std::abs(wheel.remaining()) / wheel.overlap());
+      overlap = std::min(overlap, wheel.overlap());
     }
-    last_roll = roll_;
-    last_difference = difference;
-    roll_ -= std::clamp(difference / slope, -greatest_step, greatest_step);
-    if (!(roll_ > least && roll_ < most))
+    const double difference = heights_[0] - heights_[1];
+    const double slope = std::min(slopes_[0] - slopes_[1], flattest_slope);
+    if (std::abs(difference) > uncertain_share * uncertain)
     {
-      roll_ = 0.5 * (least + most);
+      (difference > 0 ? least : most) = roll_;
+    }
+    const double step = std::clamp(-difference / slope, -greatest_step, greatest_step);
+    const bool settled = open <= open_limit && std::abs(difference) <= difference_limit * overlap;
+    double next = roll_ + step;
+    if (!settled && !(next > least && next < most))
+    {
+      next = 0.5 * (least + most);
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      heights_[k] += slopes_[k] * (next - roll_);
+    }
+    roll_ = next;
+    z_ = 0.5 * (heights_[0] + heights_[1]);
+    if (settled || most - least < finest_bracket)
+    {
+      return status;
     }
   }
   return SolveStatus::iteration_limit;

@@ -12,9 +12,11 @@ namespace wheel_rail_contact::core
 /// Both wheels of a wheelset on rigid rails, on the surfaces of the rails: finds height and roll for given wheel loads.
 ///
 /// At a given roll, each wheel has one height under its load (SurfaceContact). The roll is the one for which both
-/// heights are equal, by a bracketed secant search. The difference of the heights falls as the roll grows while
-/// tan(left contact angle) + tan(right contact angle) < distance of the contacts / rolling radius. Beyond that, several
-/// rolls may be in balance; the search then ends at the first one it brackets, from its start.
+/// heights are equal. Each pass solves one normal problem for each wheel, and corrects heights and roll together by the
+/// slopes of the heights (Newton's method). Their difference brackets the roll; bisection takes over where a step
+/// leaves the bracket. The difference falls as the roll grows while tan(left contact angle) + tan(right contact angle)
+/// < distance of the contacts / rolling radius. Beyond that, several rolls may be in balance; the search then ends at
+/// the first one that it brackets.
 class SurfaceWheelset
 {
  public:
@@ -32,11 +34,12 @@ class SurfaceWheelset
   int solutions() const { return solutions_; }
 
  private:
-  SolveStatus heightsAt(const WheelsetState& state, double roll, double& difference);
+  SolveStatus pass(const WheelsetState& state);
 
   const ContactModelConfig& config_;
   std::array<SurfaceContact, 2> wheels_;
-  std::array<double, 2> heights_{};  ///< start of the next search at another roll [m]
+  std::array<double, 2> heights_{};  ///< of the axle centre for each wheel [m]
+  std::array<double, 2> slopes_{};   ///< their change per roll [m/rad]
   double z_ = 0, roll_ = 0;
   int solutions_ = 0;
 };

@@ -51,7 +51,7 @@ TEST_F(SurfaceWheelsetTest, EveryStateOfASweepHasAResult)
       }
     }
   }
-  std::cout << "normal problems per state: at most " << most << "\n";
+  EXPECT_LE(most, 20);  // 16 were measured
 }
 
 // Height: 0.003 of an approach of 80 um, the tolerance of the planar result. Roll: the same on half the track width.

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/normal/solvers/column_fields.h"
+
+namespace wheel_rail_contact::core
+{
+/// Stiffness of a solved contact: change of its generalised forces by small displacements of the bodies.
+///
+/// The cells under pressure stay in contact, and the others stay apart: the change of the contact area has an effect of
+/// second order only. With the openings o_k of the gap by the displacements, and the influence matrix A_cc of the cells
+/// under pressure, K_kl = o_k^T A_cc^-1 o_l (integrated over the cells). K is symmetric and positive semidefinite. It
+/// contains the elastic part only: the change of the openings themselves by the displacements is left out.
+class ContactTangent
+{
+ public:
+  /// `residual`: largest remaining opening of the cells under pressure, over the largest opening [-], in (0, 1).
+  explicit ContactTangent(double residual = 1e-3) : residual_(residual) {}
+
+  /// Stiffness of a usable solution of the problem by ConjugateGradients [N/m], [N/rad] or [N m/rad].
+  /// @param openings  for each patch an array ny × n: change of the gap in each column per unit of each displacement
+  /// @return n × n; zero if no cell is under pressure
+  Eigen::MatrixXd stiffness(const NormalProblem& problem, const NormalSolution& solution,
+                            const std::vector<Eigen::ArrayXXd>& openings);
+
+  /// Column `displacement` of the same matrix, without the others.
+  Eigen::VectorXd stiffness(const NormalProblem& problem, const NormalSolution& solution,
+                            const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
+
+  /// Number of products with the influence matrix in the last call.
+  int products() const { return products_; }
+
+ private:
+  void begin(const NormalProblem& problem, const NormalSolution& solution,
+             const std::vector<Eigen::ArrayXXd>& openings);
+  Eigen::VectorXd column(Eigen::Index displacement);
+  double dot(const LaneBuffer& a, const LaneBuffer& b) const;
+  double largest(const LaneBuffer& field) const;
+  void mask(LaneBuffer& field) const;
+  void precondition();
+  void solve(const LaneBuffer& right);
+
+  double residual_;
+  OperatorCache cache_;
+  InfluenceOperator::Workspace workspace_;
+  const LaneKernels& kernels_ = laneKernels();
+  std::vector<PatchLayout> patches_;
+  ColumnFields columns_;
+  int length_ = 0, products_ = 0;
+  LaneBuffer gap_, loaded_;           ///< gap, not used; 1 in the cells under pressure, otherwise 0
+  LaneBuffer x_, r_, z_, s_, q_;      ///< conjugate gradients: solution, residual, preconditioned, step, product
+  std::vector<LaneBuffer> openings_;  ///< one field for each displacement
+};
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/normal/solvers/contact_tangent.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <random>
+
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "problems.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr unsigned seed = 11;
+
+NormalSolution solved(const NormalProblem& problem)
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-9;
+  NormalSolution solution;
+  ConjugateGradients(options).solve(problem, false, solution);
+  return solution;
+}
+
+/// Openings by a displacement along the normals and by a rotation about x, in each column.
+Eigen::ArrayXXd openingsOf(const PatchGap& patch)
+{
+  Eigen::ArrayXXd openings(patch.grid.ny, 2);
+  for (int j = 0; j < patch.grid.ny; ++j)
+  {
+    const double own = patch.column_weight.size() > 0 ? patch.column_weight[j] : 1;
+    openings.row(j) << patch.weight * own, patch.grid.y(j);
+  }
+  return openings;
+}
+
+/// Stiffness of a problem with one patch, by a factorisation of the matrix of the loaded cells.
+Eigen::MatrixXd denseStiffness(const NormalProblem& problem, const NormalSolution& solution,
+                               const Eigen::ArrayXXd& openings)
+{
+  const PatchGap& patch = problem.patches[0];
+  const Eigen::MatrixXd all = problems::influenceMatrix(patch.grid, problem.modulus);
+  std::vector<Eigen::Index> cells;
+  for (Eigen::Index i = 0; i < patch.gap.size(); ++i)
+  {
+    if (solution.patches[0].pressure.data()[i] > 0)
+    {
+      cells.push_back(i);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(cells.size());
+  Eigen::MatrixXd matrix(n, n), right(n, openings.cols());
+  const auto column = [&](Eigen::Index a) { return cells[static_cast<std::size_t>(a)] / patch.grid.rows(); };
+  for (Eigen::Index a = 0; a < n; ++a)
+  {
+    right.row(a) = openings.row(column(a)).matrix();
+    for (Eigen::Index b = 0; b < n; ++b)
+    {
+      const double turn = patch.turn.size() > 0 ? patch.turn[column(a)] - patch.turn[column(b)] : 0;
+      matrix(a, b) = all(cells[static_cast<std::size_t>(a)], cells[static_cast<std::size_t>(b)]) * std::cos(turn);
+    }
+  }
+  return patch.grid.cellArea() * right.transpose() * matrix.llt().solve(right);
+}
+}  // namespace
+
+TEST(ContactTangent, AgreesWithAFactorisationOfTheMatrix)
+{
+  std::cout << "seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  for (int scene = 0; scene < 8; ++scene)
+  {
+    SCOPED_TRACE(scene);
+    NormalProblem problem = problems::randomProblem(random, 1);
+    PatchGap& patch = problem.patches[0];
+    if (scene % 2 == 1)
+    {
+      patch.turn = Eigen::ArrayXd::LinSpaced(patch.grid.ny, -0.5, 0.4);
+      patch.column_weight = patch.turn.cos();
+    }
+    const NormalSolution solution = solved(problem);
+    const Eigen::ArrayXXd openings = openingsOf(patch);
+    const Eigen::MatrixXd exact = denseStiffness(problem, solution, openings);
+    const Eigen::MatrixXd found = ContactTangent(1e-8).stiffness(problem, solution, {openings});
+    const double rotation = std::sqrt(exact(0, 0) * exact(1, 1));  // scale of the product of both displacements
+    EXPECT_NEAR(found(0, 0) / exact(0, 0), 1, 1e-6);
+    EXPECT_NEAR(found(1, 1) / exact(1, 1), 1, 1e-6);
+    EXPECT_NEAR(found(0, 1) / rotation, exact(0, 1) / rotation, 1e-6);
+  }
+}
+
+// Hertz: F = k d^1.5, so dF/dd = 1.5 F / d. The cells at the edge carry pressure completely or not at all: 2 %.
+TEST(ContactTangent, OfAHertzContactIsThreeHalvesOfTheSecantStiffness)
+{
+  const problems::HertzCase hertz = problems::hertzCase(1.5, 48, 48, true);
+  const NormalSolution solution = solved(hertz.problem);
+  ContactTangent tangent;
+  const Eigen::MatrixXd stiffness =
+      tangent.stiffness(hertz.problem, solution, {Eigen::ArrayXXd::Ones(hertz.problem.patches[0].grid.ny, 1)});
+  EXPECT_NEAR(stiffness(0, 0) * solution.approach / (1.5 * solution.patches[0].force), 1, 0.02);
+  EXPECT_LE(tangent.products(), 8);
+}
+
+TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
+{
+  std::mt19937_64 random(seed);
+  const NormalProblem both = problems::randomProblem(random, 2);
+  const NormalSolution solution = solved(both);
+  std::vector<Eigen::ArrayXXd> openings;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2, 2);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    openings.push_back(openingsOf(both.patches[k]));
+    NormalProblem one = both;
+    one.patches = {both.patches[k]};
+    NormalSolution part = solution;
+    part.patches = {solution.patches[k]};
+    sum += ContactTangent(1e-8).stiffness(one, part, {openings.back()});
+  }
+  const Eigen::MatrixXd found = ContactTangent(1e-8).stiffness(both, solution, openings);
+  EXPECT_LT((found - sum).cwiseAbs().maxCoeff(), 1e-6 * sum.cwiseAbs().maxCoeff());
+}
+}  // namespace wheel_rail_contact::core
