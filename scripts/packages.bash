@@ -140,8 +140,8 @@ install_distribution_packages()
   local missing
   # python3-rosdep, from the package sources of ROS, contains the same command and conflicts with python3-rosdep2.
   [[ -n $(missing_packages python3-rosdep) ]] || check_packages=("${check_packages[@]/python3-rosdep2/python3-rosdep}")
-  # The rviz of Debian 13 uses Qt 6.
-  [[ $1 != "debian 13" ]] || distribution_packages=("${distribution_packages[@]/qtbase5-dev/qt6-base-dev}")
+  # The rviz of Debian 13 uses Qt 6, and does not depend on the plugins that read its icons.
+  [[ $1 != "debian 13" ]] || distribution_packages=("${distribution_packages[@]/qtbase5-dev/qt6-base-dev}" qt6-svg-plugins)
   mapfile -t missing < <(missing_packages "${distribution_packages[@]}" "${check_packages[@]}" "${command_packages[@]}")
   # Debian 12 has all of them, and all checks run there.
   [[ $1 == "debian 12" ]] || optional_packages=("${check_packages[@]}" "${command_packages[@]}")
