@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by setup, test, demo and pictures. The environment of these scripts then does not depend on the calling shell.
+# Sourced by setup, test, demo, pictures and make_deb. Their environment then does not depend on the calling shell.
 
 exec < /dev/null
 umask 022

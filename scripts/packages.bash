@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by setup, after environment.bash and rosdep.bash. Installs packages with apt: on ROS Noetic those that package.xml
-# requires, otherwise those of Debian or Ubuntu.
+# Sourced by setup, after environment.bash and rosdep.bash, and by make_deb. Installs packages with apt: on ROS Noetic those that
+# package.xml requires, otherwise those of Debian or Ubuntu.
 
 : "${root:?}" "${build:?}"
 
