@@ -35,12 +35,12 @@ Tangents beside(const ColumnGroup::Points& p, const Numbers& shift)
 void fillColumn(const Grid& grid, const HeightPolynomial& polynomial, double* height)
 {
   // Copies: the compiler would otherwise assume that writing to `height` changes them, and load them again.
+  const double c0 = polynomial[0], c1 = polynomial[1], c2 = polynomial[2], c3 = polynomial[3], c4 = polynomial[4];
   const Grid g = grid;
-  const HeightPolynomial c = polynomial;
   for (int row = 0; row < g.rows(); ++row)
   {
     const double x = g.x(row);
-    height[row] = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
+    height[row] = c0 + x * (c1 + x * (c2 + x * (c3 + x * c4)));
   }
 }
 
