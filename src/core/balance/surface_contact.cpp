@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/track/gap.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -12,7 +14,7 @@ namespace
 constexpr double margin = 0.02;            ///< width of the grid beyond each end of the overlap, over its width [-]
 constexpr double typical_load = 1e5;       ///< [N]; under it the overlap is about typical_overlap
 constexpr double typical_overlap = 6e-5;   ///< [m]
-constexpr double smallest_opening = 0.05;  ///< limit of the weights; a column with a smaller one carries no load [-]
+constexpr double smallest_opening = 0.05;  ///< columns that a vertical displacement opens by less are left out [-]
 constexpr int most_solutions = 60;         ///< bisection alone needs fewer
 
 /// Range of the contact locus along the track over the overlap, and half the length of the overlap about it [m].
@@ -47,7 +49,7 @@ Extent extentAlong(const PlacedWheel& wheel, const std::vector<OverlapInterval>&
 }  // namespace
 
 SurfaceContact::SurfaceContact(const Profile& wheel, const WheelsetConfig& wheelset, const PlacedRail& rail,
-                               double modulus, NormalSolver& solver, const SurfaceContactOptions& options)
+                               double modulus, ConjugateGradients& solver, const SurfaceContactOptions& options)
     : wheel_(wheel),
       wheelset_(wheelset),
       rail_(rail),
@@ -60,30 +62,29 @@ SurfaceContact::SurfaceContact(const Profile& wheel, const WheelsetConfig& wheel
   problem_.patches.resize(1);
 }
 
-/// Builds the problem at a pose. Returns false if the bodies do not overlap.
-bool SurfaceContact::build(const WheelsetPose& pose)
+SurfaceContact::Overlap SurfaceContact::build(const WheelsetPose& pose)
 {
-  height_ = pose.z;
+  gap_height_ = height_ = pose.z;
   axle_y_ = pose.y;
   const PlacedWheel wheel(wheel_, wheelset_, pose);
   search_.setWheel(wheel);
-  if (!search_.nearest(touch_) || !(touch_.separation < 0))
+  if (!search_.nearest(touch_))
   {
-    return false;
+    return Overlap::beside;
+  }
+  if (!(touch_.separation < 0))
+  {
+    return Overlap::none;
   }
   search_.overlapIntervals(0, intervals_);
   if (intervals_.empty())
   {
-    return false;
+    return Overlap::none;
   }
   PatchGap& patch = problem_.patches[0];
   const SurfaceOrigin origin = layGrid(wheel, patch.grid);
-  if (!buildSurfaceGap(wheel, rail_, origin, patch.grid, patch.gap, columns_))
-  {
-    return false;
-  }
-  setNormals(patch);
-  return true;
+  const bool built = buildSurfaceGap(wheel, rail_, origin, patch.grid, patch.gap, columns_) && setNormals(patch);
+  return built ? Overlap::found : Overlap::beside;
 }
 
 /// Lays the grid over the overlap. Returns its origin.
@@ -91,27 +92,44 @@ SurfaceOrigin SurfaceContact::layGrid(const PlacedWheel& wheel, Grid& grid) cons
 {
   const Extent along = extentAlong(wheel, intervals_, overlap());
   const double half = (1 + margin) * (along.half + 0.5 * (along.x_most - along.x_least));
+  const Profile& profile = rail_.profile();
   const double begin = intervals_.front().u_begin;
-  const double width = intervals_.back().u_end - begin;
+  const double width = arcLength(profile, begin, intervals_.back().u_end);
   grid.nx = options_.cells_along;
   grid.ny = options_.cells_across;
   grid.dx = 2 * half / grid.nx;
   grid.dy = (1 + 2 * margin) * width / grid.ny;
-  grid.y0 = begin - margin * width + 0.5 * grid.dy - touch_.rail_u;
+  grid.y0 = arcLength(profile, touch_.rail_u, begin) - margin * width + 0.5 * grid.dy;
   grid.symmetric = wheel.pose().yaw == 0;
   return {0.5 * (along.x_least + along.x_most), touch_.rail_u, touch_.wheel_u};
 }
 
-/// Sets weights and normals of the columns. The reference is the column with the deepest overlap.
-void SurfaceContact::setNormals(PatchGap& patch) const
+/// Sets weights and normals of the columns. The reference is the column with the deepest overlap. Columns that a
+/// vertical displacement hardly opens, or closes, are left out. Returns false if no column overlaps.
+bool SurfaceContact::setNormals(PatchGap& patch)
 {
-  Eigen::Index row = 0, deepest = 0;
-  patch.gap.minCoeff(&row, &deepest);
+  const int columns = patch.grid.ny;
+  int deepest = -1;
+  double least = 0;
+  for (int j = 0; j < columns; ++j)
+  {
+    if (columns_[static_cast<std::size_t>(j)].perUp() < smallest_opening)
+    {
+      patch.gap.col(j).setConstant(no_body_gap);
+    }
+    const double lowest = patch.gap.col(j).minCoeff();
+    deepest = lowest < least ? j : deepest;
+    least = std::min(least, lowest);
+  }
+  if (deepest < 0)
+  {
+    return false;
+  }
   const SurfaceColumn& reference = columns_[static_cast<std::size_t>(deepest)];
   patch.weight = reference.perUp();
-  patch.column_weight.resize(patch.grid.ny);
-  patch.turn.resize(options_.turned_normals ? patch.grid.ny : 0);
-  for (int j = 0; j < patch.grid.ny; ++j)
+  patch.column_weight.resize(columns);
+  patch.turn.resize(options_.turned_normals ? columns : 0);
+  for (int j = 0; j < columns; ++j)
   {
     const SurfaceColumn& column = columns_[static_cast<std::size_t>(j)];
     patch.column_weight[j] = std::max(column.perUp(), smallest_opening) / patch.weight;
@@ -120,6 +138,16 @@ void SurfaceContact::setNormals(PatchGap& patch) const
       patch.turn[j] = column.angle - reference.angle;
     }
   }
+  return true;
+}
+
+/// Removes the last solution.
+SolveStatus SurfaceContact::fail(SolveStatus status)
+{
+  solution_.patches.clear();
+  solution_.approach = 0;
+  solution_.status = status;
+  return status;
 }
 
 SolveStatus SurfaceContact::solve(NormalProblem::Control control, double value)
@@ -134,39 +162,34 @@ SolveStatus SurfaceContact::solve(NormalProblem::Control control, double value)
 SolveStatus SurfaceContact::solveAt(const WheelsetPose& pose)
 {
   solutions_ = 0;
-  if (!build(pose))
+  const Overlap overlap = build(pose);
+  if (overlap != Overlap::found)
   {
-    solution_.patches.clear();
-    solution_.status = SolveStatus::no_contact;
-    return solution_.status;
+    return fail(overlap == Overlap::none ? SolveStatus::no_contact : SolveStatus::invalid_problem);
   }
   return solve(NormalProblem::Control::approach, 0);
 }
 
-/// A lower height than `z`, at which the bodies do not overlap [m].
-double SurfaceContact::loweredHeight(double z, double load) const
-{
-  const double overlap = typical_overlap * std::cbrt(std::pow(load / typical_load, 2));
-  const bool near = touch_.separation >= 0 && std::isfinite(touch_.separation);
-  return z - (near ? touch_.separation : 0) - overlap;
-}
-
 SolveStatus SurfaceContact::pass(const WheelsetPose& pose, double load)
 {
+  const double lowering = load > 0 ? typical_overlap * std::cbrt(std::pow(load / typical_load, 2)) : 0;
   WheelsetPose at = pose;
-  for (int i = 0; i < most_solutions; ++i)
+  for (int i = 0; i < most_solutions && load > 0; ++i)
   {
-    if (build(at))
+    const Overlap overlap = build(at);
+    if (overlap == Overlap::found)
     {
       const SolveStatus status = solve(NormalProblem::Control::load, load);
-      gap_height_ = at.z;
       height_ = at.z - solution_.approach;
       return status;
     }
-    at.z = loweredHeight(at.z, load);
+    if (overlap == Overlap::beside)
+    {
+      break;
+    }
+    at.z -= touch_.separation + lowering;
   }
-  solution_.status = SolveStatus::no_contact;
-  return SolveStatus::iteration_limit;
+  return fail(SolveStatus::invalid_problem);
 }
 
 SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
@@ -182,19 +205,23 @@ SolveStatus SurfaceContact::solveLoad(const WheelsetPose& pose, double load)
     {
       return status;
     }
-    (remaining() > 0 ? too_high : too_low) = gap_height_;
+    too_high = remaining() > 0 ? std::min(too_high, gap_height_) : too_high;
+    too_low = remaining() > 0 ? too_low : std::max(too_low, gap_height_);
     at.z = height_;
     if (!(at.z > too_low && at.z < too_high))
     {
       at.z = 0.5 * (too_low + too_high);
     }
   }
-  solution_.status = SolveStatus::iteration_limit;
-  return solution_.status;
+  return fail(SolveStatus::iteration_limit);
 }
 
 double SurfaceContact::heightPerRoll()
 {
+  if (!isUsable(solution_.status) || solution_.patches.empty())
+  {
+    return 0;
+  }
   openings_.resize(1);
   Eigen::ArrayXXd& openings = openings_.front();
   openings.resize(static_cast<Eigen::Index>(columns_.size()), 2);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/contact_tangent.h"
 #include "core/track/contact_search.h"
 #include "core/track/surface_gap.h"
@@ -30,9 +31,10 @@ struct SurfaceContactOptions
 class SurfaceContact
 {
  public:
-  /// Keeps references to `wheel` and `solver`, which must outlive the object. `modulus`: contact modulus E* [Pa].
+  /// Keeps references to `wheel`, `wheelset` and `solver`, which must outlive the object. `modulus`: contact modulus E*
+  /// [Pa].
   SurfaceContact(const Profile& wheel, const WheelsetConfig& wheelset, const PlacedRail& rail, double modulus,
-                 NormalSolver& solver, const SurfaceContactOptions& options);
+                 ConjugateGradients& solver, const SurfaceContactOptions& options);
 
   /// Solves the contact at a pose.
   SolveStatus solveAt(const WheelsetPose& pose);
@@ -43,11 +45,14 @@ class SurfaceContact
   SolveStatus solveLoad(const WheelsetPose& pose, double load);
 
   /// One pass of solveLoad(): solves the contact under the load with the gap of a pose. If the bodies do not overlap,
-  /// the pose is first lowered.
+  /// the pose is first lowered. SolveStatus::invalid_problem if the wheel is beside the rail or the load is not
+  /// positive.
   SolveStatus pass(const WheelsetPose& pose, double load);
   /// Remaining approach of the last pass: the height of its gap minus height() [m].
   double remaining() const { return solution_.approach; }
-  /// Change of the height by roll about the axle centre, under the same load [m/rad].
+  /// Change of the height by roll about the axle centre, under the same load [m/rad]; zero without a usable solution.
+  /// Only the elastic part (ContactTangent): on the flange up to a quarter is missing, which slows the search of the
+  /// roll down but does not change its result.
   double heightPerRoll();
 
   /// Height of the axle centre in the last solution [m]. Under a load, the height to which the remaining approach
@@ -66,23 +71,31 @@ class SurfaceContact
   const NormalSolution& solution() const { return solution_; }
   /// Columns of the grid.
   const std::vector<SurfaceColumn>& columns() const { return columns_; }
-  /// Number of normal problems of the last call.
+  /// Number of normal problems since solveAt() or solveLoad() was called.
   int solutions() const { return solutions_; }
 
  private:
   static constexpr double tangent_residual = 0.03;  ///< slopes need no more
 
-  bool build(const WheelsetPose& pose);
+  /// Relation of the undeformed bodies at a pose.
+  enum class Overlap
+  {
+    none,    ///< they do not overlap
+    found,   ///< they overlap, and the problem was built
+    beside,  ///< the wheel is beside the rail, or has no column over it
+  };
+
+  Overlap build(const WheelsetPose& pose);
   SurfaceOrigin layGrid(const PlacedWheel& wheel, Grid& grid) const;
-  void setNormals(PatchGap& patch) const;
+  bool setNormals(PatchGap& patch);
+  SolveStatus fail(SolveStatus status);
   SolveStatus solve(NormalProblem::Control control, double value);
   double columnForce(std::size_t column) const;
-  double loweredHeight(double z, double load) const;
 
   const Profile& wheel_;
   const WheelsetConfig& wheelset_;
   PlacedRail rail_;
-  NormalSolver& solver_;
+  ConjugateGradients& solver_;
   SurfaceContactOptions options_;
   ContactSearch search_;
   InitialContact touch_;  ///< position of the smallest separation

@@ -17,7 +17,8 @@ constexpr double uncertain_share = 0.2;  ///< error of the difference, over the 
 constexpr double finest_bracket = 1e-9;  ///< width at which a bracket without a zero ends the search [rad]
 constexpr int most_passes = 80;          ///< bisection alone needs fewer
 
-SurfaceContact wheelOn(const ContactModelConfig& config, NormalSolver& solver, const SurfaceContactOptions& options)
+SurfaceContact wheelOn(const ContactModelConfig& config, ConjugateGradients& solver,
+                       const SurfaceContactOptions& options)
 {
   return {*config.wheel_profile,
           config.wheelset,
@@ -28,7 +29,7 @@ SurfaceContact wheelOn(const ContactModelConfig& config, NormalSolver& solver, c
 }
 }  // namespace
 
-SurfaceWheelset::SurfaceWheelset(const ContactModelConfig& config, NormalSolver& solver,
+SurfaceWheelset::SurfaceWheelset(const ContactModelConfig& config, ConjugateGradients& solver,
                                  const SurfaceContactOptions& options)
     : config_(config), wheels_{wheelOn(config, solver, options), wheelOn(config, solver, options)}
 {
@@ -37,18 +38,21 @@ SurfaceWheelset::SurfaceWheelset(const ContactModelConfig& config, NormalSolver&
 /// One pass of both wheels at a roll.
 SolveStatus SurfaceWheelset::pass(const WheelsetState& state)
 {
-  SolveStatus worst = SolveStatus::converged;
+  const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
   for (const Side side : {Side::left, Side::right})
   {
     const auto k = static_cast<std::size_t>(side);
-    const double load = -0.5 * state.force_z - sideSign(side) * state.torque_x / (2 * config_.wheelset.halfBase());
+    const double load = -0.5 * state.force_z - sideSign(side) * transfer;
     const SolveStatus status = wheels_[k].pass(toSide(side, {state.y, heights_[k], state.yaw, roll_}), load);
     ++solutions_;
+    if (!isUsable(status))
+    {
+      return status;
+    }
     heights_[k] = wheels_[k].height();
     slopes_[k] = sideSign(side) * wheels_[k].heightPerRoll();
-    worst = isUsable(status) ? worst : status;
   }
-  return worst;
+  return SolveStatus::converged;
 }
 
 SolveStatus SurfaceWheelset::solve(const WheelsetState& state, double start_z, double start_roll)
@@ -82,7 +86,9 @@ SolveStatus SurfaceWheelset::solve(const WheelsetState& state, double start_z, d
     double next = roll_ + step;
     if (!settled && !(next > least && next < most))
     {
-      next = 0.5 * (least + most);
+      const double crossed = next > least ? most : least;
+      const bool bracketed = std::isfinite(least) && std::isfinite(most);
+      next = 0.5 * (bracketed ? least + most : roll_ + crossed);
     }
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -90,9 +96,13 @@ SolveStatus SurfaceWheelset::solve(const WheelsetState& state, double start_z, d
     }
     roll_ = next;
     z_ = 0.5 * (heights_[0] + heights_[1]);
-    if (settled || most - least < finest_bracket)
+    if (settled)
     {
       return status;
+    }
+    if (most - least < finest_bracket)  // the heights jump past one another
+    {
+      return SolveStatus::stalled;
     }
   }
   return SolveStatus::iteration_limit;

@@ -21,9 +21,10 @@ class SurfaceWheelset
 {
  public:
   /// Keeps references to `config` and `solver`, which must outlive the object.
-  SurfaceWheelset(const ContactModelConfig& config, NormalSolver& solver, const SurfaceContactOptions& options);
+  SurfaceWheelset(const ContactModelConfig& config, ConjugateGradients& solver, const SurfaceContactOptions& options);
 
-  /// Solves a state with positive loads on both wheels.
+  /// Solves a state. SolveStatus::invalid_problem if a wheel has no load or is beside its rail; `stalled` if the
+  /// heights jump past one another at a roll.
   /// @param start  height and roll at which the search starts
   SolveStatus solve(const WheelsetState& state, double start_z, double start_roll);
 

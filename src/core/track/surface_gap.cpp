@@ -23,6 +23,7 @@ double alongArc(ProfileCursor& profile, double u, double step)
   return u + step / speed(u + 0.5 * step / speed(u));
 }
 
+/// Computes the columns of the gap one after the other.
 class SurfaceGapBuilder
 {
  public:
@@ -34,6 +35,7 @@ class SurfaceGapBuilder
         heights_(wheel.profile(), wheel_, x, 0.5 * grid.nx * grid.dx, grid.symmetric),
         wheel_profile_(wheel.profile()),
         rail_profile_(rail.profile()),
+        wheel_end_(wheel.profile().length()),
         rail_end_(rail.profile().length())
   {
   }
@@ -55,9 +57,11 @@ class SurfaceGapBuilder
       rail_u = alongArc(rail_profile_, rail_u, move);
       SurfaceColumn& column = columns[static_cast<std::size_t>(j)];
       column = railColumn(rail_u);
-      column.wheel_u = wheel_u + move;
+      wheel_u += move;
+      column.wheel_u = wheel_u;
       if (rail_u < 0 || rail_u > rail_end_ || !findWheel(column, count))
       {
+        column.wheel_u = wheel_u;
         gap.col(j).setConstant(no_body_gap);
         continue;
       }
@@ -103,7 +107,7 @@ class SurfaceGapBuilder
       return seen.at(profile.point, x_, point);
     };
     LocalPoint wheel;
-    if (!pointOver(0, curve, column.wheel_u, wheel))
+    if (!pointOver(0, curve, column.wheel_u, wheel) || u < 0 || u > wheel_end_)
     {
       return false;
     }
@@ -144,11 +148,25 @@ class SurfaceGapBuilder
   WheelSections wheel_;
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;
-  double rail_end_;
+  double wheel_end_, rail_end_;  ///< largest parameters of the profiles [m]
   ColumnGroup group_;
   std::array<int, ColumnGroup::together> place_{};  ///< column of the grid at each place of the group
 };
 }  // namespace
+
+double arcLength(const Profile& profile, double from, double to)
+{
+  constexpr double longest_panel = 5e-4;  // [m]
+  const int panels = 1 + static_cast<int>(std::abs(to - from) / longest_panel);
+  const double step = (to - from) / panels;
+  double length = 0;
+  for (int i = 0; i < panels; ++i)
+  {
+    const CurvePoint middle = profile.at(from + (i + 0.5) * step);
+    length += step * std::hypot(middle.dy, middle.dz);
+  }
+  return length;
+}
 
 bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid,
                      Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns)

@@ -34,6 +34,9 @@ struct SurfaceColumn
   double perUp() const { return std::cos(angle) - wheel_slope * std::sin(angle); }
 };
 
+/// Length of a profile between two parameters [m], negative if `to` is less than `from`.
+double arcLength(const Profile& profile, double from, double to);
+
 /// Computes the gap between a placed wheel and a placed rail on a grid on the surface of the rail.
 ///
 /// The cells are uniform along x and along the arc of the rail's section. The gap of a cell is the distance of the

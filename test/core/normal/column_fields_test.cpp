@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <random>
 
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -95,6 +96,9 @@ TEST(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
 {
   std::mt19937_64 random(seed);
   NormalProblem problem = problems::randomProblem(random, 1);
+  const NormalSolution first = solved(problem);
+  problem.control = NormalProblem::Control::load;
+  problem.value = problem.patches[0].weight * first.patches[0].force;
   PatchGap& patch = problem.patches[0];
   turnColumns(random, patch);
   const NormalSolution solution = solved(problem);
@@ -102,7 +106,7 @@ TEST(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
   EXPECT_NEAR(patch.weight * (columns * patch.column_weight).sum() / problem.value, 1, 1e-9);
 }
 
-TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithoutFurtherProducts)
+TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithAtMostTwoProducts)
 {
   std::mt19937_64 random(seed);
   NormalProblem problem = problems::randomProblem(random, 1);
@@ -112,6 +116,23 @@ TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithoutFurtherProducts)
   EXPECT_LE(warm.iterations, 2);
   EXPECT_LT((warm.patches[0].pressure - cold.patches[0].pressure).abs().maxCoeff(),
             1e-6 * cold.patches[0].max_pressure);
+}
+
+// The displacement of a plane patch does not belong to the turned one.
+TEST(ColumnFields, AWarmStartFromThePlanePatchGivesTheTurnedSolution)
+{
+  std::mt19937_64 random(seed);
+  NormalProblem problem = problems::randomProblem(random, 1);
+  const NormalSolution plane = solved(problem);
+  turnColumns(random, problem.patches[0]);
+  problem.patches[0].column_weight.resize(0);
+  const NormalSolution cold = solved(problem);
+  const NormalSolution warm = solved(problem, plane, true);
+  EXPECT_GT(std::abs(cold.approach / plane.approach - 1) + std::abs(cold.patches[0].force / plane.patches[0].force - 1),
+            1e-5);
+  EXPECT_NEAR(warm.approach / cold.approach, 1, 1e-8);
+  EXPECT_LT((warm.patches[0].pressure - cold.patches[0].pressure).abs().maxCoeff(),
+            1e-5 * cold.patches[0].max_pressure);
 }
 
 TEST(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)

@@ -5,7 +5,9 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <iostream>
 #include <random>
+#include <vector>
 
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
@@ -89,6 +91,8 @@ TEST(ContactTangent, AgreesWithAFactorisationOfTheMatrix)
     EXPECT_NEAR(found(0, 0) / exact(0, 0), 1, 1e-6);
     EXPECT_NEAR(found(1, 1) / exact(1, 1), 1, 1e-6);
     EXPECT_NEAR(found(0, 1) / rotation, exact(0, 1) / rotation, 1e-6);
+    const Eigen::VectorXd column = ContactTangent(1e-8).stiffness(problem, solution, {openings}, 1);
+    EXPECT_LT((column - found.col(1)).norm(), 1e-6 * rotation);
   }
 }
 

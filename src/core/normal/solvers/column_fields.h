@@ -21,6 +21,8 @@ class ColumnFields
   /// in the layout.
   void begin(const NormalProblem& problem, std::vector<PatchLayout>& patches, int length, LaneBuffer& gap);
 
+  /// True if the normals differ from column to column.
+  bool turned() const { return turned_; }
   /// True if the weights differ from column to column; otherwise the next three functions do nothing.
   bool scaled() const { return scaled_; }
   void scale(LaneBuffer& pressure, LaneBuffer& displacement) const;

@@ -63,6 +63,10 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
 bool ContactIteration::start(const NormalSolution* earlier)
 {
   Start found = earlier ? warmStart(*problem_, patches_, *earlier, p_, u_) : Start::none;
+  if (found == Start::complete && columns_.turned())
+  {
+    found = Start::pressure;  // the displacement was compared with the product for equal normals
+  }
   if (found != Start::none && columns_.scaled())
   {
     columns_.scale(p_, u_);

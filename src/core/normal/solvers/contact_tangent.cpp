@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wheel_rail_contact::core
 {
@@ -54,7 +55,12 @@ void ContactTangent::solve(const LaneBuffer& right)
     columns_.multiply(patches_, s_, q_, workspace_);
     ++products_;
     mask(q_);
-    const double length = r_z / dot(s_, q_);
+    const double curvature = dot(s_, q_);
+    if (!(curvature > 0))
+    {
+      break;
+    }
+    const double length = r_z / curvature;
     kernels_.add(length_, length, s_.data(), x_.data());
     kernels_.add(length_, -length, q_.data(), r_.data());
     precondition();
@@ -62,6 +68,10 @@ void ContactTangent::solve(const LaneBuffer& right)
     kernels_.scale(length_, next / r_z, s_.data());
     kernels_.add(length_, 1, z_.data(), s_.data());
     r_z = next;
+  }
+  if (!(largest(r_) <= enough))
+  {
+    std::fill_n(x_.data(), length_, std::numeric_limits<double>::quiet_NaN());
   }
 }
 

@@ -22,7 +22,7 @@ class ContactTangent
 
   /// Stiffness of a usable solution of the problem by ConjugateGradients [N/m], [N/rad] or [N m/rad].
   /// @param openings  for each patch an array ny × n: change of the gap in each column per unit of each displacement
-  /// @return n × n; zero if no cell is under pressure
+  /// @return n × n; zero if no cell is under pressure, not a number if the iteration fails
   Eigen::MatrixXd stiffness(const NormalProblem& problem, const NormalSolution& solution,
                             const std::vector<Eigen::ArrayXXd>& openings);
 
