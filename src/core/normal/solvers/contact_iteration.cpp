@@ -70,7 +70,10 @@ bool ContactIteration::start(const NormalSolution* earlier)
   if (found != Start::none && columns_.scaled())
   {
     columns_.scale(p_, u_);
-    scaleToLoad();
+    if (load_controlled_)
+    {
+      scaleToLoad(*problem_, patches_, p_, &u_);
+    }
   }
   if (found == Start::none)
   {
@@ -161,17 +164,6 @@ void ContactIteration::end()
     support_.open(support_.placed() - support_coordinates_, u_);
   }
   columns_.unscale(p_, u_);
-}
-
-/// In load control, scales pressure and displacement to the load.
-void ContactIteration::scaleToLoad()
-{
-  const double factor = load_controlled_ ? problem_->value / loadOf(patches_, p_) : 1;
-  for (const PatchLayout& patch : patches_)
-  {
-    kernels_.scale(patch.size, factor, p_.data() + patch.begin);
-    kernels_.scale(patch.size, factor, u_.data() + patch.begin);
-  }
 }
 
 /// Scales the first pressure to the lowest energy at the given approach.

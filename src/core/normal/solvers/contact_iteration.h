@@ -45,7 +45,6 @@ class ContactIteration
   bool shouldContinue(SolveStatus& status);
   void multiply(const LaneBuffer& in, LaneBuffer& out);
   void addSupportDisplacement(const LaneBuffer& pressure, LaneBuffer& displacement);
-  void scaleToLoad();
   void scaleToApproach();
   void advance(double length);
   double supportApproach() const;

@@ -57,20 +57,6 @@ double levelForLoad(const NormalProblem& problem, const std::vector<PatchLayout>
   return high;
 }
 
-void scaleToLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, LaneBuffer& pressure,
-                 LaneBuffer* displacement)
-{
-  const double factor = problem.value / loadOf(patches, pressure);
-  for (const PatchLayout& patch : patches)
-  {
-    laneKernels().scale(patch.size, factor, pressure.data() + patch.begin);
-    if (displacement)
-    {
-      laneKernels().scale(patch.size, factor, displacement->data() + patch.begin);
-    }
-  }
-}
-
 bool hasShape(const Eigen::ArrayXXd& values, const Grid& grid)
 {
   return values.rows() == grid.rows() && values.cols() == grid.ny;
@@ -114,6 +100,20 @@ double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressur
     load += patch.weight * patch.force * laneKernels().sum(patch.size, pressure.data() + patch.begin);
   }
   return load;
+}
+
+void scaleToLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, LaneBuffer& pressure,
+                 LaneBuffer* displacement)
+{
+  const double factor = problem.value / loadOf(patches, pressure);
+  for (const PatchLayout& patch : patches)
+  {
+    laneKernels().scale(patch.size, factor, pressure.data() + patch.begin);
+    if (displacement)
+    {
+      laneKernels().scale(patch.size, factor, displacement->data() + patch.begin);
+    }
+  }
 }
 
 Start warmStart(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const NormalSolution& earlier,

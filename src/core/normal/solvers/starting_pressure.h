@@ -10,6 +10,10 @@ namespace wheel_rail_contact::core
 /// Load of a pressure field [N]: weighted sum over the patches.
 double loadOf(const std::vector<PatchLayout>& patches, const LaneBuffer& pressure);
 
+/// Scales a pressure field, and its displacement unless it is null, to the load of the problem.
+void scaleToLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, LaneBuffer& pressure,
+                 LaneBuffer* displacement);
+
 /// Common approach of first touch [m].
 double firstTouch(const std::vector<PatchLayout>& patches);
 
