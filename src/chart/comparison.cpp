@@ -10,9 +10,8 @@ namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-constexpr int warm_up = 4 * longest_reach;      ///< untimed messages at the start, within warm_up_time
-constexpr int warm_up_automatic = 3 * warm_up;  ///< the same for auto, which first tries coarser grids
-constexpr double warm_up_time = 0.1;            ///< [s]
+constexpr int warm_up = 4 * longest_reach;  ///< untimed messages at the start, within warm_up_time
+constexpr double warm_up_time = 0.1;        ///< [s]
 constexpr double fast = 5e-3;         ///< mean time of a result up to which timing and inspection are separate [s]
 constexpr double visit_time = 1e-3;   ///< time of one visit [s]
 constexpr double enough_time = 0.05;  ///< time after which few results are sufficient [s]
@@ -60,8 +59,7 @@ class Runner
     const double start = now();
     double longest = timeOf(1, [this](int) { run_->solve(0); });
     int results = 1;
-    const int messages = entry_.choice.isAutomatic() ? warm_up_automatic : warm_up;
-    for (int i = 0; i < messages && now() - start < warm_up_time; ++i)
+    for (int i = 0; i < warm_up && now() - start < warm_up_time; ++i)
     {
       longest = std::max(longest, timeOf(1, [this](int) { next(); }));
       ++results;
@@ -156,9 +154,9 @@ class Runner
     }
     else if (!compare(series.outcome, truth, errors))
     {
-      series.status = Series::Status::other_patches;
-      series.reason = std::to_string(series.outcome.patches.size()) + " patches, the reference solution has " +
-                      std::to_string(truth.patches.size());
+      series.status = Series::Status::other_wheels;
+      series.reason = std::to_string(series.outcome.wheels.size()) +
+                      " wheels have a contact, in the reference solution " + std::to_string(truth.wheels.size());
     }
     else
     {
@@ -250,8 +248,8 @@ const char* toString(Series::Status status)
       return "solved";
     case Series::Status::refused:
       return "refused";
-    case Series::Status::other_patches:
-      return "other_patches";
+    case Series::Status::other_wheels:
+      return "other_wheels";
     default:
       return "not_run";
   }

@@ -26,9 +26,9 @@ struct Series
   enum class Status
   {
     solved,
-    refused,        ///< no result, but a reason, at one or more positions
-    other_patches,  ///< a result has other patches than the reference solution: its error is not defined
-    not_run         ///< the expected time is too long
+    refused,       ///< no result, but a reason, at one or more positions
+    other_wheels,  ///< other wheels than in the reference solution have a contact: the error is not defined
+    not_run        ///< the expected time is too long
   };
   /// Error of one inspected result.
   struct Result

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/balance/pressure_extent.h"
 #include "core/normal/operator/cell_aspect.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 
@@ -11,7 +10,7 @@ namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-constexpr double margin = 1.1;  ///< size of the grid over that of the pressure, as in the balance, at all positions [-]
+constexpr double margin = 1.04;  ///< size of the grid over that of the overlap, as in the balance, at all positions [-]
 constexpr double true_residual = 1e-6;    ///< residual of the reference solution [-]
 constexpr GridSize boxing_grid{32, 128};  ///< grid on which the box is determined
 constexpr int boxings = 3;
@@ -35,124 +34,127 @@ NormalSolution solveStrictly(const NormalProblem& problem)
   return solution;
 }
 
-Outcome gapOutcome(const GapScene& scene, const NormalProblem& problem, const NormalSolution& solution)
+/// Patches of a solution that carry pressure. Without `errors` their estimates are zero.
+std::vector<PatchOutcome> patchesOf(const GapScene& scene, const NormalSolution& solution,
+                                    const std::vector<ErrorEstimate>& errors)
+{
+  std::vector<PatchOutcome> patches;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  {
+    const PatchPressure& pressure = solution.patches[k];
+    const GapPatch& patch = scene.patches()[k];
+    if (pressure.force > 0)
+    {
+      patches.push_back({pressure.force, pressure.max_pressure, pressure.area,
+                         patch.weight * solution.approach - patch.first_touch,
+                         errors.empty() ? ErrorEstimate() : errors[k]});
+    }
+  }
+  return patches;
+}
+
+Outcome gapOutcome(const GapScene& scene, const NormalProblem& problem, const NormalSolution& solution,
+                   const std::vector<ErrorEstimate>& errors)
 {
   Outcome outcome;
   outcome.usable = isUsable(solution.status);
   outcome.reason = outcome.usable ? "" : toString(solution.status);
-  for (std::size_t k = 0; outcome.usable && k < problem.patches.size(); ++k)
+  if (outcome.usable)
   {
-    const Grid& grid = problem.patches[k].grid;
-    const PatchPressure& pressure = solution.patches[k];
-    outcome.grid = {grid.nx, grid.ny};
-    if (pressure.force > 0)
-    {
-      const GapPatch& patch = scene.patches()[k];
-      outcome.patches.push_back(
-          {0, pressure.max_pressure, pressure.area, patch.weight * solution.approach - patch.first_touch});
-    }
+    outcome.grid = {problem.patches.front().grid.nx, problem.patches.front().grid.ny};
+    outcome.add(0, patchesOf(scene, solution, errors));
   }
   return outcome;
 }
 
-/// Solves like one wheel of the whole calculation. From a cold start, a rough solution chooses method and grid. Each
-/// result has an error estimate, by which the grid is kept, refined or coarsened.
+/// Solves like one wheel of the whole calculation: on the first grid, and on finer ones while the estimated error
+/// exceeds the tolerance. Each grid starts from its own last solution.
 class GapRun : public MethodRun
 {
  public:
-  GapRun(const GapScene& scene, const GridLevels& levels, double tolerance)
-      : scene_(scene), levels_(levels), tolerance_(tolerance), choice_(levels, tolerance)
+  GapRun(const GapScene& scene, const GridLevels& levels)
+      : scene_(scene), levels_(levels), solutions_(levels.count()), prepared_(levels.count())
   {
     for (std::size_t level = 0; level < levels.count(); ++level)
     {
-      prepare(scene, levels.at(level).size);
-    }
-    if (levels.closedForm() != nullptr)
-    {
-      prepare(scene, levels.closedForm()->size);
+      for (int offset = -longest_reach; offset <= longest_reach; ++offset)
+      {
+        prepared_[level].push_back(scene.problem(levels.at(level), offset));
+      }
     }
   }
 
   void solve(int offset) override
   {
-    choice_.arrive(offset * step);
-    if (!warm_ && levels_.count() > 1)
-    {
-      solveOn(levels_.rough(), offset);
-      choice_.start(estimate_);
-      choice_.tryClosedForm(*problem_, solution_);
-    }
+    std::size_t level = 0, next = 0;
     do
     {
-      solveOn(choice_.level(), offset);
-    } while (warm_ ? choice_.refine(estimate_) : choice_.leaveClosedForm());
-    choice_.coarsen(estimate_);
-    choice_.tryClosedForm(*problem_, solution_);
+      level = next;
+      solveOn(level, offset);
+      next = isUsable(solutions_[level].status) ? levels_.finer(level, estimate_) : level;
+    } while (next != level);
   }
 
   void reset() override
   {
-    warm_ = false;
-    choice_ = GridLevelChoice(levels_, tolerance_);
+    for (NormalSolution& solution : solutions_)
+    {
+      solution.status = SolveStatus::invalid_problem;
+    }
   }
 
-  Outcome outcome() const override
-  {
-    Outcome outcome = gapOutcome(scene_, *problem_, solution_);
-    outcome.estimate = estimate_.largest();
-    outcome.solver = solver_->name();
-    return outcome;
-  }
+  Outcome outcome() const override { return gapOutcome(scene_, *problem_, solutions_[level_], errors_); }
 
  private:
-  struct Prepared
+  void solveOn(std::size_t level, int offset)
   {
-    GridSize size;
-    int offset;
-    NormalProblem problem;
-  };
-
-  void prepare(const GapScene& scene, const GridSize& size)
-  {
-    for (int offset = -longest_reach; offset <= longest_reach; ++offset)
+    level_ = level;
+    problem_ = &prepared_[level][static_cast<std::size_t>(offset + longest_reach)];
+    NormalSolution& solution = solutions_[level];
+    const bool warm = isUsable(solution.status);
+    levels_.solver().solve(*problem_, warm, solution);
+    if (warm && !isUsable(solution.status))
     {
-      prepared_.push_back({size, offset, scene.problem(size, offset)});
+      levels_.solver().solve(*problem_, false, solution);
     }
-  }
-
-  void solveOn(const GridLevel& level, int offset)
-  {
-    const GridSize& size = level.size;
-    problem_ = &std::find_if(prepared_.begin(), prepared_.end(),
-                             [&](const Prepared& p) { return p.size == size && p.offset == offset; })
-                    ->problem;
-    solver_ = level.solver;
-    solver_->solve(*problem_, warm_, solution_);
-    if (warm_ && !isUsable(solution_.status))
-    {
-      solver_->solve(*problem_, false, solution_);
-    }
-    warm_ = isUsable(solution_.status);
     errors_.clear();
-    if (warm_)
+    estimate_ = 0;
+    if (isUsable(solution.status))
     {
-      solver_->estimateErrors(*problem_, solution_, errors_);
+      levels_.solver().estimateErrors(*problem_, solution, errors_);
+      estimate_ = combined(0, patchesOf(scene_, solution, errors_)).estimate;
     }
-    estimate_ = largestOf(errors_);
   }
 
   const GapScene& scene_;
   const GridLevels& levels_;
-  double tolerance_;
-  GridLevelChoice choice_;
-  std::vector<Prepared> prepared_;
-  NormalSolver* solver_ = nullptr;  ///< solver of the last solution
+  std::vector<NormalSolution> solutions_;             ///< last one on each grid
+  std::vector<std::vector<NormalProblem>> prepared_;  ///< on each grid, at each offset
+  std::size_t level_ = 0;                             ///< of the last solution
   const NormalProblem* problem_ = nullptr;
-  NormalSolution solution_;
   std::vector<ErrorEstimate> errors_;  ///< one for each patch
-  ErrorEstimate estimate_;             ///< largest of them
-  bool warm_ = false;
+  double estimate_ = 0;                ///< of the wheel
 };
+
+/// Smallest region that contains the overlap of the undeformed bodies under an approach.
+Box overlapBox(const PatchGap& patch, double approach)
+{
+  const Grid& grid = patch.grid;
+  Box box{0, grid.y(grid.ny - 1), grid.y(0)};
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    for (int i = 0; i < grid.rows(); ++i)
+    {
+      if (patch.gap(i, j) < patch.weight * approach)
+      {
+        box.length = std::max(box.length, 2 * grid.x(i) + grid.dx);
+        box.y_begin = std::min(box.y_begin, grid.y(j) - 0.5 * grid.dy);
+        box.y_end = std::max(box.y_end, grid.y(j) + 0.5 * grid.dy);
+      }
+    }
+  }
+  return box;
+}
 }  // namespace
 
 GapScene::GapScene(std::string name, std::string title, std::shared_ptr<SolverCache> solver_cache,
@@ -168,15 +170,14 @@ GapScene::GapScene(std::string name, std::string title, std::shared_ptr<SolverCa
   }
 }
 
-/// Lays the boxes around the pressure that is found in them.
+/// Lays the boxes around the overlap that is found in them.
 void GapScene::tighten()
 {
   const NormalProblem wide = problem(boxing_grid, 0);
   const NormalSolution solution = solveStrictly(wide);
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
-    const PressureExtent extent = findExtent(wide.patches[k].grid, solution.patches[k].pressure);
-    patches_[k].box = {2 * extent.half_length, extent.y_begin, extent.y_end};
+    patches_[k].box = overlapBox(wide.patches[k], solution.approach);
   }
 }
 
@@ -206,11 +207,11 @@ NormalProblem GapScene::problem(const GridSize& size, int offset) const
 Outcome GapScene::truth(const GridSize& grid, int offset)
 {
   const NormalProblem fine = problem(grid, offset);
-  return gapOutcome(*this, fine, solveStrictly(fine));
+  return gapOutcome(*this, fine, solveStrictly(fine), {});
 }
 
 std::unique_ptr<MethodRun> GapScene::makeRun(const Choice& choice)
 {
-  return std::make_unique<GapRun>(*this, solvers_->find(choice), contactConfig(choice).tolerance);
+  return std::make_unique<GapRun>(*this, solvers_->find(choice));
 }
 }  // namespace wheel_rail_contact::core::chart

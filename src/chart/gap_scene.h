@@ -13,7 +13,7 @@ namespace wheel_rail_contact::core::chart
 /// Gap at (x, y) [m], even in x.
 using Gap = std::function<double(double, double)>;
 
-/// Region of the pressure of a patch.
+/// Region of a patch.
 struct Box
 {
   double length = 0;              ///< along the track, about x = 0 [m]
@@ -24,12 +24,13 @@ struct Box
 struct GapPatch
 {
   Gap gap;
-  Box box;                 ///< contains all of the pressure; need not be tight
+  Box box;                 ///< contains the overlap of the undeformed bodies; need not be tight
   double first_touch = 0;  ///< least gap [m]
   double weight = 1;       ///< as in PatchGap
 };
 
-/// A contact given by its gap: normal problem only, on a grid laid closely around the pressure.
+/// A contact given by its gap: normal problem only, on a grid laid closely around the overlap of the undeformed
+/// bodies, as in the balance.
 class GapScene : public Scene
 {
  public:

@@ -1,19 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chart/method_run.h"
 
+#include <algorithm>
+
 namespace wheel_rail_contact::core::chart
 {
+namespace
+{
+/// Grids of `auto` at all tolerances, from coarse to fine.
+std::vector<GridSize> allGrids()
+{
+  std::vector<GridSize> grids;
+  for (const double tolerance : tolerances)
+  {
+    ContactModelConfig config;
+    config.contact.tolerance = tolerance;
+    const GridLevels levels(config);
+    for (std::size_t level = 0; level < levels.count(); ++level)
+    {
+      if (std::find(grids.begin(), grids.end(), levels.at(level)) == grids.end())
+      {
+        grids.push_back(levels.at(level));
+      }
+    }
+  }
+  return grids;
+}
+}  // namespace
+
 std::vector<Choice> allChoices()
 {
-  const ContactModelConfig automatic;
-  const GridLevels levels(automatic);
+  const std::vector<GridSize> grids = allGrids();
   std::vector<Choice> choices;
   for (const NormalMethod method : {NormalMethod::hertz, NormalMethod::kik_piotrowski, NormalMethod::seidel_printed,
                                     NormalMethod::seidel, NormalMethod::conjugate_gradient})
   {
-    for (std::size_t level = 0; level < levels.count(); ++level)
+    for (const GridSize& grid : grids)
     {
-      choices.push_back({method, levels.at(level).size, 0});
+      choices.push_back({method, grid, 0});
     }
   }
   for (const double tolerance : tolerances)

@@ -32,7 +32,7 @@ struct Choice
   bool isSeidel() const { return method == NormalMethod::seidel || method == NormalMethod::seidel_printed; }
 };
 
-/// Every method on every grid level, from coarse to fine, then `auto` at each of the tolerances.
+/// Every method on every grid of `auto`, from coarse to fine, then `auto` at each of the tolerances.
 std::vector<Choice> allChoices();
 
 ContactConfig contactConfig(const Choice& choice);

@@ -4,19 +4,78 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/balance/patch_result.h"
+
 namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-void takeFiner(GridSize grid, std::string_view solver, Outcome& outcome)
+void takeFiner(const GridSize& grid, GridSize& finest)
 {
-  if (grid.along * grid.across > outcome.grid.along * outcome.grid.across)
+  if (grid.along * grid.across > finest.along * finest.across)
   {
-    outcome.grid = grid;
-    outcome.solver = solver;
+    finest = grid;
+  }
+}
+
+/// A result has one estimate for each patch, which holds for all of its quantities.
+PatchOutcome outcomeOf(const PatchResult& patch)
+{
+  const double error = patch.error_estimate;
+  return {patch.normal_force, patch.max_pressure, patch.area, patch.approach, {error, error, error}};
+}
+
+void addWheels(const std::vector<PatchResult>& patches, Outcome& outcome)
+{
+  for (const Side side : {Side::left, Side::right})
+  {
+    std::vector<PatchOutcome> own;
+    for (const PatchResult& patch : patches)
+    {
+      if (patch.side == side)
+      {
+        takeFiner({patch.grid.nx, patch.grid.ny}, outcome.grid);
+        own.push_back(outcomeOf(patch));
+      }
+    }
+    outcome.add(static_cast<int>(side), own);
   }
 }
 }  // namespace
+
+WheelOutcome combined(int index, const std::vector<PatchOutcome>& patches)
+{
+  WheelOutcome wheel;
+  wheel.index = index;
+  double force = 0;
+  for (const PatchOutcome& patch : patches)
+  {
+    wheel.max_pressure = std::max(wheel.max_pressure, patch.max_pressure);
+    wheel.area += patch.area;
+    force += patch.force;
+  }
+  double pressure_error = 0, area_error = 0, approach_error = 0;
+  for (const PatchOutcome& patch : patches)
+  {
+    wheel.approach += patch.approach * patch.force / force;
+    // A lower peak counts by what it may rise above the highest one.
+    const double height = patch.max_pressure / wheel.max_pressure;
+    pressure_error = std::max(pressure_error, height - 1 + patch.error.max_pressure * height);
+    area_error += patch.error.area * patch.area / wheel.area;
+    approach_error += patch.error.approach * patch.force / force;
+  }
+  wheel.estimate = std::max({pressure_error, area_error, approach_error});
+  return wheel;
+}
+
+void Outcome::add(int index, const std::vector<PatchOutcome>& patches)
+{
+  if (!patches.empty())
+  {
+    wheels.push_back(combined(index, patches));
+    estimate = std::max(estimate, wheels.back().estimate);
+  }
+}
 
 double Errors::largest() const
 {
@@ -26,14 +85,14 @@ double Errors::largest() const
 bool compare(const Outcome& found, const Outcome& truth, Errors& errors)
 {
   errors = Errors();
-  const auto same_body = [](const PatchOutcome& a, const PatchOutcome& b) { return a.body == b.body; };
-  if (!std::equal(found.patches.begin(), found.patches.end(), truth.patches.begin(), truth.patches.end(), same_body))
+  const auto same = [](const WheelOutcome& a, const WheelOutcome& b) { return a.index == b.index; };
+  if (!std::equal(found.wheels.begin(), found.wheels.end(), truth.wheels.begin(), truth.wheels.end(), same))
   {
     return false;
   }
-  for (std::size_t k = 0; k < truth.patches.size(); ++k)
+  for (std::size_t k = 0; k < truth.wheels.size(); ++k)
   {
-    const PatchOutcome &is = found.patches[k], &should = truth.patches[k];
+    const WheelOutcome &is = found.wheels[k], &should = truth.wheels[k];
     errors = larger(errors, {std::abs(is.max_pressure / should.max_pressure - 1), std::abs(is.area / should.area - 1),
                              std::abs(is.approach / should.approach - 1)});
   }
@@ -50,12 +109,7 @@ Outcome outcomeOf(const WheelsetResult& result)
   Outcome outcome;
   outcome.usable = isUsable(result.status);
   outcome.reason = outcome.usable ? "" : result.reason;
-  for (const PatchResult& patch : result.patches)
-  {
-    takeFiner({patch.grid.nx, patch.grid.ny}, patch.method, outcome);
-    outcome.estimate = std::max(outcome.estimate, patch.error_estimate);
-    outcome.patches.push_back({static_cast<int>(patch.side), patch.max_pressure, patch.area, patch.approach});
-  }
+  addWheels(result.patches, outcome);
   return outcome;
 }
 
@@ -64,21 +118,16 @@ Outcome outcomeOf(const WheelsetBalance& balance, ContactStatus status)
   Outcome outcome;
   outcome.usable = isUsable(status);
   outcome.reason = balance.reason();
+  std::vector<PatchResult> patches;
   for (const Side side : {Side::left, Side::right})
   {
-    const WheelContact& wheel = balance.wheel(side);
-    for (std::size_t k = 0; outcome.usable && k < wheel.patches().size(); ++k)
+    const bool loaded = outcome.usable && balance.wheel(side).loaded();
+    for (std::size_t k = 0; loaded && k < balance.islands(side).islands().size(); ++k)
     {
-      const PatchPressure& pressure = wheel.solution().patches[k];
-      const Grid& grid = wheel.problem().patches[k].grid;
-      if (pressure.force > 0)
-      {
-        takeFiner({grid.nx, grid.ny}, wheel.solver().name(), outcome);
-        outcome.patches.push_back(
-            {static_cast<int>(side), pressure.max_pressure, pressure.area, wheel.patchApproach(k)});
-      }
+      fillPatch(side, balance, k, patches.emplace_back());
     }
   }
+  addWheels(patches, outcome);
   return outcome;
 }
 }  // namespace wheel_rail_contact::core::chart

@@ -21,12 +21,12 @@ void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choi
   if (known)
   {
     const Errors& errors = series.errors;
-    std::fprintf(out, "%s,%.4g,%.4g,%.4g,%.4g,%.4g,", series.outcome.solver.c_str(), errors.largest(),
-                 errors.max_pressure, errors.area, errors.approach, series.estimate());
+    std::fprintf(out, "%.4g,%.4g,%.4g,%.4g,%.4g,", errors.largest(), errors.max_pressure, errors.area, errors.approach,
+                 series.estimate());
   }
   else
   {
-    std::fputs(",,,,,,", out);
+    std::fputs(",,,,,", out);
   }
   std::fprintf(out, "%.4g\n", truth_error);
 }
@@ -36,7 +36,7 @@ void writeHeader(std::FILE* out)
 {
   std::fputs(
       "scene,title,kind,method,cells_along,cells_across,tolerance,start,status,reason,time,time_quartile_1,"
-      "time_quartile_3,samples,solver,error,error_max_pressure,error_area,error_approach,error_estimate,truth_error\n",
+      "time_quartile_3,samples,error,error_max_pressure,error_area,error_approach,error_estimate,truth_error\n",
       out);
 }
 

@@ -5,17 +5,19 @@
 #include <cmath>
 
 #include "core/balance/grid_levels.h"
+#include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double angle_limit = 0.2;    ///< largest accepted yaw and given roll [rad]
-constexpr double lateral_limit = 0.1;  ///< largest accepted lateral position [m]
-constexpr double height_limit = 1.0;   ///< largest accepted axle height, if given [m]
-constexpr double force_limit = 1e8;    ///< largest accepted load [N], [N m]
-constexpr double offset_limit = 0.1;   ///< largest accepted displacement of a rail by other wheelsets [m]
+constexpr double angle_limit = 0.2;          ///< largest accepted yaw and given roll [rad]
+constexpr double lateral_limit = 0.1;        ///< largest accepted lateral position [m]
+constexpr double height_limit = 1.0;         ///< largest accepted axle height, if given [m]
+constexpr double force_limit = 1e8;          ///< largest accepted load [N], [N m]
+constexpr double stiffness_residual = 1e-3;  ///< of stiffness(), see ContactTangent
+constexpr double offset_limit = 0.1;         ///< largest accepted displacement of a rail by other wheelsets [m]
 
 bool within(double value, double limit)
 {
@@ -62,27 +64,6 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   return {};
 }
 
-/// Copies the whole pressure field of a patch, in track axes. A symmetric grid stores only half of the cells. On the
-/// right side the field is mirrored.
-void spread(Side side, const Grid& grid, const Eigen::ArrayXXd& stored, PatchResult& result)
-{
-  result.grid = {grid.nx, grid.ny, grid.dx, grid.dy, grid.y0};
-  result.pressure.resize(grid.nx, grid.ny);
-  if (grid.symmetric)
-  {
-    result.pressure.bottomRows(grid.rows()) = stored;
-    result.pressure.topRows(grid.rows()) = stored.colwise().reverse();
-  }
-  else
-  {
-    result.pressure = stored;
-  }
-  if (side == Side::right)
-  {
-    result.grid.y0 = -(grid.y0 + (grid.ny - 1) * grid.dy);
-    result.pressure.rowwise().reverseInPlace();
-  }
-}
 }  // namespace
 
 class WheelsetContact::Chain
@@ -104,7 +85,7 @@ class WheelsetContact::Chain
     const std::string_view reason = fault(state, given);
     result_.status = reason.empty() ? balance_.solve(state) : ContactStatus::invalid_input;
     result_.reason = reason.empty() ? balance_.reason() : reason;
-    result_.rail = {balance_.rail(Side::left), balance_.rail(Side::right)};
+    result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
     result_.above_tolerance = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
@@ -117,6 +98,22 @@ class WheelsetContact::Chain
     }
     result_.patches.resize(patch_count_);
     return result_;
+  }
+
+  Eigen::Matrix3d stiffness(Side side)
+  {
+    if (!isUsable(result_.status) || !balance_.wheel(side).loaded())
+    {
+      return Eigen::Matrix3d::Zero();
+    }
+    const MotionMatrix all = balance_.wheel(side).contact().stiffness(stiffness_residual);
+    // The wheel moving outward opens the gap as the rail moving inward does.
+    const double sign = sideSign(side);
+    Eigen::Matrix<double, motions, 3> track = Eigen::Matrix<double, motions, 3>::Zero();
+    track(rail_lateral, 0) = -sign;
+    track(wheel_up, 1) = 1;
+    track(wheel_roll, 2) = sign;
+    return track.transpose() * all * track;
   }
 
   void reset() { balance_.reset(); }
@@ -132,52 +129,27 @@ class WheelsetContact::Chain
   /// Remark on a usable result: wheels that carry no load, or an error estimate above the tolerance; otherwise empty.
   std::string_view remark() const
   {
-    if (balance_.loaded(Side::left) && balance_.loaded(Side::right))
+    if (balance_.wheel(Side::left).loaded() && balance_.wheel(Side::right).loaded())
     {
-      return result_.above_tolerance ? "an error estimate is above contact/tolerance" : "";
+      return result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance" : "";
     }
-    if (balance_.loaded(Side::left))
+    if (balance_.wheel(Side::left).loaded())
     {
       return "the right wheel carries no load";
     }
-    return balance_.loaded(Side::right) ? "the left wheel carries no load" : "neither wheel carries a load";
+    return balance_.wheel(Side::right).loaded() ? "the left wheel carries no load" : "neither wheel carries a load";
   }
 
   void addPatches(Side side)
   {
-    const WheelContact& wheel = balance_.wheel(side);
-    for (std::size_t k = 0; balance_.loaded(side) && k < wheel.patches().size(); ++k)
+    const std::size_t count = balance_.wheel(side).loaded() ? balance_.islands(side).islands().size() : 0;
+    for (std::size_t k = 0; k < count; ++k)
     {
-      if (wheel.solution().patches[k].force > 0)
-      {
-        result_.patches.resize(std::max(result_.patches.size(), patch_count_ + 1));
-        PatchResult& patch = result_.patches[patch_count_++];
-        fill(side, wheel, k, patch);
-        result_.above_tolerance = result_.above_tolerance || patch.error_estimate > config_.contact.tolerance;
-      }
+      result_.patches.resize(std::max(result_.patches.size(), patch_count_ + 1));
+      fillPatch(side, balance_, k, result_.patches[patch_count_]);
+      result_.patches[patch_count_++].method = levels_.solver().name();
     }
-  }
-
-  void fill(Side side, const WheelContact& wheel, std::size_t k, PatchResult& out) const
-  {
-    const WheelPatch& patch = wheel.patches()[k];
-    const PatchPressure& pressure = wheel.solution().patches[k];
-    const double sign = sideSign(side);
-    out.side = side;
-    out.method = wheel.solver().name();
-    const Eigen::Vector2d displacement = wheel.railDisplacement(patch);
-    out.pose = {patch.plane.x, sign * (patch.plane.y + displacement[0]), patch.plane.z + displacement[1],
-                sign * patch.plane.angle};
-    out.contact_angle = std::abs(patch.plane.angle);
-    out.normal_force = pressure.force;
-    out.approach = wheel.patchApproach(k);
-    out.area = pressure.area;
-    out.max_pressure = pressure.max_pressure;
-    out.error_estimate = std::hypot(wheel.errors()[k].largest(), wheel.layoutError(k, balance_.openRoll()));
-    out.iterations = wheel.solution().iterations;
-    out.residual = wheel.solution().residual;
-    out.half_space_ratio = wheel.halfSpaceRatio(k);
-    spread(side, wheel.problem().patches[k].grid, pressure.pressure, out);
+    result_.above_tolerance = result_.above_tolerance || balance_.wheelError(side) > config_.contact.tolerance;
   }
 
   ContactModelConfig config_;
@@ -196,6 +168,11 @@ WheelsetContact& WheelsetContact::operator=(WheelsetContact&&) noexcept = defaul
 const WheelsetResult& WheelsetContact::evaluate(const WheelsetState& state)
 {
   return chain_->evaluate(state);
+}
+
+Eigen::Matrix3d WheelsetContact::stiffness(Side side)
+{
+  return chain_->stiffness(side);
 }
 
 void WheelsetContact::reset()

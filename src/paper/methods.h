@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/balance/wheel_patch.h"
+#include "core/balance/grid_levels.h"
 #include "paper/printed_figures.h"
 #include "wheel_rail_contact/core/config.h"
 
@@ -28,6 +28,6 @@ struct MethodRow
 /// - printed Seidel iteration on nearly square cells (within a few per cent) of several sizes, with an early and a late
 ///   stop.
 ///
-/// @throw std::runtime_error if the accurate solution fails, from which the square cells are derived
+/// @throw std::runtime_error if the accurate solution fails
 std::vector<MethodRow> compareMethods(const ContactModelConfig& config, const RailDeflection& deflection);
 }  // namespace wheel_rail_contact::core::paper

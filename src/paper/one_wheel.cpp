@@ -9,9 +9,8 @@ namespace wheel_rail_contact::core::paper
 namespace
 {
 constexpr int most_passes = 20;
-constexpr double plane_error = 1e-4;        ///< allowed angle between plane and pressure-weighted normal [rad]
-constexpr double penetration_error = 1e-3;  ///< allowed difference from the penetration of the gap [-]
-constexpr double least_fill = 0.8;          ///< smallest size of a pressure over its expected size [-]
+constexpr double remaining_approach = 1e-3;  ///< allowed difference from the height of the gap, over the overlap [-]
+constexpr double clear_height = 0.1;         ///< above the rolling radius: the wheel is above the rail there [m]
 constexpr int most_roll_steps = 20;
 constexpr double height_difference = 1e-9;  ///< allowed difference of the axle heights of both sides [m]
 
@@ -33,11 +32,9 @@ RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclinatio
 }
 
 OneWheel::OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSize& size)
-    : config_(checked(std::move(config))),
-      size_(size),
-      undeflected_(config_.rail_profile, config_.track),
-      contact_(config_, solver)
+    : config_(checked(std::move(config))), undeflected_(config_.rail_profile, config_.track), contact_(config_, solver)
 {
+  contact_.setGrid(0, size);
   contact_.setRail(undeflected_);
 }
 
@@ -48,20 +45,19 @@ void OneWheel::displaceCrown(const RailDeflection& crown)
 
 bool OneWheel::solve(double y, double roll, double load)
 {
-  contact_.reset();
-  touch_ = contact_.touch({y, 0, 0, roll});
-  for (int pass = 0; touch_.found && pass < most_passes; ++pass)
+  contact_.forget();
+  WheelsetPose pose{y, config_.wheelset.rolling_radius + clear_height, 0, roll};
+  for (int pass = 0; pass < most_passes; ++pass)
   {
-    if (contact_.solveLoad(touch_, load, size_) != WheelStatus::solved)
+    if (contact_.solveLoad(pose, load) != WheelStatus::solved)
     {
       return false;
     }
-    if (contact_.planeError() < plane_error && std::abs(contact_.penetrationError()) < penetration_error &&
-        (contact_.boxFill() > least_fill || contact_.widened()))
+    pose.z = contact_.height();
+    if (std::abs(contact_.remaining()) < remaining_approach * contact_.overlap())
     {
       return true;
     }
-    contact_.learn();
   }
   return false;
 }
@@ -87,9 +83,10 @@ double OneWheel::countedArea() const
   return area;
 }
 
-double OneWheel::height() const
+double OneWheel::heightPerRoll()
 {
-  return touch_.axle_height - contact_.penetration();
+  const MotionMatrix stiffness = contact_.stiffness();
+  return -stiffness(wheel_up, wheel_roll) / stiffness(wheel_up, wheel_up);
 }
 
 bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, double& roll)
@@ -106,7 +103,7 @@ bool rollToBalance(OneWheel& first, OneWheel& second, double y, double load, dou
     {
       return true;
     }
-    roll += difference / (first.contact().lever() + second.contact().lever());  // Newton step
+    roll -= difference / (first.heightPerRoll() + second.heightPerRoll());  // Newton step
   }
   return false;
 }

@@ -36,16 +36,16 @@ class OneWheel
 
   // Results of the last solution:
   Figures figures() const;
-  double countedArea() const;  ///< area of all cells with pressure [m²]
-  double height() const;       ///< height of the axle centre [m]
+  double countedArea() const;                          ///< area of all cells with pressure [m²]
+  double height() const { return contact_.height(); }  ///< of the axle centre [m]
+  /// Change of the height by roll under the same load [m/rad].
+  double heightPerRoll();
   const WheelContact& contact() const { return contact_; }
 
  private:
   ContactModelConfig config_;
-  GridSize size_;
   PlacedRail undeflected_;
   WheelContact contact_;
-  RigidTouch touch_;
 };
 
 /// Finds the roll at which both wheels of a wheelset carry `load` at one height of the axle. The displacement of each

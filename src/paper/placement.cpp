@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/normal/solvers/conjugate_gradients.h"
+#include "core/track/contact_search.h"
 #include "paper/one_wheel.h"
 
 namespace wheel_rail_contact::core::paper
@@ -27,14 +27,16 @@ ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
 
 void addOutlines(const ContactModelConfig& config, const PlacedRail& rail, Placement& placement)
 {
-  ConjugateGradients solver;
-  WheelContact contact(config, solver);
-  contact.setRail(rail);
-  WheelsetPose pose{case_position, 0, 0, placement.roll};
-  const RigidTouch touch = contact.touch(pose);
-  placement.initial_contact = rail.at(touch.contact.rail_u);
-  pose.z = touch.axle_height;
-  const PlacedWheel wheel(*config.wheel_profile, config.wheelset, pose);
+  const WheelsetPose level{case_position, config.wheelset.rolling_radius, 0, placement.roll};
+  ContactSearch search(*config.wheel_profile, *config.rail_profile);
+  search.setRail(rail);
+  search.setWheel(PlacedWheel(*config.wheel_profile, config.wheelset, level));
+  InitialContact touch;
+  search.nearest(touch);
+  placement.initial_contact = rail.at(touch.rail_u);
+  WheelsetPose touching = level;
+  touching.z -= touch.separation;
+  const PlacedWheel wheel(*config.wheel_profile, config.wheelset, touching);
   for (double u = 0; u <= config.rail_profile->length(); u += drawing_step)
   {
     placement.rail.push_back(rail.at(u));

@@ -11,7 +11,8 @@
 /// Parts of contact_benchmark. Wheels S1002 on rails UIC60, 100 kN per wheel, one core unless stated.
 namespace wheel_rail_contact
 {
-/// Complete evaluations of a wheelset by tolerance, from a cold and from a warm start; spread of their times.
+/// Complete evaluations of a wheelset by tolerance, from a cold and from a warm start; spread of their times, and the
+/// longest one in a fine sweep.
 void registerWheelsets();
 /// Each step of an evaluation.
 void registerSteps();
@@ -77,11 +78,34 @@ struct OneWheel
 
   OneWheel() { wheel.setRail(rail); }
 
-  /// Normal problem of the wheel with the wheelset in the centre of the track, under 100 kN.
-  const core::NormalProblem& problemOn(const core::GridSize& size)
+  /// Solves the wheel with the wheelset in the centre of the track, under 100 kN. Its gap has the height of the result.
+  void solveOn(const core::GridSize& size)
   {
-    wheel.solveLoad(wheel.touch({0, 0, 0, 0}), 100e3, size);
-    return wheel.problem();
+    constexpr int passes = 4;
+    wheel.setGrid(0, size);
+    pose.z = config.wheelset.rolling_radius;
+    for (int pass = 0; pass < passes; ++pass)
+    {
+      wheel.solveLoad(pose, 100e3);
+      pose.z = wheel.height();
+    }
   }
+
+  /// Its normal problem, on one flat patch that is pressed along its normal: other solvers know no other problems.
+  core::NormalProblem flatProblemOn(const core::GridSize& size)
+  {
+    solveOn(size);
+    core::NormalProblem problem = wheel.problem();
+    problem.patches.resize(1);
+    problem.coupling.resize(0, 0);
+    core::PatchGap& patch = problem.patches[0];
+    patch.weight = 1;
+    patch.column_weight.resize(0);
+    patch.turn.resize(0);
+    patch.gap -= patch.gap.minCoeff();  // the approach is then that from first touch
+    return problem;
+  }
+
+  core::WheelsetPose pose{};  ///< of the last solution
 };
 }  // namespace wheel_rail_contact

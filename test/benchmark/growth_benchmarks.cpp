@@ -37,7 +37,7 @@ void cells(benchmark::State& state)
   {
     for (std::size_t k = 0; k < sizes.size(); ++k)
     {
-      time[k] = shortestSolution(one, core::NormalProblem(one.problemOn(sizes[k])));
+      time[k] = shortestSolution(one, one.flatProblemOn(sizes[k]));
     }
   }
   double x = 0, y = 0, xx = 0, xy = 0;
@@ -58,7 +58,7 @@ void cells(benchmark::State& state)
 void patches(benchmark::State& state, int count)
 {
   OneWheel one;
-  core::NormalProblem problem = one.problemOn({16, 48});
+  core::NormalProblem problem = one.flatProblemOn({16, 48});
   problem.patches.resize(static_cast<std::size_t>(count), problem.patches[0]);
   problem.value *= count;
   core::NormalSolution solution;

@@ -19,8 +19,7 @@ template <typename Other>
 void compare(benchmark::State& state, const core::GridSize& size, Other other)
 {
   OneWheel one;
-  core::NormalProblem problem = one.problemOn(size);
-  problem.patches[0].weight = 1;
+  const core::NormalProblem problem = one.flatProblemOn(size);
   core::NormalSolution solution;
   double own_time = 0, other_time = 0, other_approach = 0;
   for (auto _ : state)

@@ -2,38 +2,61 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks.h"
+#include "core/balance/islands.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
+/// Placement of the wheel and search for the smallest separation.
 void search(benchmark::State& state)
 {
+  constexpr double above = 0.01;  // no overlap, so no grid is laid [m]
   OneWheel one;
   Sweep sweep;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(one.wheel.touch({sweep.next().y, 0, 0, 0}).axle_height);
+    one.wheel.touch({sweep.next().y, one.config.wheelset.rolling_radius + above, 0, 0});
+    benchmark::DoNotOptimize(one.wheel.height());
   }
 }
 
+/// The gap of one grid.
 void gap(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
-  core::PatchGap patch = one.problemOn(size).patches[0];
-  const core::RigidTouch touch = one.wheel.touch({0, 0, 0, 0});
-  const core::PlacedWheel placed(*one.config.wheel_profile, one.config.wheelset, {0, touch.axle_height, 0, 0});
-  std::vector<core::GapColumn> columns;
+  one.solveOn(size);
+  const core::PlacedWheel placed(*one.config.wheel_profile, one.config.wheelset, one.pose);
+  const core::SurfaceOrigin origin = one.wheel.grids().originOf(0);
+  const core::Grid grid = one.wheel.problem().patches[0].grid;
+  Eigen::ArrayXXd gaps;
+  std::vector<core::SurfaceColumn> columns;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(buildGap(placed, one.rail, one.wheel.patches()[0].plane, patch.grid, patch.gap, columns));
+    benchmark::DoNotOptimize(buildSurfaceGap(placed, one.rail, origin, grid, gaps, columns));
+  }
+}
+
+/// All that precedes the normal solution: search, overlap, grids and gaps.
+void problem(benchmark::State& state, const core::GridSize& size)
+{
+  OneWheel one;
+  one.solveOn(size);
+  core::OverlapGrids grids(*one.config.wheel_profile, one.config.wheelset, *one.config.rail_profile);
+  grids.setRail(one.rail);
+  core::NormalProblem built;
+  built.modulus = one.wheel.problem().modulus;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(grids.build(one.pose, size, core::OverlapGrids::Choice::own, built));
   }
 }
 
 void normal(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
-  const core::NormalProblem problem = one.problemOn(size);
+  one.solveOn(size);
+  const core::NormalProblem problem = one.wheel.problem();
   core::NormalSolution solution;
   for (auto _ : state)
   {
@@ -43,13 +66,29 @@ void normal(benchmark::State& state, const core::GridSize& size)
   state.counters["products"] = solution.iterations;
 }
 
+/// Islands of the contact and their error estimates.
 void estimate(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
-  one.problemOn(size);
+  one.solveOn(size);
+  core::Islands islands;
+  std::vector<core::ErrorEstimate> errors;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(one.wheel.estimateErrors().data());
+    islands.find(one.wheel.problem(), one.wheel.solution());
+    one.solver.estimateErrors(islands.problem(), islands.solution(), errors);
+    benchmark::DoNotOptimize(errors.data());
+  }
+}
+
+/// Stiffness of the contact: slopes for the balance of the wheelset and for bending rails.
+void stiffness(benchmark::State& state, const core::GridSize& size)
+{
+  OneWheel one;
+  one.solveOn(size);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(one.wheel.stiffness()(core::wheel_up, core::wheel_up));
   }
 }
 }  // namespace
@@ -57,8 +96,8 @@ void estimate(benchmark::State& state, const core::GridSize& size)
 void registerSteps()
 {
   benchmark::RegisterBenchmark("step/search", search)->Unit(benchmark::kMicrosecond);
-  for (const core::GridSize& size : {core::GridSize{10, 24}, core::GridSize{12, 32}, core::GridSize{16, 48},
-                                     core::GridSize{24, 56}, core::GridSize{32, 96}, core::GridSize{64, 128}})
+  for (const core::GridSize& size : {core::GridSize{8, 16}, core::GridSize{16, 32}, core::GridSize{16, 48},
+                                     core::GridSize{24, 64}, core::GridSize{32, 96}, core::GridSize{64, 192}})
   {
     const auto add = [&](const std::string& name, void (*run)(benchmark::State&, const core::GridSize&))
     {
@@ -66,8 +105,10 @@ void registerSteps()
           ->Unit(benchmark::kMicrosecond);
     };
     add("step/gap/", gap);
+    add("step/problem/", problem);
     add("step/normal/", normal);
     add("step/error_estimate/", estimate);
+    add("step/stiffness/", stiffness);
   }
 }
 }  // namespace wheel_rail_contact

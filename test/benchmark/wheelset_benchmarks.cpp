@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <utility>
@@ -59,6 +60,46 @@ void jitter(benchmark::State& state, const core::ContactModelConfig& config)
   state.counters["max_us"] = times.back();
 }
 
+/// CPU time of this thread [s], independent of other processes.
+double threadTime()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Distribution of the CPU times of 20 001 evaluations from a warm start [ms]: y from -8 to 8 mm in steps of 0.8 um,
+/// through flange contact on either side and all jumps of the contact between them.
+void worst(benchmark::State& state, const core::ContactModelConfig& config)
+{
+  constexpr int steps = 20000;
+  constexpr double first = -8e-3, step = 0.8e-6;  // [m]
+  core::WheelsetContact contact(config);
+  core::WheelsetState at;
+  at.y = first;
+  at.force_z = -200e3;
+  contact.evaluate(at);
+  std::vector<double> times;
+  int unusable = 0;
+  for (auto _ : state)
+  {
+    for (int k = 0; k <= steps; ++k)
+    {
+      at.y = first + k * step;
+      const double before = threadTime();
+      const core::WheelsetResult& result = contact.evaluate(at);
+      times.push_back(1e3 * (threadTime() - before));
+      unusable += isUsable(result.status) ? 0 : 1;
+    }
+  }
+  std::sort(times.begin(), times.end());
+  state.counters["median_ms"] = times[times.size() / 2];
+  state.counters["p95_ms"] = times[times.size() * 95 / 100];
+  state.counters["p99_ms"] = times[times.size() * 99 / 100];
+  state.counters["max_ms"] = times.back();
+  state.counters["unusable"] = unusable;
+}
+
 /// Wrapper of a solver that measures its time.
 class TimedSolver : public core::NormalSolver
 {
@@ -66,7 +107,6 @@ class TimedSolver : public core::NormalSolver
   TimedSolver(std::unique_ptr<core::NormalSolver> solver, double& spent) : solver_(std::move(solver)), spent_(spent) {}
 
   const char* name() const override { return solver_->name(); }
-  bool solvesSupport() const override { return solver_->solvesSupport(); }
   void solve(const core::NormalProblem& problem, bool warm, core::NormalSolution& solution) override
   {
     spent_ += seconds([&] { solver_->solve(problem, warm, solution); });
@@ -102,7 +142,7 @@ double shareOf(std::vector<Message>::const_iterator begin, std::vector<Message>:
 
 /// Share of the normal solutions in the time of results from a warm start [%]. The remaining time is search, gap and
 /// balance. `solutions_%` is the share over all results. `solutions_at_median_%` is the share over the tenth of the
-/// results about the median, which excludes expensive results (jumps, change to a finer grid).
+/// results about the median, which excludes expensive results (jumps, finer grids).
 void shareOfSolutions(benchmark::State& state, const core::ContactModelConfig& config, BackAndForth motion)
 {
   constexpr std::size_t count = 4800, first = 480;
@@ -147,6 +187,17 @@ void addShares(const std::string& tolerance, const core::ContactModelConfig& con
   }
 }
 
+void addWorst(const core::Profile& rail, const std::string& tolerance)
+{
+  core::ContactModelConfig config = core::manchesterScene();
+  config.rail_profile = std::make_shared<core::Profile>(rail);
+  config.contact.tolerance = std::stod(tolerance);
+  benchmark::RegisterBenchmark(("wheelset/worst/" + rail.name() + "/" + tolerance).c_str(),
+                               [=](benchmark::State& state) { worst(state, config); })
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(1);
+}
+
 void add(const std::string& name, const core::ContactModelConfig& config, Start start)
 {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { evaluate(state, config, start); })
@@ -173,5 +224,10 @@ void registerWheelsets()
                                [](benchmark::State& state) { jitter(state, core::manchesterScene()); })
       ->Unit(benchmark::kMillisecond)
       ->Iterations(1);
+  for (const core::Profile& rail : {core::rail60E1(), core::railUic60Manchester()})
+  {
+    addWorst(rail, "0.1");
+    addWorst(rail, "0.01");
+  }
 }
 }  // namespace wheel_rail_contact

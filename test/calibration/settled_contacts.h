@@ -154,7 +154,7 @@ class GapContacts
   ConjugateGradients solver_{scenes::strictOptions()};
 };
 
-/// Wheels with a single patch, on each of the grids. The reference has 192 × 512 cells and uses the present weights.
+/// Wheels with a single contact, on each of the grids. The reference has 192 × 512 cells and uses the present weights.
 class WheelsetContacts
 {
  public:
@@ -177,8 +177,8 @@ class WheelsetContacts
       }
       for (const Side side : {Side::left, Side::right})
       {
-        const WheelContact &found = balance.wheel(side), &exact = truth.wheel(side);
-        if (found.patches().size() == 1 && exact.patches().size() == 1)
+        const Islands &found = balance.islands(side), &exact = truth.islands(side);
+        if (found.islands().size() == 1 && exact.islands().size() == 1)
         {
           const PatchPressure& fine = exact.solution().patches[0];
           const NormalProblem& problem = found.problem();

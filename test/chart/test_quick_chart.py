@@ -17,8 +17,7 @@ from wheel_rail_contact.chart.picture import METHODS
 
 SCENES = {"hertz_1_1", "hertz_1_5", "discontinuity", "two_patches", "lobes", "conformal", "manchester_0",
           "manchester_0.5", "manchester_3", "manchester_5", "manchester_6.5", "paper"}
-GRIDS = {(8, 16), (10, 24), (12, 24), (12, 32), (12, 64), (16, 32), (16, 48), (16, 64), (16, 80), (16, 96), (20, 48),
-         (24, 56), (24, 80), (24, 96), (32, 96), (48, 96), (64, 128)}
+GRIDS = {(8, 16), (12, 24), (16, 32), (16, 48), (24, 64), (32, 96), (48, 128)}
 TOLERANCES = {0.1, 0.03, 0.01, 0.003}
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -73,14 +72,14 @@ class QuickChart(unittest.TestCase):
         self.assertTrue(all(self.facts.values()), self.facts)
 
     def test_conjugate_gradients_are_closest_to_hertz_on_the_finest_grid(self):
-        # These grids refine both directions. Refining only one direction may increase the error of the area.
+        # These grids refine both directions. Refining only one direction may increase the error of the area. The
+        # residual at the default tolerance leaves an error of up to 0.0003.
         for scene in ("hertz_1_1", "hertz_1_5"):
             rows = self.of(scene, "conjugate_gradient")
-            errors = [rows[setting].error for setting in ((8, 16), (16, 32), (64, 128))]
-            # The area on a coarse grid may be accurate by chance.
-            self.assertLess(errors[-1], 0.6 * min(errors[:-1]), scene)
-            self.assertLess(errors[0], 0.01, scene)
-            self.assertLess(errors[-1], 0.0005, scene)
+            first, finest = (rows[setting].error for setting in ((8, 16), (48, 128)))
+            self.assertLess(finest, 0.6 * first, scene)
+            self.assertLess(first, 0.01, scene)
+            self.assertLess(finest, 0.0005, scene)
 
     def test_hertz_agrees_with_the_reference_on_elliptical_contacts(self):
         # The closed form is exact here: the difference is the error of the reference.
@@ -94,12 +93,6 @@ class QuickChart(unittest.TestCase):
             for found in compare_auto([row for row in self.rows if row.start == start]):
                 self.assertEqual(found.scenes, len(SCENES))
                 self.assertGreaterEqual(found.met, found.scenes - 1, f"{start}, {found.tolerance}")
-
-    def test_auto_chooses_the_closed_form_between_round_bodies_only(self):
-        for scene in SCENES:
-            round_bodies = scene in ("hertz_1_1", "hertz_1_5", "two_patches")
-            for row in self.of(scene, "auto").values():
-                self.assertEqual(row.solver, "hertz" if round_bodies else "conjugate_gradient", row)
 
     def test_point_forces_on_long_cells_are_refused(self):
         # Point forces on cells ten times as long as wide.

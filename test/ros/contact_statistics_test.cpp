@@ -121,7 +121,7 @@ TEST(ContactStatistics, ErrorEstimateAboveTheToleranceWarns)
 {
   ContactStatistics now;
   now.count(resultWith(WheelsetContact::OK, ""), 0.001);
-  ContactOutput output = resultWith(WheelsetContact::OK, "an error estimate is above contact/tolerance");
+  ContactOutput output = resultWith(WheelsetContact::OK, "the estimated error of a wheel is above contact/tolerance");
   core::WheelsetResult result;
   result.above_tolerance = true;
   output.result = &result;
@@ -129,7 +129,7 @@ TEST(ContactStatistics, ErrorEstimateAboveTheToleranceWarns)
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(valueOf(report, "results with an error estimate above contact/tolerance"), "1");
-  EXPECT_EQ(valueOf(report, "last reason"), "an error estimate is above contact/tolerance");
+  EXPECT_EQ(valueOf(report, "last reason"), "the estimated error of a wheel is above contact/tolerance");
 }
 
 TEST(ContactStatistics, ExceptionDuringAnEvaluationIsAnError)

@@ -29,6 +29,7 @@ core::PatchResult examplePatch(core::Side side)
   patch.grid.ny = 3;
   patch.grid.dx = 0.002;
   patch.grid.dy = 0.001;
+  patch.grid.x0 = -0.003;
   patch.grid.y0 = -0.0015;
   const Eigen::ArrayXd values = Eigen::ArrayXd::LinSpaced(12, 1e6, 12e6);
   patch.pressure = Eigen::Map<const Eigen::ArrayXXd>(values.data(), 4, 3);
@@ -155,9 +156,6 @@ TEST(Conversions, GridsOfTheWrongSizeAreRefused)
   bad = good.grid;
   bad.nx = bad.ny = 1U << 16U;  // the product overflows to 0 in 32 bits
   bad.pressure.clear();
-  EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
-  bad = good.grid;
-  bad.x0 = 0;
   EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
 }
 

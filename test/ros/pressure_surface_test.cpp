@@ -24,6 +24,7 @@ core::PatchGrid coarseGrid()
   grid.ny = 16;
   grid.dx = 2e-3;
   grid.dy = 0.75e-3;
+  grid.x0 = -0.5 * (grid.nx - 1) * grid.dx;
   grid.y0 = -0.5 * (grid.ny - 1) * grid.dy;
   return grid;
 }

@@ -50,6 +50,7 @@ class ResultScene : public testing::Test
     patch.grid.nx = 20;
     patch.grid.ny = 10;
     patch.grid.dx = patch.grid.dy = 1e-3;
+    patch.grid.x0 = -9.5e-3;
     patch.grid.y0 = -4.5e-3;
     patch.pressure.resize(20, 10);
     for (int i = 0; i < 20; ++i)

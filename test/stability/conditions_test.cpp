@@ -38,7 +38,10 @@ TEST(ContactConditions, HoldForAFlangeOnACompliantRail)
     const WheelsetState state = stateAt(y, 8e4);
     const WheelsetResult& result = contact.evaluate(state);
     EXPECT_EQ(result.status, ContactStatus::ok) << "y = " << y << ": " << result.reason;
-    EXPECT_TRUE(check.faults(state, result).empty()) << "y = " << y;
+    for (const std::string& fault : check.faults(state, result))
+    {
+      ADD_FAILURE() << fault << ", y = " << y;
+    }
     EXPECT_LT(check.violation(), 3 * tolerance) << "y = " << y;
   }
 }

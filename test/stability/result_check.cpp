@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "wheel_rail_contact/core/normal_problem.h"
 
@@ -16,25 +17,7 @@ constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
 /// Relative rounding error of a sum over up to some thousand cells [-].
 constexpr double rounding = 1e-9;
-
-/// Parameter of the point of a curve that is nearest to (y, z), among samples 0.25 mm apart [m].
-template <typename Curve>
-double nearestPlace(double length, double y, double z, const Curve& curve)
-{
-  constexpr double distance = 2.5e-4;
-  double nearest = 0, least = 1e9;
-  for (double u = 0; u <= length; u += distance)
-  {
-    double at_y = 0, at_z = 0;
-    if (curve(u, at_y, at_z))
-    {
-      const double squared = (at_y - y) * (at_y - y) + (at_z - z) * (at_z - z);
-      nearest = squared < least ? u : nearest;
-      least = std::min(least, squared);
-    }
-  }
-  return nearest;
-}
+constexpr double least_radius = 5e-3;  ///< smaller than all radii of the rails [m]
 
 double wheelLoad(const ContactModelConfig& config, const WheelsetState& state, Side side)
 {
@@ -48,15 +31,63 @@ bool meetsConditionsInCells(std::string_view method)
   return method != "hertz" && method != "kik_piotrowski";
 }
 
-/// True for methods whose normal force is the sum of the pressures of the cells.
-bool hasForceFromCells(const ContactModelConfig& config)
+/// True for methods that meet the load on a curved surface. The others take a patch as flat (PatchGap::column_weight);
+/// their load differs by the turn of the normals.
+bool meetsLoad(const ContactModelConfig& config)
 {
-  return config.contact.method != NormalMethod::kik_piotrowski;
+  return config.contact.method == NormalMethod::automatic || config.contact.method == NormalMethod::conjugate_gradient;
+}
+
+/// Forces of the pressures on a rail: outward, down, and moment about the reference point of the head.
+struct Forces
+{
+  double outward = 0, down = 0, moment = 0;
+  double sum = 0, height = 0;  ///< of the normal forces [N], and of their product with the height [N m]
+};
+
+void addForces(const PressedSurface& surface, const PlanePoint& reference, int first, int columns, Forces& forces)
+{
+  for (int j = first; j < first + columns; ++j)
+  {
+    const SurfaceColumn& column = surface.columns[static_cast<std::size_t>(j)];
+    const double force = surface.grid.cellArea() * surface.pressure.col(j).sum();
+    const double outward = -force * column.perOutward(), down = force * column.perUp();
+    forces.outward += outward;
+    forces.down += down;
+    forces.moment += outward * (column.z - reference.z) + down * (column.y - reference.y);
+    forces.sum += force;
+    forces.height += force * (column.z - reference.z);
+  }
+}
+
+/// Size of a deflection: a roll counts as a displacement at this distance.
+double sizeOf(const RailDeflection& deflection)
+{
+  constexpr double arm = 0.1;  // [m]
+  return std::hypot(deflection.lateral, deflection.vertical) + arm * std::abs(deflection.roll);
+}
+
+RailDeflection difference(const RailDeflection& a, const RailDeflection& b)
+{
+  return {a.lateral - b.lateral, a.vertical - b.vertical, a.roll - b.roll};
+}
+
+/// Depth of the overlap of the rigid bodies [m].
+double overlapOf(const std::vector<PressedSurface>& surfaces)
+{
+  double least = -1e-15;
+  for (const PressedSurface& surface : surfaces)
+  {
+    least = std::min(least, surface.gap.minCoeff());
+  }
+  return -least;
 }
 }  // namespace
 
 ResultCheck::ResultCheck(const ContactModelConfig& config)
-    : config_(config), undeflected_(config.rail_profile, config.track)
+    : config_(config),
+      undeflected_(config.rail_profile, config.track),
+      displacement_(contactModulus(config.wheel_material, config.rail_material))
 {
 }
 
@@ -88,14 +119,11 @@ const std::vector<std::string>& ResultCheck::faults(const WheelsetState& state, 
   {
     checkPatch(patch);
   }
-  checkLoads(state, result);
   for (const Side side : sides)
   {
+    checkLoads(state, result, side);
     checkDeflection(state, result, side);
-  }
-  if (faults_.empty())
-  {
-    checkConditions(result);
+    checkWheel(state, result, side);
   }
   return faults_;
 }
@@ -136,35 +164,37 @@ void ResultCheck::checkPatch(const PatchResult& patch)
   {
     fault("highest pressure more than 15 % below the highest cell", patch.max_pressure);
   }
-  const double sum = grid.cellArea() * patch.pressure.sum();
-  if (hasForceFromCells(config_) && std::abs(sum / patch.normal_force - 1) > rounding)
+  // The origin is the centre of pressure.
+  const Eigen::ArrayXd along = patch.pressure.rowwise().sum(), across = patch.pressure.colwise().sum().transpose();
+  double x = 0, y = 0;
+  for (int i = 0; i < grid.nx; ++i)
   {
-    fault("normal force differs from the sum of the pressures", sum / patch.normal_force);
+    x += along[i] * grid.x(i);
+  }
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    y += across[j] * grid.y(j);
+  }
+  const double off = std::max(std::abs(x) / grid.dx, std::abs(y) / grid.dy) / patch.pressure.sum();
+  if (off > 1e-6)
+  {
+    fault("the origin is not the centre of pressure; cells", off);
   }
 }
 
-/// Vertical forces on each rail, and equilibrium of vertical load of each wheel. seidel_printed finds the load by
-/// secant steps on the approach, which end at an error of 1e-4.
-void ResultCheck::checkLoads(const WheelsetState& state, const WheelsetResult& result)
+/// Equilibrium of the vertical load of a wheel.
+void ResultCheck::checkLoads(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
-  const double tolerance = config_.contact.method == NormalMethod::seidel_printed ? 1e-4 : 1e-7;
-  for (const Side side : sides)
+  constexpr double tolerance = 1e-7;
+  double vertical = 0;
+  for (const PatchResult& patch : result.patches)
   {
-    double vertical = 0;
-    for (const PatchResult& patch : result.patches)
-    {
-      vertical += patch.side == side ? patch.normal_force * std::cos(patch.contact_angle) : 0;
-    }
-    const RailResult& rail = result.rail[static_cast<std::size_t>(side)];
-    if (hasForceFromCells(config_) && std::abs(rail.vertical_force - vertical) > rounding * vertical)
-    {
-      fault("force on the rail differs from the sum over its patches", rail.vertical_force - vertical);
-    }
-    const double load = std::max(wheelLoad(config_, state, side), 0.0);
-    if (config_.wheelset.solve_height_and_roll && std::abs(vertical - load) > tolerance * load)
-    {
-      fault("vertical force of a wheel differs from its load", vertical - load);
-    }
+    vertical += patch.side == side ? patch.normal_force * std::cos(patch.contact_angle) : 0;
+  }
+  const double load = std::max(wheelLoad(config_, state, side), 0.0);
+  if (config_.wheelset.solve_height_and_roll && meetsLoad(config_) && std::abs(vertical - load) > tolerance * load)
+  {
+    fault("vertical force of a wheel differs from its load", vertical - load);
   }
 }
 
@@ -192,102 +222,117 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
     expected = deflectionInTrack(bending.table, {rail.lateral_force, rail.vertical_force, rail.moment},
                                  config_.track.rail_inclination);
   }
-  // The iteration of rail deflection and force ends at 1e-6 of the deflection, with the roll multiplied by an arm of
-  // 0.1 m. Relative to the lateral part alone the difference can be ten times larger.
-  constexpr double arm = 0.1;  // [m]
-  const double scale = std::hypot(found.lateral, found.vertical) + arm * std::abs(found.roll);
-  const double off = std::hypot(expected.lateral - found.lateral, expected.vertical - found.vertical) +
-                     arm * std::abs(expected.roll - found.roll);
-  if (off > 1e-5 * scale + 1e-15)
+  const RailDeflection& offset = state.rail_offset[k];
+  expected = {expected.lateral + offset.lateral, expected.vertical + offset.vertical, expected.roll + offset.roll};
+  const double scale = sizeOf(found), off = sizeOf(difference(expected, found));
+  if (off > rounding * scale + 1e-15)
   {
     fault("deflection differs from the compliance table", off / scale);
   }
 }
 
-void ResultCheck::checkConditions(const WheelsetResult& result)
+/// Builds the surfaces under the patches of a wheel and checks what belongs to them.
+void ResultCheck::checkWheel(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
-  for (const PatchResult& patch : result.patches)
-  {
-    if (meetsConditionsInCells(patch.method))
-    {
-      violation_ = std::max(violation_, patchViolation(result, patch));
-    }
-  }
-}
-
-/// Displacement of both half-spaces under the pressure of a patch, with exact influence coefficients.
-void ResultCheck::displace(const PatchResult& patch)
-{
-  const PatchGrid& grid = patch.grid;
-  const auto influence = operators_.find(grid.nx, grid.ny, false, grid.dx / grid.dy);
-  workspace_.reserve(*influence);
-  std::vector<double> p(static_cast<std::size_t>(influence->fieldSize())), u(p.size());
-  const auto at = [&](int i, int j)
-  { return static_cast<std::size_t>(influence->rowOffset(i) + influence->columnOffset(j)); };
-  for (int j = 0; j < grid.ny; ++j)
-  {
-    for (int i = 0; i < grid.nx; ++i)
-    {
-      p[at(i, j)] = patch.pressure(i, j);
-    }
-  }
-  influence->multiply(p.data(), u.data(), workspace_);
-  const double factor = grid.dy / (std::acos(-1.0) * contactModulus(config_.wheel_material, config_.rail_material));
-  displacement_.resize(grid.nx, grid.ny);
-  for (int j = 0; j < grid.ny; ++j)
-  {
-    for (int i = 0; i < grid.nx; ++i)
-    {
-      displacement_(i, j) = factor * u[at(i, j)];
-    }
-  }
-}
-
-/// Zero if no gap can be computed over the plane (flange tip on the crown of the rail, more than 30 mm away). If a
-/// wheel has several patches, only cells with pressure are checked, because another patch may lie in the free cells of
-/// the grid.
-double ResultCheck::patchViolation(const WheelsetResult& result, const PatchResult& patch)
-{
-  const auto same_wheel = [&](const PatchResult& other) { return other.side == patch.side; };
-  const bool alone = std::count_if(result.patches.begin(), result.patches.end(), same_wheel) == 1;
-  const double sign = sideSign(patch.side);
-  const PlacedRail rail = undeflected_.deflected(result.rail[static_cast<std::size_t>(patch.side)].deflection);
-  const WheelsetPose pose = toSide(patch.side, {result.y, result.z, result.yaw, result.roll});
+  const PlacedRail rail = undeflected_.deflected(result.rail[static_cast<std::size_t>(side)].deflection);
+  const WheelsetPose pose = toSide(side, {result.y, result.z, result.yaw, result.roll});
   const PlacedWheel wheel(*config_.wheel_profile, config_.wheelset, pose);
-  ContactPlane plane{patch.pose.x, sign * patch.pose.y, patch.pose.z, sign * patch.pose.angle};
-  plane.rail_u = nearestPlace(rail.profile().length(), plane.y, plane.z,
-                              [&](double u, double& y, double& z)
-                              {
-                                const PlanePoint point = rail.at(u);
-                                y = point.y;
-                                z = point.z;
-                                return true;
-                              });
-  plane.wheel_u = nearestPlace(wheel.profile().length(), plane.y, plane.z,
-                               [&](double u, double& y, double& z)
-                               {
-                                 SpacePoint point{};
-                                 const bool found = wheel.locus(wheel.profile().at(u), point);
-                                 y = point.y;
-                                 z = point.z;
-                                 return found;
-                               });
-  displace(patch);
-  Grid grid{patch.grid.nx, patch.grid.ny, patch.grid.dx, patch.grid.dy, patch.grid.y0, false};
-  Eigen::ArrayXXd pressure = patch.pressure;
-  if (patch.side == Side::right)
+  std::vector<PressedSurface> surfaces;
+  try
   {
-    grid.y0 = -(grid.y0 + (grid.ny - 1) * grid.dy);
-    pressure.rowwise().reverseInPlace();
-    displacement_.rowwise().reverseInPlace();
+    surfaces = surfacesUnder(result.patches, side, wheel, rail);
   }
-  if (!buildGap(wheel, rail, plane, grid, gap_, columns_))
+  catch (const std::runtime_error& error)
   {
-    return 0;
+    fault(error.what(), 0);
+    return;
   }
-  const Eigen::ArrayXXd w = displacement_ + gap_;
-  const double inside = (pressure > 0).select(w.abs(), 0.0).maxCoeff();
-  const double outside = alone ? (pressure > 0).select(0.0, (-w).max(0.0)).maxCoeff() : 0;
-  return std::max(inside, outside) / std::max(-gap_.minCoeff(), 1e-15);
+  bool in_cells = true;
+  for (const PressedSurface& surface : surfaces)
+  {
+    for (const SurfacePart& part : surface.parts)
+    {
+      // A point between two columns is on their chord. The frame belongs to the deflection of the last solution.
+      const double sag = std::pow(part.patch->grid.dy, 2) / (8 * least_radius);
+      const double moved = config_.contact.tolerance *
+                           (overlapOf(surfaces) + sizeOf(result.rail[static_cast<std::size_t>(side)].deflection));
+      if (const double distance = distanceFromRail(*part.patch, rail); distance > sag + moved + 1e-9)
+      {
+        fault("the origin is not on the rail", distance);
+      }
+      checkFrame(surface, part);
+      in_cells = in_cells && meetsConditionsInCells(part.patch->method);
+    }
+  }
+  checkRailForces(state, result, surfaces, rail, side);
+  if (in_cells)
+  {
+    checkConditions(surfaces);
+  }
+}
+
+/// Normal force and angle of a patch must be those of the resultant of its pressure.
+void ResultCheck::checkFrame(const PressedSurface& surface, const SurfacePart& part)
+{
+  Forces forces;
+  addForces(surface, {}, part.first, part.columns, forces);
+  const PatchResult& patch = *part.patch;
+  const double along = std::hypot(forces.outward, forces.down) / patch.normal_force - 1;
+  const double angle = std::atan2(forces.outward, forces.down) - sideSign(patch.side) * patch.pose.angle;
+  if (std::abs(along) > config_.contact.tolerance)
+  {
+    fault("normal force differs from the resultant of the pressures", along);
+  }
+  if (std::abs(angle) > config_.contact.tolerance ||
+      std::abs(std::abs(patch.pose.angle) - patch.contact_angle) > rounding)
+  {
+    fault("angle differs from that of the resultant", angle);
+  }
+}
+
+/// The forces that deflect the rail must be those of the pressures.
+void ResultCheck::checkRailForces(const WheelsetState& state, const WheelsetResult& result,
+                                  const std::vector<PressedSurface>& surfaces, const PlacedRail& rail, Side side)
+{
+  const RailBendingConfig& bending = config_.rail_bending;
+  if (bending.model != RailBendingConfig::Model::compliance || surfaces.empty())
+  {
+    return;
+  }
+  using LateralForce = RailBendingConfig::LateralForce;
+  const auto k = static_cast<std::size_t>(side);
+  Forces forces;
+  for (const PressedSurface& surface : surfaces)
+  {
+    addForces(surface, rail.referencePoint(), 0, surface.grid.ny, forces);
+  }
+  if (bending.lateral_force != LateralForce::contact)
+  {
+    const double given =
+        bending.lateral_force == LateralForce::topic ? state.rail_lateral_force[k] : bending.lateral_force_value;
+    forces.moment += (given - forces.outward) * forces.height / forces.sum;  // it acts at the height of the contact
+    forces.outward = given;
+  }
+  constexpr double arm = 0.05;  // half the width of a rail head [m]
+  const RailResult& found = result.rail[k];
+  const double off = std::hypot(found.lateral_force - forces.outward, found.vertical_force - forces.down,
+                                (found.moment - forces.moment) / arm) /
+                     forces.sum;
+  if (off > config_.contact.tolerance)
+  {
+    fault("forces and moment on a rail differ from those of the pressures, relative", off);
+  }
+}
+
+void ResultCheck::checkConditions(const std::vector<PressedSurface>& surfaces)
+{
+  const double overlap = overlapOf(surfaces);
+  for (const PressedSurface& surface : surfaces)
+  {
+    const Eigen::ArrayXXd w = displacement_.at(surface, surfaces) + surface.gap;
+    const double inside = (surface.pressure > 0).select(w.abs(), 0.0).maxCoeff();
+    const double outside = (surface.pressure > 0).select(0.0, (-w).max(0.0)).maxCoeff();
+    violation_ = std::max({violation_, inside / overlap, outside / overlap});
+  }
 }
 }  // namespace wheel_rail_contact::core::stability

@@ -117,8 +117,8 @@ TEST(StabilityPage, HasTheTextsAndReasonsOfTheComputedTables)
   }
 }
 
-/// An error above 2 %, or no reference, is allowed only if the result is flagged, and only on the wavy profiles, for
-/// which the reference is barely accurate to 2 %.
+/// An error above 2 %, or no reference, is allowed only if the result is flagged, and only where the gap has features
+/// that the finest grid of `auto` does not resolve: waves, and steps.
 TEST(AutoMethod, IsRightRefusedOrFlaggedInEachSituation)
 {
   int tables = 0;
@@ -132,9 +132,10 @@ TEST(AutoMethod, IsRightRefusedOrFlaggedInEachSituation)
     for (const MapRow& row : table.rows)
     {
       const Verdict& verdict = row.verdicts.front();
-      const bool wavy = row.situation.find("_wavy,") != std::string::npos;
+      const auto is = [&](const char* part) { return row.situation.find(part) != std::string::npos; };
+      const bool unresolved = is("_wavy,") || is("waves of") || is("step of");
       const bool flagged = verdict.text().find("flagged") != std::string::npos;
-      EXPECT_TRUE(verdict.isReliable() && (wavy || !flagged))
+      EXPECT_TRUE(verdict.isReliable() && (unresolved || !flagged))
           << table.title << ", " << row.situation << ": " << verdict.text();
     }
   }

@@ -8,7 +8,8 @@ namespace wheel_rail_contact::core
 /// Method and accuracy of the contact solution.
 struct ContactConfig
 {
-  /// Default `automatic`: the cheapest grid, or Hertz's closed form, whose estimated error meets the tolerance.
+  /// Default `automatic`: conjugate gradients on a grid for the tolerance, and on finer ones (at most two) while the
+  /// estimated error of the wheel exceeds the tolerance.
   NormalMethod method = NormalMethod::automatic;
   /// Target relative error of highest pressure, area and approach [-], in (0, 1). It determines the grid and the
   /// residual at which the iteration stops.

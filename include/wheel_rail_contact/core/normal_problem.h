@@ -22,7 +22,7 @@ void validate(const Material& material, const std::string& option);
 /// @throw std::invalid_argument if a material is out of range.
 double contactModulus(const Material& first, const Material& second);
 
-/// Rectangular grid of nx × ny cells in the tangent plane of a patch: x along the track, y across.
+/// Rectangular grid of nx × ny cells: x along the track, y across it; along the arc on a curved surface.
 ///
 /// A symmetric grid stores only its half x > 0, because the pressure is even in x. Row i of the stored cells has its
 /// centres at x(i), column j at y(j).
@@ -48,17 +48,17 @@ struct Grid
 /// Gap of one patch. Arrays have rows() × ny elements; x runs fastest in memory (column-major).
 struct PatchGap
 {
-  Grid grid;  ///< cells in the plane of the patch
-  /// Distance of the undeformed surfaces along the patch normal at zero approach, at the centres of the cells [m];
-  /// negative where they overlap.
+  Grid grid;  ///< cells of the patch
+  /// Distance of the undeformed surfaces along the normal of the column at zero approach, at the centres of the cells
+  /// [m]; negative where they overlap.
   Eigen::ArrayXXd gap;
   /// For each column, the part of the gap's slope across the track that the cells do not resolve [-], >= 0. It is the
   /// difference between the true slope and the slope between the neighbouring columns, less the amount that a kink or a
   /// curvature discontinuity between columns explains. Only error estimates use it. Empty if only the cells are known.
   Eigen::ArrayXd unseen_slope;
-  /// Cosine of the angle between the patch normal and the direction of the load [-]. The patch is closed by weight
-  /// times the common approach, and weight times its normal force counts in the common load. 1 for a single patch that
-  /// is pressed along its normal.
+  /// Opening of the gap per unit of the common displacement [-]: for bodies with a common normal, the cosine of its
+  /// angle to the direction of the load. The patch is closed by weight times the common approach, and weight times its
+  /// normal force counts in the common load. 1 for a single patch that is pressed along its normal.
   double weight = 1;
   /// Further factor of the weight in each column [-], > 0; empty: 1 everywhere. Columns on a curved surface have
   /// different normals. Only ConjugateGradients uses it.
@@ -66,31 +66,15 @@ struct PatchGap
   /// Angle about x of the normal in each column, from that of the patch [rad]; empty: 0 everywhere. The displacement by
   /// a pressure in another column is projected onto the normal. Only ConjugateGradients uses it.
   Eigen::ArrayXd turn;
-  /// Change of the gap in each column per unit of each coordinate of the support: ny × 3, positive if the gap opens
-  /// [m/m] or [m/rad]. Used only if the support is compliant. For a rigid body the opening is linear in y; the
-  /// computation of max_pressure relies on this.
-  Eigen::ArrayX3d opening;
-};
-
-/// Compliant body under all patches, for example a rail head. It moves as a rigid body with three coordinates d, each a
-/// displacement [m] or a rotation [rad].
-///
-/// The coordinates follow from the pressure p: d = compliance * f, where f_m is the integral of opening_m * p over all
-/// patches. They change the gap to gap + opening * (d - placed). The problem then keeps its form, with the symmetric
-/// matrix A + opening * compliance * opening^T in place of the influence matrix A.
-struct Support
-{
-  bool compliant = false;                                ///< false: rigid; the other members are not used
-  Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();  ///< symmetric, positive semidefinite
-  Eigen::Vector3d placed = Eigen::Vector3d::Zero();      ///< coordinates for which the gaps are given
 };
 
 /// Frictionless contact of half-spaces, in one or several patches.
 ///
-/// Find the pressure p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every patch. A is the influence
-/// matrix, w the remaining distance of the deformed surfaces. All patches have one common approach. Either the approach
-/// is given, or the load: sum(weight * N_k) = load, with the normal force N_k of patch k. All patches have the same
-/// support. Patches do not deform one another: contacts close to one another must be in one grid, as one patch.
+/// Find the pressure p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every patch. (With
+/// column_weight, weight is the product of both.) A is the influence matrix, w the remaining distance of the deformed
+/// surfaces. All patches have one common approach. Either the approach is given, or the load: sum(weight * N_k) = load,
+/// with the normal force N_k of patch k. Patches deform one another only by `coupling`: contacts close to one another
+/// must be in one grid, as one patch.
 struct NormalProblem
 {
   /// The given quantity.
@@ -100,8 +84,11 @@ struct NormalProblem
     approach  ///< `value` is the common approach [m]
   };
 
-  std::vector<PatchGap> patches;    ///< gaps of all patches
-  Support support;                  ///< compliant only for methods whose NormalSolver::solvesSupport() is true
+  std::vector<PatchGap> patches;  ///< gaps of all patches
+  /// Displacement of a column by the normal force in another [m/N]: symmetric, with the columns of all patches one
+  /// after another, and zero between columns of the same patch. Empty: patches do not deform one another. Only
+  /// ConjugateGradients uses it.
+  Eigen::MatrixXd coupling;
   double modulus = 0;               ///< contact modulus E* [Pa], see contactModulus()
   Control control = Control::load;  ///< meaning of `value`
   double value = 0;                 ///< load [N] or approach [m]
@@ -154,8 +141,6 @@ struct NormalSolution
   SolveStatus status = SolveStatus::invalid_problem;  ///< whether the solution is usable; check it first
   std::vector<PatchPressure> patches;                 ///< in the order of NormalProblem::patches
   double approach = 0;                                ///< common approach [m]
-  /// Coordinates of the support under the pressure [m] or [rad], if it is compliant.
-  Eigen::Vector3d support = Eigen::Vector3d::Zero();
   /// Number of products with the influence matrix; of sweeps with the Seidel methods, of load evaluations with
   /// Kik-Piotrowski; 0 with Hertz.
   int iterations = 0;

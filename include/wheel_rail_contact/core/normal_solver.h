@@ -12,8 +12,7 @@ namespace wheel_rail_contact::core
 /// Methods for the normal contact problem. doc/methods.md compares them.
 enum class NormalMethod
 {
-  automatic,           ///< Hertz between round bodies, otherwise the cheapest grid whose estimated error meets the
-                       ///< tolerance
+  automatic,           ///< conjugate gradients on the cheapest grid whose estimated error meets the tolerance
   hertz,               ///< Hertz's closed form with the local curvatures
   kik_piotrowski,      ///< approximate strip method (Piotrowski and Kik 2008)
   seidel,              ///< iteration of Golubenko et al. 2011, repaired: exact coefficients, load held in the iteration
@@ -38,9 +37,6 @@ class NormalSolver
 
   /// Name of the method, as in the parameter `contact/method`.
   virtual const char* name() const = 0;
-
-  /// True if the method solves a compliant support (NormalProblem::support) together with the contact.
-  virtual bool solvesSupport() const { return false; }
 
   /// Solves `problem`. If `warm` is true and `solution` contains a usable pressure of the same shapes, the solver
   /// starts from it. For shapes that it has solved before, it allocates no memory. Does not throw for a numerical

@@ -38,26 +38,28 @@ inline bool isUsable(ContactStatus status)
   return status == ContactStatus::ok || status == ContactStatus::lift_off;
 }
 
-/// Pose of a patch frame in the track frame. Origin: reference point of the patch, on the rail. Axes: x forward, y left
-/// in the tangent plane, z along the common normal, out of the rail. The frame is rotated about x only.
+/// Pose of a patch frame in the track frame. Origin: centre of pressure, on the rail. Axes: x forward, y left in the
+/// tangent plane, z along the resultant of the pressure, out of the rail. The frame is rotated about x only.
 struct PatchPose
 {
   double x = 0, y = 0, z = 0;  ///< position of the origin [m]
   double angle = 0;            ///< rotation about x, right-handed [rad]
 };
 
-/// Grid of the pressure of a patch: nx × ny equal rectangular cells in the patch frame. The centre of cell (i, j) is at
-/// (x(i), y(j)).
+/// Grid of the pressure of a patch: nx × ny equal rectangular cells. The centre of cell (i, j) is at (x(i), y(j)): x
+/// along the track and y along the arc of the rail's section, from the origin of the patch frame. On a curved section
+/// the cells leave the tangent plane.
 struct PatchGrid
 {
   int nx = 0;     ///< number of cells along the track
   int ny = 0;     ///< number of cells across the track
   double dx = 0;  ///< length of a cell along the track [m]
   double dy = 0;  ///< width of a cell across the track [m]
+  double x0 = 0;  ///< x of the centres of the first row [m]
   double y0 = 0;  ///< y of the centres of the first column [m]
 
-  /// x of the centres of row `row` [m]. The rows are symmetric about x = 0.
-  double x(int row) const { return (row + 0.5 - 0.5 * nx) * dx; }
+  /// x of the centres of row `row` [m].
+  double x(int row) const { return x0 + row * dx; }
   /// y of the centres of column `column` [m].
   double y(int column) const { return y0 + column * dy; }
   /// Area of one cell [m²].
@@ -71,7 +73,7 @@ struct PatchResult
   std::string_view method;   ///< method that solved the patch, named as in toString(NormalMethod); never "auto"
   PatchPose pose;            ///< patch frame in the track frame
   double contact_angle = 0;  ///< angle between tangent plane and track plane [rad], >= 0; its sense: pose.angle
-  double normal_force = 0;   ///< normal force, compressive positive [N]
+  double normal_force = 0;   ///< resultant of the pressure, compressive positive [N]; along z of the patch frame
   double approach = 0;       ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
   double area = 0;           ///< contact area [m²]; its edge is located to a fraction of a cell
   /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
@@ -92,8 +94,10 @@ struct PatchResult
 struct WheelsetResult
 {
   ContactStatus status = ContactStatus::invalid_input;  ///< whether the result is usable; check it first
-  std::string reason;                ///< one sentence: reason for the status, or a warning; empty if there is none
-  bool above_tolerance = false;      ///< the error estimate of at least one patch is above ContactConfig::tolerance
+  std::string reason;  ///< one sentence: reason for the status, or a warning; empty if there is none
+  /// The estimated error of at least one wheel is above ContactConfig::tolerance. That of a single patch may be above
+  /// it although its wheel is within it.
+  bool above_tolerance = false;
   double x = 0, y = 0, z = 0;        ///< axle centre in the track frame [m]; z is the solved (or given) height
   double yaw = 0, roll = 0;          ///< rotation of the axle [rad]; roll is the solved (or given) one
   std::array<RailResult, 2> rail;    ///< rail of each Side; valid only if the result is usable

@@ -4,364 +4,340 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/balance/missed_pressure.h"
-#include "core/balance/penetration_step.h"
-#include "core/normal/estimate/unseen_slope.h"
-#include "core/normal/solvers/hertz.h"
+#include "core/balance/rail_support.h"
+#include "core/track/gap.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr int most_boxes = 10;                   ///< limit of the grids in one call
-constexpr int estimate_steps = 4;                ///< fixed-point steps of estimatePenetration()
-constexpr double penetration_error_limit = 0.1;  ///< largest penetrationError() of an accepted solution [-]
-constexpr double far_slip = 1e-4;  ///< displacement of the rail along the planes above which the rail is set again
-                                   ///< before the boxes are checked further [m]
-constexpr double penetration_allowance = 1.02;  ///< see boxesHold() [-]
+constexpr double typical_load = 1e5;      ///< [N]; under it the overlap is about typical_overlap
+constexpr double typical_overlap = 6e-5;  ///< [m]
+constexpr int most_lowerings = 20;
 
-/// Removes the bodies beyond the interval of the patch. The pressure there belongs to the neighbouring patches.
-void clearBeyond(const WheelPatch& patch, Eigen::ArrayXXd& gap)
-{
-  for (std::size_t j = 0; j < patch.columns.size(); ++j)
-  {
-    const double u = patch.columns[j].rail_u;
-    if (u < patch.interval.u_least || u > patch.interval.u_most)
-    {
-      gap.col(static_cast<Eigen::Index>(j)).setConstant(no_body_gap);
-    }
-  }
-}
+/// Movements whose openings are not multiples of one another.
+constexpr std::array<Motion, 4> independent{wheel_up, wheel_roll, rail_lateral, rail_roll};
 
-bool differInHeightOnly(const WheelsetPose& one, const WheelsetPose& other)
+/// Turn of the wheel from one column to another [rad], small.
+double wheelTurn(const SurfaceColumn& from, const SurfaceColumn& to)
 {
-  return one.y == other.y && one.yaw == other.yaw && one.roll == other.roll;
-}
-
-double wheelRadius(const ContactModelConfig& config, const InitialContact& contact)
-{
-  return config.wheelset.rolling_radius - config.wheel_profile->at(contact.wheel_u).z;
+  return to.turnFrom(from) + to.wheel_slope - from.wheel_slope;
 }
 }  // namespace
 
 WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solver)
-    : config_(config),
-      solver_(&solver),
-      modulus_(contactModulus(config.wheel_material, config.rail_material)),
-      search_(*config.wheel_profile, *config.rail_profile)
+    : solver_(solver), grids_(*config.wheel_profile, config.wheelset, *config.rail_profile), tangent_(rough_residual)
 {
+  solution_.status = SolveStatus::no_contact;
+  problem_.modulus = contactModulus(config.wheel_material, config.rail_material);
 }
 
-void WheelContact::begin(double moved)
+/// Removes the last solution.
+WheelStatus WheelContact::none(WheelStatus status)
 {
-  trend_.begin(moved);
-  expected_ = trend_.penetration();
-  for (PatchMemory& memory : memory_)
-  {
-    memory.turned = 0;
-  }
-  if (memory_.size() == 1)
-  {
-    memory_.front().turn += trend_.turn();
-  }
-}
-
-void WheelContact::finish()
-{
-  learn();
-  if (memory_.size() == 1 && load_ > 0)
-  {
-    trend_.finish(solution_.approach / std::cbrt(load_ * load_), memory_.front().turn);
-  }
-  else
-  {
-    trend_.reset();
-  }
-}
-
-void WheelContact::reset()
-{
-  memory_.clear();
-  patches_.clear();
-  solution_ = NormalSolution();
-  errors_.clear();
-  forces_ = WheelForces();
-  load_ = 0;
-  trend_.reset();
-  expected_ = 1;
-}
-
-RigidTouch WheelContact::touch(const WheelsetPose& pose)
-{
-  const WheelsetPose grounded{pose.y, 0, pose.yaw, pose.roll};
-  held_ = differInHeightOnly(grounded, learned_);
-  if (touch_ && differInHeightOnly(grounded, wheel_->pose()))
-  {
-    return *touch_;
-  }
-  wheel_.emplace(*config_.wheel_profile, config_.wheelset, grounded);
-  search_.setWheel(*wheel_);
-  RigidTouch& touch = touch_.emplace();
-  touch.found = search_.nearest(touch.contact);
-  if (touch.found)
-  {
-    touch.axle_height = -touch.contact.separation;
-    const PlanePoint point = rail_->at(touch.contact.rail_u);
-    touch.lever = point.y - pose.y + (point.z - touch.axle_height) * touch.contact.slope;
-  }
-  return touch;
-}
-
-double WheelContact::estimatePenetration(const RigidTouch& touch, double load) const
-{
-  if (load_ > 0)
-  {
-    return expected_ * solution_.approach * std::cbrt((load / load_) * (load / load_));
-  }
-  const double cosine = 1 / std::hypot(1, touch.contact.slope);
-  const double along = 0.5 * cosine / wheelRadius(config_, touch.contact);
-  double penetration = 1e-4;
-  for (int i = 0; i < estimate_steps; ++i)
-  {
-    const OverlapInterval interval = search_.intervalAround(touch.contact, touch.contact.separation + penetration);
-    const double half = 0.5 * (interval.u_end - interval.u_begin);
-    const double across = penetration * cosine / (half * half);
-    penetration = hertzForForce({along, across}, modulus_, load / cosine).approach / cosine;
-  }
-  return penetration;
-}
-
-WheelStatus WheelContact::solveLoad(const RigidTouch& touch, double load, const GridSize& size)
-{
-  problem_.control = NormalProblem::Control::load;
-  problem_.value = load;
-  solution_.approach = estimatePenetration(touch, load);
-  expected_ = 1;
-  const WheelStatus status = solve(touch, size);
-  load_ = status == WheelStatus::solved ? load : 0;
+  solution_.patches.clear();
+  solution_.approach = 0;
+  solution_.status = SolveStatus::no_contact;
+  forces_.setZero();
+  column_forces_.clear();
+  energy_ = 0;
   return status;
 }
 
-WheelStatus WheelContact::solvePenetration(const RigidTouch& touch, double penetration, const GridSize& size)
+void WheelContact::setGrid(std::size_t level, const GridSize& size)
 {
-  if (!(penetration > 0))
+  size_ = size;
+  if (level != level_)
   {
-    reset();
-    return WheelStatus::no_contact;
-  }
-  problem_.control = NormalProblem::Control::approach;
-  problem_.value = penetration;
-  solution_.approach = penetration;
-  const WheelStatus status = solve(touch, size);
-  load_ = status == WheelStatus::solved ? forces_.vertical : 0;
-  return status;
-}
-
-WheelStatus WheelContact::solve(const RigidTouch& touch, const GridSize& size)
-{
-  problem_.modulus = modulus_;
-  PenetrationStep step;
-  for (int attempt = 0; attempt < most_boxes; ++attempt)
-  {
-    if (!layBoxes(touch, size))
-    {
-      return WheelStatus::off_profile;
-    }
-    solver_->solve(problem_, true, solution_);
-    if (const SolveStatus status = solution_.status; !isUsable(status))
-    {
-      solver_->solve(problem_, false, solution_);
-    }
-    ++solutions_;
-    if (const SolveStatus status = solution_.status; !isUsable(status))
-    {
-      reset();
-      solution_.status = status;
-      return WheelStatus::normal_failed;
-    }
-    measure();
-    if (solution_.status == SolveStatus::no_contact)
-    {
-      reset();
-      return WheelStatus::no_contact;
-    }
-    settleSupport();
-    widened_ = widened_ && attempt > 0;
-    const bool hold = boxesHold(touch);
-    if (hold && std::abs(penetrationError()) < penetration_error_limit)
-    {
-      const bool on_profiles = std::all_of(patches_.begin(), patches_.end(),
-                                           [this](const WheelPatch& patch)
-                                           { return onProfiles(patch, *config_.wheel_profile, rail_->profile()); });
-      return on_profiles ? WheelStatus::solved : WheelStatus::off_profile;
-    }
-    if (!hold)
-    {
-      learn();
-    }
-    solution_.approach = step.next(boxed_penetration_, solution_.approach);
-    if (railSlip() > far_slip)
-    {
-      return WheelStatus::solved;
-    }
-  }
-  const WheelStatus status = spike_ ? WheelStatus::spike : WheelStatus::box_not_found;
-  reset();
-  return status;
-}
-
-/// Memory of the contact in this interval; an initial guess if there is none.
-PatchMemory& WheelContact::recall(const OverlapInterval& interval)
-{
-  PatchMemory* nearest = nullptr;
-  for (PatchMemory& memory : memory_)
-  {
-    const bool inside = memory.rail_u >= interval.u_begin && memory.rail_u <= interval.u_end;
-    if (inside && (nearest == nullptr || std::abs(memory.rail_u - interval.contact.rail_u) <
-                                             std::abs(nearest->rail_u - interval.contact.rail_u)))
-    {
-      nearest = &memory;
-    }
-  }
-  if (nearest == nullptr)
-  {
-    memory_.push_back(firstGuess(interval));
-    nearest = &memory_.back();
-  }
-  return *nearest;
-}
-
-bool WheelContact::layBoxes(const RigidTouch& touch, const GridSize& size)
-{
-  problem_.support = support_;
-  boxed_penetration_ = solution_.approach;
-  touch_separation_ = touch.contact.separation;
-  wheel_->setHeight(touch.axle_height - boxed_penetration_);
-  search_.overlapIntervals(touch.contact.separation + boxed_penetration_, intervals_);
-  problem_.patches.resize(intervals_.size());
-  patches_.resize(intervals_.size());
-  for (std::size_t k = 0; k < intervals_.size(); ++k)
-  {
-    WheelPatch& patch = patches_[k];
-    PatchGap& gap = problem_.patches[k];
-    patch.interval = intervals_[k];
-    patch.touch_gap = patch.interval.contact.separation - touch.contact.separation;
-    patch.half_overlap =
-        std::sqrt(2 * (boxed_penetration_ - patch.touch_gap) * wheelRadius(config_, patch.interval.contact));
-    layPatch(*wheel_, *rail_, size, held_, recall(patch.interval), patch, gap.grid);
-    gap.weight = std::cos(patch.plane.angle);
-    const bool sound = gap.grid.dx > 0 && gap.grid.dy > 0;
-    if (!sound || !buildGap(*wheel_, *rail_, patch.plane, gap.grid, gap.gap, patch.columns))
-    {
-      return false;
-    }
-    fillUnseenSlope(gap, [&patch](Eigen::Index j) { return patch.columns[static_cast<std::size_t>(j)].gap_slope; });
-    gap.gap += gap.weight * boxed_penetration_;
-    clearBeyond(patch, gap.gap);
-    patch.least_gap = leastGap(gap.grid, gap.gap);
-    fillOpening(*rail_, patch.plane, gap.grid, patch.columns, gap.opening);
-  }
-  return !intervals_.empty();
-}
-
-void WheelContact::measure()
-{
-  box_fill_ = 1;
-  box_cut_ = false;
-  spike_ = false;
-  forces_ = sumOfForces();
-  for (std::size_t k = 0; k < patches_.size(); ++k)
-  {
-    const Grid& grid = problem_.patches[k].grid;
-    WheelPatch& patch = patches_[k];
-    measurePatch(grid, solution_.patches[k].pressure, patch);
-    const PressureExtent& extent = patch.extent;
-    if (!extent.empty())
-    {
-      box_cut_ = box_cut_ || extent.cut(grid);
-      spike_ = spike_ || extent.spike();
-      box_fill_ = std::min({box_fill_, (extent.y_end - extent.y_begin) / patch.expected_width,
-                            2 * extent.half_length / patch.expected_length});
-    }
+    kept_.resize(std::max(kept_.size(), std::max(level, level_) + 1));
+    std::swap(kept_[level_], solution_);
+    std::swap(kept_[level], solution_);
+    level_ = level;
+    solution_.status = SolveStatus::no_contact;
   }
 }
 
-void WheelContact::learn()
+void WheelContact::forget()
 {
-  memory_.clear();
-  learned_ = wheel_->pose();
-  held_ = true;
-  const double grown = std::sqrt(
-      std::clamp(solution_.approach / boxed_penetration_, 1 / PenetrationStep::longest, PenetrationStep::longest));
-  for (std::size_t k = 0; k < patches_.size(); ++k)
+  none(WheelStatus::no_contact);
+  for (NormalSolution& solution : kept_)
   {
-    if (!patches_[k].extent.empty())
+    solution.patches.clear();
+  }
+}
+
+WheelStatus WheelContact::touch(const WheelsetPose& pose)
+{
+  pose_ = pose;
+  const OverlapGrids::Overlap overlap = grids_.build(pose, size_, choice_, problem_);
+  if (overlap == OverlapGrids::Overlap::beside)
+  {
+    return none(WheelStatus::beside_rail);
+  }
+  pose_.z -= grids_.touch().separation;
+  return none(WheelStatus::no_contact);
+}
+
+WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
+{
+  pose_ = pose;
+  switch (grids_.build(pose, size_, choice_, problem_))
+  {
+    case OverlapGrids::Overlap::beside:
+      return none(WheelStatus::beside_rail);
+    case OverlapGrids::Overlap::none:
+      return none(WheelStatus::no_contact);
+    default:
+      return solve(NormalProblem::Control::approach, 0);
+  }
+}
+
+WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
+{
+  const double lowering = typical_overlap * std::cbrt(std::pow(load / typical_load, 2));
+  pose_ = pose;
+  for (int i = 0; i < most_lowerings; ++i)
+  {
+    switch (grids_.build(pose_, size_, choice_, problem_))
     {
-      memory_.push_back(remember(*wheel_, *rail_, patches_[k], problem_.patches[k].grid, grown));
+      case OverlapGrids::Overlap::beside:
+        return none(WheelStatus::beside_rail);
+      case OverlapGrids::Overlap::none:
+        pose_.z -= grids_.touch().separation + lowering;
+        break;
+      default:
+        return solve(NormalProblem::Control::load, load);
+    }
+  }
+  return none(WheelStatus::unbalanced);
+}
+
+WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
+{
+  problem_.control = control;
+  problem_.value = value;
+  const bool warm = solution_.patches.size() == problem_.patches.size();
+  solver_.solve(problem_, warm, solution_);
+  if (const SolveStatus status = solution_.status; warm && !isUsable(status))
+  {
+    solver_.solve(problem_, false, solution_);
+  }
+  ++solutions_;
+  if (!isUsable(solution_.status))
+  {
+    const SolveStatus status = solution_.status;
+    none(WheelStatus::normal_failed);
+    solution_.status = status;
+    return WheelStatus::normal_failed;
+  }
+  evaluate();
+  if (solution_.status == SolveStatus::no_contact)
+  {
+    return none(WheelStatus::no_contact);
+  }
+  return WheelStatus::solved;
+}
+
+/// Computes the openings of a patch per unit of each coordinate.
+void WheelContact::openings(std::size_t patch)
+{
+  const std::vector<SurfaceColumn>& columns = grids_.columns()[patch];
+  Eigen::ArrayXXd& openings = openings_[patch];
+  openings.resize(static_cast<Eigen::Index>(columns.size()), motions);
+  const PlanePoint reference = rail().referencePoint();
+  for (std::size_t j = 0; j < columns.size(); ++j)
+  {
+    const SurfaceColumn& column = columns[j];
+    const double out = column.perOutward(), up = column.perUp();
+    // A roll moves the wheel by -(z - z_axle) outward and by y - y_axle upwards.
+    openings.row(static_cast<Eigen::Index>(j)) << up, -(column.z - pose_.z) * out + (column.y - pose_.y) * up, -out,
+        -up, -(column.z - reference.z) * out + (column.y - reference.y) * up;
+  }
+}
+
+/// Computes forces and energy of the last solution.
+void WheelContact::evaluate()
+{
+  const std::size_t count = problem_.patches.size();
+  openings_.resize(count);
+  column_forces_.resize(count);
+  forces_.setZero();
+  energy_ = 0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    openings(k);
+    const PatchGap& gap = problem_.patches[k];
+    const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
+    column_forces_[k] = gap.grid.cellArea() * pressure.colwise().sum().transpose().matrix();
+    forces_ += openings_[k].matrix().transpose() * column_forces_[k];
+    energy_ -= 0.5 * gap.grid.cellArea() * (pressure * gap.gap).sum();
+  }
+  energy_ += 0.5 * forces_[wheel_up] * solution_.approach;
+}
+
+bool WheelContact::reachesEnd() const
+{
+  for (std::size_t k = 0; k < column_forces_.size(); ++k)
+  {
+    const Eigen::VectorXd& forces = column_forces_[k];
+    const auto is_end = [&](Eigen::Index j) { return !grids_.columns()[k][static_cast<std::size_t>(j)].has_bodies; };
+    for (Eigen::Index j = 1; j + 1 < forces.size(); ++j)
+    {
+      if (forces[j] > 0 && (is_end(j - 1) || is_end(j + 1)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+double WheelContact::heightOverReference() const
+{
+  const double reference = rail().referencePoint().z;
+  double force = 0, moment = 0;
+  for (std::size_t k = 0; k < column_forces_.size(); ++k)
+  {
+    for (std::size_t j = 0; j < grids_.columns()[k].size(); ++j)
+    {
+      const double share = column_forces_[k][static_cast<Eigen::Index>(j)];
+      force += share;
+      moment += share * (grids_.columns()[k][j].z - reference);
+    }
+  }
+  return force > 0 ? moment / force : 0;
+}
+
+double WheelContact::opening(const MotionVector& move) const
+{
+  double least = 0, most = 0;
+  const bool under_load = problem_.control == NormalProblem::Control::load;
+  const double rise = under_load ? -forces_.dot(move) / forces_[wheel_up] : 0;
+  for (std::size_t k = 0; k < column_forces_.size(); ++k)
+  {
+    for (Eigen::Index j = 0; j < column_forces_[k].size(); ++j)
+    {
+      if (column_forces_[k][j] > 0)
+      {
+        const double opening = openings_[k].row(j).matrix().dot(move) + rise * openings_[k](j, wheel_up);
+        least = std::min(least, opening);
+        most = std::max(most, opening);
+      }
+    }
+  }
+  return std::max(most, -least);
+}
+
+/// Copies the openings by the independent movements. The rail moving up opens the gap as the wheel moving down does.
+void WheelContact::takeOpenings()
+{
+  tangent_openings_.resize(openings_.size());
+  for (std::size_t k = 0; k < openings_.size(); ++k)
+  {
+    tangent_openings_[k].resize(openings_[k].rows(), independent.size());
+    for (std::size_t m = 0; m < independent.size(); ++m)
+    {
+      tangent_openings_[k].col(static_cast<Eigen::Index>(m)) = openings_[k].col(independent[m]);
     }
   }
 }
 
-/// Finds the stations at which the bodies overlap in the interval of a patch at this separation [m]; without yaw, only
-/// those beside the columns of the grid.
-void WheelContact::findStations(std::size_t patch, double separation)
+MotionVector WheelContact::verticalStiffness()
 {
-  const OverlapInterval& interval = patches_[patch].interval;
-  const std::vector<GapColumn>& columns = patches_[patch].columns;
-  stations_.clear();
-  if (problem_.patches[patch].grid.symmetric)
+  MotionVector row = MotionVector::Zero();
+  if (solution_.patches.empty())
   {
-    // A grid laid from the memory may lie completely beside the interval.
-    search_.addStationsBetween(interval.u_begin, std::min(columns.front().rail_u, interval.u_end), separation,
-                               stations_);
-    search_.addStationsBetween(std::max(columns.back().rail_u, interval.u_begin), interval.u_end, separation,
-                               stations_);
+    return row;
   }
-  else
+  takeOpenings();
+  tangent_.setResidual(rough_residual);
+  const ContactTangent::Forces elastic = tangent_.stiffness(problem_, solution_, tangent_openings_, 0);
+  for (std::size_t m = 0; m < independent.size(); ++m)
   {
-    search_.addStationsBetween(interval.u_begin, interval.u_end, separation, stations_);
+    row[independent[m]] = elastic[static_cast<Eigen::Index>(m)];
   }
+  row[rail_up] = -row[wheel_up];
+  return row - geometricStiffness().col(wheel_up);
 }
 
-bool WheelContact::missesPressure(const RigidTouch& touch)
+MotionMatrix WheelContact::stiffness(double residual)
 {
-  bool missed = false;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
+  if (solution_.patches.empty())
   {
-    WheelPatch& patch = patches_[k];
-    if (!patch.extent.empty())
+    return MotionMatrix::Zero();
+  }
+  takeOpenings();
+  tangent_.setResidual(residual);
+  const ContactTangent::Stiffness elastic = tangent_.stiffness(problem_, solution_, tangent_openings_);
+  MotionMatrix stiffness;
+  for (std::size_t m = 0; m < independent.size(); ++m)
+  {
+    for (std::size_t n = 0; n < independent.size(); ++n)
     {
-      findStations(k, touch.contact.separation + solution_.approach);
-      const SolvedPatch solved{problem_.patches[k].grid, solution_.patches[k].pressure, modulus_, solution_.approach};
-      missed = growOverMissedPressure(solved, *wheel_, stations_, patch) || missed;
+      stiffness(independent[m], independent[n]) = elastic(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(n));
     }
   }
-  return missed;
+  stiffness.row(rail_up) = -stiffness.row(wheel_up);
+  stiffness.col(rail_up) = -stiffness.col(wheel_up);
+  stiffness(rail_up, rail_up) = stiffness(wheel_up, wheel_up);
+  return stiffness - geometricStiffness();
 }
 
-/// True if the boxes contain all of the pressure. If the penetration exceeds its estimate by penetration_allowance,
-/// also checks that no further overlap interval is in contact.
-bool WheelContact::boxesHold(const RigidTouch& touch)
+/// Integral of the pressure times the second derivatives of the gap. A column sees the wheel move by e along the rail
+/// and turn by w: with the curvature c of the wheel, the second derivatives are c e_k e_l - e_k w_l - w_k e_l, and for
+/// a roll about a point minus the height over this point along the normal.
+MotionMatrix WheelContact::geometricStiffness() const
 {
-  const bool missed = missesPressure(touch);
-  widened_ = widened_ || missed;
-  if (box_cut_ || spike_ || missed)
+  MotionMatrix sum = MotionMatrix::Zero();
+  const PlanePoint reference = rail().referencePoint();
+  MotionVector turn = MotionVector::Zero();
+  turn[wheel_roll] = turn[rail_roll] = 1;
+  for (std::size_t k = 0; k < column_forces_.size(); ++k)
   {
-    return false;
+    const std::vector<SurfaceColumn>& columns = grids_.columns()[k];
+    const Eigen::Index last = column_forces_[k].size() - 1;
+    for (Eigen::Index j = 0; j <= last; ++j)
+    {
+      const double force = column_forces_[k][j];
+      if (!(force > 0))
+      {
+        continue;
+      }
+      const auto at = [&](Eigen::Index i) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(i)]; };
+      const Eigen::Index before = std::max<Eigen::Index>(j - 1, 0), after = std::min(j + 1, last);
+      const double curvature =
+          wheelTurn(at(before), at(after)) / (static_cast<double>(after - before) * problem_.patches[k].grid.dy);
+      const SurfaceColumn& column = at(j);
+      const double cosine = column.cosine, sine = column.sine;
+      MotionVector along;
+      along << sine, -(column.z - pose_.z) * cosine + (column.y - pose_.y) * sine, -cosine, -sine,
+          -(column.z - reference.z) * cosine + (column.y - reference.y) * sine;
+      sum += force * (curvature * along * along.transpose() - along * turn.transpose() - turn * along.transpose());
+      const auto height = [&](double y, double z) { return -(column.y - y) * sine + (column.z - z) * cosine; };
+      sum(wheel_roll, wheel_roll) -= force * height(pose_.y, pose_.z);
+      sum(rail_roll, rail_roll) += force * height(reference.y, reference.z);
+    }
   }
-  if (solution_.approach < penetration_allowance * boxed_penetration_)
+  return sum;
+}
+
+double WheelContact::halfSpaceRatio(std::size_t patch, Eigen::Index first, Eigen::Index last) const
+{
+  const std::vector<SurfaceColumn>& columns = grids_.columns()[patch];
+  const SurfaceColumn& start = columns[static_cast<std::size_t>(first)];
+  double rail_least = 0, rail_most = 0, wheel_least = start.wheel_slope,
+         wheel_most = wheel_least;  // tangents of angles
+  for (Eigen::Index j = first; j <= last; ++j)
   {
-    return true;
+    const SurfaceColumn& column = columns[static_cast<std::size_t>(j)];
+    const double turn = column.turnFrom(start);
+    const double rail = turn / std::sqrt(1 - turn * turn);
+    const double wheel = (rail + column.wheel_slope) / (1 - rail * column.wheel_slope);
+    rail_least = std::min(rail_least, rail);
+    rail_most = std::max(rail_most, rail);
+    wheel_least = std::min(wheel_least, wheel);
+    wheel_most = std::max(wheel_most, wheel);
   }
-  search_.overlapIntervals(touch.contact.separation + solution_.approach, intervals_);
-  return std::all_of(intervals_.begin(), intervals_.end(),
-                     [this](const OverlapInterval& interval)
-                     {
-                       return std::any_of(patches_.begin(), patches_.end(),
-                                          [&](const WheelPatch& patch) {
-                                            return interval.u_begin < patch.interval.u_end &&
-                                                   patch.interval.u_begin < interval.u_end;
-                                          });
-                     });
+  return 0.5 * std::max(std::atan(rail_most) - std::atan(rail_least), std::atan(wheel_most) - std::atan(wheel_least));
 }
 }  // namespace wheel_rail_contact::core

@@ -1,216 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <array>
 #include <vector>
 
-#include "core/balance/patch_memory.h"
-#include "core/balance/rail_support.h"
-#include "core/balance/result_trend.h"
-#include "core/track/contact_search.h"
-#include "core/track/gap.h"
+#include "core/balance/overlap_grids.h"
+#include "core/normal/solvers/contact_tangent.h"
 #include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
 namespace wheel_rail_contact::core
 {
-/// First touch of the rigid bodies, side axes.
-struct RigidTouch
-{
-  bool found = false;      ///< false: the wheel is beside the rail
-  double axle_height = 0;  ///< z of the axle centre at first touch, at y, yaw and roll of the pose [m]
-  double lever = 0;        ///< -d(axle_height)/d(roll) with the bodies in contact [m]
-  InitialContact contact;  ///< position of first touch
-};
-
-/// Forces of a wheel's contact on its rail, side axes.
-struct WheelForces
-{
-  double outward = 0;   ///< outward force on the rail [N]
-  double vertical = 0;  ///< downward force on the rail [N]
-  double moment = 0;    ///< moment on the rail head about its reference point, outward roll positive [N m]
-};
-
-constexpr double flange_slope = 0.3;  ///< slope above which a contact counts as flange contact [-]
-
-/// Result of a wheel's solution.
+/// Result of the contact of a wheel with its rail.
 enum class WheelStatus
 {
   solved,         ///< usable
-  no_contact,     ///< the given height leaves the wheel above the rail, or the load is zero
+  no_contact,     ///< the wheel is above the rail; usable
   beside_rail,    ///< no part of the wheel is above the rail
-  off_profile,    ///< pressure beyond the end of a profile
-  box_not_found,  ///< no grid was found that covers the whole contact
-  spike,          ///< on each grid a patch has pressure on fewer than three cells
-  normal_failed   ///< the normal solution is not usable, see solution().status
+  normal_failed,  ///< the normal solution is not usable, see solution().status
+  unbalanced,     ///< no height or deflection was found
 };
 
-/// Contact of one wheel with one rail, side axes. The gap is built with the wheel at its estimated penetration, because
-/// the wheel slides along an inclined plane as it moves down. The normal solution determines only the rest. The class
-/// finds the overlap intervals, lays a plane and a grid over each, and solves all of them at one penetration of the
-/// wheel.
+/// Coordinates of wheel and rail. The forces along them are the wheel's load [N], its moment about the axle centre
+/// [N m], and the outward force [N], the upward force [N] and the moment about the reference point of the head [N m] on
+/// the rail. Side axes.
+enum Motion
+{
+  wheel_up,      ///< wheel upwards [m]
+  wheel_roll,    ///< roll about the axle centre [rad]
+  rail_lateral,  ///< rail head outward [m]
+  rail_up,       ///< rail head upwards [m]
+  rail_roll,     ///< roll of the rail head about its reference point [rad], outward positive
+  motions
+};
+using MotionVector = Eigen::Matrix<double, motions, 1>;
+using MotionMatrix = Eigen::Matrix<double, motions, motions>;
+
+/// Contact of one wheel with its rail, on the surface of the rail (OverlapGrids). Side axes.
 ///
-/// It stores the position of the last contact in the overlap interval and the angle of its plane relative to the
-/// interval. This memory changes only in learn(), or if a box has cut the contact off. Otherwise the solution is a
-/// smooth function of the placement. planeError() and boxFill() measure how well the stored planes and boxes still fit.
+/// The forces follow from the derivatives of the gap (SurfaceColumn); they are therefore the derivatives of the elastic
+/// energy.
 class WheelContact
 {
  public:
-  /// Keeps references to `config` and `solver`, which must outlive this.
+  /// Keeps references to `config` and `solver`, which must outlive the object.
   WheelContact(const ContactModelConfig& config, NormalSolver& solver);
 
-  /// Sets the method of the next solutions; it must outlive this.
-  void setSolver(NormalSolver& solver) { solver_ = &solver; }
-  /// Method in use.
-  const NormalSolver& solver() const { return *solver_; }
+  /// Sets the number of cells of each grid, and its index. The next solution starts from the pressure of the last one
+  /// with the same index.
+  void setGrid(std::size_t level, const GridSize& size);
+  /// Sets which grids are used.
+  void choose(OverlapGrids::Choice choice) { choice_ = choice; }
+  /// Sets the position of the rail.
+  void setRail(const PlacedRail& rail) { grids_.setRail(rail); }
+  const PlacedRail& rail() const { return grids_.rail(); }
 
-  /// Sets the position of the rail and its compliance there. `support.placed` are the coordinates of this position
-  /// (rail_support.h). If a support has a compliance but is not solved with the contact, the forces displace it after
-  /// the solution; the gap remains unchanged.
-  void setRail(const PlacedRail& rail, const Support& support);
-  /// Sets a rail without compliance.
-  void setRail(const PlacedRail& rail) { setRail(rail, Support()); }
-  /// Rail in its set position.
-  const PlacedRail& rail() const { return *rail_; }
+  /// Solves the contact at a pose.
+  WheelStatus solveAt(const WheelsetPose& pose);
+  /// Solves the contact under a load [N], > 0, with the gap of a pose. If the bodies do not overlap, the pose is first
+  /// lowered.
+  WheelStatus solveLoad(const WheelsetPose& pose, double load);
+  /// Finds the position of first touch at a pose, without load; height() is the height of the axle centre there.
+  WheelStatus touch(const WheelsetPose& pose);
 
-  /// First touch at a pose (its z is not used). The last result is cached.
-  RigidTouch touch(const WheelsetPose& pose);
-
-  /// Estimated penetration of the axle below the first touch under a vertical load [m]: from the last solution, or from
-  /// Hertz with the curvatures of the separation over the width of the contact.
-  double estimatePenetration(const RigidTouch& touch, double load) const;
-
-  /// Solves the contact at the last pose passed to touch(), under a vertical load [N].
-  WheelStatus solveLoad(const RigidTouch& touch, double load, const GridSize& size);
-  /// Same for an axle `penetration` below the first touch [m].
-  WheelStatus solvePenetration(const RigidTouch& touch, double penetration, const GridSize& size);
-
-  /// Prepares another state, whose wheelset is `moved` to the side of the last result [m]. After a similar preceding
-  /// step, the change of the contact is extrapolated from that step.
-  void begin(double moved);
-  /// Accepts the last solution as the result of the state.
-  void finish();
-
-  /// Stores the last solution in the memory. The next call lays its planes and boxes from it.
-  void learn();
-
-  /// Penetration of the axle below the first touch in the last solution, including the deflection of the rail from its
-  /// set position [m].
-  double penetration() const { return solution_.approach + deflected_; }
-  /// Penetration without this deflection [m].
-  double elasticPenetration() const { return solution_.approach; }
-  /// Part of the penetration due to this deflection; zero after the rail has been set again [m].
-  double deflected() const { return deflected_; }
-  /// Forces of the last solution.
-  const WheelForces& forces() const { return forces_; }
-  /// Coordinates of the rail in the last solution; without a compliance those of its set position.
-  const Eigen::Vector3d& support() const { return problem_.support.placed; }
-  /// Displacement (y, z) of the rail at the origin of a patch, from its set position to the last solution, side axes
-  /// [m].
-  Eigen::Vector2d railDisplacement(const WheelPatch& patch) const;
-  /// Largest of these displacements along the planes of the patches; the gaps contain them only to first order [m].
-  double railSlip() const;
-  /// Height of the force-weighted mean of the patch origins above the reference point of the rail head [m].
+  /// Height of the axle centre in the last solution [m]. Under a load, the height to which the remaining approach
+  /// leads.
+  double height() const { return pose_.z - remaining(); }
+  /// Height of the gap minus height() [m].
+  double remaining() const { return solution_.approach; }
+  /// Largest overlap of the undeformed bodies [m].
+  double overlap() const { return -grids_.touch().separation; }
+  /// Elastic energy [J].
+  double energy() const { return energy_; }
+  /// Forces along the coordinates, in the last solution.
+  const MotionVector& forces() const { return forces_; }
+  /// Derivatives of the forces with respect to the coordinates, with negative sign: elastic part (ContactTangent) and
+  /// geometric part. Zero without pressure.
+  /// @param residual  see ContactTangent
+  MotionMatrix stiffness(double residual = rough_residual);
+  /// Its row of the wheel's height alone, which takes a quarter of the products.
+  MotionVector verticalStiffness();
+  /// Height change of the axle centre per unit of a coordinate, under the same load and with the distribution of the
+  /// pressure kept.
+  double heightPer(Motion motion) const { return -forces_[motion] / forces_[wheel_up]; }
+  /// Mean height of the columns over the reference point of the rail head, weighted with their normal forces [m].
   double heightOverReference() const;
-  /// Approach of a patch along its normal, from its own first touch. At least the overlap of its gap, also between the
-  /// cells (leastGap()) [m].
-  double patchApproach(std::size_t patch) const;
-  /// Force-weighted mean angle between the planes and the pressure-weighted normals [rad].
-  double planeError() const;
-  /// Estimates the errors of the last solution, one entry per patch.
-  const std::vector<ErrorEstimate>& estimateErrors();
-  /// Result of the last estimateErrors().
-  const std::vector<ErrorEstimate>& errors() const { return errors_; }
-  /// Estimated relative error of a patch in the last solution that is due to remaining errors of the balance [-]:
-  /// - Penetration. If the solved penetration differs by D from that of the gap, the wheel slides by D sin(angle) along
-  ///   the plane. This opens the gap by the same distance times the slope of the surface. The error is the uneven part
-  ///   of this opening over twice the approach. The wheel also slides if its rail deflects downward, and if it rolls.
-  /// - Plane. If the plane is off by a small angle, the relative error of the normal force is this angle times the
-  ///   tangent of the contact angle.
-  /// - Roll. A remaining roll error `open_roll` [rad] also moves the patches of a wheel relative to one another, by the
-  ///   difference of their lever arms along the normal.
-  double layoutError(std::size_t patch, double open_roll) const;
-  /// Part of layoutError() due to a remaining roll error [rad]: the largest of all patches [-].
-  double rollError(double open_roll) const;
-  /// Part of layoutError() due to the sliding of the wheel along the planes since the gaps were built: the largest of
-  /// all patches [-].
-  double slipError() const;
-  /// Part of slipError() due to the deflection of the rail from its set position: the largest of all patches [-].
-  double deflectionError() const;
-  /// Half-space ratio of a patch: half the angle through which the section of the wheel or the rail, whichever is
-  /// larger, turns over the pressure. On an arc it is the half-width of the pressure over the radius [rad].
-  double halfSpaceRatio(std::size_t patch) const;
-  /// Relative difference of the solved penetration from that of the gap [-].
-  double penetrationError() const;
-  /// Smallest ratio of the length or width of a pressure to the expected one of its grid [-].
-  double boxFill() const { return box_fill_; }
-  /// True if a box of the last call was widened because pressure was missed. The box may then be too large.
-  bool widened() const { return widened_; }
-  /// -d(axle height)/d(roll) at constant load [m].
-  double lever() const;
-  /// d(axle height)/dy at constant load: load-weighted slope of the planes [-].
-  double heightSlope() const;
-  /// True if a loaded plane differs by more than 0.1 rad from the normal of its first touch. Rigid contact then does
-  /// not predict the movement of the axle.
-  bool tilts() const;
-  /// Number of solved normal problems.
-  int solutions() const { return solutions_; }
+  /// Largest opening of the gap under the pressure by a movement [m]. If the load is given, besides the one that a
+  /// height change under the same load removes.
+  double opening(const MotionVector& move) const;
 
-  /// Patches of the last solution.
-  const std::vector<WheelPatch>& patches() const { return patches_; }
-  /// Problem of the last solution, one patch for each of patches().
+  /// True if the grids are those of the final height.
+  bool hasOwnGrids() { return grids_.fits(remaining()); }
+  /// True if the pressure reaches the end of a profile.
+  bool reachesEnd() const;
+  /// Largest turn of the normal of wheel or rail over the loaded columns `first` to `last` of a patch, halved [rad].
+  double halfSpaceRatio(std::size_t patch, Eigen::Index first, Eigen::Index last) const;
+
+  const OverlapGrids& grids() const { return grids_; }
   const NormalProblem& problem() const { return problem_; }
-  /// Last solution.
   const NormalSolution& solution() const { return solution_; }
-
-  /// Discards the last result.
-  void reset();
+  /// Number of normal problems since the object was made.
+  int solutions() const { return solutions_; }
+  /// The next solutions start without the pressures of the last ones.
+  void forget();
 
  private:
-  WheelStatus solve(const RigidTouch& touch, const GridSize& size);
-  bool layBoxes(const RigidTouch& touch, const GridSize& size);
-  PatchMemory& recall(const OverlapInterval& interval);
-  WheelForces sumOfForces() const;
-  void settleSupport();
-  void takeIntoGaps(const Eigen::Vector3d& move);
-  void measure();
-  double leverOf(const WheelPatch& patch) const;
-  double rollError(std::size_t patch, double open_roll) const;
-  double slipError(std::size_t patch, double slip) const;
-  double slip(const WheelPatch& patch) const;
-  double deflectionSlip(const WheelPatch& patch) const;
-  void findStations(std::size_t patch, double separation);
-  bool missesPressure(const RigidTouch& touch);
-  bool boxesHold(const RigidTouch& touch);
+  static constexpr double rough_residual = 0.03;  ///< the search of an equilibrium needs no less
 
-  const ContactModelConfig& config_;
-  NormalSolver* solver_;
-  double modulus_;
-  ContactSearch search_;
-  std::optional<PlacedRail> rail_;
-  std::optional<PlacedWheel> wheel_;
-  std::optional<RigidTouch> touch_;         ///< for this wheel and this rail; empty after setRail()
-  std::vector<OverlapInterval> intervals_;  ///< scratch
-  std::vector<Station> stations_;
-  std::vector<WheelPatch> patches_;
-  std::vector<PatchMemory> memory_;
+  WheelStatus solve(NormalProblem::Control control, double value);
+  WheelStatus none(WheelStatus status);
+  void evaluate();
+  void openings(std::size_t patch);
+  void takeOpenings();
+  MotionMatrix geometricStiffness() const;
+
+  NormalSolver& solver_;
+  GridSize size_;
+  std::size_t level_ = 0;
+  OverlapGrids grids_;
   NormalProblem problem_;
   NormalSolution solution_;
-  std::vector<ErrorEstimate> errors_;
-  WheelForces forces_;  ///< of the last solution
-  Support support_;
-  double deflected_ = 0;          ///< penetration due to the deflection of the rail in the last solution [m]
-  double touch_separation_ = 0;   ///< separation at the first touch for which the boxes were laid [m]
-  double boxed_penetration_ = 0;  ///< penetration for which the boxes were laid [m]
-  double box_fill_ = 1;
-  bool box_cut_ = false;
-  bool spike_ = false;  ///< the last solution has too few loaded cells
-  bool widened_ = false;
-  ResultTrend trend_;
-  double expected_ = 1;   ///< expected penetration of the present state over that of the last result [-]
-  WheelsetPose learned_;  ///< pose of the wheel at which the memory was stored
-  bool held_ = false;     ///< the wheel is at that pose, except for its height
-  double load_ = 0;       ///< load of the last usable solution [N]; 0: none
+  std::vector<NormalSolution> kept_;  ///< last solutions on the other grids
+  ContactTangent tangent_;
+  WheelsetPose pose_;                      ///< of the gap
+  std::vector<Eigen::ArrayXXd> openings_;  ///< for each patch ny × motions
+  std::vector<Eigen::ArrayXXd> tangent_openings_;
+  std::vector<Eigen::VectorXd> column_forces_;  ///< for each patch [N]
+  MotionVector forces_ = MotionVector::Zero();
+  double energy_ = 0;
+  OverlapGrids::Choice choice_ = OverlapGrids::Choice::own;
   int solutions_ = 0;
 };
 }  // namespace wheel_rail_contact::core

@@ -1,96 +1,416 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Position, forces and deflection of the rail under a wheel. The other members of WheelContact are in
-// wheel_contact.cpp.
+#include "core/balance/wheel_on_rail.h"
+
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "core/balance/wheel_contact.h"
+#include "core/balance/rail_support.h"
 
 namespace wheel_rail_contact::core
 {
-void WheelContact::setRail(const PlacedRail& rail, const Support& support)
+namespace
 {
-  rail_ = rail;
-  support_ = support;
-  deflected_ = 0;
-  search_.setRail(rail);
-  touch_.reset();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr int most_solutions = 60;      ///< of the contact, in one search
+constexpr int most_own = 8;             ///< solutions after which new grids get a reserve
+constexpr double energy_noise = 1e-3;   ///< of the contact's energy that is not resolved [-]
+constexpr double smaller_slope = 0.9;   ///< ratio of the slopes of the energy of an accepted step [-]
+constexpr double least_share = 0.02;    ///< of a step that is shortened further [-]
+constexpr double jump_share = 20;       ///< of the accuracy, where the forces jump as the grids change [-]
+constexpr double most_open = 0.05;      ///< of the forces that a last step may close [-]
+constexpr double least_move = 1e-9;     ///< of a rail without contact that is neglected [m]
+constexpr double farthest_step = 1e-3;  ///< of the rail in one step [m]
+constexpr double roll_arm = 0.1;        ///< converts a roll of the rail to a comparable displacement [m]
+}  // namespace
+
+/// Length of a movement of the rail head; a roll counts by its effect on the crown [m].
+static double lengthOf(const Eigen::Vector3d& move)
+{
+  return std::hypot(move[0], move[1], roll_arm * move[2]);
 }
 
-WheelForces WheelContact::sumOfForces() const
+/// Forces of a trial and what it gave.
+struct WheelOnRail::Trial
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < patches_.size(); ++k)
+  Eigen::Vector3d forces, open;
+  double height = 0, merit = infinity, noise = 0;
+};
+
+WheelOnRail::WheelOnRail(const ContactModelConfig& config, NormalSolver& solver)
+    : config_(config),
+      contact_(config, solver),
+      undeflected_(config.rail_profile, config.track),
+      compliance_(Eigen::Matrix3d::Zero()),
+      bends_(config.rail_bending.model == RailBendingConfig::Model::compliance),
+      own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact)
+{
+  if (bends_)
   {
-    const PatchGap& gap = problem_.patches[k];
-    for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
-    {
-      const double force = gap.grid.cellArea() * solution_.patches[k].pressure.col(j).sum();
-      sum += force * gap.opening.row(j).matrix().transpose();
-    }
+    compliance_ = supportCompliance(config.rail_bending.table, config.track.rail_inclination);
   }
-  return {sum[0], -sum[1], sum[2]};
+  setRail(0, RailDeflection());
 }
 
-double WheelContact::heightOverReference() const
+void WheelOnRail::reset()
 {
-  double force = 0;
-  double moment = 0;
-  const double reference = rail_->referencePoint().z;
-  for (std::size_t k = 0; k < patches_.size(); ++k)
+  forces_.setZero();
+  has_response_ = false;
+  contact_.forget();
+}
+
+void WheelOnRail::setRail(double lateral, const RailDeflection& offset)
+{
+  using LateralForce = RailBendingConfig::LateralForce;
+  const RailBendingConfig& bending = config_.rail_bending;
+  given_lateral_ = bending.lateral_force == LateralForce::constant ? bending.lateral_force_value : lateral;
+  offset_ = bends_                                                  ? toCoordinates(offset)
+            : bending.model == RailBendingConfig::Model::prescribed ? toCoordinates(bending.prescribed)
+                                                                    : Eigen::Vector3d::Zero();
+}
+
+/// Places the rail as the forces deflect it.
+void WheelOnRail::place(const Eigen::Vector3d& forces)
+{
+  const Eigen::Vector3d coordinates = offset_ + compliance_ * forces;
+  if (!is_placed_ || coordinates != placed_)
   {
-    force += solution_.patches[k].force;
-    moment += solution_.patches[k].force * (patches_[k].plane.z - reference);
+    placed_ = coordinates;
+    is_placed_ = true;
+    contact_.setRail(undeflected_.deflected(toDeflection(coordinates)));
   }
-  return force > 0 ? moment / force : 0;
 }
 
-/// Moves the problem to the deflected position of the rail.
-void WheelContact::settleSupport()
+/// Forces on the rail that belong to the last solution.
+Eigen::Vector3d WheelOnRail::target() const
 {
-  deflected_ = 0;
-  if (!support_.compliant || !(forces_.vertical > 0))
+  Eigen::Vector3d forces = contact_.forces().tail<3>();
+  if (!own_force_)
+  {
+    // The given force acts at the height of the contact.
+    forces[2] += (given_lateral_ - forces[0]) * contact_.heightOverReference();
+    forces[0] = given_lateral_;
+  }
+  return forces;
+}
+
+MotionVector WheelOnRail::railMove(const Eigen::Vector3d& move)
+{
+  MotionVector all = MotionVector::Zero();
+  all.tail<3>() = move;
+  return all;
+}
+
+void WheelOnRail::respond()
+{
+  if (responded())
   {
     return;
   }
-  const Eigen::Vector3d along(forces_.outward, -forces_.vertical, forces_.moment);
-  const Eigen::Vector3d move = solution_.support - support_.placed;
-  deflected_ = along.dot(move) / forces_.vertical;
-  problem_.support.placed = solution_.support;
-  takeIntoGaps(move);
-}
-
-/// Converts gaps, first touches and approach to those of a rail that had been set at the end of the displacement.
-void WheelContact::takeIntoGaps(const Eigen::Vector3d& move)
-{
-  for (std::size_t k = 0; k < patches_.size(); ++k)
+  responded_ = has_response_ = true;
+  if (!bends_)
   {
-    WheelPatch& patch = patches_[k];
-    PatchGap& gap = problem_.patches[k];
-    for (Eigen::Index j = 0; j < gap.opening.rows(); ++j)
+    const MotionVector vertical = contact_.verticalStiffness();
+    if (!vertical.allFinite() || !(vertical[wheel_up] > 0))
     {
-      gap.gap.col(j) += gap.opening.row(j).matrix().dot(move) - gap.weight * deflected_;
+      height_per_roll_ = contact_.heightPer(wheel_roll);
+      height_per_lateral_ = -contact_.heightPer(rail_lateral);
+      return;
     }
-    const double before = patch.least_gap;
-    patch.least_gap = leastGap(gap.grid, gap.gap);
-    patch.touch_gap += (patch.least_gap - before) / gap.weight;
+    height_per_roll_ = -vertical[wheel_roll] / vertical[wheel_up];
+    height_per_lateral_ = vertical[rail_lateral] / vertical[wheel_up];
+    return;
   }
-  solution_.approach -= deflected_;
-}
-
-Eigen::Vector2d WheelContact::railDisplacement(const WheelPatch& patch) const
-{
-  return displacementOf(*rail_, patch.plane.y, patch.plane.z, support() - support_.placed);
-}
-
-double WheelContact::railSlip() const
-{
-  double slip = 0;
-  for (const WheelPatch& patch : patches_)
+  // Changes of the forces on the rail and of the height: by its own movement, by the roll of the wheel, and by a
+  // lateral movement of the wheel, which opens the gap as that of the rail in the other direction does.
+  const MotionMatrix stiffness = contact_.stiffness();
+  if (!stiffness.allFinite() || !(stiffness(wheel_up, wheel_up) > 0))
   {
-    const Eigen::Vector2d tangent(std::cos(patch.plane.angle), std::sin(patch.plane.angle));
-    slip = std::max(slip, std::abs(tangent.dot(railDisplacement(patch))));
+    response_.setZero();
+    height_per_force_.setZero();
+    force_per_roll_.setZero();
+    force_per_lateral_.setZero();
+    height_per_roll_ = contact_.heightPer(wheel_roll);
+    height_per_lateral_ = -contact_.heightPer(rail_lateral);
+    return;
   }
-  return slip;
+  Eigen::Matrix<double, 3, 5> forces;
+  forces << -stiffness.bottomRightCorner<3, 3>(), -stiffness.col(wheel_roll).tail<3>(),
+      stiffness.col(rail_lateral).tail<3>();
+  Eigen::Matrix<double, 1, 5> height = Eigen::Matrix<double, 1, 5>::Zero();
+  if (under_load_)
+  {
+    height << -stiffness.row(wheel_up).tail<3>(), -stiffness(wheel_up, wheel_roll), stiffness(wheel_up, rail_lateral);
+    height /= stiffness(wheel_up, wheel_up);
+    forces -= stiffness.col(wheel_up).tail<3>() * height;
+  }
+  if (!own_force_)
+  {
+    forces.row(2) -= contact_.heightOverReference() * forces.row(0);
+    forces.row(0).setZero();
+  }
+  response_ = forces.leftCols<3>() * compliance_;
+  height_per_force_ = compliance_ * height.head<3>().transpose();
+  force_per_roll_ = step(forces.col(3));
+  force_per_lateral_ = step(forces.col(4));
+  height_per_roll_ = height[3] + height_per_force_.dot(force_per_roll_);
+  height_per_lateral_ = height[4] + height_per_force_.dot(force_per_lateral_);
+}
+
+/// Step of the forces that closes the difference `open` between the forces of the contact and those on the rail.
+Eigen::Vector3d WheelOnRail::step(const Eigen::Vector3d& open) const
+{
+  const Eigen::Vector3d step = (Eigen::Matrix3d::Identity() - response_).partialPivLu().solve(open);
+  return step.allFinite() ? step : open;
+}
+
+WheelStatus WheelOnRail::carry(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids)
+{
+  under_load_ = true;
+  return !(load > 0) ? touchAtRest(pose)
+         : bends_    ? search(pose, load, accuracy, keep_grids)
+                     : searchHeight(pose, load, accuracy, keep_grids);
+}
+
+WheelStatus WheelOnRail::hold(const WheelsetPose& pose, const WheelAccuracy& accuracy)
+{
+  under_load_ = false;
+  return bends_ ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, accuracy, false);
+}
+
+/// Position of first touch without load.
+WheelStatus WheelOnRail::touchAtRest(const WheelsetPose& pose)
+{
+  forces_ = restForces();
+  place(forces_);
+  loaded_ = false;
+  const WheelStatus status = contact_.touch(pose);
+  height_ = contact_.height();
+  const InitialContact& touch = contact_.grids().touch();
+  const double z = contact_.rail().at(touch.rail_u).z;
+  touch_slope_ = -(touch.y - pose.y + (z - height_) * touch.slope);
+  return status;
+}
+
+/// Forces on the rail without a contact.
+Eigen::Vector3d WheelOnRail::restForces() const
+{
+  return own_force_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(given_lateral_, 0, 0);
+}
+
+/// Solves the contact on the rail as these forces deflect it.
+WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial)
+{
+  place(forces);
+  const WheelStatus status = under_load_ ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
+  loaded_ = status == WheelStatus::solved;
+  responded_ = false;
+  trial.forces = forces;
+  trial.height = height_ = contact_.height();
+  trial.open = (loaded_ ? target() : restForces()) - forces;
+  if (own_force_)
+  {
+    trial.merit =
+        contact_.energy() + 0.5 * forces.dot(compliance_ * forces) + (under_load_ ? load * contact_.height() : 0);
+    trial.noise =
+        !loaded_ ? 0 : (energy_noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) * contact_.energy();
+  }
+  else
+  {
+    trial.merit = lengthOf(compliance_ * trial.open);
+  }
+  return status;
+}
+
+/// True if the remaining approach is small enough.
+bool WheelOnRail::isDeepEnough(const WheelAccuracy& accuracy) const
+{
+  return !under_load_ || std::abs(contact_.remaining()) <= accuracy.approach * contact_.overlap();
+}
+
+/// True if the last solution is in equilibrium. Otherwise sets the step of the forces that leads to it.
+bool WheelOnRail::settled(const Trial& trial, const WheelAccuracy& accuracy, Eigen::Vector3d& step)
+{
+  step = trial.open;
+  if (!loaded_)
+  {
+    return lengthOf(compliance_ * trial.open) <= least_move;
+  }
+  const bool deep = isDeepEnough(accuracy);
+  const auto even = [&](const Eigen::Vector3d& change)
+  { return contact_.opening(railMove(compliance_ * change)) <= accuracy.opening * contact_.overlap(); };
+  if (deep && even(trial.open))
+  {
+    return true;
+  }
+  respond();
+  step = this->step(trial.open);
+  if (own_force_ && !(step.dot(compliance_ * trial.open) > 0))  // not a direction of falling energy
+  {
+    step = trial.open;
+  }
+  return deep && even(step) && isNearlyClosed(trial);
+}
+
+/// The grids of a solution of a search.
+OverlapGrids::Choice WheelOnRail::gridsOf(int solution, bool keep_grids)
+{
+  return solution > most_own          ? OverlapGrids::Choice::reserved
+         : keep_grids || solution > 0 ? OverlapGrids::Choice::kept
+                                      : OverlapGrids::Choice::own;
+}
+
+/// Search on a rail that does not bend: only the height is unknown.
+WheelStatus WheelOnRail::searchHeight(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy,
+                                      bool keep_grids)
+{
+  WheelsetPose at = pose;
+  Trial trial;
+  for (int i = 0; i < most_solutions; ++i)
+  {
+    contact_.choose(gridsOf(i, keep_grids));
+    const WheelStatus status = solveOn(Eigen::Vector3d::Zero(), at, load, trial);
+    if (!loaded_ || isDeepEnough(accuracy))
+    {
+      return finish(trial, Eigen::Vector3d::Zero(), status);
+    }
+    at.z = height_;
+  }
+  return WheelStatus::unbalanced;
+}
+
+WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids)
+{
+  WheelsetPose at = pose;
+  Eigen::Vector3d forces = forces_, step = Eigen::Vector3d::Zero(), rise_per_force = Eigen::Vector3d::Zero();
+  forces[1] = under_load_ ? -load : forces[1];
+  forces[0] = own_force_ ? forces[0] : given_lateral_;
+  Trial best, trial;
+  double share = 1;
+  for (int i = 0; i < most_solutions; ++i)
+  {
+    contact_.choose(gridsOf(i, keep_grids));
+    const WheelStatus status = solveOn(forces, at, load, trial);
+    const bool usable = loaded_ || status == WheelStatus::no_contact;
+    const bool first = !std::isfinite(best.merit);
+    if (!usable && first)
+    {
+      return status;
+    }
+    const double shorter = first ? 1 : usable ? shortened(best, trial) : 0.5;
+    if (usable && shorter < 1 && share <= least_share && isNear(accuracy, step) && isNearlyClosed(trial))
+    {
+      return finish(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
+    }
+    if (!usable || (shorter < 1 && share > least_share))
+    {
+      share *= shorter;
+    }
+    else
+    {
+      best = trial;
+      share = 1;
+      if (settled(trial, accuracy, step))
+      {
+        return finish(trial, step, status);
+      }
+      const double far = lengthOf(compliance_ * step);
+      step *= far > farthest_step ? farthest_step / far : 1;
+      rise_per_force = under_load_ && responded_ ? height_per_force_ : Eigen::Vector3d::Zero();
+    }
+    forces = best.forces + share * step;
+    at.z = under_load_ ? best.height + rise_per_force.dot(share * step) : at.z;
+  }
+  return WheelStatus::unbalanced;
+}
+
+/// True if the forces of the contact and those on the rail are nearly equal. The stiffness is that of an exact
+/// solution; with other methods, a step may be small because it is wrong.
+bool WheelOnRail::isNearlyClosed(const Trial& trial)
+{
+  return trial.open.head<2>().norm() <= most_open * trial.forces.head<2>().norm();
+}
+
+/// True if the last solution carries load, and a step would change the contact little.
+bool WheelOnRail::isNear(const WheelAccuracy& accuracy, const Eigen::Vector3d& step) const
+{
+  return loaded_ && isDeepEnough(accuracy) &&
+         contact_.opening(railMove(compliance_ * step)) <= jump_share * accuracy.opening * contact_.overlap();
+}
+
+/// Takes the last solution, with a last step of the forces, as the result.
+WheelStatus WheelOnRail::finish(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status)
+{
+  forces_ = bends_ ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.forces().tail<3>());
+  if (under_load_ && loaded_ && bends_)
+  {
+    const Eigen::Vector3d move = compliance_ * step;
+    height_ += contact_.heightPer(rail_lateral) * move[0] + contact_.heightPer(rail_up) * move[1] +
+               contact_.heightPer(rail_roll) * move[2];
+  }
+  return status;
+}
+
+/// Share of the last step to be tried next; 1 if its end is accepted: if the energy has fallen, or if it is the same
+/// within its noise and its slope is smaller. The share is where the tangents of the energy at both ends meet (at the
+/// kink, if another place comes into contact), or where the slope vanishes.
+double WheelOnRail::shortened(const Trial& best, const Trial& trial) const
+{
+  const double rise = trial.merit - best.merit, noise = std::max(trial.noise, best.noise);
+  const Eigen::Vector3d move = compliance_ * (trial.forces - best.forces);
+  const double before = -best.open.dot(move), after = -trial.open.dot(move);
+  if (!own_force_)
+  {
+    return rise <= 0 ? 1 : 0.5;
+  }
+  if (rise < -noise || (rise <= noise && std::abs(after) <= smaller_slope * std::abs(before)))
+  {
+    return 1;
+  }
+  const double share = rise > noise ? (rise - after) / (before - after) : before / (before - after);
+  return after > 0 && before < 0 ? std::clamp(share, 0.1, 0.9) : 0.5;
+}
+
+double WheelOnRail::heightPerRoll() const
+{
+  return !loaded_ ? touch_slope_ : responded_ ? height_per_roll_ : contact_.heightPer(wheel_roll);
+}
+
+double WheelOnRail::heightPerLateral() const
+{
+  return !loaded_     ? contact_.grids().touch().slope
+         : responded_ ? height_per_lateral_
+                      : -contact_.heightPer(rail_lateral);
+}
+
+void WheelOnRail::predict(double lateral, double roll)
+{
+  if (loaded_ && bends_ && has_response_)
+  {
+    forces_ += roll * force_per_roll_ + lateral * force_per_lateral_;
+  }
+}
+
+double WheelOnRail::openingPerRoll() const
+{
+  MotionVector move = MotionVector::Zero();
+  move[wheel_roll] = 1;
+  if (bends_ && responded_)
+  {
+    move.tail<3>() = compliance_ * force_per_roll_;
+  }
+  return loaded_ ? contact_.opening(move) : 0;
+}
+
+RailResult WheelOnRail::rail() const
+{
+  RailResult result;
+  result.deflection = toDeflection(offset_ + compliance_ * forces_);
+  result.lateral_force = forces_[0];
+  result.vertical_force = -forces_[1];
+  result.moment = forces_[2];
+  return result;
 }
 }  // namespace wheel_rail_contact::core

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/balance/both_sides.h"
 
@@ -10,358 +11,371 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr int most_passes = 60;
-constexpr int strict_passes = 16;    ///< after these passes, planes and roll may have late_slack times the errors
-constexpr double late_slack = 10.0;  ///< for contacts that jump between tread and flange [-]
-/// If a state is not solved from a cold start, it is approached from states nearer to the track centre [m].
-constexpr std::array<double, 2> detours{0.05e-3, 0.2e-3};
-constexpr double roll_per_tolerance = 3e-4;  ///< allowed roll error per unit of contact/tolerance [rad]
-constexpr double plane_per_tolerance = 0.1;  ///< allowed plane error per unit of contact/tolerance [rad]
-// A pass is far from the balance if a plane, a penetration or the roll is off by more than these values.
-constexpr double far_plane = 0.05;       ///< [rad]
-constexpr double far_penetration = 0.1;  ///< relative [-]
-constexpr double far_roll = 1e-4;        ///< [rad]
-constexpr double least_load = 1e-9;  ///< smallest wheel load; below it, the approach is of the order of rounding [N]
-constexpr double least_fill = 0.8;   ///< smallest boxFill() [-]
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr int most_passes = 80;          ///< of both wheels; bisection alone needs fewer
+constexpr int passes_on_own_grids = 1;   ///< after these, grids are kept
+constexpr double greatest_step = 2e-3;   ///< of the roll in a pass [rad]
+constexpr double farthest_turn = 5e-5;   ///< roll for which a contact is not solved again [rad]; it slides by 20 um
+constexpr double flattest_slope = -0.1;  ///< limit of the slope of the height difference [m/rad]
+constexpr double finest_bracket = 1e-9;  ///< width at which a bracket without a zero ends the search [rad]
+constexpr double roll_limit = 0.2;       ///< [rad]
+
+constexpr double remaining_approach = 0.1;      ///< of a wheel, over its overlap [-]
+constexpr double opening_per_tolerance = 0.04;  ///< opening by what is left of the balance, over the overlap [-]
+constexpr double unknown_share = 0.3;           ///< of the limit, with slopes from the pressure alone [-]
+constexpr double jump_share = 20;               ///< the same where the heights jump as the grids change [-]
+constexpr double uncertain_share = 1e-3;        ///< error of a height, over the overlap [-]
+constexpr double least_load = 1e-9;             ///< smaller loads are taken as zero [N]
+constexpr double unloaded_accuracy = 1e-7;      ///< of the height of a wheel without load [m]
+
+bool isUsable(WheelStatus status)
+{
+  return status == WheelStatus::solved || status == WheelStatus::no_contact;
+}
 }  // namespace
 
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
     : config_(config),
       levels_(levels),
-      wheel_{WheelContact(config, levels.solver()), WheelContact(config, levels.solver())},
-      rail_{BendingRail(config, levels.solver().solvesSupport(), wheel_[0]),
-            BendingRail(config, levels.solver().solvesSupport(), wheel_[1])},
-      choice_{GridLevelChoice(levels, config.contact.tolerance), GridLevelChoice(levels, config.contact.tolerance)}
+      wheels_{WheelOnRail(config, levels.solver()), WheelOnRail(config, levels.solver())}
 {
-  reset();
 }
 
 void WheelsetBalance::reset()
 {
   warm_ = false;
-  roll_ = 0;
-  finds_loads_ = heightOnBendingRails();
-  for (const Side side : sides)
+  for (WheelOnRail& wheel : wheels_)
   {
-    wheel_[index(side)].reset();
-    rail_[index(side)].reset();
-    choice_[index(side)] = GridLevelChoice(levels_, config_.contact.tolerance);
+    wheel.reset();
   }
 }
 
-ContactStatus WheelsetBalance::fail(ContactStatus status, std::string_view reason)
+int WheelsetBalance::count() const
 {
-  reset();
-  reason_ = reason;
-  return status;
+  return wheels_[0].contact().solutions() + wheels_[1].contact().solutions();
 }
 
-ContactStatus WheelsetBalance::failed(WheelStatus status)
+ContactStatus WheelsetBalance::fail(WheelStatus status)
 {
+  SolveStatus normal_status = SolveStatus::stalled;
+  for (const WheelOnRail& wheel : wheels_)
+  {
+    if (const SolveStatus of_wheel = wheel.contact().solution().status; !core::isUsable(of_wheel))
+    {
+      normal_status = of_wheel;
+      break;
+    }
+  }
+  reset();
   switch (status)
   {
     case WheelStatus::beside_rail:
-      return fail(ContactStatus::off_profile, "a wheel is beside its rail");
-    case WheelStatus::off_profile:
-      return fail(ContactStatus::off_profile, "contact lies beyond the end of a profile");
-    case WheelStatus::box_not_found:
-      return fail(ContactStatus::not_converged, "no grid was found that covers the whole contact");
-    case WheelStatus::spike:
-      return fail(ContactStatus::not_converged, "pressure on fewer than three cells");
+      reason_ = "a wheel is beside its rail";
+      return ContactStatus::off_profile;
+    case WheelStatus::normal_failed:
+      reason_ = toString(normal_status);
+      return ContactStatus::not_converged;
     default:
-      return fail(ContactStatus::not_converged, toString(normal_status_));
+      reason_ = "no balance of height, roll and rail deflection was found";
+      return ContactStatus::not_converged;
   }
-}
-
-WheelStatus WheelsetBalance::solveWheel(Side side, const GridLevel& level)
-{
-  const std::size_t k = index(side);
-  WheelContact& wheel = wheel_[k];
-  wheel.setSolver(*level.solver);
-  if (!config_.wheelset.solve_height_and_roll && !finds_loads_)
-  {
-    return wheel.solvePenetration(touch_[k], touch_[k].axle_height - state_.z, level.size);
-  }
-  return load_[k] > 0 ? wheel.solveLoad(touch_[k], load_[k], level.size) : WheelStatus::no_contact;
-}
-
-WheelStatus WheelsetBalance::solveWheels(bool rough)
-{
-  const auto is_failure = [](WheelStatus status)
-  { return status != WheelStatus::solved && status != WheelStatus::no_contact; };
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    WheelStatus status = solveWheel(side, rough ? levels_.rough() : choice_[k].level());
-    if (is_failure(status) && !rough && choice_[k].leaveClosedForm())
-    {
-      status = solveWheel(side, choice_[k].level());
-    }
-    loaded_[k] = status == WheelStatus::solved;
-    penetration_[k] = loaded_[k] ? wheel_[k].penetration() : 0;
-    if (is_failure(status))
-    {
-      normal_status_ = wheel_[k].solution().status;
-      return status;
-    }
-  }
-  return WheelStatus::solved;
-}
-
-/// Moves the rails towards the deflections that the last solutions cause. Returns the remaining difference over the
-/// allowed one; converged if at most 1.
-double WheelsetBalance::moveRails()
-{
-  double open = 0;
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    open = std::max(open, rail_[k].follow(loaded_[k], state_.rail_lateral_force[k]));
-    penetration_[k] = loaded_[k] ? wheel_[k].penetration() : 0;
-  }
-  return open;
-}
-
-/// True if planes and boxes fit the pressure. Otherwise they are laid again in the next pass. The slack does not apply
-/// to slipError().
-bool WheelsetBalance::layoutFits(double slack)
-{
-  bool all = true;
-  for (const Side side : sides)
-  {
-    WheelContact& wheel = wheel_[index(side)];
-    const double tolerance = slack * config_.contact.tolerance;
-    const bool fits =
-        !loaded_[index(side)] ||
-        (wheel.planeError() < plane_per_tolerance * tolerance && std::abs(wheel.penetrationError()) < tolerance &&
-         (wheel.boxFill() > least_fill || wheel.widened()) && wheel.slipError() < config_.contact.tolerance);
-    if (!fits)
-    {
-      wheel.learn();
-    }
-    all = all && fits;
-  }
-  return all;
-}
-
-/// True if the remaining roll error [rad] and its effect on each patch are small. The slack does not apply to the
-/// effect on the patches.
-bool WheelsetBalance::isLevel(double open_roll, double slack) const
-{
-  const double tolerance = config_.contact.tolerance;
-  bool level = std::abs(open_roll) < slack * roll_per_tolerance * tolerance;
-  for (const Side side : sides)
-  {
-    level = level && (!loaded_[index(side)] || wheel_[index(side)].rollError(open_roll) < tolerance);
-  }
-  return level;
-}
-
-/// True if a pass is so far from the balance that a rough grid is sufficient.
-bool WheelsetBalance::isFar(double roll_change) const
-{
-  bool far = std::abs(roll_change) > far_roll;
-  for (const Side side : sides)
-  {
-    const WheelContact& wheel = wheel_[index(side)];
-    far = far || (loaded_[index(side)] &&
-                  (wheel.planeError() > far_plane || std::abs(wheel.penetrationError()) > far_penetration));
-  }
-  return far;
-}
-
-/// True if the estimated errors meet the tolerance or cannot be reduced. Otherwise finer grids are chosen.
-bool WheelsetBalance::fineEnough()
-{
-  bool enough = true;
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    error_[k] = loaded_[k] ? largestOf(wheel_[k].estimateErrors()) : ErrorEstimate();
-    enough = !choice_[k].refine(error_[k]) && enough;
-  }
-  return enough;
-}
-
-/// Chooses the grids after the last rough pass.
-void WheelsetBalance::chooseGrids()
-{
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    choice_[k].start(loaded_[k] ? largestOf(wheel_[k].estimateErrors()) : ErrorEstimate());
-    tryClosedForm(side);
-  }
-}
-
-/// Replaces closed forms by grids. A Hertz ellipse follows the curvature at a single point, which may prevent
-/// convergence of the passes.
-void WheelsetBalance::leaveClosedForms()
-{
-  for (GridLevelChoice& choice : choice_)
-  {
-    choice.leaveClosedForm();
-  }
-}
-
-void WheelsetBalance::tryClosedForm(Side side)
-{
-  const std::size_t k = index(side);
-  if (loaded_[k])
-  {
-    choice_[k].tryClosedForm(wheel_[k].problem(), wheel_[k].solution());
-  }
-}
-
-/// Starts from the last result: wheel loads and expected penetrations. Returns false if a wheel is beside its rail.
-bool WheelsetBalance::begin(const WheelsetState& state)
-{
-  const double moved = state.y - state_.y;
-  state_ = state;
-  const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
-  load_ = {-0.5 * state.force_z - transfer, -0.5 * state.force_z + transfer};
-  for (const Side side : sides)
-  {
-    wheel_[index(side)].begin(moved);
-    choice_[index(side)].arrive(state.y);
-    double& load = load_[index(side)];
-    load = finds_loads_ ? expectedLoad(side) : load < least_load ? std::min(load, 0.0) : load;
-    load_search_[index(side)].begin(load_[index(side)]);
-    rail_[index(side)].begin(!warm_, load_[index(side)], state.rail_offset[index(side)]);
-  }
-  secant_.reset();
-  if (!config_.wheelset.solve_height_and_roll)
-  {
-    roll_ = state.roll;
-    return true;
-  }
-  if (warm_)
-  {
-    predictRoll(moved);
-  }
-  else if (!touchFirst())
-  {
-    return false;
-  }
-  for (const Side side : sides)
-  {
-    const std::size_t k = index(side);
-    penetration_[k] = load_[k] > 0 ? wheel_[k].estimatePenetration(touch_[k], load_[k]) + wheel_[k].deflected() : 0;
-  }
-  return true;
 }
 
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
-  const ContactStatus status = searchAround(state);
-  if (isUsable(status) || !heightOnBendingRails())
-  {
-    return status;
-  }
-  finds_loads_ = !finds_loads_;
-  return search(state);
-}
-
-bool WheelsetBalance::heightOnBendingRails() const
-{
-  return !config_.wheelset.solve_height_and_roll && config_.rail_bending.model == RailBendingConfig::Model::compliance;
-}
-
-/// Solves a state from the last result, from a cold start, and from results next to the state.
-ContactStatus WheelsetBalance::searchAround(const WheelsetState& state)
-{
-  const bool warm = warm_;
-  ContactStatus status = search(state);
-  if (!isUsable(status) && warm)
-  {
-    status = search(state);  // from a cold start
-  }
-  std::string_view reason = reason_;
-  for (auto beside = detours.begin(); !isUsable(status) && beside != detours.end(); ++beside)
-  {
-    WheelsetState nearer = state;
-    nearer.y -= std::copysign(*beside, state.y);
-    if (isUsable(search(nearer)))
-    {
-      status = search(state);
-      reason = reason_;
-    }
-  }
-  reason_ = reason;
-  return status;
-}
-
-ContactStatus WheelsetBalance::search(const WheelsetState& state)
-{
-  if (!begin(state))
-  {
-    return failed(WheelStatus::beside_rail);
-  }
-  bool rough = !warm_;
-  for (int pass = 0; pass < most_passes; ++pass)
-  {
-    if (!place(pass == 0))
-    {
-      return failed(WheelStatus::beside_rail);
-    }
-    if (pass == strict_passes)
-    {
-      leaveClosedForms();
-    }
-    const WheelStatus status = solveWheels(rough);
-    if (status != WheelStatus::solved)
-    {
-      return failed(status);
-    }
-    const double difference = heightDifference();
-    const double roll_change = config_.wheelset.solve_height_and_roll ? difference / leverSum() : 0;
-    const double open = moveRails();
-    const double slack = pass < strict_passes ? 1.0 : late_slack;
-    const bool fits = layoutFits(slack);
-    const bool level = isLevel(roll_change, slack);
-    const bool heights_meet = heightsMeet();
-    const bool converged = fits && level && heights_meet && open <= 1;
-    const bool far = (isFar(roll_change) || open > 1) && pass < strict_passes;
-    if (rough && !far)
-    {
-      chooseGrids();
-    }
-    if (!rough && converged && fineEnough())
-    {
-      finish(roll_change);
-      return loaded_[0] && loaded_[1] ? ContactStatus::ok : ContactStatus::lift_off;
-    }
-    rough = far && (rough || (pass == 0 && levels_.count() > 1));  // a grid set by hand is kept in warm starts
-    const bool steady = secant_.steady(roll_, difference);
-    if (fits || steady || !secant_.takesOver())
-    {
-      secant_.record(roll_, difference);
-    }
-  }
-  return fail(ContactStatus::not_converged, "no balance of height, roll and rail deflection was found");
-}
-
-/// Height and roll from the last pass, corrected to first order for the remaining roll error.
-void WheelsetBalance::finish(double roll_change)
-{
-  warm_ = true;
-  open_roll_ = roll_change;
+  const int before = count();
+  const bool given = !config_.wheelset.solve_height_and_roll;
+  const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
+  z_ = given ? state.z : warm_ ? z_ : config_.wheelset.rolling_radius;
+  roll_ = given ? state.roll : warm_ ? roll_ : 0;
+  const double moved = state.y - state_.y;
+  state_ = state;
   reason_ = {};
+  laid_ = false;
+  heights_.fill(z_);
+  if (warm_ && !given)
+  {
+    predict(moved);
+  }
   for (const Side side : sides)
   {
-    wheel_[index(side)].finish();
-    rail_[index(side)].finish(loaded_[index(side)]);
-    choice_[index(side)].coarsen(error_[index(side)]);
-    tryClosedForm(side);
+    const double load = -0.5 * state.force_z - sideSign(side) * transfer;
+    loads_[index(side)] = load > least_load ? load : 0;
+    setLevel(index(side), 0);
+    wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state.rail_offset[index(side)]);
   }
-  if (!config_.wheelset.solve_height_and_roll)
+  WheelStatus status = WheelStatus::solved;
+  do
   {
-    height_ = state_.z;
-    return;
+    status = given ? hold() : search();
+  } while (isUsable(status) && (refine() || layOwnGrids()));
+  solutions_ = count() - before;
+  if (!isUsable(status))
+  {
+    return fail(status);
   }
-  roll_ += roll_change;
-  const double left = (touch_[0].axle_height - penetration_[0]) - lever(Side::left) * roll_change;
-  const double right = (touch_[1].axle_height - penetration_[1]) + lever(Side::right) * roll_change;
-  height_ = 0.5 * (left + right);
+  if (wheels_[0].contact().reachesEnd() || wheels_[1].contact().reachesEnd())
+  {
+    reset();
+    reason_ = "contact lies beyond the end of a profile";
+    return ContactStatus::off_profile;
+  }
+  warm_ = true;
+  return wheels_[0].loaded() && wheels_[1].loaded() ? ContactStatus::ok : ContactStatus::lift_off;
+}
+
+/// Predicts heights and roll after a lateral movement [m] from the last contacts.
+void WheelsetBalance::predict(double moved)
+{
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    const double outward = sideSign(side) * moved;
+    heights_[k] += wheels_[k].heightPerLateral() * outward;
+    wheels_[k].predict(outward, 0);
+  }
+  const double step = -(heights_[0] - heights_[1]) / updateSlopes();
+  turn(roll_ + std::clamp(step, -greatest_step, greatest_step));
+}
+
+WheelStatus WheelsetBalance::hold()
+{
+  const WheelAccuracy accuracy{infinity, opening_per_tolerance * config_.contact.tolerance};
+  open_.fill(0);
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    if (solved_[k])
+    {
+      continue;
+    }
+    const WheelStatus status = wheels_[k].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy);
+    if (!isUsable(status))
+    {
+      return status;
+    }
+    solved_[k] = fresh_[k] = true;
+  }
+  return WheelStatus::solved;
+}
+
+/// True if a wheel must be solved again because the roll has changed its contact.
+bool WheelsetBalance::isMoved(std::size_t k) const
+{
+  const double turned = roll_ - solved_roll_[k];
+  return !solved_[k] || !wheels_[k].loaded() || std::abs(turned) > farthest_turn ||
+         openedBy(k, turned) > opening_per_tolerance * config_.contact.tolerance;
+}
+
+/// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
+double WheelsetBalance::openedBy(std::size_t k, double roll) const
+{
+  const WheelOnRail& wheel = wheels_[k];
+  return wheel.loaded() ? wheel.openingPerRoll() * std::abs(roll) / wheel.contact().overlap() : 0;
+}
+
+/// Solves the wheels at the roll, as far as they are not.
+WheelStatus WheelsetBalance::pass(bool keep_grids)
+{
+  const WheelAccuracy accuracy{remaining_approach, opening_per_tolerance * config_.contact.tolerance};
+  any_solved_ = false;
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    if (!isMoved(k))
+    {
+      continue;
+    }
+    const WheelStatus status = wheels_[k].carry(toSide(side, {state_.y, heights_[k], state_.yaw, roll_}), loads_[k],
+                                                accuracy, keep_grids && solved_[k]);
+    if (!isUsable(status))
+    {
+      return status;
+    }
+    heights_[k] = wheels_[k].height();
+    solved_[k] = fresh_[k] = any_solved_ = true;
+    solved_roll_[k] = roll_;
+  }
+  return WheelStatus::solved;
+}
+
+/// Slope of the difference of the heights over the roll [m/rad].
+double WheelsetBalance::updateSlopes()
+{
+  for (const Side side : sides)
+  {
+    slopes_[index(side)] = sideSign(side) * wheels_[index(side)].heightPerRoll();
+  }
+  return std::min(slopes_[0] - slopes_[1], flattest_slope);
+}
+
+/// Changes the roll, and heights and deflections as they follow.
+void WheelsetBalance::turn(double roll)
+{
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    heights_[k] += slopes_[k] * (roll - roll_);
+    wheels_[k].predict(0, sideSign(side) * (roll - roll_));
+  }
+  roll_ = roll;
+  z_ = 0.5 * (heights_[0] + heights_[1]);
+}
+
+/// True if the roll that closes the difference of the heights [m] hardly changes the contacts. Turns the wheelset to
+/// it.
+bool WheelsetBalance::settle(double difference, double share)
+{
+  const double closed = roll_ - difference / updateSlopes();
+  const double limit = share * opening_per_tolerance * config_.contact.tolerance;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    open_[k] = openedBy(k, closed - solved_roll_[k]);
+  }
+  const bool at_rest = !wheels_[0].loaded() && !wheels_[1].loaded() && std::abs(difference) > unloaded_accuracy;
+  if (at_rest || !(std::max(open_[0], open_[1]) <= limit) || !(std::abs(closed - roll_) <= greatest_step))
+  {
+    return false;
+  }
+  turn(closed);
+  return true;
+}
+
+/// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
+bool WheelsetBalance::isNarrow(double range) const
+{
+  const double limit = opening_per_tolerance * config_.contact.tolerance;
+  return std::all_of(wheels_.begin(), wheels_.end(),
+                     [&](const WheelOnRail& wheel)
+                     {
+                       return range < finest_bracket ||
+                              (wheel.loaded() && wheel.openingPerRoll() * range < limit * wheel.contact().overlap());
+                     });
+}
+
+WheelStatus WheelsetBalance::search()
+{
+  double least = -infinity, most = infinity;
+  for (int i = 0; i < most_passes; ++i)
+  {
+    if (const WheelStatus status = pass(i > passes_on_own_grids); !isUsable(status))
+    {
+      return status;
+    }
+    const double difference = heights_[0] - heights_[1];
+    const bool known = wheels_[0].responded() && wheels_[1].responded();
+    // Other grids at the same place: the heights differ by the errors of the grids.
+    if (settle(difference, laid_ ? jump_share : known ? 1 : unknown_share))
+    {
+      return WheelStatus::solved;
+    }
+    wheels_[0].respond();
+    wheels_[1].respond();
+    if (!known && settle(difference, 1))
+    {
+      return WheelStatus::solved;
+    }
+    double uncertain = 0;
+    for (const WheelOnRail& wheel : wheels_)
+    {
+      uncertain += wheel.loaded() ? uncertain_share * wheel.contact().overlap() : unloaded_accuracy;
+    }
+    if (std::abs(difference) > uncertain)
+    {
+      (difference > 0 ? least : most) = roll_;
+    }
+    double next = roll_ + std::clamp(-difference / updateSlopes(), -greatest_step, greatest_step);
+    if (!(next > least && next < most))
+    {
+      const bool bracketed = std::isfinite(least) && std::isfinite(most);
+      next = 0.5 * (bracketed ? least + most : roll_ + (next > least ? most : least));
+    }
+    if (isNarrow(most - least) || !any_solved_)
+    {
+      return settle(difference, jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
+    }
+    turn(next);
+    if (!(std::abs(roll_) < roll_limit))
+    {
+      return WheelStatus::unbalanced;
+    }
+  }
+  return WheelStatus::unbalanced;
+}
+
+/// Estimates the errors of a wheel. Returns the error that the tolerance limits.
+double WheelsetBalance::estimate(Side side)
+{
+  const auto k = index(side);
+  const WheelContact& contact = wheels_[k].contact();
+  islands_[k].find(contact.problem(), contact.solution());
+  const NormalSolution& solution = islands_[k].solution();
+  levels_.solver().estimateErrors(islands_[k].problem(), solution, errors_[k]);
+  double highest = 0, area = 0, force = 0;
+  for (const PatchPressure& patch : solution.patches)
+  {
+    highest = std::max(highest, patch.max_pressure);
+    area += patch.area;
+    force += patch.force;
+  }
+  double pressure_error = 0, area_error = 0, approach_error = 0;
+  for (std::size_t i = 0; i < solution.patches.size(); ++i)
+  {
+    const PatchPressure& patch = solution.patches[i];
+    const ErrorEstimate& error = errors_[k][i];
+    // A lower peak counts by what it may rise above the highest one.
+    const double above = patch.max_pressure < highest ? patch.max_pressure / highest - 1 : 0;
+    pressure_error = std::max(pressure_error, above + error.max_pressure * patch.max_pressure / highest);
+    area_error += error.area * patch.area / area;
+    approach_error += error.approach * patch.force / force;
+  }
+  return std::max({pressure_error, area_error, approach_error});
+}
+
+/// Estimates the errors. Chooses finer grids where they exceed the tolerance. @return true if there are any
+bool WheelsetBalance::refine()
+{
+  bool refined = false;
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    if (fresh_[k])
+    {
+      wheel_errors_[k] = wheels_[k].loaded() ? estimate(side) : 0;
+      fresh_[k] = false;
+    }
+    const std::size_t level = levels_.finer(level_[k], wheel_errors_[k]);
+    if (level != level_[k])
+    {
+      setLevel(k, level);
+      refined = true;
+    }
+  }
+  return refined;
+}
+
+/// Has wheels solved again whose grids are not those of their final heights, so that the result does not depend on the
+/// start of the search.
+/// @return true if there are any; at most once for a state
+bool WheelsetBalance::layOwnGrids()
+{
+  bool any = false;
+  for (std::size_t k = 0; k < 2 && !laid_; ++k)
+  {
+    const bool others = wheels_[k].loaded() && !wheels_[k].contact().hasOwnGrids();
+    solved_[k] = solved_[k] && !others;
+    any = any || others;
+  }
+  laid_ = true;
+  return any;
+}
+
+void WheelsetBalance::setLevel(std::size_t k, std::size_t level)
+{
+  level_[k] = level;
+  laid_ = false;
+  solved_[k] = false;
+  wheels_[k].contact().setGrid(level, levels_.at(level));
 }
 }  // namespace wheel_rail_contact::core

@@ -4,106 +4,93 @@
 #include <array>
 #include <string_view>
 
-#include "core/balance/bending_rail.h"
+#include "core/balance/both_sides.h"
 #include "core/balance/grid_levels.h"
-#include "core/balance/load_search.h"
-#include "core/balance/roll_secant.h"
+#include "core/balance/islands.h"
+#include "core/balance/wheel_on_rail.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 #include "wheel_rail_contact/core/wheelset_state.h"
 
 namespace wheel_rail_contact::core
 {
-/// Vertical balance of both wheels of a wheelset, together with the deflection of the rails.
+/// Both wheels of a wheelset on the surfaces of their rails: finds height, roll and the deflections of the rails for
+/// given wheel loads, or the loads for a given height and roll.
 ///
-/// The unknowns are the roll and, with the model `compliance`, the displacements of both rail heads. One pass does the
-/// following:
-/// - It places the wheelset at the roll at which both wheels give the same axle height with the present penetrations.
-///   This uses rigid contact only.
-/// - It solves both wheels at this roll.
-/// - It compares the axle heights of the two wheels, the deflections used with those that the forces cause, and the
-///   planes with the pressure-weighted normals.
-///
-/// Passes are repeated until all of them agree. If height and roll are given and the rails bend by a table, the wheel
-/// loads are unknown instead.
+/// At a given roll, each wheel has one height under its load (WheelOnRail). The roll is the one for which both heights
+/// are equal. Their difference brackets it: it is positive at a low roll and negative at a high one. Newton's method
+/// with the slopes of the heights finds it; bisection takes over where a step leaves the bracket. On rigid rails the
+/// difference falls as the roll grows while tan(left contact angle) + tan(right contact angle) < distance of the
+/// contacts / rolling radius. Beyond that, several rolls may be in equilibrium; the result is then one at which the
+/// difference falls.
 class WheelsetBalance
 {
  public:
   /// Keeps references to `config` and `levels`, which must outlive this.
   WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels);
-  WheelsetBalance(const WheelsetBalance&) = delete;
-  WheelsetBalance& operator=(const WheelsetBalance&) = delete;
 
-  /// Solves a valid state, starting from the last result. If this fails, solves it from a cold start, and then from
-  /// results next to it. If the status is not ok, reason() gives the reason.
+  /// The next solution starts cold.
+  void reset();
+
+  /// Solves a valid state. The last result is the start. If the status is not ok, reason() gives the reason.
   ContactStatus solve(const WheelsetState& state);
 
   /// One sentence; empty if the status is ok.
   std::string_view reason() const { return reason_; }
-  /// Height of the axle centre, track frame [m].
-  double height() const { return height_; }
-  /// Roll, track frame [rad].
-  double roll() const { return roll_; }
-  /// Remaining roll error of the last pass [rad]. It is included in roll(), but not in the solutions of the wheels.
-  double openRoll() const { return open_roll_; }
-  /// Last solution of one wheel.
-  const WheelContact& wheel(Side side) const { return wheel_[static_cast<std::size_t>(side)]; }
-  /// False if the wheel carries no load.
-  bool loaded(Side side) const { return loaded_[static_cast<std::size_t>(side)]; }
-  /// Deflection and forces of one rail.
-  const RailResult& rail(Side side) const { return rail_[static_cast<std::size_t>(side)].result(); }
-
-  /// Discards the last result.
-  void reset();
+  double height() const { return z_; }   ///< height of the axle centre, track frame [m]
+  double roll() const { return roll_; }  ///< roll, track frame [rad]
+  /// A wheel on its rail.
+  const WheelOnRail& wheel(Side side) const { return wheels_[index(side)]; }
+  WheelOnRail& wheel(Side side) { return wheels_[index(side)]; }
+  /// Separate contacts of a wheel.
+  const Islands& islands(Side side) const { return islands_[index(side)]; }
+  /// Estimated errors of these contacts.
+  const std::vector<ErrorEstimate>& errors(Side side) const { return errors_[index(side)]; }
+  /// Estimated relative error of the highest pressure, the whole area and the approach of a wheel, the largest of them
+  /// [-].
+  double wheelError(Side side) const { return wheel_errors_[index(side)]; }
+  /// Largest opening of the gap of a wheel, over its overlap, by what is left of the balance [-].
+  double balanceError(Side side) const { return open_[index(side)]; }
+  /// Number of normal problems of both wheels in the last call.
+  int solutions() const { return solutions_; }
 
  private:
-  ContactStatus search(const WheelsetState& state);
-  ContactStatus searchAround(const WheelsetState& state);
-  ContactStatus fail(ContactStatus status, std::string_view reason);
-  ContactStatus failed(WheelStatus status);
-  bool begin(const WheelsetState& state);
-  bool place(bool first);
-  WheelsetPose poseOf(Side side, double roll) const;
-  bool touchBoth(double roll);
-  bool touchFirst();
-  bool findRoll(bool first);
-  double heightDifference() const;
-  double lever(Side side) const;
-  double leverSum() const;
-  WheelStatus solveWheel(Side side, const GridLevel& level);
-  WheelStatus solveWheels(bool rough);
-  double moveRails();
-  double expectedLoad(Side side);
-  bool heightsMeet();
-  bool heightOnBendingRails() const;
-  bool layoutFits(double slack);
-  bool isLevel(double open_roll, double slack) const;
-  bool isFar(double roll_change) const;
-  void predictRoll(double moved);
-  bool fineEnough();
-  void chooseGrids();
-  void tryClosedForm(Side side);
-  void leaveClosedForms();
-  void finish(double roll_change);
+  WheelStatus search();
+  WheelStatus pass(bool keep_grids);
+  WheelStatus hold();
+  void predict(double moved);
+  bool isMoved(std::size_t k) const;
+  double openedBy(std::size_t k, double roll) const;
+  double updateSlopes();
+  void turn(double roll);
+  bool isNarrow(double range) const;
+  bool settle(double difference, double share);
+  bool refine();
+  bool layOwnGrids();
+  void setLevel(std::size_t k, std::size_t level);
+  double estimate(Side side);
+  int count() const;
+  ContactStatus fail(WheelStatus status);
 
   const ContactModelConfig& config_;
   const GridLevels& levels_;
-  std::array<WheelContact, 2> wheel_;
-  std::array<BendingRail, 2> rail_;
+  std::array<WheelOnRail, 2> wheels_;
   WheelsetState state_;
-  std::array<double, 2> load_{};  ///< vertical wheel loads [N]
-  std::array<bool, 2> loaded_{};
-  std::array<double, 2> penetration_{};  ///< present penetrations [m]
-  std::array<RigidTouch, 2> touch_;
-  std::array<GridLevelChoice, 2> choice_;
-  std::array<ErrorEstimate, 2> error_;
-  SolveStatus normal_status_ = SolveStatus::converged;  ///< status of the last solution that failed
-  RollSecant secant_;
-  bool finds_loads_;  ///< the wheel loads are unknown, height and roll are given
-  std::array<LoadSearch, 2> load_search_;
-  double height_ = 0;
-  double roll_ = 0;
-  double open_roll_ = 0;
+  std::array<double, 2> loads_{};        ///< vertical wheel loads [N]
+  std::array<double, 2> heights_{};      ///< of the axle centre for each wheel [m]
+  std::array<double, 2> slopes_{};       ///< their change per roll [m/rad]
+  std::array<double, 2> solved_roll_{};  ///< roll of the last solutions [rad]
+  std::array<bool, 2> solved_{};         ///< for this state
+  std::array<bool, 2> fresh_{};          ///< its errors are not estimated yet
+  std::array<std::size_t, 2> level_{};
+  std::array<Islands, 2> islands_;
+  std::array<std::vector<ErrorEstimate>, 2> errors_;
+  std::array<double, 2> wheel_errors_{};
+  std::array<double, 2> open_{};
+  bool any_solved_ = false;  ///< in the last pass
+  double z_ = 0, roll_ = 0;
   bool warm_ = false;
+  bool laid_ = false;  ///< layOwnGrids() was called for this state
+  int solutions_ = 0;
   std::string_view reason_;
 };
 }  // namespace wheel_rail_contact::core

@@ -32,18 +32,6 @@ Tangents beside(const ColumnGroup::Points& p, const Numbers& shift)
 }
 }  // namespace
 
-void fillColumn(const Grid& grid, const HeightPolynomial& polynomial, double* height)
-{
-  // Copies: the compiler would otherwise assume that writing to `height` changes them, and load them again.
-  const double c0 = polynomial[0], c1 = polynomial[1], c2 = polynomial[2], c3 = polynomial[3], c4 = polynomial[4];
-  const Grid g = grid;
-  for (int row = 0; row < g.rows(); ++row)
-  {
-    const double x = g.x(row);
-    height[row] = c0 + x * (c1 + x * (c2 + x * (c3 + x * c4)));
-  }
-}
-
 void ColumnGroup::Coordinate::set(int column, const WheelCoordinate& value)
 {
   origin[column] = value.origin;
@@ -83,23 +71,17 @@ WheelSections ColumnGroup::seen(int column, const WheelSections& wheel) const
   return sections;
 }
 
-ColumnHeights::ColumnHeights(const Profile& profile, const WheelSections& wheel, double plane_x, double reach,
-                             bool symmetric)
-    : profile_(&profile), wheel_(wheel), plane_x_(plane_x), reach_(reach), symmetric_(symmetric)
+/// Two Newton steps on the expansion. Where the expansion is not accurate, Newton's method on the profile itself.
+ColumnHeights::Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x, Numbers& u,
+                                              Numbers& slope)
 {
-}
-
-/// Heights at x [m] from the origin of the plane: two Newton steps on the expansion. Where the expansion is not
-/// accurate, Newton's method on the profile itself.
-Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) const
-{
-  const double at_x = plane_x_ + x;
-  const SectionPoint<Numbers> start = wheel_.at<Numbers>(columns.profile, at_x, columns.tangent, columns.normal);
+  const SectionPoint<Numbers> start = wheel_.at<Numbers>(columns.profile, x, columns.tangent, columns.normal);
   const Numbers shift = (columns.t - start.y) / start.dy;
   const SectionPoint<Numbers> point =
-      wheel_.at<Numbers>(beside(columns.profile, shift), at_x, columns.tangent, columns.normal);
+      wheel_.at<Numbers>(beside(columns.profile, shift), x, columns.tangent, columns.normal);
   const Numbers miss = columns.t - point.y;
-  Numbers n = point.z + point.dz / point.dy * miss;
+  slope = point.dz / point.dy;
+  Numbers n = point.z + slope * miss;
   for (int k = 0; k < count; ++k)
   {
     const bool found =
@@ -107,56 +89,15 @@ Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x) 
     if (!found)
     {
       const WheelSections seen = columns.seen(k, wheel_);
-      const auto curve = [&](double u, PlanePoint& at) { return seen.at(profile_->at(u), at_x, at); };
-      double u = columns.u[k];
+      const auto curve = [&](double at, PlanePoint& place) { return seen.at(profile_.at(at), x, place); };
       LocalPoint local;
-      n[k] = pointOver(columns.t[k], curve, u, local) ? local.n : std::numeric_limits<double>::quiet_NaN();
+      double guess = u[k];
+      const bool there = pointOver(columns.t[k], curve, guess, local);
+      n[k] = there ? local.n : std::numeric_limits<double>::quiet_NaN();
+      slope[k] = local.slope;
+      u[k] = there ? guess : u[k];
     }
   }
   return n;
-}
-
-/// Even polynomials through the middle and two points in front of it.
-HeightPolynomials ColumnHeights::evenPolynomials(const ColumnGroup& columns, int count) const
-{
-  const double inner = 0.6 * reach_;
-  const double inner_square = inner * inner;
-  const double outer_square = reach_ * reach_;
-  const Numbers second_inner = (heights(columns, count, inner) - columns.n) * (1 / inner_square);
-  const Numbers second_outer = (heights(columns, count, reach_) - columns.n) * (1 / outer_square);
-  const Numbers fourth = (second_outer - second_inner) * (1 / (outer_square - inner_square));
-  HeightPolynomials c = HeightPolynomials::Zero();
-  c.col(0) = columns.n;
-  c.col(2) = second_inner - fourth * inner_square;
-  c.col(4) = fourth;
-  return c;
-}
-
-/// Polynomials through the middle, two points in front of it and two points behind it.
-HeightPolynomials ColumnHeights::fullPolynomials(const ColumnGroup& columns, int count) const
-{
-  const double h = 0.5 * reach_;
-  const double per_h = 1 / h;
-  const double per_square = per_h * per_h;
-  const Numbers fore = heights(columns, count, h);
-  const Numbers aft = heights(columns, count, -h);
-  const Numbers far_fore = heights(columns, count, 2 * h);
-  const Numbers far_aft = heights(columns, count, -2 * h);
-  const Numbers odd = 0.5 * (fore - aft);
-  const Numbers even = 0.5 * (fore + aft) - columns.n;
-  const Numbers third = (0.5 * (far_fore - far_aft) - 2 * odd) * (1.0 / 6);
-  const Numbers fourth = (0.5 * (far_fore + far_aft) - columns.n - 4 * even) * (1.0 / 12);
-  HeightPolynomials c;
-  c.col(0) = columns.n;
-  c.col(1) = (odd - third) * per_h;
-  c.col(2) = (even - fourth) * per_square;
-  c.col(3) = third * per_square * per_h;
-  c.col(4) = fourth * per_square * per_square;
-  return c;
-}
-
-HeightPolynomials ColumnHeights::polynomials(const ColumnGroup& columns, int count) const
-{
-  return symmetric_ ? evenPolynomials(columns, count) : fullPolynomials(columns, count);
 }
 }  // namespace wheel_rail_contact::core

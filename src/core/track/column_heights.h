@@ -4,7 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "core/track/gap.h"
+#include "core/track/placement.h"
+#include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
 {
@@ -87,41 +88,25 @@ struct ColumnGroup
   WheelSections seen(int column, const WheelSections& wheel) const;
 };
 
-/// Heights of the wheel above the columns of a group [m], as polynomials of x, with x from the origin of the plane.
-/// Rows: columns of the group; columns: coefficients of x^0 to x^4. NaN if the wheel has no point above a column.
-using HeightPolynomials = Eigen::Array<double, ColumnGroup::together, 5>;
-
-/// Coefficients of one column.
-using HeightPolynomial = Eigen::Array<double, 5, 1>;
-
-/// Evaluates a polynomial at the cells of a column. `height` has one element for each row of the grid.
-void fillColumn(const Grid& grid, const HeightPolynomial& polynomial, double* height);
-
 /// Computes the heights of the wheel along columns of a gap.
 class ColumnHeights
 {
  public:
-  /// Keeps a reference to `profile`.
-  /// @param profile    of the wheel
-  /// @param wheel      sections of the wheel; its coordinates are not used
-  /// @param plane_x    x of the origin of the plane [m]
-  /// @param reach      half the length of the columns [m]
-  /// @param symmetric  the gap is even in x (no yaw)
-  ColumnHeights(const Profile& profile, const WheelSections& wheel, double plane_x, double reach, bool symmetric);
-
-  /// Polynomials of the first `count` columns of the group.
-  HeightPolynomials polynomials(const ColumnGroup& columns, int count) const;
-
- private:
   using Numbers = ColumnGroup::Numbers;
 
-  Numbers heights(const ColumnGroup& columns, int count, double x) const;
-  HeightPolynomials evenPolynomials(const ColumnGroup& columns, int count) const;
-  HeightPolynomials fullPolynomials(const ColumnGroup& columns, int count) const;
+  /// Keeps a reference to `profile`.
+  /// @param profile  of the wheel
+  /// @param wheel    sections of the wheel; its coordinates are not used
+  ColumnHeights(const Profile& profile, const WheelSections& wheel) : profile_(profile), wheel_(wheel) {}
 
-  const Profile* profile_;
+  /// Heights of the wheel above the first `count` columns of the group at x [m], and their slopes across the track;
+  /// NaN if there is none.
+  /// @param u  parameters of the wheel profile [m]: start of the search where the expansion is not accurate; set to the
+  ///           result there
+  Numbers heights(const ColumnGroup& columns, int count, double x, Numbers& u, Numbers& slope);
+
+ private:
+  ProfileCursor profile_;
   WheelSections wheel_;
-  double plane_x_, reach_;  ///< [m]
-  bool symmetric_;
 };
 }  // namespace wheel_rail_contact::core

@@ -210,62 +210,6 @@ std::pair<std::size_t, std::size_t> ContactSearch::belowAround(std::size_t k, do
   return {first, last};
 }
 
-OverlapInterval ContactSearch::intervalAround(const InitialContact& contact, double separation) const
-{
-  const auto last_station = static_cast<double>(stations_.count - 1);
-  const double place = std::round((contact.y - stations_.first) / stations_.spacing);
-  const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, last_station));
-  const auto [first, last] = belowAround(k, separation);
-  OverlapInterval interval = separation_[k] < separation ? intervalBetween(first, last, separation) : OverlapInterval{};
-  interval.contact = contact;
-  if (last - first + 1 < fine_stations)
-  {
-    setWidthByCurvature(separation, interval);
-  }
-  return interval;
-}
-
-double ContactSearch::railAngle(std::size_t k) const
-{
-  const PlanePoint rail = rail_->at(rail_outline_.u(k));
-  return std::atan2(rail.dz, rail.dy);
-}
-
-/// Slope of the rail outline from the neighbouring stations; of the profile where the outline ends there.
-double ContactSearch::railSlope(std::size_t k) const
-{
-  const std::size_t before = k > 0 ? k - 1 : k;
-  const std::size_t after = std::min(k + 1, stations_.count - 1);
-  const double slope = (rail_outline_.z(after) - rail_outline_.z(before)) / (stations_.y(after) - stations_.y(before));
-  return std::isfinite(slope) ? slope : std::tan(railAngle(k));
-}
-
-/// Appends the interval of the stations `first` to `last`. It is divided where it turns too much for one plane.
-void ContactSearch::addIntervals(std::size_t first, std::size_t last, double separation,
-                                 std::vector<OverlapInterval>& intervals) const
-{
-  const std::size_t lowest = lowestStation(first, last + 1);
-  for (auto minimum = std::upper_bound(minima_.begin(), minima_.end(), first);
-       minimum != minima_.end() && *minimum < last; ++minimum)
-  {
-    const std::size_t k = *minimum;
-    if (k != lowest && std::abs(railAngle(k) - railAngle(lowest)) > split_angle)
-    {
-      const auto at = [this](std::size_t i) { return separation_.begin() + static_cast<long>(i); };
-      const auto divide = static_cast<std::size_t>(std::max_element(at(std::min(k, lowest)), at(std::max(k, lowest))) -
-                                                   separation_.begin());
-      addIntervals(first, divide, separation, intervals);
-      intervals.back().u_most = intervals.back().u_end = rail_outline_.u(divide);
-      const std::size_t second = intervals.size();
-      addIntervals(divide, last, separation, intervals);
-      intervals[second].u_least = intervals[second].u_begin = rail_outline_.u(divide);
-      return;
-    }
-  }
-  intervals.push_back(intervalBetween(first, last, separation));
-  intervals.back().contact = refined(lowest);
-}
-
 void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const
 {
   intervals.clear();
@@ -281,13 +225,13 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     {
       const auto [first, last] = belowAround(minimum, separation);
       end = last + 1;
-      if (end - first >= fine_stations)
-      {
-        addIntervals(first, last, separation, intervals);
-        continue;
-      }
       interval = intervalBetween(first, last, separation);
       interval.contact = refined(lowestStation(first, end));
+      if (end - first >= fine_stations)
+      {
+        intervals.push_back(interval);
+        continue;
+      }
     }
     else if (separation_[minimum] < separation + depthBelowStation(minimum))
     {
@@ -300,81 +244,6 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     if (setWidthByCurvature(separation, interval))
     {
       intervals.push_back(interval);
-    }
-  }
-  mergeNeighbours(intervals);
-  setLimits(intervals);
-}
-
-/// Range of stations that contains the rail between two parameters of its profile: first station, and end (exclusive).
-/// It may contain a few more stations. Where the rail overhangs, its outermost points need not be at the parameters.
-std::pair<std::size_t, std::size_t> ContactSearch::stationsOfRail(double u_begin, double u_end) const
-{
-  if (!(u_begin < u_end))
-  {
-    return {0, 0};
-  }
-  const auto last_point = static_cast<double>(rail_line_.u.size() - 1);
-  const double per_point = rail_line_.u.back() / last_point;
-  const auto point = [&](double place) { return static_cast<long>(std::clamp(place, 0.0, last_point)); };
-  const auto begin = rail_line_.y.begin() + point(std::floor(u_begin / per_point));
-  const auto end = rail_line_.y.begin() + point(std::ceil(u_end / per_point)) + 1;
-  const auto [least, most] = std::minmax_element(begin, end);
-  const auto station = [this](double y) { return static_cast<std::size_t>((y - stations_.first) / stations_.spacing); };
-  return {station(*least), std::min(station(*most) + 2, stations_.count)};
-}
-
-void ContactSearch::addStationsBetween(double u_begin, double u_end, double separation,
-                                       std::vector<Station>& stations) const
-{
-  const auto [first, end] = stationsOfRail(u_begin, u_end);
-  for (std::size_t k = first; k < end; ++k)
-  {
-    const double depth = separation - separation_[k];
-    const double u = rail_outline_.u(k);
-    if (depth > 0 && u > u_begin && u < u_end)
-    {
-      stations.push_back({wheel_outline_.u(k), u, stations_.y(k), rail_outline_.z(k), railSlope(k), depth});
-    }
-  }
-}
-
-void ContactSearch::mergeNeighbours(std::vector<OverlapInterval>& intervals) const
-{
-  for (std::size_t i = 1; i < intervals.size();)
-  {
-    OverlapInterval& before = intervals[i - 1];
-    const OverlapInterval& here = intervals[i];
-    const double wider = std::max(before.u_end - before.u_begin, here.u_end - here.u_begin);
-    const double turn = std::abs(std::atan(here.contact.slope) - std::atan(before.contact.slope));
-    const bool divided = before.u_most == here.u_least;  // halves of one interval
-    if (divided || here.u_begin - before.u_end > wider || turn > merge_angle)
-    {
-      ++i;
-      continue;
-    }
-    before.u_end = here.u_end;
-    before.u_most = here.u_most;
-    before.at_profile_end = before.at_profile_end || here.at_profile_end;
-    if (here.contact.separation < before.contact.separation)
-    {
-      before.contact = here.contact;
-    }
-    intervals.erase(intervals.begin() + static_cast<long>(i));
-  }
-}
-
-/// Sets the limits between neighbouring intervals. They are in the middle between two intervals, unless both are halves
-/// of a divided one.
-void ContactSearch::setLimits(std::vector<OverlapInterval>& intervals)
-{
-  for (std::size_t i = 1; i < intervals.size(); ++i)
-  {
-    OverlapInterval& before = intervals[i - 1];
-    OverlapInterval& here = intervals[i];
-    if (before.u_most != here.u_least)
-    {
-      before.u_most = here.u_least = 0.5 * (before.u_end + here.u_begin);
     }
   }
 }

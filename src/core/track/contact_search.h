@@ -30,20 +30,6 @@ struct OverlapInterval
   double u_end = 0;             ///< parameter of the rail profile at the end on the field side [m]
   InitialContact contact;       ///< position of the smallest separation in it
   bool at_profile_end = false;  ///< the interval is cut off by the end of a profile
-  /// Smallest parameter of the rail profile that belongs to this interval rather than to its neighbour [m].
-  double u_least = -std::numeric_limits<double>::infinity();
-  /// Largest parameter of the rail profile that belongs to this interval rather than to its neighbour [m].
-  double u_most = std::numeric_limits<double>::infinity();
-};
-
-/// Station at which the separation is below a given value.
-struct Station
-{
-  double wheel_u;  ///< parameter of the wheel profile [m]
-  double rail_u;   ///< parameter of the rail profile [m]
-  double y, z;     ///< point of the rail outline, side axes [m]
-  double slope;    ///< slope dz/dy of the rail outline [-]
-  double depth;    ///< given value minus separation [m], > 0
 };
 
 /// Search for contact between a placed wheel and a placed rail. The algorithm is our own:
@@ -69,24 +55,8 @@ class ContactSearch
   /// @return false if wheel and rail have no common station: the wheel is beside the rail.
   bool nearest(InitialContact& contact);
 
-  /// Interval around a contact (from nearest()) in which the separation is below `separation` [m].
-  OverlapInterval intervalAround(const InitialContact& contact, double separation) const;
-
   /// Finds all intervals in which the separation is below `separation` [m], from the gauge side to the field side.
-  ///
-  /// Two intervals are merged if the distance between them is less than the width of the wider one and if their planes
-  /// differ by less than `merge_angle`. An interval is divided where it turns by more than `split_angle`.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const;
-
-  /// Largest angle between the planes of two intervals that are merged [rad].
-  static constexpr double merge_angle = 0.1;
-  /// Angle between the planes of two minima above which the interval that contains both is divided [rad], at the
-  /// largest separation between them.
-  static constexpr double split_angle = 1.0;
-
-  /// Appends the stations between two parameters of the rail profile (both exclusive) at which the separation is below
-  /// `separation` [m], from the gauge side to the field side.
-  void addStationsBetween(double u_begin, double u_end, double separation, std::vector<Station>& stations) const;
 
  private:
   static constexpr double spacing = 2.5e-4;  ///< distance of the stations, and of the samples on the profiles [m]
@@ -97,14 +67,9 @@ class ContactSearch
 
   void findMinima();
   double depthBelowStation(std::size_t k) const;
-  double railAngle(std::size_t k) const;
-  double railSlope(std::size_t k) const;
-  void addIntervals(std::size_t first, std::size_t last, double separation,
-                    std::vector<OverlapInterval>& intervals) const;
   std::size_t lowestStation(std::size_t first, std::size_t end) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
-  std::pair<std::size_t, std::size_t> stationsOfRail(double u_begin, double u_end) const;
   InitialContact refined(std::size_t k) const;
   bool findByNewton(std::size_t k, InitialContact& contact) const;
   bool isNear(const InitialContact& contact, std::size_t k) const;
@@ -112,8 +77,6 @@ class ContactSearch
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
   OverlapInterval intervalBetween(std::size_t first, std::size_t last, double separation) const;
   static bool setWidthByCurvature(double separation, OverlapInterval& interval);
-  void mergeNeighbours(std::vector<OverlapInterval>& intervals) const;
-  static void setLimits(std::vector<OverlapInterval>& intervals);
 
   static std::vector<double> sample(const Profile& profile);
 

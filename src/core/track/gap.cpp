@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/track/column_heights.h"
 
@@ -11,212 +10,211 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Frame of a rail in the axes t and n of a plane.
-RailFrame seenFrom(const PlaneAxes& axes, const RailFrame& rail)
+/// Part of the length of the overlap that a pressure fills, about 1 / sqrt(2) [-].
+constexpr double pressed = 0.7;
+
+/// Sections of a wheel in the axes of a column: along the tangent of the rail and along its normal.
+WheelSections seenFrom(const SurfaceColumn& column, const WheelSections& wheel)
 {
-  const PlanePoint origin = rail.at({0, 0, 1, 0, 0, 0});
-  return {axes.t(origin), axes.n(origin), axes.dt(origin), axes.dn(origin)};
+  const WheelCoordinate &y = wheel.y, &z = wheel.z;
+  const auto turned = [&](double share_y, double share_z) -> WheelCoordinate
+  {
+    return {share_y * (y.origin - column.y) + share_z * (z.origin - column.z), share_y * y.along + share_z * z.along,
+            share_y * y.down + share_z * z.down, share_y * y.forward + share_z * z.forward};
+  };
+  WheelSections seen = wheel;
+  seen.y = turned(column.cosine, column.sine);
+  seen.z = turned(-column.sine, column.cosine);
+  return seen;
 }
 
-/// Starting parameters for the points of successive columns. They are extrapolated linearly over two columns from the
-/// second-last and third-last column. The last column is not used, so that the processor can overlap the work on two
-/// columns.
-class ColumnStarts
+/// Computes the columns of the gap one after the other.
+class SurfaceGapBuilder
 {
  public:
-  /// @param origin  column at the origin of the plane, where the plane is tangent to both bodies
-  /// @param t       position of the first column in the plane [m]
-  /// @param step    distance from column to column [m], negative towards smaller t
-  ColumnStarts(const GapColumn& origin, double t, double step)
-  {
-    for (GapColumn& column : last_)
-    {
-      t -= step;
-      column.wheel_u = origin.wheel_u + t;
-      column.rail_u = origin.rail_u + t;
-    }
-  }
-
-  GapColumn next() const
-  {
-    GapColumn start;
-    start.wheel_u = 3 * last_[1].wheel_u - 2 * last_[2].wheel_u;
-    start.rail_u = 3 * last_[1].rail_u - 2 * last_[2].rail_u;
-    return start;
-  }
-
-  void add(const GapColumn& column) { last_ = {column, last_[0], last_[1]}; }
-  void stayAt(const GapColumn& column) { last_.fill(column); }
-
- private:
-  std::array<GapColumn, 3> last_;
-};
-
-/// Builds the columns of a gap one after the other, each starting from its neighbours.
-class GapBuilder
-{
- public:
-  GapBuilder(const PlacedWheel& wheel, const PlacedRail& rail, const ContactPlane& plane, const Grid& grid)
+  SurfaceGapBuilder(const PlacedWheel& wheel, const PlacedRail& rail, double x, const Grid& grid)
       : grid_(grid),
-        plane_x_(plane.x),
-        rail_(seenFrom(PlaneAxes(plane), rail.frame())),
-        wheel_(seenFrom(PlaneAxes(plane), wheel.sections())),
-        heights_(wheel.profile(), wheel_, plane.x, 0.5 * grid.nx * grid.dx, grid.symmetric),
+        x_(x),
+        rail_(rail.frame()),
+        wheel_(wheel.sections()),
+        heights_(wheel.profile(), wheel_),
         wheel_profile_(wheel.profile()),
-        rail_profile_(rail.profile())
+        rail_profile_(rail.profile()),
+        wheel_end_(wheel.profile().length()),
+        rail_end_(rail.profile().length())
   {
   }
 
-  /// Builds the columns `first`, first + step, … up to the edge of the grid. The plane is tangent to both bodies at
-  /// `origin`.
+  /// Builds the columns `first`, first + step, … up to the edge of the grid.
   /// @return false if none of these columns has points of both bodies.
-  bool build(int first, int step, const GapColumn& origin, Eigen::ArrayXXd& gap, std::vector<GapColumn>& columns)
+  bool build(int first, int step, const SurfaceOrigin& origin, Eigen::ArrayXXd& gap,
+             std::vector<SurfaceColumn>& columns)
   {
-    ColumnStarts starts(origin, grid_.y(first), step * grid_.dy);
-    GapColumn column = origin;
+    // Trapezoidal rule for the arc length: exact on lines and arcs. On polynomials, whose parameter is y, a column is
+    // off by the change of the slope within a column, which does not add up.
+    double arc = 0, rail_u = origin.rail_u, speed = speedAt(rail_u);
+    double wheel_u = origin.wheel_u, wheel_step = 1;  // step of wheel_u per step of the arc
     bool found_any = false;
     int count = 0;
     for (int j = first; j >= 0 && j < grid_.ny; j += step)
     {
-      GapColumn next = starts.next();
-      bool found = findMiddle(grid_.y(j), next, count);
-      if (!found)
+      const double move = grid_.y(j) - arc, step_u = move / speed, speed_before = speed;
+      rail_u += step_u;
+      SurfaceColumn& column = columns[static_cast<std::size_t>(j)];
+      column = railColumn(rail_u, speed);
+      arc += 0.5 * (speed_before + speed) * step_u;
+      wheel_u += wheel_step * move;
+      column.wheel_u = wheel_u;
+      if (rail_u < 0 || rail_u > rail_end_ || !findWheel(column, count))
       {
-        next = column;
-        found = findMiddle(grid_.y(j), next, count);
-      }
-      if (found)
-      {
-        column = next;
-        starts.add(column);
-        place_[static_cast<std::size_t>(count++)] = j;
-      }
-      else
-      {
+        column.wheel_u = wheel_u;
         gap.col(j).setConstant(no_body_gap);
-        starts.stayAt(column);
+        continue;
       }
-      columns[static_cast<std::size_t>(j)] = column;
+      wheel_step = j != first ? wheel_step + (column.wheel_u - wheel_u) / move : 1;
+      wheel_u = column.wheel_u;
+      place_[static_cast<std::size_t>(count++)] = j;
       if (count == ColumnGroup::together)
       {
-        found_any = fillGroup(count, columns, gap) || found_any;
+        found_any = fillGroup(count, gap, columns) || found_any;
         count = 0;
       }
     }
-    return fillGroup(count, columns, gap) || found_any;
+    return fillGroup(count, gap, columns) || found_any;
   }
 
  private:
-  /// Finds the points of both bodies above the position t of the plane. On entry, `column` contains the starting
-  /// parameters. The result is written to `column`, that of the wheel also to place `k` of the group.
-  /// @return false if a body has no point there.
-  bool findMiddle(double t, GapColumn& column, int k)
+  using Numbers = ColumnGroup::Numbers;
+
+  double speedAt(double u)
   {
-    const auto rail_curve = [this](double u, PlanePoint& point)
-    {
-      point = rail_.at(rail_profile_.at(u));
-      return true;
-    };
+    const CurvePoint point = rail_profile_.at(u);
+    return std::sqrt(point.dy * point.dy + point.dz * point.dz);
+  }
+
+  /// @param speed  set to the arc length per unit of the parameter
+  SurfaceColumn railColumn(double u, double& speed)
+  {
+    const PlanePoint point = rail_.at(rail_profile_.at(u));
+    SurfaceColumn column;
+    column.y = point.y;
+    column.z = point.z;
+    speed = std::sqrt(point.dy * point.dy + point.dz * point.dz);
+    const double per_length = 1 / speed;
+    column.cosine = point.dy * per_length;
+    column.sine = point.dz * per_length;
+    column.rail_u = u;
+    return column;
+  }
+
+  /// Finds the point of the wheel on the normal at the middle of the column, from the starting parameter in `column`,
+  /// and writes it to `column` and to place `k` of the group. @return false if there is none.
+  bool findWheel(SurfaceColumn& column, int k)
+  {
+    const WheelSections seen = seenFrom(column, wheel_);
     CurveExpansion profile;
     double u = 0;
-    const auto wheel_curve = [&](double at, PlanePoint& point)
+    const auto curve = [&](double at, PlanePoint& point)
     {
       u = at;
       profile = wheel_profile_.expansionAt(at);
-      return wheel_.at(profile.point, plane_x_, point);
+      return seen.at(profile.point, x_, point);
     };
-    LocalPoint rail;
     LocalPoint wheel;
-    if (!pointOver(t, rail_curve, column.rail_u, rail) || !pointOver(t, wheel_curve, column.wheel_u, wheel))
+    if (!pointOver(0, curve, column.wheel_u, wheel) || u < 0 || u > wheel_end_)
     {
       return false;
     }
-    column.slope = 0.5 * (rail.slope + wheel.slope);
-    column.gap_slope = wheel.slope - rail.slope;
-    column.rail_height = rail.n;
-    columns_.set(k, wheel_, t, u, profile, wheel.n, wheel_profile_.reach());
+    column.wheel_slope = wheel.slope;
+    group_.set(k, seen, 0, u, profile, wheel.n, wheel_profile_.reach());
     return true;
   }
 
-  /// Fills the gap in the columns of the first `count` places of the group. @return false if the wheel has no
-  /// point somewhere along each of them.
-  bool fillGroup(int count, const std::vector<GapColumn>& columns, Eigen::ArrayXXd& gap) const
+  /// Fills the gap in the columns of the first `count` places of the group. @return false if the wheel has no point
+  /// somewhere along each of them.
+  bool fillGroup(int count, Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns)
   {
+    Numbers mean_slope = Numbers::Zero();
+    const Numbers sum = fillRows(count, gap, mean_slope);
     bool found_any = false;
-    if (count == 0)
-    {
-      return found_any;
-    }
-    const HeightPolynomials heights = heights_.polynomials(columns_, count);
     for (int k = 0; k < count; ++k)
     {
-      const int j = place_[static_cast<std::size_t>(k)];
-      if (std::isfinite(heights.row(k).sum()))
+      const bool found = std::isfinite(sum[k]);
+      found_any = found_any || found;
+      if (!found)
       {
-        HeightPolynomial polynomial = heights.row(k).transpose();
-        polynomial[0] -= columns[static_cast<std::size_t>(j)].rail_height;
-        found_any = true;
-        fillColumn(grid_, polynomial, gap.col(j).data());
+        gap.col(column(k)).setConstant(no_body_gap);
       }
-      else
-      {
-        gap.col(j).setConstant(no_body_gap);
-      }
+      columns[static_cast<std::size_t>(column(k))].mean_slope = found ? mean_slope[k] : 0;
+      columns[static_cast<std::size_t>(column(k))].has_bodies = found;
     }
     return found_any;
   }
 
+  /// Evaluates each cell, from the middle of the columns to both of their ends. Returns the sum of the heights.
+  /// @param mean_slope  set to the slope at the places of a pressure's mean square distance from the middle: with an
+  ///                    elliptic pressure on `pressed` of the column, half of its half-length
+  Numbers fillRows(int count, Eigen::ArrayXXd& gap, Numbers& mean_slope)
+  {
+    Numbers sum = Numbers::Zero(), slope = Numbers::Zero();
+    const int typical = static_cast<int>(0.25 * pressed * grid_.nx);
+    const auto fill = [&](int first, int end, int step)
+    {
+      Numbers u = group_.u;
+      for (int row = first; row != end; row += step)
+      {
+        const Numbers n = heights_.heights(group_, count, x_ + grid_.x(row), u, slope);
+        if (row == first + step * typical)
+        {
+          mean_slope += (grid_.symmetric ? 1 : 0.5) * slope;
+        }
+        sum += n;
+        for (int k = 0; k < count; ++k)
+        {
+          gap(row, column(k)) = n[k];
+        }
+      }
+    };
+    const int middle = grid_.symmetric ? 0 : grid_.nx / 2;
+    fill(middle, grid_.rows(), 1);
+    fill(middle - 1, -1, -1);
+    return sum;
+  }
+
+  Eigen::Index column(int place) const { return place_[static_cast<std::size_t>(place)]; }
+
   Grid grid_;
-  double plane_x_;
+  double x_;
   RailFrame rail_;
   WheelSections wheel_;
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;
-  ColumnGroup columns_;
+  double wheel_end_, rail_end_;  ///< largest parameters of the profiles [m]
+  ColumnGroup group_;
   std::array<int, ColumnGroup::together> place_{};  ///< column of the grid at each place of the group
 };
 }  // namespace
 
-ContactPlane tangentPlane(const PlacedWheel& wheel, const PlacedRail& rail, const InitialContact& contact)
+double arcLength(const Profile& profile, double from, double to)
 {
-  const PlanePoint point = rail.at(contact.rail_u);
-  ContactPlane plane{0, point.y, point.z, std::atan(contact.slope), contact.wheel_u, contact.rail_u};
-  SpacePoint locus;
-  if (wheel.locus(wheel.profile().at(contact.wheel_u), locus))
+  constexpr double longest_panel = 2e-3;  // [m]
+  const int panels = 1 + static_cast<int>(std::abs(to - from) / longest_panel);
+  const double step = (to - from) / panels;
+  double length = 0;
+  for (int i = 0; i < panels; ++i)
   {
-    plane.x = locus.x;
+    const CurvePoint middle = profile.at(from + (i + 0.5) * step);
+    length += step * std::sqrt(middle.dy * middle.dy + middle.dz * middle.dz);
   }
-  return plane;
+  return length;
 }
 
-WheelSections seenFrom(const PlaneAxes& axes, const WheelSections& wheel)
-{
-  const WheelCoordinate& y = wheel.y;
-  const WheelCoordinate& z = wheel.z;
-  const auto turned = [&](double share_y, double share_z, double origin) -> WheelCoordinate
-  {
-    return {origin, share_y * y.along + share_z * z.along, share_y * y.down + share_z * z.down,
-            share_y * y.forward + share_z * z.forward};
-  };
-  WheelSections seen = wheel;
-  const PlanePoint centre{y.origin, z.origin, 0, 0};
-  seen.y = turned(axes.cosine(), axes.sine(), axes.t(centre));
-  seen.z = turned(-axes.sine(), axes.cosine(), axes.n(centre));
-  return seen;
-}
-
-PlaneAxes::PlaneAxes(const ContactPlane& plane)
-    : y_(plane.y), z_(plane.z), cosine_(std::cos(plane.angle)), sine_(std::sin(plane.angle))
-{
-}
-
-bool buildGap(const PlacedWheel& wheel, const PlacedRail& rail, const ContactPlane& plane, const Grid& grid,
-              Eigen::ArrayXXd& gap, std::vector<GapColumn>& columns)
+bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid,
+                     Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns)
 {
   gap.resize(grid.rows(), grid.ny);
   columns.resize(static_cast<std::size_t>(grid.ny));
-  GapBuilder builder(wheel, rail, plane, grid);
-  const GapColumn origin{0, plane.wheel_u, plane.rail_u};
+  SurfaceGapBuilder builder(wheel, rail, origin.x, grid);
   const int middle = std::clamp(static_cast<int>(std::lround(-grid.y0 / grid.dy)), 0, grid.ny - 1);
   const bool up = builder.build(middle, 1, origin, gap, columns);
   const bool down = builder.build(middle - 1, -1, origin, gap, columns);

@@ -139,11 +139,8 @@ void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::Arra
   result.ny = static_cast<int>(message.ny);
   result.dx = message.dx;
   result.dy = message.dy;
+  result.x0 = message.x0;
   result.y0 = message.y0;
-  if (result.nx > 0 && std::abs(result.x(0) - message.x0) > 1e-9 * std::abs(result.nx * message.dx))
-  {
-    throw std::invalid_argument("pressure grid: its centre is not at x = 0");
-  }
   grid = result;
   pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();
 }

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from .front import over_scenes, pareto
 from .picture import METHODS, STYLE, grid_text, save, set_ticks, setting_label, share_labels
 
-FAILURES = {"refused": ("x", "refused"), "other_patches": ("+", "other patches found"),
+FAILURES = {"refused": ("x", "refused"), "other_wheels": ("+", "other wheels in contact"),
             "not_run": (">", "not run: too slow")}
 FRONT = "#F0E442"
 COLUMNS = 4
-LABELLED = {"8×16", "16×32", "24×56", "64×128"}
+LABELLED = {"8×16", "16×32", "24×64", "48×128"}
 
 
 @dataclass(frozen=True)
@@ -187,6 +187,6 @@ def _draw_legend(axes, rows):
     handles.append(Line2D([], [], color=FRONT, linewidth=6, alpha=0.75,
                           label="best of the fixed methods\n(Pareto front)"))
     legend = axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
-                         title=f"Methods on {len(grids)} grids,\n8×16 to 64×128; auto at\n10, 3, 1 and 0.3 %",
+                         title=f"Methods on {len(grids)} grids,\n8×16 to 48×128; auto at\n10, 3, 1 and 0.3 %",
                          title_fontsize=9.5)
     legend.get_children()[0].align = "left"  # the argument `alignment` is newer than the oldest supported matplotlib

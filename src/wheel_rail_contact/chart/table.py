@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 INTEGERS = ("cells_along", "cells_across", "samples")
-TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason", "solver")
+TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason")
 SOLVED = "solved"  # status of a row with a result, as contact_chart_runner writes it
 
 
@@ -22,13 +22,12 @@ class Row:
     cells_across: int
     tolerance: float  # of auto, else 0
     start: str  # cold, warm
-    status: str  # SOLVED, refused, other_patches, not_run
+    status: str  # SOLVED, refused, other_wheels, not_run
     reason: str  # of a missing result
     time: float  # median [s]; expected time if not run
     time_quartile_1: float
     time_quartile_3: float
     samples: int
-    solver: str  # method used; for auto the chosen one; empty without a result
     error: float  # largest of the next three; these and the estimate are None without a result
     error_max_pressure: float
     error_area: float

@@ -6,7 +6,7 @@
 
 #include "../../manchester_scene.h"
 #include "../normal/problems.h"
-#include "core/balance/wheel_patch.h"
+#include "core/balance/least_gap.h"
 #include "core/track/gap.h"
 
 namespace wheel_rail_contact::core

@@ -58,8 +58,8 @@ TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
   }
 }
 
-// The plane is normal to the pressure-weighted mean normal. At its origin the slope of the rail may differ by the turn
-// of rail and wheel over the patch: half a width of 8 mm on 80 mm is 0.05 rad on the tread.
+// The frame lies along the resultant of the pressure. At its origin the slope of the rail may differ by the turn of
+// rail and wheel over the patch: half a width of 8 mm on 80 mm is 0.05 rad on the tread.
 TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
 {
   WheelsetContact contact(scene_);
@@ -77,7 +77,9 @@ TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
   }
 }
 
-TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndSumsToTheNormalForce)
+// The normals of the cells differ from the resultant by at most the turn of the surfaces over the patch. The gap of the
+// wheel is inclined to the normal of the rail by at most 2 depth / half-width; on the flange this adds up to 0.1 %.
+TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndItsResultantIsTheNormalForce)
 {
   WheelsetContact contact(scene_);
   for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
@@ -91,18 +93,48 @@ TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndSumsToTheNormalForce)
       ASSERT_EQ(p.cols(), patch.grid.ny);
       EXPECT_GE(p.minCoeff(), 0);
       EXPECT_GT(p.maxCoeff(), 0);
-      EXPECT_NEAR(p.sum() * patch.grid.cellArea(), patch.normal_force, 1e-9 * patch.normal_force);
+      const double sum = p.sum() * patch.grid.cellArea();
+      EXPECT_LT(patch.normal_force, 1.001 * sum);
+      EXPECT_GT(patch.normal_force, std::cos(2 * patch.half_space_ratio) * sum);
       // The highest pressure lies between cells. On a grid of n cells across it exceeds the highest cell by less than
       // 2/n² of the peak in each direction: 2 % on the coarsest grid. Next to a curvature discontinuity the highest
       // cell is too high by up to 2 % of the effect of the discontinuity, here by less than 1 %.
       EXPECT_GT(patch.max_pressure, 0.99 * p.maxCoeff());
-      EXPECT_LT(patch.max_pressure, 1.02 * p.maxCoeff());
+      // On an island of few cells the estimate covers it.
+      EXPECT_LT(patch.max_pressure, (1.02 + patch.error_estimate) * p.maxCoeff());
     }
   }
 }
 
-// A grid is a tenth wider than the pressure, which covers 58 of 64 cells; the outer cells stay empty. On coarse grids
-// the margin is less than a cell, and the edge of the pressure lies inside the outer cell.
+TEST_F(PatchFrameTest, OriginIsTheCentreOfPressure)
+{
+  WheelsetContact contact(scene_);
+  for (const double yaw : {0.0, 0.01})
+  {
+    for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
+    {
+      const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4, yaw));
+      ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+      for (const PatchResult& patch : result.patches)
+      {
+        double x = 0, across = 0;
+        for (int j = 0; j < patch.grid.ny; ++j)
+        {
+          across += patch.pressure.col(j).sum() / patch.pressure.sum() * patch.grid.y(j);
+        }
+        for (int i = 0; i < patch.grid.nx; ++i)
+        {
+          x += patch.pressure.row(i).sum() / patch.pressure.sum() * patch.grid.x(i);
+        }
+        EXPECT_NEAR(x, 0, 1e-12) << "y " << y << " yaw " << yaw;
+        EXPECT_NEAR(across, 0, 1e-12) << "y " << y << " yaw " << yaw;
+      }
+    }
+  }
+}
+
+// A grid covers the overlap of the undeformed bodies, in which the contact lies. On coarse grids the margin is less
+// than a cell.
 TEST_F(PatchFrameTest, PressureDoesNotReachTheBorderOfAFineGrid)
 {
   scene_.contact.method = NormalMethod::conjugate_gradient;

@@ -30,8 +30,7 @@ TEST(ResetTest, AfterAResetResultsEqualThoseOfANewObject)
   }
 }
 
-// At y = 30 mm no search finds a solution, neither with unknown loads nor with the height passed to the normal
-// solution.
+// At y = 95 mm a wheel is beside its rail.
 TEST(ResetTest, AFailureWithGivenHeightOnBendingRailsHasNoLastingEffect)
 {
   ContactModelConfig scene = manchesterScene();
@@ -44,7 +43,7 @@ TEST(ResetTest, AFailureWithGivenHeightOnBendingRailsHasNoLastingEffect)
   given.roll = found.roll;
   scene.wheelset.solve_height_and_roll = false;
   WheelsetState lost = given;
-  lost.y = 0.03;
+  lost.y = 0.095;
 
   WheelsetContact used(scene);
   EXPECT_FALSE(isUsable(used.evaluate(lost).status));

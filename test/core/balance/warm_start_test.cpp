@@ -43,17 +43,19 @@ const WheelsetState varied_states[] = {stateAt(0, 1e5), stateAt(3e-3, 2e4), stat
 class WarmStartTest : public testing::Test
 {
  protected:
-  /// Largest differences of warm and cold results along a sweep: pressure and area relative, height [m].
+  /// Differences of warm and cold results along a sweep: largest one of pressure and area, relative, and number of
+  /// wheels for which one of them or the height differs by more than a tenth of the tolerance.
   struct Difference
   {
-    double max_pressure = 0, area = 0, height = 0;
+    double largest = 0;
+    int wheels = 0, beyond = 0;
   };
 
   Difference sweep(double amplitude)
   {
     WheelsetContact warm(scene_);
     WheelsetContact cold(scene_);
-    Difference worst;
+    Difference difference;
     for (int i = 0; i <= 120; ++i)
     {
       const WheelsetState state = stateAt(amplitude * (1 - std::abs(i / 60.0 - 1)), 1e5);
@@ -62,38 +64,40 @@ class WarmStartTest : public testing::Test
       const WheelsetResult& b = cold.evaluate(state);
       EXPECT_EQ(a.status, ContactStatus::ok) << a.reason << " warm at y " << state.y;
       EXPECT_EQ(b.status, ContactStatus::ok) << b.reason << " cold at y " << state.y;
-      worst.height = std::max(worst.height, std::abs(a.z - b.z));
+      const double height = std::abs(a.z - b.z) / overlap;
       for (const Side side : {Side::left, Side::right})
       {
-        const WheelTotal from_warm = wheelTotal(a, side);
-        const WheelTotal from_cold = wheelTotal(b, side);
-        worst.max_pressure =
-            std::max(worst.max_pressure, std::abs(from_warm.max_pressure / from_cold.max_pressure - 1));
-        worst.area = std::max(worst.area, std::abs(from_warm.area / from_cold.area - 1));
+        const WheelTotal from_warm = wheelTotal(a, side), from_cold = wheelTotal(b, side);
+        const double here = std::max({height, std::abs(from_warm.max_pressure / from_cold.max_pressure - 1),
+                                      std::abs(from_warm.area / from_cold.area - 1)});
+        difference.largest = std::max(difference.largest, here);
+        difference.wheels += 1;
+        difference.beyond += here > 0.1 * scene_.contact.tolerance ? 1 : 0;
       }
     }
-    return worst;
+    return difference;
   }
 
+  static constexpr double overlap = 1e-4;  ///< typical one [m]
   ContactModelConfig scene_ = manchesterScene();
 };
 }  // namespace
 
-// Steps of 0.05 to 0.1 mm, both ways. Each result is within the tolerance; the difference of two results is within
-// twice the tolerance.
-TEST_F(WarmStartTest, WarmResultsEqualColdResultsWithinTheTolerance)
+// Steps of 0.05 to 0.1 mm, both ways. A grid follows from the state alone; the start of the search may change the
+// result by a tenth of the tolerance. Where it leads to a grid of the next size, the difference is the error of the
+// grids.
+TEST_F(WarmStartTest, WarmResultsEqualColdResultsWithinATenthOfTheTolerance)
 {
   for (const double amplitude : {3e-3, 6e-3})
   {
     for (const double tolerance : {0.01, 0.003})
     {
       scene_.contact.tolerance = tolerance;
-      const Difference worst = sweep(amplitude);
-      std::printf("sweep of %g mm at tolerance %g: warm against cold max pressure %.2g, area %.2g, height %.2g um\n",
-                  amplitude * 1e3, tolerance, worst.max_pressure, worst.area, worst.height * 1e6);
-      EXPECT_LT(worst.max_pressure, 2 * tolerance);
-      EXPECT_LT(worst.area, 2 * tolerance);
-      EXPECT_LT(worst.height, 2 * tolerance * 1e-4);  // relative to a penetration of 100 um
+      const Difference found = sweep(amplitude);
+      std::printf("sweep of %g mm at tolerance %g: warm against cold %.2g, %d of %d wheels beyond a tenth of it\n",
+                  amplitude * 1e3, tolerance, found.largest, found.beyond, found.wheels);
+      EXPECT_LT(found.largest, 0.5 * tolerance);
+      EXPECT_LE(found.beyond, 0.05 * found.wheels);
     }
   }
 }
@@ -122,7 +126,7 @@ TEST_F(WarmStartTest, YawHasNoEffectAfterItHasEnded)
   for (std::size_t k = 0; k < found.patches.size(); ++k)
   {
     EXPECT_EQ(found.patches[k].pose.x, 0);
-    EXPECT_NEAR(found.patches[k].max_pressure / expected.patches[k].max_pressure, 1, scene_.contact.tolerance);
+    EXPECT_NEAR(found.patches[k].max_pressure / expected.patches[k].max_pressure, 1, 0.1 * scene_.contact.tolerance);
   }
 }
 
@@ -142,8 +146,8 @@ TEST_F(WarmStartTest, SteadySceneIsSteady)
       low = std::min(low, total.max_pressure);
       high = std::max(high, total.max_pressure);
     }
-    EXPECT_LT(high / low - 1, 2 * scene_.contact.tolerance) << "at y " << state.y;
-    EXPECT_NEAR(contact.evaluate(state).z, first.z, 2 * scene_.contact.tolerance * 1e-4);
+    EXPECT_LT(high / low - 1, 0.1 * scene_.contact.tolerance) << "at y " << state.y;
+    EXPECT_NEAR(contact.evaluate(state).z, first.z, 0.1 * scene_.contact.tolerance * 1e-4);
   }
 }
 
@@ -158,8 +162,7 @@ TEST_F(WarmStartTest, GoodResultFollowsABadMessage)
   expectSameBits(contact.evaluate(stateAt(1.05e-3, 1e5)), undisturbed.evaluate(stateAt(1.05e-3, 1e5)));
 }
 
-// The box of one contact may reach over the next contact, whose pressure must count in its own patch only. When it
-// counted in both, the larger box was found again and again, and the highest pressure was wrong by 3 to 70 %.
+// The grid of one contact may reach over the next contact, whose pressure must count in its own patch only.
 TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
 {
   struct Place
@@ -204,9 +207,8 @@ TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
   }
 }
 
-// A yawed wheel comes nearest to the gauge corner in front of the contact of the tread. A second lobe may lie there,
-// beyond the end of the box. When it was missed, the highest pressure was wrong by 5 % at an estimate of 0.7 %.
-TEST_F(WarmStartTest, PressureInFrontOfABoxIsNotMissed)
+// A yawed wheel comes nearest to the gauge corner in front of the contact of the tread. A second lobe lies there.
+TEST_F(WarmStartTest, PressureInFrontOfTheTreadContactIsNotMissed)
 {
   scene_.track.gauge = 1.430977;
   scene_.track.rail_inclination = 1.0 / 20;

@@ -106,18 +106,15 @@ TEST(ConjugateGradients, ReportsAStalledResidual)
   EXPECT_LT(solution.residual, 1e-12);
 }
 
-// A support that moves towards the load, farther than the half-spaces deflect.
+// Two patches that pull one another farther than they deflect: the energy falls without limit.
 TEST(ConjugateGradients, RejectsAnIndefiniteMatrix)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
-  PatchGap& patch = problem.patches[0];
-  patch.opening.setZero(patch.grid.ny, 3);
-  for (int j = 0; j < patch.grid.ny; ++j)
-  {
-    patch.opening(j, 0) = patch.grid.y(j);
-  }
-  problem.support.compliant = true;
-  problem.support.compliance(0, 0) = -1;
+  problem.patches.push_back(problem.patches[0]);
+  const int columns = problem.patches[0].grid.ny;
+  problem.coupling.setZero(2 * columns, 2 * columns);
+  problem.coupling.topRightCorner(columns, columns).setConstant(-1e-6);
+  problem.coupling.bottomLeftCorner(columns, columns).setConstant(-1e-6);
   const NormalSolution solution = solved(problem);
   EXPECT_EQ(solution.status, SolveStatus::indefinite);
   EXPECT_FALSE(isUsable(solution.status));

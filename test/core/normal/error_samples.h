@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/balance/least_gap.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/hertz_solver.h"
@@ -13,6 +14,7 @@
 #include "core/normal/solvers/seidel.h"
 #include "errors_of.h"
 #include "gap_scenes.h"
+#include "pressure_extent.h"
 #include "wheel_rail_contact/core/standard_profiles.h"
 
 /// Solutions of random scenes with their true errors. The reference is the same scene on a grid four times finer in
@@ -28,7 +30,7 @@ enum class Method
   seidel_printed  ///< gap scenes only
 };
 
-/// Random gap for a method. For Hertz half of the gaps are nearly round, because `auto` relies on its estimate there.
+/// Random gap for a method. For Hertz half of the gaps are nearly round, because it is accurate there only.
 inline GapScene randomGapScene(Method method, Random& random)
 {
   return method == Method::hertz && oneIn(random, 2) ? randomBowlScene(random) : randomGapScene(random);
@@ -308,7 +310,7 @@ class WheelsetSampler
  public:
   explicit WheelsetSampler(Method method) : method_(method) {}
 
-  /// Adds a sample for every patch of a wheel that has the same patches in the reference. Returns false if this does
+  /// Adds a sample for every contact of a wheel that has as many contacts in the reference. Returns false if this does
   /// not hold for both wheels, or if the scene has no solution.
   bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
   {
@@ -337,8 +339,10 @@ class WheelsetSampler
     bool alike = true;
     for (const Side side : {Side::left, Side::right})
     {
-      strict_.solve(truth.wheel(side).problem(), false, true_);
-      alike = add(levels.solver(), balance.wheel(side), truth.wheel(side), samples) && alike;
+      const NormalProblem& problem = truth.wheel(side).contact().problem();
+      strict_.solve(problem, false, true_);
+      true_islands_.find(problem, true_);
+      alike = add(levels.solver(), balance.islands(side), samples) && alike;
     }
     return alike && samples.size() > before;
   }
@@ -365,23 +369,25 @@ class WheelsetSampler
   /// Tolerance at which the remaining error of the balance is smaller than that of the cells [-].
   static double settledTolerance(const GridSize& size) { return std::min(2e-3, 1.0 / (size.along * size.across)); }
 
-  /// @return false if the wheel has other patches in the reference
-  bool add(const NormalSolver& solver, const WheelContact& found, const WheelContact& truth,
-           std::vector<ErrorSample>& samples) const
+  /// Approach of a contact from its first touch [m].
+  static double approachOf(const Islands& islands, std::size_t k)
   {
-    const bool alike = found.patches().size() == truth.patches().size() && true_.status == SolveStatus::converged;
-    for (std::size_t k = 0; alike && k < found.patches().size(); ++k)
+    const PatchGap& gap = islands.problem().patches[k];
+    return gap.weight * islands.solution().approach - leastGap(gap.grid, gap.gap);
+  }
+
+  /// @return false if the wheel has another number of contacts in the reference
+  bool add(const NormalSolver& solver, const Islands& found, std::vector<ErrorSample>& samples) const
+  {
+    const std::size_t count = found.islands().size();
+    const bool alike = count == true_islands_.islands().size() && true_.status == SolveStatus::converged;
+    for (std::size_t k = 0; alike && k < count; ++k)
     {
-      const PatchPressure &pressure = found.solution().patches[k], &fine = true_.patches[k];
-      const double weight = found.problem().patches[k].weight;
-      const double approach = weight * (found.penetration() - found.patches()[k].touch_gap);
-      const double fine_approach = weight * (truth.penetration() - truth.patches()[k].touch_gap);
-      if (pressure.force > 0 && fine.force > 0)
-      {
-        ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
-        sample.error = relativeErrors(pressure, approach, fine, fine_approach);
-        samples.push_back(sample);
-      }
+      const double approach = approachOf(found, k);
+      ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
+      sample.error = relativeErrors(found.solution().patches[k], approach, true_islands_.solution().patches[k],
+                                    approachOf(true_islands_, k));
+      samples.push_back(sample);
     }
     return alike;
   }
@@ -390,5 +396,6 @@ class WheelsetSampler
   std::map<std::array<int, 3>, std::unique_ptr<GridLevels>> solvers_;
   ConjugateGradients strict_{strictOptions()};
   NormalSolution true_;
+  Islands true_islands_;
 };
 }  // namespace wheel_rail_contact::core::scenes

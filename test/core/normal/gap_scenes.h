@@ -8,10 +8,10 @@
 #include <random>
 #include <vector>
 
-#include "core/balance/pressure_extent.h"
 #include "core/normal/operator/cell_aspect.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz.h"
+#include "wheel_rail_contact/core/normal_problem.h"
 
 /// Random contacts defined by the gap of two bodies, for tests and for the calibration of error estimates.
 namespace wheel_rail_contact::core::scenes

@@ -170,7 +170,7 @@ TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPosition)
 // Each interval of the brute force must be in an interval of the search if it is deeper than the error of the stations.
 // Each interval of the search, except on the flank, must contain one of the brute force.
 //
-// The ends of the intervals only determine the first grid, which grows until it covers the pressure. They are
+// The ends of the intervals only determine the first grid, which grows until it covers the overlap. They are
 // interpolated between stations or computed from the curvature at the minimum. The separation there may differ from the
 // given value by the depth (the grid is then too wide or too narrow by sqrt(2)). On the flank, where the curvature
 // jumps at a section boundary, the difference may be larger.
@@ -212,12 +212,9 @@ TEST_F(ContactSearchTest, OverlapIntervalsAgreeWithBruteForce)
   }
 }
 
-// At a large overlap the intervals are long, at a small one there are several short ones. Neighbouring intervals have a
-// common limit between them. It is the point of division if they are halves of one interval, even if one of them is
-// merged with a further interval.
-TEST_F(ContactSearchTest, NeighbouringIntervalsHaveACommonLimit)
+// Intervals neither overlap nor touch: between two of them there is a place without overlap.
+TEST_F(ContactSearchTest, IntervalsAreSeparateAndInOrder)
 {
-  int divided = 0;
   int apart = 0;
   for (int i = 0; i < 2000; ++i)
   {
@@ -231,18 +228,13 @@ TEST_F(ContactSearchTest, NeighbouringIntervalsHaveACommonLimit)
     for (std::size_t k = 0; k < found.size(); ++k)
     {
       EXPECT_LE(found[k].u_begin, found[k].u_end);
-      EXPECT_GE(found[k].u_begin, found[k].u_least);
-      EXPECT_LE(found[k].u_end, found[k].u_most);
       if (k + 1 < found.size())
       {
-        EXPECT_LE(found[k].u_end, found[k + 1].u_begin);
-        EXPECT_EQ(found[k].u_most, found[k + 1].u_least);
-        divided += found[k].u_end == found[k + 1].u_begin ? 1 : 0;
-        apart += found[k].u_end < found[k + 1].u_begin ? 1 : 0;
+        EXPECT_LT(found[k].u_end, found[k + 1].u_begin);
+        ++apart;
       }
     }
   }
-  EXPECT_GE(divided, 10);
   EXPECT_GE(apart, 5);
 }
 
@@ -267,7 +259,7 @@ TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoIntervals)
     const std::vector<OverlapInterval> found = intervals(level);
     ASSERT_EQ(found.size(), 2U) << "y " << y;
     EXPECT_LT(found[0].u_end, found[1].u_begin);
-    EXPECT_GT(std::atan(found[0].contact.slope) - std::atan(found[1].contact.slope), ContactSearch::merge_angle);
+    EXPECT_GT(std::atan(found[0].contact.slope) - std::atan(found[1].contact.slope), 0.1);
     for (std::size_t k = 0; k < 2; ++k)
     {
       EXPECT_NEAR(found[k].contact.separation, expected[k].lowest, dense_error);
@@ -292,9 +284,12 @@ TEST_F(ContactSearchTest, IntervalsWidenWithTheSeparation)
     double first_width = 0;
     for (double depth = 2e-4; depth < 4e-3; depth *= 1.3)
     {
-      const OverlapInterval interval = search_.intervalAround(contact, contact.separation + depth);
-      EXPECT_LT(interval.u_begin, contact.rail_u);
-      EXPECT_GT(interval.u_end, contact.rail_u);
+      const std::vector<OverlapInterval> found = intervals(contact.separation + depth);
+      const auto around = std::find_if(found.begin(), found.end(),
+                                       [&](const OverlapInterval& one)
+                                       { return one.u_begin < contact.rail_u && one.u_end > contact.rail_u; });
+      ASSERT_NE(around, found.end());
+      const OverlapInterval& interval = *around;
       if (before.u_end > 0)
       {
         EXPECT_LE(interval.u_begin, before.u_begin + 2.5e-4);

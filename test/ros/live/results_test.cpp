@@ -66,7 +66,8 @@ TEST(LiveNode, MatchesTheManchesterBenchmarkAndKeepsTheStamp)
     {
       force += p * patch.grid.dx * patch.grid.dy;
     }
-    EXPECT_NEAR(force, patch.normal_force, 1e-4 * patch.normal_force);
+    // The normal force is the resultant of the pressure, whose normals differ by 0.02 rad.
+    EXPECT_NEAR(force, patch.normal_force, 1e-3 * patch.normal_force);
   }
   EXPECT_EQ(result->patches[0].side, ContactPatch::LEFT);
   EXPECT_EQ(result->patches[1].side, ContactPatch::RIGHT);

@@ -34,7 +34,7 @@ constexpr double usual_move = 0.2;
 /// Taken from known narrow ends: test/core/normal/error_estimate_test.cpp, 6 kN at 0.6 mm.
 constexpr int narrow_cells = 2;
 constexpr int narrow_tips = 4;
-constexpr double narrow_end_cells = 1.5;
+constexpr double narrow_end_cells = 1.7;
 
 /// Area error of a contact of few cells, times the square of its number of cells. Six cells have an error above 10 %.
 /// From 33 cells on the weighted terms are larger.
@@ -44,6 +44,9 @@ constexpr double few_cells_error = 6;
 /// from one case, test/core/balance/warm_start_test.cpp: with finer cells the peak grows by 0.64 of its value on 24 ×
 /// 56 cells and by 0.96 of its value on 20 × 48 cells.
 constexpr double lobe_growth = 1;
+
+/// Weight of a patch below which its surface is steep: a contact angle of 37 degrees [-].
+constexpr double steep_weight = 0.8;
 
 /// Limit for the jumps at a peak. The estimate is then above 100 %.
 constexpr double largest_jump = 4;
@@ -204,11 +207,11 @@ double errorFromSteps(const PatchGap& gap, const PatchPressure& pressure, double
 /// Relative amount by which the pressure would exceed the highest one if the cells resolved the features of the gap
 /// that are narrower than the present cells [-]. A wave of the gap with slopes up to s is flattened by a pressure of E*
 /// s / 2 (Johnson 1985, eq. 13.2), which is added at its column. If waves cover the whole patch, the slopes at the
-/// columns are random samples. At the peak, between columns, a slope of three times their mean is therefore assumed,
-/// but no more than the largest slope of a column.
+/// columns are random samples. At the peak, between columns, a slope of five times their mean is therefore assumed, but
+/// no more than 1.8 times the largest one; if fewer than half of the columns show one, no more than the largest one.
 double errorFromUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
-  constexpr double over_mean = 3;
+  constexpr double over_mean = 5, over_largest = 1.8;
   if (gap.unseen_slope.size() == 0)
   {
     return 0;
@@ -222,7 +225,9 @@ double errorFromUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure,
     highest = slope > 0 ? std::max(highest, std::max(p[j], beside) + 0.5 * modulus * slope) : highest;
   }
   const auto slopes = gap.unseen_slope.segment(peak.first, peak.last - peak.first + 1);
-  const double anywhere = 0.5 * modulus * std::min(slopes.maxCoeff(), over_mean * slopes.mean());
+  const bool covered = 2 * (slopes > 0).count() > slopes.size();
+  const double typical = over_mean * slopes.mean();
+  const double anywhere = 0.5 * modulus * std::min((covered ? over_largest : 1) * slopes.maxCoeff(), typical);
   return std::max(anywhere, highest - pressure.max_pressure) / pressure.max_pressure;
 }
 
@@ -236,6 +241,16 @@ double largestApproach(const NormalProblem& problem, const NormalSolution& solut
   return largest;
 }
 
+/// Errors on a steep surface. Each column has one weight, although the surface of the wheel tilts along it. Set by hand
+/// on 3 400 patches of 800 random wheelsets (S1002 on 60E1 and UIC60, y to 8.5 mm, yaw to 20 mrad, 5 to 150 kN), of
+/// which a tenth is on the flange: there the estimate holds in 60 to 91 % without this, in 88 to 97 % with it.
+ErrorEstimate onSteepSurface(const ErrorEstimate& plane)
+{
+  constexpr double factor = 1.5, more = 1e-3;
+  return {factor * plane.max_pressure + more, factor * plane.area + more, factor * plane.approach + more,
+          plane.narrow_ends, plane.residual};
+}
+
 /// Errors of a patch as if it carried its load alone.
 ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch,
                           double largest_approach)
@@ -247,7 +262,8 @@ ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& so
   }
   const double residual = solution.residual * largest_approach / own;
   const ErrorTerms terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
-  return weighted(gridErrorWeights(), terms);
+  const ErrorEstimate errors = weighted(gridErrorWeights(), terms);
+  return problem.patches[patch].weight < steep_weight ? onSteepSurface(errors) : errors;
 }
 }  // namespace
 

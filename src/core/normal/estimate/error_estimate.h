@@ -51,7 +51,7 @@ struct ErrorTerms
   /// third larger if it fills the grid across. Without the latter, 5 % of the results of `auto` at a tolerance of 10 %
   /// had an error above their estimate; with it 1 %.
   std::array<double, 5> area{};
-  /// Lower limit of the area error, without a weight. The larger of two parts: 1.5 / n for each
+  /// Lower limit of the area error, without a weight. The larger of two parts: 1.7 / n for each
   /// column of at most two loaded cells, beyond the four of an oval (narrow ends); 6 / n² (few cells).
   double narrow_end = 0;
   /// Terms of the approach error: 1 / (cells along)²; residual.

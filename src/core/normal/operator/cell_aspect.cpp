@@ -18,6 +18,11 @@ double aspect(int index)
   return std::exp2(index / kAspectsPerOctave);
 }
 
+int indexAbove(double value)
+{
+  return static_cast<int>(std::ceil(kAspectsPerOctave * std::log2(value)));
+}
+
 int nearestIndex(double dx_over_dy)
 {
   const double clamped = std::clamp(dx_over_dy, aspect(kLowest), aspect(kHighest));

@@ -14,6 +14,9 @@ constexpr int kHighest = 40;  ///< index of aspect 32
 /// Aspect dx/dy of the series by its index [-].
 double aspect(int index);
 
+/// Smallest index of the series, continued beyond kLowest and kHighest, whose value is at least `value` (> 0).
+int indexAbove(double value);
+
 /// Index of the aspect nearest to `dx_over_dy` (> 0) in the logarithm, limited to kLowest … kHighest.
 int nearestIndex(double dx_over_dy);
 

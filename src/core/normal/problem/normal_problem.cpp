@@ -45,7 +45,7 @@ const char* toString(SolveStatus status)
     case SolveStatus::no_positive_curvature:
       return "the gap has no positive curvature where the method requires it";
     case SolveStatus::invalid_problem:
-      return "invalid problem: NaN in the gap, no load, no cells, or a contact plane beyond the vertical";
+      return "invalid problem: NaN in the gap, no load, no cells, or a weight that is not positive";
   }
   return "unknown";
 }

@@ -2,32 +2,21 @@
 #include "core/normal/solvers/column_fields.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Sets a field to a value in each column, and to 1 in the padding.
-template <typename Value>
-void fill(const NormalProblem& problem, const std::vector<PatchLayout>& patches, int length, Value value,
-          LaneBuffer& field)
+double weightOf(const PatchGap& patch, Eigen::Index column)
 {
-  field.resize(length);
-  std::fill_n(field.data(), length, 1.0);
-  for (std::size_t k = 0; k < patches.size(); ++k)
-  {
-    columnsToField(patches[k], value(problem.patches[k]), field);
-  }
+  return patch.column_weight.size() > 0 ? patch.column_weight[column] : 1;
 }
 
-Eigen::ArrayXd weightOf(const PatchGap& patch)
+double turnOf(const PatchGap& patch, Eigen::Index column)
 {
-  return patch.column_weight.size() > 0 ? patch.column_weight : Eigen::ArrayXd::Ones(patch.grid.ny);
-}
-
-Eigen::ArrayXd turnOf(const PatchGap& patch)
-{
-  return patch.turn.size() > 0 ? patch.turn : Eigen::ArrayXd::Zero(patch.grid.ny);
+  return patch.turn.size() > 0 ? patch.turn[column] : 0;
 }
 }  // namespace
 
@@ -37,24 +26,36 @@ void ColumnFields::begin(const NormalProblem& problem, std::vector<PatchLayout>&
   { return std::any_of(problem.patches.begin(), problem.patches.end(), property); };
   scaled_ = any([](const PatchGap& patch) { return patch.column_weight.size() > 0; });
   turned_ = any([](const PatchGap& patch) { return patch.turn.size() > 0; });
+  coupled_ = problem.coupling.size() > 0;
+  coupling_ = &problem.coupling;
   length_ = length;
-  if (!scaled_ && !turned_)
+  if (!scaled_ && !turned_ && !coupled_)
   {
     return;
   }
   work_.resize(length);
-  fill(problem, patches, length, weightOf, weight_);
-  fill(
-      problem, patches, length, [](const PatchGap& patch) { return Eigen::ArrayXd(1 / weightOf(patch)); }, per_weight_);
+  const auto fill = [&](auto value, LaneBuffer& field)
+  {
+    field.resize(length);
+    std::fill_n(field.data(), length, 1.0);  // the padding, too
+    for (std::size_t k = 0; k < patches.size(); ++k)
+    {
+      values_.resize(problem.patches[k].grid.ny);
+      for (Eigen::Index j = 0; j < values_.size(); ++j)
+      {
+        values_[j] = value(problem.patches[k], j);
+      }
+      columnsToField(patches[k], values_, field);
+    }
+  };
+  fill(weightOf, weight_);
+  fill([](const PatchGap& patch, Eigen::Index j) { return 1 / weightOf(patch, j); }, per_weight_);
   if (turned_)
   {
     product_.resize(length);
-    fill(
-        problem, patches, length,
-        [](const PatchGap& patch) { return Eigen::ArrayXd(turnOf(patch).cos() / weightOf(patch)); }, cosine_);
-    fill(
-        problem, patches, length,
-        [](const PatchGap& patch) { return Eigen::ArrayXd(turnOf(patch).sin() / weightOf(patch)); }, sine_);
+    fill([](const PatchGap& patch, Eigen::Index j) { return std::cos(turnOf(patch, j)) / weightOf(patch, j); },
+         cosine_);
+    fill([](const PatchGap& patch, Eigen::Index j) { return std::sin(turnOf(patch, j)) / weightOf(patch, j); }, sine_);
   }
   if (scaled_)
   {
@@ -62,7 +63,11 @@ void ColumnFields::begin(const NormalProblem& problem, std::vector<PatchLayout>&
     for (std::size_t k = 0; k < patches.size(); ++k)
     {
       const PatchGap& patch = problem.patches[k];
-      patches[k].least_gap = (patch.gap.colwise().minCoeff().transpose() / weightOf(patch)).minCoeff();
+      double& least = patches[k].least_gap = std::numeric_limits<double>::infinity();
+      for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
+      {
+        least = std::min(least, patch.gap.col(j).minCoeff() / weightOf(patch, j));
+      }
     }
   }
 }
@@ -99,20 +104,51 @@ void ColumnFields::multiply(const std::vector<PatchLayout>& patches, const LaneB
   if (turned_)
   {
     multiplyTurned(patches, in, out, workspace);
-    return;
   }
-  const LaneBuffer* values = &in;
-  if (scaled_)
+  else
   {
-    std::copy_n(in.data(), length_, work_.data());
-    kernels_.multiply_by(length_, per_weight_.data(), work_.data());
-    values = &work_;
+    const LaneBuffer* values = &in;
+    if (scaled_)
+    {
+      std::copy_n(in.data(), length_, work_.data());
+      kernels_.multiply_by(length_, per_weight_.data(), work_.data());
+      values = &work_;
+    }
+    for (const PatchLayout& patch : patches)
+    {
+      patch.influence->multiply(values->data() + patch.begin, out.data() + patch.begin, workspace);
+    }
+    scaleOpening(out);
   }
+  if (coupled_)
+  {
+    addCoupling(patches, in, out);
+  }
+}
+
+/// Adds the displacements of the columns by the forces in the columns of other patches.
+void ColumnFields::addCoupling(const std::vector<PatchLayout>& patches, const LaneBuffer& in, LaneBuffer& out)
+{
+  std::copy_n(in.data(), length_, work_.data());
+  scaleOpening(work_);
+  column_force_.resize(coupling_->rows());
+  column_displacement_.resize(coupling_->rows());
+  Eigen::Index first = 0;
   for (const PatchLayout& patch : patches)
   {
-    patch.influence->multiply(values->data() + patch.begin, out.data() + patch.begin, workspace);
+    columnSums(patch, work_, column_force_.segment(first, patch.grid.ny));
+    column_force_.segment(first, patch.grid.ny) *= patch.force;
+    first += patch.grid.ny;
   }
-  scaleOpening(out);
+  column_displacement_.noalias() = *coupling_ * column_force_;
+  first = 0;
+  for (const PatchLayout& patch : patches)
+  {
+    columnsToField(patch, column_displacement_.segment(first, patch.grid.ny).array(), work_);
+    first += patch.grid.ny;
+  }
+  scaleOpening(work_);
+  kernels_.add(length_, 1, work_.data(), out.data());
 }
 
 void ColumnFields::multiplyTurned(const std::vector<PatchLayout>& patches, const LaneBuffer& in, LaneBuffer& out,

@@ -14,6 +14,7 @@ namespace wheel_rail_contact::core
 /// column. The displacement by a pressure is projected onto the normal of each column: with the angles t of the
 /// normals, the matrix is A_ij cos(t_i - t_j), that is C A C + S A S with C = diag(cos t), S = diag(sin t). It is
 /// symmetric and positive definite, as A is, because for every p it is the sum of the energies of C p and S p.
+/// NormalProblem::coupling adds displacements by the forces in the columns of other patches.
 class ColumnFields
 {
  public:
@@ -23,10 +24,13 @@ class ColumnFields
 
   /// True if the normals differ from column to column.
   bool turned() const { return turned_; }
+  /// True if the patches deform one another.
+  bool coupled() const { return coupled_; }
   /// True if the weights differ from column to column; otherwise the next three functions do nothing.
   bool scaled() const { return scaled_; }
   void scale(LaneBuffer& pressure, LaneBuffer& displacement) const;
   void unscale(LaneBuffer& pressure, LaneBuffer& displacement) const;
+  /// Divides displacements of the columns by their weights, as the gap is divided.
   void scaleOpening(LaneBuffer& opening) const;
 
   /// Product of the scaled matrix with `in`.
@@ -37,12 +41,16 @@ class ColumnFields
                     InfluenceOperator::Workspace& workspace);
 
  private:
+  void addCoupling(const std::vector<PatchLayout>& patches, const LaneBuffer& in, LaneBuffer& out);
   void multiplyTurned(const std::vector<PatchLayout>& patches, const LaneBuffer& in, LaneBuffer& out,
                       InfluenceOperator::Workspace& workspace);
 
   const LaneKernels& kernels_ = laneKernels();
   int length_ = 0;
-  bool scaled_ = false, turned_ = false;
+  bool scaled_ = false, turned_ = false, coupled_ = false;
+  const Eigen::MatrixXd* coupling_ = nullptr;
+  Eigen::ArrayXd values_;  ///< of the columns of a patch
+  Eigen::VectorXd column_force_, column_displacement_;
   LaneBuffer weight_, per_weight_;  ///< o and 1 / o [-]
   LaneBuffer cosine_, sine_;        ///< of t, over o [-]
   LaneBuffer work_, product_;

@@ -39,10 +39,8 @@ void ConjugateGradients::Impl::finish(const NormalProblem& problem, SolveStatus 
 {
   iteration.end();
   solution.status = status;
-  solution.support = iteration.support();
   solution.iterations = iteration.products();
   solution.approach = iteration.approach();
-  bool touching = false;
   for (std::size_t k = 0; k < solution.patches.size(); ++k)
   {
     const PatchLayout& layout = iteration.patches()[k];
@@ -51,13 +49,8 @@ void ConjugateGradients::Impl::finish(const NormalProblem& problem, SolveStatus 
     fromField(layout, layout.stiffness, iteration.pressure(), patch.pressure);
     fromField(layout, 1, iteration.displacement(), patch.displacement);
     measures.measure(problem.patches[k], problem.modulus, patch);
-    touching = touching || patch.force > 0;
   }
-  if (status == SolveStatus::converged && !touching)  // a compliant support has moved back from its given position
-  {
-    solution.status = SolveStatus::no_contact;
-  }
-  solution.residual = solution.status == SolveStatus::no_contact ? 0 : iteration.residual();
+  solution.residual = status == SolveStatus::no_contact ? 0 : iteration.residual();
 }
 
 ConjugateGradients::ConjugateGradients(const ConjugateGradientsOptions& options)

@@ -23,9 +23,6 @@ struct ConjugateGradientsOptions
 /// follows the chord to the clipped trial point. Every iterate therefore satisfies p >= 0 and the load exactly, the
 /// energy decreases monotonically, and each iteration costs one product.
 ///
-/// A compliant support adds the matrix opening * compliance * opening^T, of rank three, to A. The depth in the residual
-/// below is then reduced by the mean displacement of the support from its given position, weighted with the pressure.
-///
 /// Residual: with w = A p + gap - weight * approach,
 ///   max( max of |w| where p > 0, max of -w where p = 0 ) / max over all cells of (weight * approach - gap).
 /// This is the largest violation of the contact conditions over the largest interpenetration of the undeformed bodies.
@@ -41,7 +38,6 @@ class ConjugateGradients : public NormalSolver
   ConjugateGradients& operator=(ConjugateGradients&&) noexcept;
 
   const char* name() const override { return "conjugate_gradient"; }
-  bool solvesSupport() const override { return true; }
 
   /// Computes all coefficients for grids of this size, symmetric or not, for patches of all usual shapes (see
   /// OperatorCache) whose cell aspect is in the series of cell_aspect.h. Later solutions on such grids compute no

@@ -50,8 +50,6 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
     toField(patches_[k], 1, problem.patches[k].gap, gap_);
   }
   columns_.begin(problem, patches_, length, gap_);
-  support_.begin(problem, patches_, length);
-  support_.scale(columns_);
   residual_ = 1;
   s_q_ = 0;
   trial_length_ = 1;
@@ -63,9 +61,9 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
 bool ContactIteration::start(const NormalSolution* earlier)
 {
   Start found = earlier ? warmStart(*problem_, patches_, *earlier, p_, u_) : Start::none;
-  if (found == Start::complete && columns_.turned())
+  if (found == Start::complete && (columns_.turned() || columns_.coupled()))
   {
-    found = Start::pressure;  // the displacement was compared with the product for equal normals
+    found = Start::pressure;  // the displacement was compared with the product for equal normals, without coupling
   }
   if (found != Start::none && columns_.scaled())
   {
@@ -87,14 +85,9 @@ bool ContactIteration::start(const NormalSolution* earlier)
   {
     return false;
   }
-  addSupportDisplacement(p_, u_);
   if (!load_controlled_)
   {
     scaleToApproach();
-  }
-  if (support_.compliant())
-  {
-    support_.open(-support_.placed(), u_);
   }
   return true;
 }
@@ -112,7 +105,6 @@ SolveStatus ContactIteration::iterate()
       return SolveStatus::stalled;
     }
     multiply(s_, q_);
-    addSupportDisplacement(s_, q_);
     double length = 0;
     if (!stepLength(slope, length))
     {
@@ -147,30 +139,15 @@ void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
   ++products_;
 }
 
-/// Adds the opening of the gap by the displacement of the support under the pressure to a displacement.
-void ContactIteration::addSupportDisplacement(const LaneBuffer& pressure, LaneBuffer& displacement)
-{
-  if (support_.compliant())
-  {
-    support_.open(support_.coordinates(patches_, pressure), displacement);
-  }
-}
-
 void ContactIteration::end()
 {
-  if (support_.compliant())
-  {
-    support_coordinates_ = support_.coordinates(patches_, p_);
-    support_.open(support_.placed() - support_coordinates_, u_);
-  }
   columns_.unscale(p_, u_);
 }
 
 /// Scales the first pressure to the lowest energy at the given approach.
 void ContactIteration::scaleToApproach()
 {
-  double work = support_.compliant() ? support_.placed().dot(support_.force(patches_, p_)) : 0;
-  double stored = 0;
+  double work = 0, stored = 0;
   for (const PatchLayout& patch : patches_)
   {
     const double* p = p_.data() + patch.begin;
@@ -206,22 +183,8 @@ void ContactIteration::advance(double length)
   }
 }
 
-/// Part of the approach that is due to the displacement of the support from its given position [m]: the work of the
-/// forces on this displacement over the load.
-double ContactIteration::supportApproach() const
-{
-  if (!support_.compliant())
-  {
-    return 0;
-  }
-  const Eigen::Vector3d force = support_.force(patches_, p_);
-  const double load = loadOf(patches_, p_);
-  return load > 0 ? force.dot(support_.compliance() * force - support_.placed()) / load : 0;
-}
-
 void ContactIteration::updateResidual()
 {
-  const double elastic_approach = approach_ - supportApproach();
   double worst = 0, depth = 0;
   for (const PatchLayout& patch : patches_)
   {
@@ -230,7 +193,7 @@ void ContactIteration::updateResidual()
     const Violation violation =
         kernels_.residual(patch.size, own_approach, p_.data() + at, u_.data() + at, gap_.data() + at, r_.data() + at);
     worst = std::max({worst, violation.inside, violation.outside});
-    depth = std::max(depth, patch.weight * elastic_approach - patch.least_gap);
+    depth = std::max(depth, own_approach - patch.least_gap);
   }
   residual_ = worst / depth;
 }

@@ -8,7 +8,6 @@
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/patch_fields.h"
 #include "core/normal/solvers/starting_pressure.h"
-#include "core/normal/solvers/support_field.h"
 
 namespace wheel_rail_contact::core
 {
@@ -27,16 +26,13 @@ class ContactIteration
 
   SolveStatus iterate();
 
-  /// Removes the contribution of the support from the displacement, and the weights of the columns. Afterwards only the
-  /// results may be read.
+  /// Removes the weights of the columns. Afterwards only the results may be read.
   void end();
 
   const std::vector<PatchLayout>& patches() const { return patches_; }
   const LaneBuffer& pressure() const { return p_; }
   /// Displacement of the half-spaces, after end().
   const LaneBuffer& displacement() const { return u_; }
-  /// Coordinates of the support, after end().
-  const Eigen::Vector3d& support() const { return support_coordinates_; }
   double approach() const { return approach_; }
   double residual() const { return residual_; }
   int products() const { return products_; }
@@ -44,10 +40,8 @@ class ContactIteration
  private:
   bool shouldContinue(SolveStatus& status);
   void multiply(const LaneBuffer& in, LaneBuffer& out);
-  void addSupportDisplacement(const LaneBuffer& pressure, LaneBuffer& displacement);
   void scaleToApproach();
   void advance(double length);
-  double supportApproach() const;
   void updateResidual();
   double chooseStep();
   TrialStep precondition();
@@ -64,9 +58,7 @@ class ContactIteration
   std::vector<PatchLayout> patches_;
 
   ColumnFields columns_;
-  SupportField support_;
-  Eigen::Vector3d support_coordinates_ = Eigen::Vector3d::Zero();
-  LaneBuffer p_, u_, gap_;   ///< pressure, displacement (with the opening by the support), gap
+  LaneBuffer p_, u_, gap_;   ///< pressure, displacement, gap
   LaneBuffer r_, z_;         ///< residual -w on the cells that may move; its preconditioned form
   LaneBuffer s_, last_, q_;  ///< step, previous step, displacement by the step
   double approach_ = 0;      ///< [m]

@@ -89,8 +89,9 @@ void ContactTangent::begin(const NormalProblem& problem, const NormalSolution& s
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     workspace_.reserve(*patches_[k].influence);
-    toField(patches_[k], 1, (solution.patches[k].pressure > 0).cast<double>(), loaded_);
+    toField(patches_[k], 1, solution.patches[k].pressure, loaded_);
   }
+  std::transform(loaded_.data(), loaded_.data() + length_, loaded_.data(), [](double p) { return p > 0 ? 1.0 : 0.0; });
   openings_.resize(static_cast<std::size_t>(openings.front().cols()));
   for (std::size_t m = 0; m < openings_.size(); ++m)
   {
@@ -107,9 +108,9 @@ void ContactTangent::begin(const NormalProblem& problem, const NormalSolution& s
   products_ = 0;
 }
 
-Eigen::VectorXd ContactTangent::column(Eigen::Index displacement)
+ContactTangent::Forces ContactTangent::column(Eigen::Index displacement)
 {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(openings_.size()));
+  Forces forces = Forces::Zero(static_cast<Eigen::Index>(openings_.size()));
   if (largest(loaded_) > 0)
   {
     solve(openings_[static_cast<std::size_t>(displacement)]);
@@ -121,12 +122,12 @@ Eigen::VectorXd ContactTangent::column(Eigen::Index displacement)
   return forces;
 }
 
-Eigen::MatrixXd ContactTangent::stiffness(const NormalProblem& problem, const NormalSolution& solution,
-                                          const std::vector<Eigen::ArrayXXd>& openings)
+ContactTangent::Stiffness ContactTangent::stiffness(const NormalProblem& problem, const NormalSolution& solution,
+                                                    const std::vector<Eigen::ArrayXXd>& openings)
 {
   begin(problem, solution, openings);
   const auto count = static_cast<Eigen::Index>(openings_.size());
-  Eigen::MatrixXd stiffness(count, count);
+  Stiffness stiffness(count, count);
   for (Eigen::Index m = 0; m < count; ++m)
   {
     stiffness.col(m) = column(m);
@@ -134,8 +135,9 @@ Eigen::MatrixXd ContactTangent::stiffness(const NormalProblem& problem, const No
   return 0.5 * (stiffness + stiffness.transpose());
 }
 
-Eigen::VectorXd ContactTangent::stiffness(const NormalProblem& problem, const NormalSolution& solution,
-                                          const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement)
+ContactTangent::Forces ContactTangent::stiffness(const NormalProblem& problem, const NormalSolution& solution,
+                                                 const std::vector<Eigen::ArrayXXd>& openings,
+                                                 Eigen::Index displacement)
 {
   begin(problem, solution, openings);
   return column(displacement);

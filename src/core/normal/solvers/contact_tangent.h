@@ -17,18 +17,26 @@ namespace wheel_rail_contact::core
 class ContactTangent
 {
  public:
+  static constexpr int most = 8;  ///< displacements
+  using Stiffness = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+  using Forces = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+
   /// `residual`: largest remaining opening of the cells under pressure, over the largest opening [-], in (0, 1).
   explicit ContactTangent(double residual = 1e-3) : residual_(residual) {}
 
+  /// Sets the largest remaining opening, see the constructor.
+  void setResidual(double residual) { residual_ = residual; }
+
   /// Stiffness of a usable solution of the problem by ConjugateGradients [N/m], [N/rad] or [N m/rad].
-  /// @param openings  for each patch an array ny × n: change of the gap in each column per unit of each displacement
+  /// @param openings  for each patch an array ny × n: change of the gap in each column per unit of each displacement; n
+  /// <= most
   /// @return n × n; zero if no cell is under pressure, not a number if the iteration fails
-  Eigen::MatrixXd stiffness(const NormalProblem& problem, const NormalSolution& solution,
-                            const std::vector<Eigen::ArrayXXd>& openings);
+  Stiffness stiffness(const NormalProblem& problem, const NormalSolution& solution,
+                      const std::vector<Eigen::ArrayXXd>& openings);
 
   /// Column `displacement` of the same matrix, without the others.
-  Eigen::VectorXd stiffness(const NormalProblem& problem, const NormalSolution& solution,
-                            const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
+  Forces stiffness(const NormalProblem& problem, const NormalSolution& solution,
+                   const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
 
   /// Number of products with the influence matrix in the last call.
   int products() const { return products_; }
@@ -36,7 +44,7 @@ class ContactTangent
  private:
   void begin(const NormalProblem& problem, const NormalSolution& solution,
              const std::vector<Eigen::ArrayXXd>& openings);
-  Eigen::VectorXd column(Eigen::Index displacement);
+  Forces column(Eigen::Index displacement);
   double dot(const LaneBuffer& a, const LaneBuffer& b) const;
   double largest(const LaneBuffer& field) const;
   void mask(LaneBuffer& field) const;

@@ -250,12 +250,6 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
   solution.status = touches ? SolveStatus::converged : SolveStatus::no_contact;
 }
 
-bool HertzSolver::canSolve(const NormalProblem& problem)
-{
-  return std::all_of(problem.patches.begin(), problem.patches.end(),
-                     [](const PatchGap& patch) { return isLargeEnough(patch) && fitMinimum(patch).isPositive(); });
-}
-
 /// Fits all patches. Returns no_positive_curvature if the curvatures of a patch are not positive.
 SolveStatus HertzSolver::fit(const NormalProblem& problem)
 {

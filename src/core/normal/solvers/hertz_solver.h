@@ -45,9 +45,6 @@ class HertzSolver : public NormalSolver
   /// patch are not positive.
   void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
                       std::vector<ErrorEstimate>& errors) const override;
-  /// True if every patch of a valid problem has enough cells and positive curvatures, loaded or not. solve() then does
-  /// not reject the problem.
-  static bool canSolve(const NormalProblem& problem);
   /// Terms of the estimate, which is their weighted sum.
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 

@@ -43,12 +43,15 @@ bool isValid(const NormalProblem& problem)
   const bool load = problem.control == NormalProblem::Control::load;
   bool valid = !problem.patches.empty() && problem.modulus > 0 && std::isfinite(problem.modulus) &&
                std::isfinite(problem.value) && (!load || problem.value > 0);
+  Eigen::Index columns = 0;
   for (const PatchGap& patch : problem.patches)
   {
-    const bool opens = !problem.support.compliant || patch.opening.rows() == patch.grid.ny;
-    valid = valid && opens && isValid(patch);
+    valid = valid && isValid(patch);
+    columns += patch.grid.ny;
   }
-  return valid;
+  const Eigen::MatrixXd& coupling = problem.coupling;
+  const bool coupled = coupling.size() == 0 || (coupling.rows() == columns && coupling.cols() == columns);
+  return valid && coupled && coupling.allFinite();
 }
 
 int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches)
@@ -87,6 +90,19 @@ void columnsToField(const PatchLayout& patch, const Eigen::Ref<const Eigen::Arra
 {
   fillCells(
       patch, [&](int /*row*/, int column) { return values(column); }, field);
+}
+
+void columnSums(const PatchLayout& patch, const LaneBuffer& field, Eigen::Ref<Eigen::VectorXd> sums)
+{
+  sums.setZero();
+  for (int row = 0; row < patch.grid.rows(); ++row)
+  {
+    const double* line = field.data() + patch.begin + patch.influence->rowOffset(row);
+    for (int column = 0; column < patch.grid.ny; ++column)
+    {
+      sums[column] += line[patch.influence->columnOffset(column)];
+    }
+  }
 }
 
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values)

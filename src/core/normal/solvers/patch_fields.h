@@ -41,6 +41,9 @@ void toField(const PatchLayout& patch, double factor, const Eigen::ArrayXXd& val
 /// Writes the value of each column to all of its cells. Only for patches arranged with a cache.
 void columnsToField(const PatchLayout& patch, const Eigen::Ref<const Eigen::ArrayXd>& values, LaneBuffer& field);
 
+/// Sets `sums` to the sum of the stored cells of each column of a field. Only for patches arranged with a cache.
+void columnSums(const PatchLayout& patch, const LaneBuffer& field, Eigen::Ref<Eigen::VectorXd> sums);
+
 /// Writes factor * field to `values` (rows × columns).
 void fromField(const PatchLayout& patch, double factor, const LaneBuffer& field, Eigen::ArrayXXd& values);
 }  // namespace wheel_rail_contact::core

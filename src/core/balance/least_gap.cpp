@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/wheel_patch.h"
+#include "core/balance/least_gap.h"
 
 #include <algorithm>
+
+#include "core/track/gap.h"
 
 namespace wheel_rail_contact::core
 {
@@ -45,45 +47,4 @@ double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
   return least - along - fallAcross(gap, i, j);
 }
 
-double railParameter(const Grid& grid, const std::vector<GapColumn>& columns, double t)
-{
-  const double place = (t - grid.y0) / grid.dy;
-  const auto low = static_cast<std::size_t>(std::clamp(place, 0.0, grid.ny - 2.0));
-  return columns[low].rail_u + (place - static_cast<double>(low)) * (columns[low + 1].rail_u - columns[low].rail_u);
-}
-
-void measurePatch(const Grid& grid, const Eigen::ArrayXXd& pressure, WheelPatch& patch)
-{
-  patch.extent = findExtent(grid, pressure);
-  patch.slope = patch.center_x = patch.center_y = 0;
-  const double sum = pressure.sum();
-  if (!(sum > 0))
-  {
-    return;
-  }
-  for (int j = 0; j < grid.ny; ++j)
-  {
-    const double share = pressure.col(j).sum() / sum;
-    patch.center_y += share * grid.y(j);
-    patch.slope += share * patch.columns[static_cast<std::size_t>(j)].slope;
-  }
-  for (int i = 0; i < grid.rows() && !grid.symmetric; ++i)
-  {
-    patch.center_x += pressure.row(i).sum() / sum * grid.x(i);
-  }
-}
-
-bool onProfiles(const WheelPatch& patch, const Profile& wheel, const Profile& rail)
-{
-  const auto on = [](double u, const Profile& profile) { return u >= 0 && u <= profile.length(); };
-  for (int j = patch.extent.first_column; j <= patch.extent.last_column; ++j)
-  {
-    const GapColumn& column = patch.columns[static_cast<std::size_t>(j)];
-    if (!on(column.rail_u, rail) || !on(column.wheel_u, wheel))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 }  // namespace wheel_rail_contact::core

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the cost of `method: auto` with that of the cheapest fixed method, on random wheelsets. Each is solved by
+// Compares the cost of `method: auto`, which chooses a grid, with that of the cheapest fixed method and grid, on random
+// wheelsets. Each is solved by
 // every fixed method on every grid, and by `auto` at 10, 3, 1 and 0.3 %.
 //
-//   verify_method_choice [scenes, default 260] [seed, default 92]
+//   verify_grid_choice [scenes, default 260] [seed, default 92]
 //
 // Warm times are those of messages 0.05 mm apart, moving back and forth around the scene. Cold times are those of
 // results without a previous one. All are CPU times of the thread (src/chart/comparison.cpp). The reference is a
-// solution by conjugate gradients on 256 × 512 cells, four times finer than the finest grid of `auto`.
+// solution by conjugate gradients on 256 × 512 cells.
 //
 // Prints for each tolerance:
 // * the number of scenes in which all results met it;
@@ -15,8 +16,7 @@
 // * the shares of all results that met it, or else had an estimate above it;
 // * the time over that of the cheapest fixed method that is converged to the tolerance and whose true error meets it:
 //   median, 25, 75 and 90 % quantiles over the scenes.
-// Seidel is left out, because it is never the cheapest. Takes some minutes; not part of the test run, in which
-// core/balance/method_choice_test.cpp checks the tolerance.
+// Seidel is left out, because it is never the cheapest. Takes some minutes; not part of the test run.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -163,7 +163,7 @@ int main(int argc, char** argv)
   const unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 92;
   if (count < 1 || argc > 3)
   {
-    std::fprintf(stderr, "usage: verify_method_choice [SCENES [SEED]]\n");
+    std::fprintf(stderr, "usage: verify_grid_choice [SCENES [SEED]]\n");
     return 2;
   }
   chart::Plan plan;

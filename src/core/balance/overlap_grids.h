@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/balance/grid_layout.h"
+#include "core/track/contact_search.h"
+#include "core/track/gap.h"
+#include "wheel_rail_contact/core/normal_problem.h"
+#include "wheel_rail_contact/core/track.h"
+
+namespace wheel_rail_contact::core
+{
+/// Grids on the surface of a rail over its overlap with a wheel, and the normal problem on them. Side axes.
+///
+/// The contact lies inside the overlap of the undeformed bodies, because the surfaces only move apart under a pressure.
+/// Nothing is learned from earlier pressures. Intervals of the overlap that are closer to one another than the wider of
+/// them is wide are in one grid. Each grid is a patch of the problem. The forces in one grid displace the others
+/// (NormalProblem::coupling).
+class OverlapGrids
+{
+ public:
+  /// Relation of the undeformed bodies at a pose.
+  enum class Overlap
+  {
+    none,    ///< they do not overlap
+    found,   ///< they overlap, and the problem was built
+    beside,  ///< the wheel is beside the rail, or has no column over it
+  };
+
+  /// Which grids are used. Those of the last call keep the solutions of one search smooth.
+  enum class Choice
+  {
+    own,      ///< those of the pose
+    kept,     ///< those of the last call where they still cover the overlap
+    reserved  ///< the same; new ones are larger, so that they are more likely to be kept
+  };
+
+  /// Keeps references to `wheel` and `wheelset`, which must outlive the object.
+  OverlapGrids(const Profile& wheel, const WheelsetConfig& wheelset, const Profile& rail);
+
+  /// Sets the position of the rail.
+  void setRail(const PlacedRail& rail);
+  const PlacedRail& rail() const { return *rail_; }
+
+  /// Finds the overlap at a pose. Sets patches and coupling of the problem, whose modulus must be set, if there is one.
+  Overlap build(const WheelsetPose& pose, const GridSize& size, Choice choice, NormalProblem& problem);
+
+  /// Position of the smallest separation at the last pose. Valid unless the wheel was beside the rail.
+  const InitialContact& touch() const { return touch_; }
+  /// All intervals of the overlap.
+  const std::vector<OverlapInterval>& intervals() const { return intervals_; }
+  /// Columns of each patch of the problem.
+  const std::vector<std::vector<SurfaceColumn>>& columns() const { return columns_; }
+  /// Origin of the grid of a patch.
+  const SurfaceOrigin& originOf(std::size_t patch) const { return laid_[patch].used.origin; }
+  /// True if the grids are those that the wheel would get `lower` below the last pose [m].
+  bool fits(double lower);
+
+ private:
+  /// A grid as it was planned for its overlap, and as it was used after the overlap had been found to be larger.
+  struct Laid
+  {
+    GridLayout planned, used;
+    bool reserved = false;  ///< it was laid with a reserve
+  };
+
+  SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower) const;
+  std::size_t endOfGroup(std::size_t first) const;
+  const Laid* laidBefore(const SurfaceArea& area, const GridSize& size, Choice choice) const;
+  void addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size, Choice choice,
+               NormalProblem& problem);
+  void appendPatch(NormalProblem& problem);
+  void removeLast(NormalProblem& problem);
+  void couple(NormalProblem& problem);
+
+  const Profile& wheel_;
+  const WheelsetConfig& wheelset_;
+  std::optional<PlacedRail> rail_;
+  ContactSearch search_;
+  InitialContact touch_;
+  std::vector<OverlapInterval> intervals_;
+  std::vector<std::vector<SurfaceColumn>> columns_;
+  std::vector<Laid> laid_, before_;  ///< of this and of the last call
+  std::optional<PlacedWheel> placed_wheel_;
+  std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
+  std::vector<std::vector<SurfaceColumn>> spare_columns_;
+  Eigen::ArrayXd spare_turn_;
+  Eigen::MatrixXd spare_coupling_;  ///< empty while a problem has a coupling
+};
+}  // namespace wheel_rail_contact::core

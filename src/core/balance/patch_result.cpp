@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/balance/patch_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/balance/both_sides.h"
+#include "core/balance/least_gap.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double least_approach = 1e-12;  ///< smaller ones are rounding [m]
+
+/// Centre of pressure on a grid [m].
+struct Centre
+{
+  double x = 0, y = 0;
+};
+
+Centre centreOf(const Grid& grid, const Eigen::ArrayXXd& pressure)
+{
+  Centre centre;
+  const double sum = pressure.sum();
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    centre.y += pressure.col(j).sum() / sum * grid.y(j);
+  }
+  for (int i = 0; i < grid.rows() && !grid.symmetric; ++i)
+  {
+    centre.x += pressure.row(i).sum() / sum * grid.x(i);
+  }
+  return centre;
+}
+
+/// Force of an island on the rail [N].
+struct Force
+{
+  double outward = 0, down = 0;
+};
+
+Force forceOf(const Grid& grid, const Eigen::ArrayXXd& pressure, const std::vector<SurfaceColumn>& columns,
+              std::size_t begin)
+{
+  Force force;
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    const double share = grid.cellArea() * pressure.col(j).sum();
+    force.outward -= share * columns[begin + static_cast<std::size_t>(j)].perOutward();
+    force.down += share * columns[begin + static_cast<std::size_t>(j)].perUp();
+  }
+  return force;
+}
+
+/// Largest depth of the overlap along the normal, at the deepest places of the intervals that are within a part of the
+/// rail profile [m]; 0 if there is none.
+double deepestWithin(double u_first, double u_last, const std::vector<OverlapInterval>& intervals)
+{
+  double depth = 0;
+  for (const OverlapInterval& interval : intervals)
+  {
+    const InitialContact& contact = interval.contact;
+    if (contact.rail_u >= u_first && contact.rail_u <= u_last)
+    {
+      depth = std::max(depth, -contact.separation / std::hypot(1, contact.slope));
+    }
+  }
+  return depth;
+}
+
+/// Copies the whole pressure field of a patch, in track axes, from the centre of pressure. A symmetric grid stores only
+/// half of the cells. On the right side the field is mirrored.
+void spread(Side side, const Grid& grid, const Centre& centre, const Eigen::ArrayXXd& stored, PatchResult& result)
+{
+  const double first = (0.5 - 0.5 * grid.nx) * grid.dx;
+  result.grid = {grid.nx, grid.ny, grid.dx, grid.dy, first - centre.x, grid.y0 - centre.y};
+  result.pressure.resize(grid.nx, grid.ny);
+  if (grid.symmetric)
+  {
+    result.pressure.bottomRows(grid.rows()) = stored;
+    result.pressure.topRows(grid.rows()) = stored.colwise().reverse();
+  }
+  else
+  {
+    result.pressure = stored;
+  }
+  if (side == Side::right)
+  {
+    result.grid.y0 = -(result.grid.y0 + (grid.ny - 1) * grid.dy);
+    result.pressure.rowwise().reverseInPlace();
+  }
+}
+}  // namespace
+
+void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& out)
+{
+  const Islands& islands = balance.islands(side);
+  const Island& of = islands.islands()[island];
+  const PatchGap& gap = islands.problem().patches[island];
+  const NormalSolution& solution = islands.solution();
+  const PatchPressure& pressure = solution.patches[island];
+  const WheelContact& contact = balance.wheel(side).contact();
+  const std::vector<SurfaceColumn>& columns = contact.grids().columns()[of.patch];
+  const auto begin = static_cast<std::size_t>(of.begin);
+
+  const Centre centre = centreOf(gap.grid, pressure.pressure);
+  const double place = std::clamp((centre.y - gap.grid.y0) / gap.grid.dy, 0.0, std::max(gap.grid.ny - 1.000001, 0.0));
+  const auto before = begin + static_cast<std::size_t>(place);
+  const double share = place - std::floor(place);
+  const double rail_u = columns[before].rail_u + share * (columns[before + 1].rail_u - columns[before].rail_u);
+  const PlanePoint origin = contact.rail().at(rail_u);
+  const Force force = forceOf(gap.grid, pressure.pressure, columns, begin);
+  const double angle = std::atan2(force.outward, force.down), sign = sideSign(side);
+  out.side = side;
+  out.pose = {contact.grids().originOf(of.patch).x + centre.x, sign * origin.y, origin.z, sign * angle};
+  out.contact_angle = std::abs(angle);
+  out.normal_force = std::hypot(force.outward, force.down);
+  out.approach =
+      gap.weight * solution.approach +
+      std::max(-leastGap(gap.grid, gap.gap),
+               deepestWithin(columns[begin].rail_u, columns[begin + static_cast<std::size_t>(gap.grid.ny) - 1].rail_u,
+                             contact.grids().intervals()));
+  out.area = pressure.area;
+  out.max_pressure = pressure.max_pressure;
+  out.error_estimate =
+      std::hypot(balance.errors(side)[island].largest(),
+                 balance.balanceError(side) * contact.overlap() / std::max(out.approach, least_approach));
+  out.iterations = solution.iterations;
+  out.residual = solution.residual;
+  out.half_space_ratio = contact.halfSpaceRatio(of.patch, of.first, of.last);
+  spread(side, gap.grid, centre, pressure.pressure, out);
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/balance/wheel_contact.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
+
+namespace wheel_rail_contact::core
+{
+/// Accuracy of WheelOnRail, over the overlap of the undeformed bodies [-].
+struct WheelAccuracy
+{
+  double approach = 0;  ///< largest remaining approach under a load
+  double opening = 0;   ///< largest opening by the remaining deflection of the rail (WheelContact::opening())
+};
+
+/// One wheel on its rail, which bends. Side axes.
+///
+/// Unknown are the forces on the rail, whose deflection is compliance * forces, and under a load the height. Where the
+/// contact's own lateral force bends the rail, the equilibrium is the minimum of the potential energy: the elastic
+/// energy of contact and rail and, under a load, load times height. Newton's method with the stiffness of the contact
+/// finds it. The contact is solved for a rail at rest: the rail deflects a hundred times as far as the surfaces. A
+/// step after which the energy is higher is shortened (Levenberg 1944, Marquardt 1963).
+class WheelOnRail
+{
+ public:
+  /// Keeps references to `config` and `solver`, which must outlive the object.
+  WheelOnRail(const ContactModelConfig& config, NormalSolver& solver);
+
+  /// The next solution starts from an undeflected rail.
+  void reset();
+  /// Sets what else moves the rail. The start is the deflection of the last solution.
+  /// @param lateral  given lateral force, outward positive [N]; only without RailBendingConfig::LateralForce::contact
+  /// @param offset   deflection by other wheelsets
+  void setRail(double lateral, const RailDeflection& offset);
+
+  /// Finds height and deflection at a pose under a load [N]; the height of `pose` is the start. Without a positive
+  /// load, the height of first touch.
+  /// @param keep_grids  starts on the grids of the last solution, see OverlapGrids::Choice
+  WheelStatus carry(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids);
+  /// Finds the deflection at a given pose.
+  WheelStatus hold(const WheelsetPose& pose, const WheelAccuracy& accuracy);
+
+  /// Height of the axle centre in the last solution [m].
+  double height() const { return height_; }
+  /// Computes how the contact and the deflection of the rail change with roll, which takes a few products with the
+  /// influence matrix. Until then the next functions take the distribution of the pressure, and the forces on the
+  /// rail, as constant.
+  void respond();
+  bool responded() const { return responded_ || !loaded_; }
+  /// Change of the height by roll, with the load kept [m/rad].
+  double heightPerRoll() const;
+  /// Change of the height by a movement of the wheel outward, with the load kept [-].
+  double heightPerLateral() const;
+  /// The largest opening of the gap by a roll [m/rad]: see WheelContact::opening().
+  double openingPerRoll() const;
+  /// Prepares the next solution for a movement of the wheel outward [m] and a roll [rad]: its start is the deflection
+  /// that follows.
+  void predict(double lateral, double roll);
+  /// True if the wheel carries load.
+  bool loaded() const { return loaded_; }
+  /// Forces and deflection of the rail.
+  RailResult rail() const;
+
+  WheelContact& contact() { return contact_; }
+  const WheelContact& contact() const { return contact_; }
+
+ private:
+  struct Trial;
+
+  static OverlapGrids::Choice gridsOf(int solution, bool keep_grids);
+  WheelStatus searchHeight(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids);
+  WheelStatus search(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids);
+  WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial);
+  bool settled(const Trial& trial, const WheelAccuracy& accuracy, Eigen::Vector3d& step);
+  bool isDeepEnough(const WheelAccuracy& accuracy) const;
+  static bool isNearlyClosed(const Trial& trial);
+  bool isNear(const WheelAccuracy& accuracy, const Eigen::Vector3d& step) const;
+  WheelStatus finish(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
+  double shortened(const Trial& best, const Trial& trial) const;
+  Eigen::Vector3d restForces() const;
+  WheelStatus touchAtRest(const WheelsetPose& pose);
+  void place(const Eigen::Vector3d& forces);
+  Eigen::Vector3d target() const;
+  Eigen::Vector3d step(const Eigen::Vector3d& open) const;
+  static MotionVector railMove(const Eigen::Vector3d& move);
+
+  const ContactModelConfig& config_;
+  WheelContact contact_;
+  PlacedRail undeflected_;
+  Eigen::Matrix3d compliance_;  ///< of the rail; zero if it does not bend
+  bool bends_ = false, own_force_ = true;
+  double given_lateral_ = 0;
+  Eigen::Vector3d offset_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
+  Eigen::Vector3d placed_ = Eigen::Vector3d::Zero();  ///< coordinates at which the rail lies
+  bool is_placed_ = false;
+  double height_ = 0, touch_slope_ = 0;
+  bool loaded_ = false, responded_ = false, under_load_ = true;
+  bool has_response_ = false;  ///< the next values are those of this or an earlier solution
+  double height_per_roll_ = 0, height_per_lateral_ = 0;
+  Eigen::Vector3d height_per_force_;  ///< change of the height by forces on the rail, through its deflection [m/N]
+  Eigen::Vector3d force_per_roll_, force_per_lateral_;  ///< of the rail, in equilibrium [N/rad], [N/m]
+  Eigen::Matrix3d response_;                            ///< change of the forces by forces [-], negative
+};
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Separate contacts of a wheel, of which several may lie on one grid.
+#include "core/balance/islands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../normal/problems.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// Two bowls on one grid, at y = -5 mm and y = 4 mm, of which the second is higher by `rise` [m].
+NormalProblem twoBowls(double rise)
+{
+  const Grid grid = problems::centredGrid(32, 96, 0.02, 0.02, true);
+  return problems::underLoad(problems::sampled(grid,
+                                               [rise](double x, double y)
+                                               {
+                                                 const double first = y + 5e-3, second = y - 4e-3;
+                                                 return 1.1 * x * x +
+                                                        std::min(30 * first * first, 50 * second * second + rise);
+                                               }),
+                             5e4);
+}
+
+class IslandsTest : public testing::Test
+{
+ protected:
+  void solve(const NormalProblem& problem)
+  {
+    problem_ = problem;
+    ConjugateGradients().solve(problem_, false, solution_);
+    ASSERT_EQ(solution_.status, SolveStatus::converged);
+    islands_.find(problem_, solution_);
+  }
+
+  NormalProblem problem_;
+  NormalSolution solution_;
+  Islands islands_;
+};
+}  // namespace
+
+TEST_F(IslandsTest, TwoContactsOnOneGridAreTwoIslands)
+{
+  solve(twoBowls(1e-5));
+  ASSERT_EQ(islands_.islands().size(), 2U);
+  ASSERT_EQ(islands_.solution().patches.size(), 2U);
+  ASSERT_EQ(islands_.problem().patches.size(), 2U);
+  const Eigen::ArrayXXd& whole = solution_.patches[0].pressure;
+  Eigen::Index next = 0;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const Island& island = islands_.islands()[k];
+    const PatchPressure& part = islands_.solution().patches[k];
+    EXPECT_EQ(island.patch, 0U);
+    EXPECT_EQ(island.begin, next) << "the columns of the islands are those of the grid";
+    next = island.begin + island.columns;
+    EXPECT_EQ(part.grid.y0, problem_.patches[0].grid.y(static_cast<int>(island.begin)));
+    EXPECT_TRUE((part.pressure == whole.middleCols(island.begin, island.columns)).all());
+    EXPECT_TRUE(
+        (islands_.problem().patches[k].gap == problem_.patches[0].gap.middleCols(island.begin, island.columns)).all());
+    EXPECT_GT(whole.col(island.first).maxCoeff(), 0);
+    EXPECT_GT(whole.col(island.last).maxCoeff(), 0);
+  }
+  EXPECT_EQ(next, whole.cols());
+}
+
+TEST_F(IslandsTest, SumsOfTheIslandsAreThoseOfTheGrid)
+{
+  solve(twoBowls(1e-5));
+  ASSERT_EQ(islands_.islands().size(), 2U);
+  const PatchPressure& whole = solution_.patches[0];
+  const auto& parts = islands_.solution().patches;
+  EXPECT_NEAR((parts[0].force + parts[1].force) / whole.force, 1, 1e-12);
+  EXPECT_NEAR((parts[0].area + parts[1].area) / whole.area, 1, 1e-3);
+  EXPECT_NEAR(std::max(parts[0].max_pressure, parts[1].max_pressure) / whole.max_pressure, 1, 1e-3);
+  EXPECT_LT(parts[0].max_pressure, 0.95 * parts[1].max_pressure);  // the second bowl is narrower
+  EXPECT_EQ(islands_.solution().approach, solution_.approach);
+  EXPECT_EQ(islands_.solution().status, solution_.status);
+}
+
+TEST_F(IslandsTest, ASingleContactIsTheWholeProblem)
+{
+  solve(twoBowls(1e-3));
+  ASSERT_EQ(islands_.islands().size(), 1U);
+  EXPECT_EQ(islands_.islands()[0].columns, problem_.patches[0].grid.ny);
+  EXPECT_EQ(&islands_.problem(), &problem_);
+  EXPECT_EQ(&islands_.solution(), &solution_);
+}
+
+TEST_F(IslandsTest, APatchWithoutPressureHasNoIsland)
+{
+  NormalProblem problem = twoBowls(1e-3);
+  problem.patches.push_back(problem.patches[0]);
+  problem.patches[1].gap += 1e-3;
+  solve(problem);
+  ASSERT_EQ(islands_.islands().size(), 1U);
+  ASSERT_EQ(islands_.solution().patches.size(), 1U);
+  EXPECT_NEAR(islands_.solution().patches[0].force / solution_.patches[0].force, 1, 1e-12);
+}
+
+TEST_F(IslandsTest, ClearedIslandsAreNone)
+{
+  solve(twoBowls(1e-5));
+  islands_.clear();
+  EXPECT_TRUE(islands_.islands().empty());
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Equilibrium of a wheel and its bending rail.
+#include "core/balance/wheel_on_rail.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "core/balance/rail_support.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "wheelset_scene.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double load = 1e5;  ///< [N]
+constexpr GridSize size{32, 96};
+constexpr WheelAccuracy strict{1e-3, 1e-5};
+
+ConjugateGradients strictSolver()
+{
+  ConjugateGradientsOptions options;
+  options.residual = 1e-6;
+  return ConjugateGradients(options);
+}
+
+/// Left wheel on a bending rail.
+class WheelOnRailTest : public testing::Test
+{
+ protected:
+  static ContactModelConfig onPads(const ComplianceTable& table)
+  {
+    ContactModelConfig config = manchesterScene();
+    config.rail_bending.model = RailBendingConfig::Model::compliance;
+    config.rail_bending.table = table;
+    return config;
+  }
+
+  /// Coordinates of the deflection of the rail, and the forces on it.
+  static Eigen::Vector3d coordinates(const WheelOnRail& wheel) { return toCoordinates(wheel.rail().deflection); }
+  static Eigen::Vector3d forces(const RailResult& rail)
+  {
+    return {rail.lateral_force, -rail.vertical_force, rail.moment};
+  }
+
+  Eigen::Matrix3d compliance() const
+  {
+    return supportCompliance(config_.rail_bending.table, config_.track.rail_inclination);
+  }
+
+  /// Potential energy of contact, rail and load with the rail at `rail`, with the height in equilibrium [J].
+  double potential(const Eigen::Vector3d& rail, WheelsetPose pose)
+  {
+    WheelContact contact(config_, solver_);
+    contact.setGrid(0, size);
+    contact.setRail(PlacedRail(config_.rail_profile, config_.track).deflected(toDeflection(rail)));
+    for (int i = 0; i < 10; ++i)
+    {
+      EXPECT_EQ(contact.solveLoad(pose, load), WheelStatus::solved);
+      pose.z = contact.height();
+    }
+    return contact.energy() + load * contact.height() + 0.5 * rail.dot(compliance().inverse() * rail);
+  }
+
+  ContactModelConfig config_ = onPads(softPads());
+  ConjugateGradients solver_ = strictSolver();
+};
+}  // namespace
+
+// The forces of the contact are those that deflect the rail. Outward on the tread, at the gauge corner and on the
+// flange.
+TEST_F(WheelOnRailTest, ForcesOfTheContactDeflectTheRail)
+{
+  for (const ComplianceTable& table : {softPads(), verySoftPads()})
+  {
+    config_ = onPads(table);
+    for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
+    {
+      WheelOnRail wheel(config_, solver_);
+      wheel.contact().setGrid(0, size);
+      ASSERT_EQ(wheel.carry({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
+      const Eigen::Vector3d due = compliance().inverse() * coordinates(wheel);
+      const Eigen::Vector3d found = wheel.contact().forces().tail<3>();
+      EXPECT_NEAR(found[0], due[0], 1e-3 * load) << "y " << y;
+      EXPECT_NEAR(found[1], -load, 1e-6 * load) << "y " << y;
+      EXPECT_NEAR(due[1], -load, 1e-3 * load) << "y " << y;
+      EXPECT_NEAR(found[2], due[2], 1e-3 * load * 0.1) << "y " << y;
+      EXPECT_LT((forces(wheel.rail()) - due).norm(), 1e-6 * load) << "y " << y;
+    }
+  }
+}
+
+// In equilibrium the potential energy is least: a rail displaced by 0.1 mm either way stores more.
+TEST_F(WheelOnRailTest, EquilibriumIsTheLeastPotentialEnergy)
+{
+  for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
+  {
+    const WheelsetPose pose{y, 0.46, 0, 0};
+    WheelOnRail wheel(config_, solver_);
+    wheel.contact().setGrid(0, size);
+    ASSERT_EQ(wheel.carry(pose, load, strict, false), WheelStatus::solved) << "y " << y;
+    const Eigen::Vector3d rail = coordinates(wheel);
+    const double least = potential(rail, pose);
+    for (const double lateral : {-1e-4, 1e-4})
+    {
+      EXPECT_GT(potential(rail + Eigen::Vector3d(lateral, 0, 0), pose), least) << "y " << y << " by " << lateral;
+    }
+  }
+}
+
+TEST_F(WheelOnRailTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
+{
+  for (const double y : {0.0, 6e-3, 7e-3})
+  {
+    WheelOnRail wheel(config_, solver_);
+    wheel.contact().setGrid(0, size);
+    ASSERT_EQ(wheel.carry({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
+    const Eigen::Vector3d rail = coordinates(wheel);
+    const double height = wheel.height();
+    wheel.reset();
+    ASSERT_EQ(wheel.hold({y, height, 0, 0}, strict), WheelStatus::solved) << "y " << y;
+    EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 1e-3) << "y " << y;
+    EXPECT_LT((coordinates(wheel) - rail).head<2>().norm(), 1e-3 * rail.head<2>().norm()) << "y " << y;
+  }
+}
+
+// The slope takes into account that the rail follows. Central differences of 0.1 mrad.
+TEST_F(WheelOnRailTest, HeightPerRollIsTheSlopeOfTheHeight)
+{
+  for (const double y : {0.0, 3e-3})
+  {
+    WheelOnRail wheel(config_, solver_);
+    wheel.contact().setGrid(0, size);
+    const auto heightAt = [&](double roll)
+    {
+      EXPECT_EQ(wheel.carry({y, 0.46, 0, roll}, load, strict, false), WheelStatus::solved) << "y " << y;
+      return wheel.height();
+    };
+    const double slope = (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4;
+    heightAt(0);
+    wheel.respond();
+    EXPECT_NEAR(wheel.heightPerRoll() / slope, 1, 0.01) << "y " << y;
+  }
+}
+
+TEST_F(WheelOnRailTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
+{
+  WheelOnRail wheel(config_, solver_);
+  wheel.contact().setGrid(0, size);
+  ASSERT_EQ(wheel.carry({0, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
+  ASSERT_EQ(wheel.carry({0, 0.46, 0, 0}, 0, strict, false), WheelStatus::no_contact);
+  EXPECT_FALSE(wheel.loaded());
+  EXPECT_TRUE(coordinates(wheel).isZero(0));
+  EXPECT_TRUE(forces(wheel.rail()).isZero(0));
+}
+
+// A rail that does not bend stays where it was placed.
+TEST_F(WheelOnRailTest, ARigidRailIsNotDeflected)
+{
+  config_ = manchesterScene();
+  WheelOnRail wheel(config_, solver_);
+  wheel.contact().setGrid(0, size);
+  ASSERT_EQ(wheel.carry({3e-3, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
+  EXPECT_TRUE(coordinates(wheel).isZero(0));
+  EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 1e-6);
+  EXPECT_GT(wheel.rail().lateral_force, 0);
+}
+}  // namespace wheel_rail_contact::core
