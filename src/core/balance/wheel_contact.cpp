@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/balance/rail_support.h"
 #include "core/track/gap.h"
 
 namespace wheel_rail_contact::core

@@ -110,17 +110,17 @@ void WheelOnRail::respond()
     return;
   }
   responded_ = has_response_ = true;
+  // Without a usable stiffness: as before the call.
+  height_per_roll_ = contact_.heightPer(wheel_roll);
+  height_per_lateral_ = -contact_.heightPer(rail_lateral);
   if (!bends_)
   {
     const MotionVector vertical = contact_.verticalStiffness();
-    if (!vertical.allFinite() || !(vertical[wheel_up] > 0))
+    if (vertical.allFinite() && vertical[wheel_up] > 0)
     {
-      height_per_roll_ = contact_.heightPer(wheel_roll);
-      height_per_lateral_ = -contact_.heightPer(rail_lateral);
-      return;
+      height_per_roll_ = -vertical[wheel_roll] / vertical[wheel_up];
+      height_per_lateral_ = vertical[rail_lateral] / vertical[wheel_up];
     }
-    height_per_roll_ = -vertical[wheel_roll] / vertical[wheel_up];
-    height_per_lateral_ = vertical[rail_lateral] / vertical[wheel_up];
     return;
   }
   // Changes of the forces on the rail and of the height: by its own movement, by the roll of the wheel, and by a
@@ -132,8 +132,6 @@ void WheelOnRail::respond()
     height_per_force_.setZero();
     force_per_roll_.setZero();
     force_per_lateral_.setZero();
-    height_per_roll_ = contact_.heightPer(wheel_roll);
-    height_per_lateral_ = -contact_.heightPer(rail_lateral);
     return;
   }
   Eigen::Matrix<double, 3, 5> forces;

@@ -357,7 +357,7 @@ bool WheelsetBalance::refine()
 
 /// Has wheels solved again whose grids are not those of their final heights, so that the result does not depend on the
 /// start of the search.
-/// @return true if there are any; at most once for a state
+/// @return true if there are any; at most once on the same levels
 bool WheelsetBalance::layOwnGrids()
 {
   bool any = false;

@@ -89,7 +89,7 @@ class WheelsetBalance
   bool any_solved_ = false;  ///< in the last pass
   double z_ = 0, roll_ = 0;
   bool warm_ = false;
-  bool laid_ = false;  ///< layOwnGrids() was called for this state
+  bool laid_ = false;  ///< layOwnGrids() was called on these levels
   int solutions_ = 0;
   std::string_view reason_;
 };

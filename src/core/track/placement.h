@@ -153,9 +153,6 @@ class PlacedWheel
   /// @param pose  pose of the wheelset in side axes
   PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose);
 
-  /// Moves the axle centre to another height [m].
-  void setHeight(double z) { pose_.z = sections_.z.origin = z; }
-
   /// Point of the contact locus on the wheel circle through the profile point `p`: the point at which the surface
   /// normal has no x component.
   ///
@@ -182,7 +179,7 @@ class PlacedWheel
 
   /// Profile of the wheel, in the profile frame.
   const Profile& profile() const { return *profile_; }
-  /// Pose of the wheelset in side axes, with the height last set.
+  /// Pose of the wheelset in side axes.
   const WheelsetPose& pose() const { return pose_; }
 
  private:
