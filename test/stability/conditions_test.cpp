@@ -22,11 +22,11 @@ ContactModelConfig flangeOnCompliantRail(double tolerance)
   return config;
 }
 
-/// The flange touches the gauge corner of a compliant rail. While the rail is deflected outward, the wheel moves down
-/// and slides along the tangent plane; the surfaces there turn by up to one radian. Pressures, pose and rail deflection
-/// of a result must be consistent: the bodies, placed and deformed according to the result, touch where there is
-/// pressure and nowhere else. The limit is three tolerances, because penetration, plane, roll and rail deflection have
-/// errors of up to about one tolerance each.
+/// The flange touches the gauge corner of a compliant rail. While the rail is deflected outward, the wheel moves down,
+/// and the contact moves along surfaces whose normals turn by up to one radian. Pressures, pose and rail deflection of
+/// a result must be consistent: the bodies, placed and deformed according to the result, touch where there is pressure
+/// and nowhere else. The limit is three tolerances, because penetration, roll and rail deflection have errors of up to
+/// about one tolerance each.
 TEST(ContactConditions, HoldForAFlangeOnACompliantRail)
 {
   constexpr double tolerance = 0.004;

@@ -43,8 +43,8 @@ Loading pressDown(WheelsetContact& contact, double y, double roll, double z)
 }  // namespace
 
 // Frictionless elastic bodies store the work done on them. The outward force on a rail is therefore the derivative of
-// the work of the vertical force with respect to the lateral position of the wheelset. It does not depend on the plane
-// in which the contact is solved. The states are those of the Manchester benchmark at 100 kN (tread, flange root,
+// the work of the vertical force with respect to the lateral position of the wheelset. It does not depend on the grids
+// on which the contact is solved. The states are those of the Manchester benchmark at 100 kN (tread, flange root,
 // flange face).
 //
 // Tolerance: 160 vertical steps integrate the work of a force ~ penetration^1.5 to 1e-4. A lateral difference of 20 um

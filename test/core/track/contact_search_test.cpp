@@ -239,7 +239,7 @@ TEST_F(ContactSearchTest, IntervalsAreSeparateAndInOrder)
 }
 
 // At about 5 mm of lateral displacement the contact moves from the tread to the flange root, and both touch. The search
-// must find two intervals with very different planes, each about its own minimum.
+// must find two intervals with very different normals, each about its own minimum.
 TEST_F(ContactSearchTest, TreadAndFlangeContactAreTwoIntervals)
 {
   int with_two = 0;
