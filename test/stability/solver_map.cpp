@@ -18,13 +18,6 @@ namespace
 using problems::hertzCase;
 using problems::HertzCase;
 
-std::string digits(double value)
-{
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
-}
-
 NormalSolution solved(NormalSolver& solver, const NormalProblem& problem)
 {
   NormalSolution solution;

@@ -23,8 +23,15 @@ struct MapTable
   std::vector<MapRow> rows;
 };
 
+/// A number with up to six decimals, without zeros at its end.
+std::string digits(double value);
+
 /// Wheelsets with each contact/method.
 MapTable wheelsetMap();
+/// Wheelsets that move to and fro, with `auto`: onset of a contact, and states with two equilibria.
+MapTable sweepMap();
+/// Wheelsets whose flange root touches the gauge corner, against the reference code.
+MapTable conformalMap();
 /// Gaps that differ from Hertz: conformal, with several lobes, flat, rough.
 MapTable shapeMap();
 /// Normal solvers on one patch, with cells of increasing length.

@@ -37,6 +37,15 @@ TEST(Verdict, AllowsTheNextClassOnlyCloseToTheBorder)
   EXPECT_FALSE(Verdict::ofError(0.01).allows("refused"));
 }
 
+TEST(Verdict, RoundsANumberToEitherSide)
+{
+  const Verdict range = Verdict::rounded(6.105, 0.02).with(Verdict::rounded(0.31, 0.1), "–").with("mm", " ");
+  EXPECT_EQ(range.text(), "6.10–0.3 mm");
+  EXPECT_TRUE(range.allows("6.12–0.3 mm"));
+  EXPECT_TRUE(range.allows("6.10–0.4 mm"));
+  EXPECT_FALSE(range.allows("6.08–0.3 mm"));
+}
+
 TEST(Verdict, FlagsResultsThatAreNotRight)
 {
   EXPECT_EQ(Verdict::ofError(0.3).withFlag(0.4, 0.01).text(), "error 10–50 %, flagged");
@@ -139,7 +148,7 @@ TEST(AutoMethod, IsRightRefusedOrFlaggedInEachSituation)
           << table.title << ", " << row.situation << ": " << verdict.text();
     }
   }
-  EXPECT_EQ(tables, 2) << "wheelsets, and gaps that differ from Hertz";
+  EXPECT_EQ(tables, 3) << "wheelsets, conformal contacts, and gaps that differ from Hertz";
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core::stability

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace wheel_rail_contact::core::stability
 {
@@ -43,6 +44,21 @@ Verdict Verdict::ofError(double error)
   return verdict;
 }
 
+Verdict Verdict::rounded(double value, double unit)
+{
+  const auto multiple = [unit](double number)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", std::max(0, static_cast<int>(std::ceil(-std::log10(unit)))),
+                  number * unit);
+    return std::string(text);
+  };
+  const double nearest = std::round(value / unit), other = nearest * unit < value ? nearest + 1 : nearest - 1;
+  Verdict verdict = multiple(nearest).c_str();
+  verdict.texts_.push_back(multiple(other));
+  return verdict;
+}
+
 Verdict Verdict::refused(const std::string& reason)
 {
   Verdict verdict = "refused";
@@ -50,7 +66,7 @@ Verdict Verdict::refused(const std::string& reason)
   return verdict;
 }
 
-Verdict Verdict::with(const Verdict& other) const
+Verdict Verdict::with(const Verdict& other, const char* separator) const
 {
   Verdict verdict = *this;
   verdict.texts_.clear();
@@ -59,7 +75,7 @@ Verdict Verdict::with(const Verdict& other) const
     for (const std::string& second : other.texts_)
     {
       std::string text = first;
-      text += first.empty() || second.empty() ? "" : ", ";
+      text += first.empty() || second.empty() ? "" : separator;
       verdict.texts_.push_back(text += second);
     }
   }

@@ -37,11 +37,13 @@ class Verdict
   static Verdict byLimit(double value, double limit, const Verdict& above, const Verdict& below);
   /// Class of a relative error of the highest pressure [-].
   static Verdict ofError(double error);
+  /// The nearest multiple of `unit`; the page may also contain the one on the other side of the value.
+  static Verdict rounded(double value, double unit);
   /// No result, for the given reason.
   static Verdict refused(const std::string& reason);
 
-  /// Appends another verdict after a comma, unless it is empty.
-  Verdict with(const Verdict& other) const;
+  /// Appends another verdict after a separator, unless it is empty.
+  Verdict with(const Verdict& other, const char* separator = ", ") const;
   /// Appends "flagged" to results that are not right if their error estimate is above the tolerance.
   Verdict withFlag(double estimate, double tolerance) const;
 

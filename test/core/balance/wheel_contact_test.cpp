@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conformal_reference.h"
 #include "core/balance/rail_support.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "wheelset_scene.h"
@@ -104,20 +105,6 @@ class WheelContactTest : public testing::Test
   WheelsetPose pose_;
 };
 
-/// Result of the reference code CONTACT (version of 2024), conformal with turned normals ("fast"), for the right wheel
-/// of S1002 on UIC60 of the Manchester benchmark under 100 kN.
-struct ConformalRow
-{
-  double y;             ///< [m]
-  double max_pressure;  ///< [Pa]
-  double area;          ///< [m²]
-};
-constexpr ConformalRow conformal_rows[] = {
-    {-3e-3, 1533.9e6, 106.64e-6},     {-5.5e-3, 3300.6e6, 53.28e-6},    {-6e-3, 2656.5e6, 67.03e-6},
-    {-6.2e-3, 2065.3e6, 110.47e-6},   {-6.225e-3, 1947.1e6, 127.23e-6}, {-6.25e-3, 1812.7e6, 154.34e-6},
-    {-6.275e-3, 1658.3e6, 184.51e-6}, {-6.325e-3, 2063.1e6, 200.07e-6}, {-6.35e-3, 2521.3e6, 200.28e-6},
-    {-6.375e-3, 2966.7e6, 195.13e-6}, {-6.4e-3, 3405.3e6, 182.83e-6},   {-7e-3, 6330.2e6, 52.49e-6}};
-
 /// Lever arm of the contact about the centre of a rotation [m]; 1 for a displacement.
 double arm(Motion motion)
 {
@@ -147,7 +134,7 @@ class ColdSolver : public NormalSolver
 TEST_F(WheelContactTest, AgreesWithTheConformalResultsOfTheReferenceCode)
 {
   contact_.setGrid(0, fine);
-  for (const ConformalRow& row : conformal_rows)
+  for (const ConformalReference& row : conformal_references)
   {
     balance(row.y);
     ASSERT_GT(settle(pose_), 0) << "y " << row.y;
