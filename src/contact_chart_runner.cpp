@@ -18,7 +18,7 @@ using namespace wheel_rail_contact::core::chart;
 
 Plan quickPlan()
 {
-  return {2, 0.005, {128, 256}, {64, 128}, 1};
+  return {2, 0.005, true, {128, 256}, {64, 128}, 1};
 }
 
 void run(const Plan& plan)

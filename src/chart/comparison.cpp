@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "chart/quantile.h"
+
 namespace wheel_rail_contact::core::chart
 {
 namespace
@@ -16,6 +18,7 @@ constexpr double fast = 5e-3;         ///< mean time of a result up to which tim
 constexpr double visit_time = 1e-3;   ///< time of one visit [s]
 constexpr double enough_time = 0.05;  ///< time after which few results are sufficient [s]
 constexpr std::size_t few = 3;
+constexpr double enough_sweep_time = 0.1;  ///< time of the sweeps of a method after which no other one begins [s]
 
 /// CPU time of this thread [s], independent of other processes.
 double now()
@@ -47,8 +50,8 @@ class Truths
 class Runner
 {
  public:
-  Runner(Entry& entry, std::unique_ptr<MethodRun> run, const Truths& truths)
-      : entry_(entry), run_(std::move(run)), truths_(truths)
+  Runner(Entry& entry, std::unique_ptr<MethodRun> run, const Truths& truths, int states_per_step)
+      : entry_(entry), run_(std::move(run)), truths_(truths), states_per_step_(states_per_step)
   {
   }
 
@@ -86,9 +89,42 @@ class Runner
           });
   }
 
+  /// Times each state of the path to and fro, in small steps and in those of the messages.
+  void sweepWarm()
+  {
+    if (slow_ || sweep_time_ > enough_sweep_time)
+    {
+      return;
+    }
+    std::vector<double> times;
+    for (const int per_step : {states_per_step_, 1})
+    {
+      const int last = 2 * truths_.reach() * per_step;
+      const auto solve_state = [&](int k)
+      { run_->solve(static_cast<double>(k <= last ? k : 2 * last - k) / per_step - truths_.reach()); };
+      solve_state(0);
+      for (int k = 1; k <= 2 * last; ++k)
+      {
+        times.push_back(timeOf(1, [&](int) { solve_state(k); }));
+      }
+    }
+    sweep_time_ += std::accumulate(times.begin(), times.end(), 0.0);
+    addSweep(times);
+  }
+
  private:
   /// Number of messages of one cycle to and fro.
   int period() const { return 4 * truths_.reach(); }
+
+  /// Adds the times of one round to those of the states.
+  void addSweep(const std::vector<double>& times)
+  {
+    entry_.warm.sweep_times.resize(times.size());
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+      entry_.warm.sweep_times[k].push_back(times[k]);
+    }
+  }
 
   /// Solves the next message. Returns its offset: 1, 2 ... reach ... 0 ... -reach ... 0, again and again.
   int next()
@@ -114,7 +150,17 @@ class Runner
     const auto inspected = [&](int i) { inspect(series, message(i)); };
     if (slow_)
     {
-      series.times.push_back(timeOf(group, inspected));
+      std::vector<double> times;
+      times.reserve(static_cast<std::size_t>(group));
+      for (int i = 0; i < group; ++i)
+      {
+        times.push_back(timeOf(1, inspected));
+      }
+      series.times.push_back(std::accumulate(times.begin(), times.end(), 0.0) / group);
+      if (&series == &entry_.warm)
+      {
+        addSweep(times);
+      }
       return;
     }
     timeOf(group, message);
@@ -168,7 +214,9 @@ class Runner
   Entry& entry_;
   std::unique_ptr<MethodRun> run_;
   const Truths& truths_;
-  int messages_ = 0;  ///< messages so far
+  int states_per_step_;    ///< of the sweep
+  int messages_ = 0;       ///< messages so far
+  double sweep_time_ = 0;  ///< of all sweeps so far [s]
   bool slow_ = false;
 };
 
@@ -198,6 +246,18 @@ double expectedTime(const GridSize& before, double time, const GridSize& grid)
   return time * ratio * ratio;
 }
 
+using Visit = void (Runner::*)();
+
+std::vector<Visit> visitsOf(const Plan& plan)
+{
+  std::vector<Visit> visits{&Runner::visitWarm, &Runner::visitCold};
+  if (plan.sweeps)
+  {
+    visits.push_back(&Runner::sweepWarm);
+  }
+  return visits;
+}
+
 Entry notRun(const Choice& choice, double expected)
 {
   Series series;
@@ -225,7 +285,7 @@ std::vector<std::unique_ptr<Runner>> makeRunners(Scene& scene, const Plan& plan,
         continue;
       }
     }
-    runners.push_back(std::make_unique<Runner>(entry, scene.makeRun(choice), truths));
+    runners.push_back(std::make_unique<Runner>(entry, scene.makeRun(choice), truths, scene.statesPerStep()));
     before_time = runners.back()->warmUp();
     before = &entry;
   }
@@ -238,6 +298,16 @@ double Series::estimate() const
   const auto less = [](const Result& one, const Result& other) { return one.error < other.error; };
   const auto worst = std::max_element(results.rbegin(), results.rend(), less);  // the last of equal ones
   return worst != results.rend() ? worst->estimate : 0;
+}
+
+double Series::longest() const
+{
+  double longest = 0;
+  for (const std::vector<double>& state : sweep_times)
+  {
+    longest = std::max(longest, quantile(state, 0.5));
+  }
+  return longest;
 }
 
 const char* toString(Series::Status status)
@@ -257,7 +327,7 @@ const char* toString(Series::Status status)
 
 int stepsOf(const Plan& plan)
 {
-  return 2 + 2 * plan.rounds;
+  return 2 + static_cast<int>(visitsOf(plan).size()) * plan.rounds;
 }
 
 Result compare(Scene& scene, const std::vector<Choice>& choices, const Plan& plan,
@@ -273,7 +343,7 @@ Result compare(Scene& scene, const std::vector<Choice>& choices, const Plan& pla
   }
   const auto runners = makeRunners(scene, plan, truths, result);
   progress();
-  for (const auto visit : {&Runner::visitWarm, &Runner::visitCold})
+  for (const auto visit : visitsOf(plan))
   {
     for (int round = 0; round < plan.rounds; ++round)
     {

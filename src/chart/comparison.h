@@ -15,6 +15,7 @@ struct Plan
 {
   int rounds = 3;              ///< number of rounds; each round runs every method once
   double slowest = 0.05;       ///< methods with a longer expected time are not run [s per result]
+  bool sweeps = true;          ///< whether the longest times are measured
   GridSize truth{256, 512};    ///< grid of the reference solution, by conjugate gradients
   GridSize coarser{128, 256};  ///< the error of the reference solution is its difference from this grid
   int reach = longest_reach;   ///< steps of the messages to either side of the scene, 1 to longest_reach
@@ -38,14 +39,18 @@ struct Series
   };
 
   Status status = Status::solved;
-  std::string reason;           ///< empty if solved
-  std::vector<double> times;    ///< CPU time of the thread per result or failure [s]; with not_run the expected time
+  std::string reason;         ///< empty if solved
+  std::vector<double> times;  ///< CPU time of the thread per result or failure [s]; with not_run the expected time
+  /// CPU time of each state of the warm sweep, one for each round [s].
+  std::vector<std::vector<double>> sweep_times;
   std::vector<Result> results;  ///< at all timed positions
   Errors errors;                ///< largest errors of these results
   Outcome outcome;              ///< last result
 
   /// Error estimate of the result with the largest error [-]; 0 without results.
   double estimate() const;
+  /// Longest time of a state of the sweep, each the median of its rounds [s]; 0 without a sweep.
+  double longest() const;
 };
 
 const char* toString(Series::Status status);
@@ -67,6 +72,8 @@ struct Result
 /// - Warm: messages to and fro about the scene, one step apart. Errors are determined for all of them, each against the
 ///   reference solution at its own position. At a single position a coarse grid may be accurate by chance: the error
 ///   depends on the position of its cells on a narrow pressure lobe.
+/// - Sweep: warm over the same path, each state timed alone, so that no spike hides in the mean of a path: at the
+///   messages, and in wheelset scenes also in steps of a tenth. Slow methods are timed at the messages only.
 ///
 /// @param progress  called `stepsOf(plan)` times
 /// @throw std::runtime_error if the scene has no reference solution

@@ -84,13 +84,13 @@ class GapRun : public MethodRun
     }
   }
 
-  void solve(int offset) override
+  void solve(double offset) override
   {
     std::size_t level = 0, next = 0;
     do
     {
       level = next;
-      solveOn(level, offset);
+      solveOn(level, static_cast<int>(offset));
       next = isUsable(solutions_[level].status) ? levels_.finer(level, estimate_) : level;
     } while (next != level);
   }

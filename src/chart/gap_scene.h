@@ -39,6 +39,7 @@ class GapScene : public Scene
            std::vector<GapPatch> patches, double load);
 
   const char* kind() const override { return "normal"; }
+  int statesPerStep() const override { return 1; }
   Outcome truth(const GridSize& grid, int offset) override;
   std::unique_ptr<MethodRun> makeRun(const Choice& choice) override;
 

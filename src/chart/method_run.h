@@ -44,7 +44,8 @@ class MethodRun
   virtual ~MethodRun() = default;
 
   /// Solves the scene at the position `offset` steps across the track, starting from the last result if there is one.
-  virtual void solve(int offset) = 0;
+  /// @param offset  a multiple of 1 / Scene::statesPerStep()
+  virtual void solve(double offset) = 0;
   /// The next result starts cold.
   virtual void reset() = 0;
   /// Outcome of the last result.
@@ -62,6 +63,8 @@ class Scene
   const std::string& title() const { return title_; }
   /// "wheelset": whole calculation; "normal": normal problem only.
   virtual const char* kind() const = 0;
+  /// Number of states per step in the sweep for the longest time.
+  virtual int statesPerStep() const = 0;
 
   /// Reference solution at the position `offset` steps across the track: conjugate gradients on a fine grid.
   virtual Outcome truth(const GridSize& grid, int offset) = 0;

@@ -16,8 +16,13 @@ void writeRow(std::FILE* out, const Scene& scene, double truth_error, const Choi
   std::fprintf(out, R"(%s,"%s",%s,%s,%d,%d,%g,%s,%s,"%s",)", scene.name().c_str(), scene.title().c_str(), scene.kind(),
                toString(choice.method), grid.along, grid.across, choice.tolerance, start, toString(series.status),
                series.reason.c_str());
-  std::fprintf(out, "%.4g,%.4g,%.4g,%zu,", quantile(series.times, 0.5), quantile(series.times, 0.25),
-               quantile(series.times, 0.75), run ? series.times.size() : 0);
+  std::fprintf(out, "%.4g,%.4g,%.4g,", quantile(series.times, 0.5), quantile(series.times, 0.25),
+               quantile(series.times, 0.75));
+  if (series.longest() > 0)
+  {
+    std::fprintf(out, "%.4g", series.longest());
+  }
+  std::fprintf(out, ",%zu,", run ? series.times.size() : 0);
   if (known)
   {
     const Errors& errors = series.errors;
@@ -36,7 +41,8 @@ void writeHeader(std::FILE* out)
 {
   std::fputs(
       "scene,title,kind,method,cells_along,cells_across,tolerance,start,status,reason,time,time_quartile_1,"
-      "time_quartile_3,samples,error,error_max_pressure,error_area,error_approach,error_estimate,truth_error\n",
+      "time_quartile_3,time_longest,samples,error,error_max_pressure,error_area,error_approach,error_estimate,truth_"
+      "error\n",
       out);
 }
 

@@ -10,9 +10,9 @@ namespace wheel_rail_contact::core::chart
 namespace
 {
 constexpr double axle_load = 200e3;    ///< [N]
-constexpr double true_balance = 1e-4;  ///< tolerance of planes and roll in the reference solution [-]
+constexpr double true_balance = 1e-4;  ///< tolerance of height and roll in the reference solution [-]
 
-WheelsetState beside(WheelsetState state, int offset)
+WheelsetState beside(WheelsetState state, double offset)
 {
   state.y += offset * step;
   return state;
@@ -26,7 +26,7 @@ class WheelsetRun : public MethodRun
     wheelset_.reset();
   }
 
-  void solve(int offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
+  void solve(double offset) override { result_ = &wheelset_.evaluate(beside(state_, offset)); }
   void reset() override { wheelset_.reset(); }
   Outcome outcome() const override { return outcomeOf(*result_); }
 
@@ -46,7 +46,15 @@ ContactModelConfig manchester()
   return config;
 }
 
-/// The same wheelset with both rails displaced outward as in Golubenko et al. 2011 (TEKA XI, 78–84).
+/// The default rail.
+ContactModelConfig on60E1()
+{
+  ContactModelConfig config = manchester();
+  config.rail_profile = std::make_shared<Profile>(rail60E1());
+  return config;
+}
+
+/// The Manchester wheelset with both rails displaced outward as in Golubenko et al. 2011 (TEKA XI, 78–84).
 ContactModelConfig paper()
 {
   ContactModelConfig config = manchester();
@@ -109,6 +117,9 @@ std::vector<std::unique_ptr<Scene>> wheelsetScenes()
     std::snprintf(title, sizeof title, "Manchester, y = %g mm", y);
     scenes.push_back(std::make_unique<WheelsetScene>(name, title, unbent, solver_cache, loadedAt(1e-3 * y)));
   }
+  scenes.push_back(std::make_unique<WheelsetScene>("onset_4.38", "60E1, onset at y = 4.38 mm",
+                                                   std::make_shared<WheelsetPool>(on60E1()), solver_cache,
+                                                   loadedAt(4.38e-3)));
   scenes.push_back(std::make_unique<WheelsetScene>(
       "paper", "Paper's case, rails bent", std::make_shared<WheelsetPool>(paper()), solver_cache, loadedAt(0.572e-3)));
   return scenes;

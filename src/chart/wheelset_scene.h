@@ -33,6 +33,7 @@ class WheelsetScene : public Scene
                 std::shared_ptr<SolverCache> solver_cache, const WheelsetState& state);
 
   const char* kind() const override { return "wheelset"; }
+  int statesPerStep() const override { return 10; }
   Outcome truth(const GridSize& grid, int offset) override;
   std::unique_ptr<MethodRun> makeRun(const Choice& choice) override;
 
@@ -42,7 +43,7 @@ class WheelsetScene : public Scene
   WheelsetState state_;
 };
 
-/// Wheel S1002 on rail UIC60 with the track of the Manchester contact benchmark, 100 kN per wheel; and the case of the
-/// paper.
+/// Wheel S1002 on rail UIC60 with the track of the Manchester contact benchmark, 100 kN per wheel; the same on rail
+/// 60E1, where a second contact begins at the gauge corner; and the case of the paper.
 std::vector<std::unique_ptr<Scene>> wheelsetScenes();
 }  // namespace wheel_rail_contact::core::chart

@@ -167,6 +167,7 @@ int main(int argc, char** argv)
     return 2;
   }
   chart::Plan plan;
+  plan.sweeps = false;
   plan.rounds = 2;
   plan.reach = 1;  // many scenes, each at its own position: results that are right by chance have little weight
   const std::vector<chart::Choice> all = choices();

@@ -16,7 +16,7 @@ from wheel_rail_contact.chart.table import SOLVED, Row
 from wheel_rail_contact.command import Failure, finish, pyplot, runner
 from wheel_rail_contact.progress import Progress
 
-ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1e-3, 1e-3, 1e-3, 5, 0.01, 0.01,
+ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1e-3, 1e-3, 1e-3, 4e-3, 5, 0.01, 0.01,
           0.0, 0.0, 0.02, 1e-4)
 
 
@@ -93,6 +93,12 @@ class Front(unittest.TestCase):
         _, error = front.over_scenes([solved[0], refused, replace(refused, scene="4")])["hertz", (8, 16)]
         self.assertEqual(error, math.inf)
 
+    def test_longest_time_is_that_of_the_worst_scene(self):
+        rows = [replace(ROW, scene="1", time_longest=7e-3), replace(ROW, scene="2"),
+                replace(ROW, scene="3", time=8e-3, time_longest=None)]
+        self.assertEqual(front.longest_times(rows[:2])["hertz", (8, 16)], 7e-3)
+        self.assertEqual(front.longest_times(rows)["hertz", (8, 16)], 8e-3)
+
     def test_auto_is_compared_with_the_fastest_method_within_the_tolerance(self):
         fixed = [replace(ROW, time=time, error=error) for time, error in ((1.0, 0.02), (2.0, 0.008), (4.0, 0.001))]
         auto = replace(ROW, method="auto", tolerance=0.01, time=3.0, error=0.004)
@@ -103,6 +109,15 @@ class Front(unittest.TestCase):
         missed = replace(auto, scene="hard", error=0.02)
         [found] = front.compare_auto([*fixed, auto, replace(fixed[0], scene="hard"), missed])
         self.assertEqual((found.scenes, found.met, found.ratio, found.largest_ratio), (2, 1, 1.5, 1.5))
+
+    def test_medians_of_auto_are_compared_with_those_of_the_same_accuracy(self):
+        fixed = [replace(ROW, cells_along=along, time=time, error=error)
+                 for along, time, error in ((8, 1.0, 0.02), (16, 2.0, 0.008), (32, 4.0, 0.001))]
+        autos = [replace(ROW, method="auto", tolerance=tolerance, time=3.0, error=error)
+                 for tolerance, error in ((0.01, 0.004), (0.1, 0.03))]
+        for (tolerance, factor), expected in zip(front.compare_medians([*fixed, *autos]), ((0.1, 3.0), (0.01, 0.75))):
+            self.assertEqual(tolerance, expected[0])
+            self.assertAlmostEqual(factor, expected[1])
 
 
 class Summary(unittest.TestCase):
@@ -121,10 +136,10 @@ class Summary(unittest.TestCase):
         auto = replace(ROW, method="auto", tolerance=0.003, time=2e-3, error=0.002)
         points = summary_picture.medians([ROW, refused, auto])
         self.assertEqual(set(points), {"hertz", "auto"})
-        for method, expected, label in (("hertz", (1.0, 1.0), "8×16"), ("auto", (2.0, 0.2), "0.3 %")):
-            [(time, error, text)] = points[method]
-            self.assertAlmostEqual(time, expected[0])
-            self.assertAlmostEqual(error, expected[1])
+        for method, expected, label in (("hertz", (1.0, 1.0, 4.0), "8×16"), ("auto", (2.0, 0.2, 4.0), "0.3 %")):
+            [(time, error, text, longest)] = points[method]
+            for value, target in zip((time, error, longest), expected):
+                self.assertAlmostEqual(value, target)
             self.assertEqual(text, label)
 
 

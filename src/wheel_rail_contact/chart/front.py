@@ -36,6 +36,15 @@ def over_scenes(rows):
             for key, group in groups.items()}
 
 
+def longest_times(rows):
+    """{(method, setting): longest time of a state in any scene [s]}, at least the median time of the scene."""
+    longest = {}
+    for row in rows:
+        key = row.method, row.setting
+        longest[key] = max(row.time, row.time_longest or 0, longest.get(key, 0))
+    return longest
+
+
 def fixed_time(rows, row: Row, error):
     """Least time of a fixed method in the scene of `row` with at most this error; infinite if there is none."""
     return min((other.time for other in rows if other.scene == row.scene and other.method != "auto"
@@ -66,3 +75,12 @@ def compare_auto(rows):
         table.append(Comparison(tolerance, len(autos), sum(row.error <= tolerance for row in solved),
                                 median(ratios) if ratios else math.nan, max(ratios, default=math.nan), on_front))
     return table
+
+
+def compare_medians(rows):
+    """For each tolerance of auto: its median time over that of the fastest fixed setting of at most its median error."""
+    medians = over_scenes(rows)
+    fixed = [point for (method, _), point in medians.items() if method != "auto"]
+    autos = sorted(((setting, point) for (method, setting), point in medians.items() if method == "auto"), reverse=True)
+    return [(tolerance, time / min((other for other, own in fixed if own <= error), default=math.nan))
+            for tolerance, (time, error) in autos]

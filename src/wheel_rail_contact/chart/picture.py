@@ -31,11 +31,11 @@ def set_ticks(axis, low, high):
 
 
 def share_labels(points):
-    """Groups consecutive (time, error, label) that are drawn nearly on one spot."""
+    """Groups consecutive points (time, error, label, ...) whose labels would overlap."""
     groups = []
     for point in points:
         last = groups[-1][-1] if groups else None
-        if last and abs(math.log(point[0] / last[0])) < 0.15 and abs(math.log(point[1] / last[1])) < 0.3:
+        if last and abs(math.log(point[0] / last[0])) < 0.5 and abs(math.log(point[1] / last[1])) < 0.3:
             groups[-1].append(point)
         else:
             groups.append([point])

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from .front import over_scenes, pareto
+from .front import longest_times, over_scenes, pareto
 from .picture import METHODS, STYLE, grid_text, save, set_ticks, setting_label, share_labels
 
 FAILURES = {"refused": ("x", "refused"), "other_wheels": ("+", "other wheels in contact"),
@@ -25,7 +25,7 @@ class Frame:
     labels: bool
 
 
-LARGE = Frame((1e-3, 3e3), (0.02, 150.0), 1.5e3, 8, 11, True)
+LARGE = Frame((1e-3, 3e3), (0.01, 150.0), 1.5e3, 8, 11, True)
 SMALL = Frame((3e-4, 3e3), (2e-3, 150.0), 6e3, 5, 9, False)
 
 
@@ -34,7 +34,7 @@ class Point:
     """One marker. Without a result the error is None, and `failure` is its kind."""
 
     time: float  # [ms]
-    quartiles: tuple  # of the time [ms]
+    longest: float  # time of a state of the sweep, at least `time` [ms]
     error: float  # [%]
     failure: str
     label: str = ""
@@ -44,18 +44,19 @@ def draw(plot, rows, facts, paths):
     """Writes the picture of the warm rows to each path."""
     rows = [row for row in rows if row.start == "warm"]
     scenes = list(dict.fromkeys(row.scene for row in rows))
-    lines = math.ceil(len(scenes) / COLUMNS)
+    lines = len(scenes) // COLUMNS + 1  # the last one has room for the legend
     with plot.rc_context(STYLE):
         figure = plot.figure(figsize=(14, 6.2 + 3.2 * lines))
         grid = figure.add_gridspec(2, 1, height_ratios=[1.75, lines], hspace=0.14, left=0.05, right=0.985, top=0.97,
                                    bottom=0.085)
-        _draw_top(figure, grid[0].subgridspec(1, 3, width_ratios=[2, 2, 1.05], wspace=0.14), rows)
+        _draw_top(figure, grid[0].subgridspec(1, 2, wspace=0.1), rows)
         places = grid[1].subgridspec(lines, COLUMNS, hspace=0.34, wspace=0.17)
         for place, scene in enumerate(scenes):
             axes = figure.add_subplot(places[place // COLUMNS, place % COLUMNS])
             _draw_scene(axes, [row for row in rows if row.scene == scene])
             axes.set(xlabel="time per evaluation [ms]" if place >= len(scenes) - COLUMNS else "",
                      ylabel="error [%]" if place % COLUMNS == 0 else "")
+        _draw_legend(figure.add_subplot(places[-1, len(scenes) % COLUMNS:]), rows)
         figure.text(0.05, 0.012, _origin(facts), fontsize=9, color="0.25", va="bottom", linespacing=1.5)
         save(plot, figure, paths, dpi=100)
 
@@ -67,13 +68,12 @@ def _draw_top(figure, places, rows):
         axes = figure.add_subplot(places[place])
         _draw_panel(axes, _median_points(shown), title, LARGE)
         axes.set(xlabel="time per evaluation [ms]", ylabel="error [%]" if place == 0 else "")
-    _draw_legend(figure.add_subplot(places[2]), rows)
 
 
 def _origin(facts):
     return (f"{facts['machine']}; {facts['compiler']}, {facts['build']}; wheel_rail_contact {facts['version']}. Time: "
-            "CPU time of one thread for one evaluation, warm start from the result 0.05 mm away; markers: medians, "
-            "bars: quartiles.\n"
+            "CPU time of one thread for one evaluation, warm start; markers: median of steps of 0.05 mm, bars: to the "
+            "longest time of a state of a sweep.\n"
             f"Error: largest relative error of peak pressure, area and approach up to {facts['reach']} to either side, "
             f"against conjugate gradients on {grid_text(facts['truth'])} cells (reference). Hatched: error of the "
             "reference.\n"
@@ -86,7 +86,7 @@ def _draw_scene(axes, rows):
     points = {}
     for row in rows:
         points.setdefault(row.method, []).append(
-            Point(1e3 * row.time, (1e3 * row.time_quartile_1, 1e3 * row.time_quartile_3),
+            Point(1e3 * row.time, 1e3 * max(row.time, row.time_longest or 0),
                   100 * row.error if row.has_result else None, row.status))
     _draw_panel(axes, points, f"{rows[0].title} ({kind})", SMALL)
     floor = SMALL.errors[0]
@@ -96,13 +96,15 @@ def _draw_scene(axes, rows):
 
 def _median_points(rows):
     points = {}
+    longest = longest_times(rows)
     for (method, setting), (time, error) in over_scenes(rows).items():
         failed = math.isinf(error)
         statuses = [row.status for row in rows
                     if row.method == method and row.setting == setting and not row.has_result]
         time, error = 1e3 * time, None if failed else 100 * error
         failure = max(statuses, key=statuses.count) if failed else ""
-        points.setdefault(method, []).append(Point(time, (time, time), error, failure, setting_label(method, setting)))
+        points.setdefault(method, []).append(
+            Point(time, 1e3 * longest[method, setting], error, failure, setting_label(method, setting)))
     return points
 
 
@@ -140,9 +142,8 @@ def _draw_results(axes, method, points, frame):
     _, colour, marker = METHODS[method]
     times = [point.time for point in points]
     errors = [min(max(point.error, frame.errors[0]), frame.errors[1]) for point in points]
-    spread = [[point.time - point.quartiles[0] for point in points],
-              [point.quartiles[1] - point.time for point in points]]
-    axes.errorbar(times, errors, xerr=spread, color=colour, marker=marker, linewidth=0.8, elinewidth=1,
+    axes.errorbar(times, errors, xerr=[[0] * len(points), [point.longest - point.time for point in points]],
+                  color=colour, marker=marker, linewidth=0.8, elinewidth=0.7, capsize=0.3 * frame.marker,
                   markersize=frame.marker * (1.6 if method == "auto" else 1), markeredgecolor="white",
                   markeredgewidth=0.5, zorder=5 if method == "auto" else 4)
     if frame.labels and method in ("auto", "conjugate_gradient"):
@@ -167,7 +168,7 @@ def _label(axes, method, points):
     rim = [withStroke(linewidth=2.5, foreground="white")]
     for group in groups:
         axes.annotate(", ".join(label for _, _, label in group), group[0][:2],
-                      (-9, -7) if left else (8, 5), textcoords="offset points", ha="right" if left else "left",
+                      (-9, -7) if left else (8, 7), textcoords="offset points", ha="right" if left else "left",
                       va="center", fontsize=8.5, color=METHODS[method][1], zorder=6, path_effects=rim)
 
 
@@ -187,6 +188,6 @@ def _draw_legend(axes, rows):
     handles.append(Line2D([], [], color=FRONT, linewidth=6, alpha=0.75,
                           label="best of the fixed methods\n(Pareto front)"))
     legend = axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
-                         title=f"Methods on {len(grids)} grids,\n8×16 to 48×128; auto at\n10, 3, 1 and 0.3 %",
-                         title_fontsize=9.5)
+                         ncol=3, columnspacing=3, title_fontsize=9.5,
+                         title=f"Methods on {len(grids)} grids, 8×16 to 48×128; auto at 10, 3, 1 and 0.3 %")
     legend.get_children()[0].align = "left"  # the argument `alignment` is newer than the oldest supported matplotlib

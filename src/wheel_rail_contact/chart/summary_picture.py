@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Summary for the README: median error against median time, of wheelsets and of the normal problem alone."""
+"""Summary for the README: median error against median and longest time, of wheelsets and of the normal problem alone."""
 import math
 
-from .front import over_scenes
+from .front import longest_times, over_scenes
 from .picture import METHODS, STYLE, grid_text, save, set_ticks, setting_label, share_labels
 
 SIZE = (8.3, 5.15)  # [in]; a browser that shows the picture 830 px wide shows 9 pt as 12.5 px
 EXACT = 0.002  # errors of Hertz's formula below this are those of the reference [-]
 # Grids of conjugate gradients with a label: its offset [pt] and alignment.
-LABELLED = {"8×16": ((-6, -7), "right"), "16×48": ((-6, -7), "right"), "48×128": ((7, -1), "left")}
+LABELLED = {"8×16": ((-6, -7), "right"), "16×48": ((-6, -7), "right"), "48×128": ((-2, -9), "right")}
 
 
 def draw(plot, rows, facts, paths):
@@ -44,19 +44,25 @@ def general_gaps(rows):
 
 
 def medians(rows):
-    """{method: [(time [ms], error [%], label)]}, without the settings whose median error is infinite."""
+    """{method: [(time [ms], error [%], label, longest time [ms])]}, without the settings whose median error is infinite."""
     points = {}
+    longest = longest_times(rows)
     for (method, setting), (time, error) in over_scenes(rows).items():
         if error < math.inf:
-            points.setdefault(method, []).append((1e3 * time, 100 * error, setting_label(method, setting)))
+            points.setdefault(method, []).append((1e3 * time, 100 * error, setting_label(method, setting),
+                                                  1e3 * longest[method, setting]))
     return points
 
 
 def _draw_panel(axes, points):
     """Returns all points."""
     for place, (method, (_, colour, marker)) in enumerate(METHODS.items()):
-        times, errors, _ = zip(*points[method]) if method in points else ((), (), ())
+        times, errors, _, longest = zip(*points[method]) if method in points else ((), (), (), ())
         auto = method == "auto"
+        axes.hlines(errors, times, longest, color=colour, linewidth=1.6 if auto else 0.7, alpha=0.9 if auto else 0.6,
+                    zorder=2 + 0.1 * place)
+        axes.plot(longest, errors, color=colour, marker="|", markersize=9 if auto else 6, linestyle="none",
+                  zorder=2 + 0.1 * place)
         axes.plot(times, errors, color=colour, marker=marker, markersize=13 if auto else 6, linewidth=1.2,
                   markeredgecolor="white", markeredgewidth=0.6, zorder=3 + place)
     axes.set(xscale="log", yscale="log")
@@ -66,8 +72,9 @@ def _draw_panel(axes, points):
         if point[2] in LABELLED:
             _label(axes, "conjugate_gradient", point[2], point, *LABELLED[point[2]])
     for place, group in enumerate(share_labels(points.get("auto", []))):
-        text = ", ".join(label for _, _, label in group)
-        _label(axes, "auto", text if place else f"auto {text}", group[0], (8, 5 - 2 * place), "left")
+        text = ", ".join(point[2] for point in group)
+        end = max(point[3] for point in group), group[0][1]  # of the longest bar
+        _label(axes, "auto", text if place else f"auto {text}", end, (5, 0), "left")
     return [point for series in points.values() for point in series]
 
 
@@ -78,8 +85,8 @@ def _label(axes, method, text, point, offset, alignment):
 
 
 def _scale(axes, points):
-    times, errors, _ = zip(*points)
-    axes.set(xlim=(min(times) / 2, 2 * max(times)), ylim=(min(errors) / 2, 2 * max(errors)))
+    times, errors, _, longest = zip(*points)
+    axes.set(xlim=(min(times) / 2, 2 * max(longest)), ylim=(min(errors) / 2, 2 * max(errors)))
     set_ticks(axes.xaxis, *axes.get_xlim())
     set_ticks(axes.yaxis, *axes.get_ylim())
     axes.minorticks_off()
@@ -95,7 +102,8 @@ def _legend():
 def _note(facts):
     return ("Error: largest relative error of peak pressure, area and approach, against a reference on "
             f"{grid_text(facts['truth'])} cells.\n"
-            f"Time: CPU time of one thread on {facts['machine']}, warm start.\n"
+            f"Time: CPU time of one thread on {facts['machine']}, warm start. Markers: medians; bars: to the longest "
+            "time of a state in any scene.\n"
             "Labels: tolerance of auto (black), cells of the grid (blue). Not drawn: grids without a result in half or "
             "more of the scenes.\n"
             "Right: only the scenes for which Hertz's formula is not exact.")

@@ -27,6 +27,7 @@ class Row:
     time: float  # median [s]; expected time if not run
     time_quartile_1: float
     time_quartile_3: float
+    time_longest: float  # of a state of a warm sweep; None if cold or not run
     samples: int
     error: float  # largest of the next three; these and the estimate are None without a result
     error_max_pressure: float
