@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sources of each folder, joined for the checks that compile them with clang. Most of the time of such a check is spent on the
+"""The sources of each folder, joined for a check that compiles them with clang. Most of the time of such a check is spent on the
 headers of Eigen and ROS, which are then read once per folder."""
 
 import hashlib
