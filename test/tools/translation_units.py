@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sources of each folder, joined for a check that compiles them with clang. Most of the time of such a check is spent on the
-headers of Eigen and ROS, which are then read once per folder."""
+"""The sources of the package, joined for a check that compiles them with clang. Most of the time of such a check is spent on the
+headers of Eigen and ROS, which are then read only a few times."""
 
+import collections
 import hashlib
 import json
 import pathlib
@@ -13,8 +14,12 @@ import sys
 
 VERSION = 14
 SKIPPED = 77
-# Flags that differ between the sources of a folder and do not affect the checks.
-IRRELEVANT = re.compile("-fPIC|-Winvalid-pch|-fmacro-prefix-map=|-D.*_EXPORTS")
+# Flags that differ between sources and do not affect the checks.
+IRRELEVANT = re.compile(r"-O\d|-fPIC|-Winvalid-pch|-fmacro-prefix-map=|-D.*_EXPORTS")
+ERROR = re.compile(r"^([^:\n]+):\d+:\d+: (?:fatal )?error: (?:redefinition of '(\w+)')?", re.MULTILINE)
+
+MAIN = re.compile(r"^int main\(", re.MULTILINE)
+INCLUDE = re.compile(r"^#include .*\n", re.MULTILINE)
 
 
 def version_of(tool):
@@ -39,30 +44,70 @@ def sources_of(file):
 
 
 def groups(folder, build_dir):
-    """Sources below the folder that are in the same folder and have the same flags, as a list of (flags, files)."""
+    """Sources below the folder that can be compiled with the same flags, as a list of (flags, files)."""
     found = {}
     for entry in json.loads((build_dir / "compile_commands.json").read_text()):
         words = shlex.split(re.sub(r" -o .*", "", re.sub(r" -include \S+", "", entry["command"])))[1:]
         flags = tuple(word for word in words if not IRRELEVANT.match(word))
         for file in sources_of(pathlib.Path(entry["file"])):
             if folder in file.parents:
-                found.setdefault((file.parent, flags), set()).add(file)
-    return [(flags, sorted(files)) for (_, flags), files in sorted(found.items())]
+                found.setdefault(flags, set()).add(file)
+    # Sources of which another target has all flags and more of them (folders, libraries) are compiled with those.
+    for flags in sorted(found, key=len):
+        larger = [other for other in found if set(flags) < set(other)]
+        if larger:
+            found[min(larger, key=len)] |= found.pop(flags)
+    return [(flags, sorted(files)) for flags, files in sorted(found.items())]
 
 
-def write(flags, files, folder):
-    """Writes a source to the folder that includes all files. Its name is unique for files and flags."""
-    text = "".join(f'#include "{file}"\n' for file in files)
-    unit = folder / f"{files[0].parent.name}_{hashlib.sha256((repr(flags) + text).encode()).hexdigest()[:12]}.cpp"
+def write(flags, files, renamed, folder):
+    """Writes a source to the folder that includes all files. Its name is unique for its content and the flags."""
+    lines = []
+    if renamed:  # headers come first: the names in them stay as they are
+        heads = [file.read_text().split("\nnamespace", 1)[0] for file in files]
+        lines = sorted({line for head in heads for line in INCLUDE.findall(head)})
+    for file in files:
+        names = sorted(renamed.get(file, {}).items())
+        lines += [f"#define {name} {new}\n" for name, new in names]
+        lines.append(f'#include "{file}"\n')
+        lines += [f"#undef {name}\n" for name, _ in names]
+    text = "".join(lines)
+    unit = folder / f"unit_{hashlib.sha256((repr(flags) + text).encode()).hexdigest()[:12]}.cpp"
     unit.write_text(text)
     return unit
 
 
-def join(clang, flags, files, folder):
-    """A source in the folder that includes all files, or None if they do not compile together."""
-    unit = write(flags, files, folder)
-    if len(files) == 1 or not subprocess.run([clang, *flags, "-w", "-fsyntax-only", unit], stderr=subprocess.DEVNULL,
-                                             check=False).returncode:
-        return unit
-    unit.unlink()
-    return None
+def joined(clang, flags, files, folder):
+    """Yields (source, files): sources in the folder that each include as many of the files as compile together.
+
+    Several files may use one name, in unnamed namespaces or as `main`. It then gets a number at its end, as in main2 and main3.
+    If this does not help, the file is left to the next source.
+    """
+    fixed = set()  # files of which no other name can be changed
+    while files:
+        programs = [file for file in files if MAIN.search(file.read_text())][1:]
+        renamed = {file: {"main": f"main{number}"} for number, file in enumerate(programs, 2)}
+        uses = collections.Counter()
+        while True:
+            unit = write(flags, files, renamed, folder)
+            run = subprocess.run([clang, *flags, "-w", "-ferror-limit=0", "-fsyntax-only", unit], capture_output=True, text=True,
+                                 check=False)
+            failed = {pathlib.Path(path) for path, _ in ERROR.findall(run.stderr)}
+            twice = {(pathlib.Path(path), name) for path, name in ERROR.findall(run.stderr) if name}
+            new = sorted((file, name) for file, name in twice
+                         if file in files and file not in fixed and name not in renamed.get(file, {}))
+            if not new:
+                break
+            unit.unlink()
+            for file, name in new:
+                uses[name] += 1
+                renamed.setdefault(file, {})[name] = f"{name}{uses[name] + 1}"
+        kept = [file for file in files if file not in failed]
+        if run.returncode and not 0 < len(kept) < len(files):
+            kept = files[:1]  # has an error of its own, or is of no use to others
+        if kept != files:
+            unit.unlink()
+            unit = write(flags, kept, {file: names for file, names in renamed.items() if file in kept and len(kept) > 1}, folder)
+        yield unit, kept
+        files = [file for file in files if file not in kept]
+        fixed.update(files)
