@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core::chart
 {
 namespace
 {
-constexpr double margin = 1.04;  ///< size of the grid over that of the overlap, as in the balance, at all positions [-]
+constexpr double margin = 1.04;           ///< size of the grid over that of the overlap, at all positions [-]
 constexpr double true_residual = 1e-6;    ///< residual of the reference solution [-]
 constexpr GridSize boxing_grid{32, 128};  ///< grid on which the box is determined
 constexpr int boxings = 3;

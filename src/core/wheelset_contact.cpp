@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
@@ -17,6 +18,8 @@ constexpr double lateral_limit = 0.1;        ///< largest accepted lateral posit
 constexpr double height_limit = 1.0;         ///< largest accepted axle height, if given [m]
 constexpr double force_limit = 1e8;          ///< largest accepted load [N], [N m]
 constexpr double stiffness_residual = 1e-3;  ///< of stiffness(), see ContactTangent
+constexpr double other_roll = 5e-3;          ///< distance of the starts that search for other equilibria [rad]
+constexpr double other_force = 0.05;         ///< difference of the forces of another equilibrium [-]
 constexpr double offset_limit = 0.1;         ///< largest accepted displacement of a rail by other wheelsets [m]
 
 bool within(double value, double limit)
@@ -72,6 +75,10 @@ class WheelsetContact::Chain
   explicit Chain(ContactModelConfig config)
       : config_(checked(std::move(config))), levels_(config_), balance_(config_, levels_)
   {
+    if (config_.contact.check_branches && config_.wheelset.solve_height_and_roll)
+    {
+      other_.emplace(config_, levels_);
+    }
   }
 
   const WheelsetResult& evaluate(const WheelsetState& state)
@@ -86,7 +93,7 @@ class WheelsetContact::Chain
     result_.status = reason.empty() ? balance_.solve(state) : ContactStatus::invalid_input;
     result_.reason = reason.empty() ? balance_.reason() : reason;
     result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
-    result_.above_tolerance = false;
+    result_.above_tolerance = result_.near_branch = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
     {
@@ -94,6 +101,7 @@ class WheelsetContact::Chain
       result_.roll = balance_.roll();
       addPatches(Side::left);
       addPatches(Side::right);
+      result_.near_branch = other_ && hasOther(state);
       result_.reason = remark();
     }
     result_.patches.resize(patch_count_);
@@ -126,12 +134,37 @@ class WheelsetContact::Chain
     return config;
   }
 
-  /// Remark on a usable result: wheels that carry no load, or an error estimate above the tolerance; otherwise empty.
+  /// True if another equilibrium is found from a cold start or from a start at another roll.
+  bool hasOther(const WheelsetState& state)
+  {
+    for (const double roll : {0.0, balance_.roll() - other_roll, balance_.roll() + other_roll})
+    {
+      other_->reset(roll);
+      if (isUsable(other_->solve(state)) && (differs(Side::left) || differs(Side::right)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool differs(Side side) const
+  {
+    const RailResult one = balance_.wheel(side).rail(), two = other_->wheel(side).rail();
+    const double force = std::hypot(one.lateral_force, one.vertical_force);
+    return std::hypot(two.lateral_force - one.lateral_force, two.vertical_force - one.vertical_force) >
+           other_force * force;
+  }
+
+  /// Remark on a usable result: another equilibrium, wheels that carry no load, or an error estimate above the
+  /// tolerance; otherwise empty.
   std::string_view remark() const
   {
     if (balance_.wheel(Side::left).loaded() && balance_.wheel(Side::right).loaded())
     {
-      return result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance" : "";
+      return result_.near_branch       ? "another equilibrium exists: the result depends on the states before"
+             : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
+                                       : "";
     }
     if (balance_.wheel(Side::left).loaded())
     {
@@ -155,6 +188,7 @@ class WheelsetContact::Chain
   ContactModelConfig config_;
   GridLevels levels_;
   WheelsetBalance balance_;
+  std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
   WheelsetResult result_;
   std::size_t patch_count_ = 0;
 };

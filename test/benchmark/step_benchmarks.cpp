@@ -48,7 +48,8 @@ void problem(benchmark::State& state, const core::GridSize& size)
   built.modulus = one.wheel.problem().modulus;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(grids.build(one.pose, size, core::OverlapGrids::Choice::own, built));
+    benchmark::DoNotOptimize(
+        grids.build(one.pose, size, core::OverlapGrids::Choice::own, core::OverlapGrids::Reach::expected, built));
   }
 }
 

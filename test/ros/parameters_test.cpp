@@ -97,6 +97,7 @@ TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
   EXPECT_EQ(file.model.contact.tolerance, code.model.contact.tolerance);
   EXPECT_EQ(file.model.contact.cells_along, code.model.contact.cells_along);
   EXPECT_EQ(file.model.contact.cells_across, code.model.contact.cells_across);
+  EXPECT_EQ(file.model.contact.check_branches, code.model.contact.check_branches);
   EXPECT_EQ(file.slop, code.slop);
   EXPECT_EQ(file.markers.rate, code.markers.rate);
   EXPECT_EQ(file.markers.rail_length, code.markers.rail_length);

@@ -280,7 +280,7 @@ MapTable shapeMap()
       "50 kN on a wheel of radius 0.46 m, with these gaps across the track, on a grid of 24 × 18 mm. Column `auto`: "
       "the first grid of `auto`, and finer ones while the error estimate is above 0.01. Other methods: 24 × 48 "
       "cells, without an error estimate. The reference is `conjugate_gradient` on 96 × 192 cells. \"At the border\": "
-      "there is pressure in the outer cells; the grid of a wheelset is never so small. The conformal "
+      "there is pressure in the outer cells; a wheelset is then solved again on a larger grid. The conformal "
       "gaps (radius 13 mm in 14 mm to 13 mm) end in steep parabolas 7 mm from their middle, the flat one and the "
       "saddle 5 mm from it. The step is as high as that of S1002 at y = −35 mm. At a step the exact pressure is "
       "unbounded: the highest pressure grows as the cells become smaller.",

@@ -144,4 +144,22 @@ TEST(Sweep, BothResultsOfALoopAreEquilibria)
     }
   }
 }
+
+// In the middle of a loop the other equilibrium is found from both ways; outside of the loop there is none.
+TEST(Sweep, CheckBranchesFindsTheOtherEquilibriumInALoop)
+{
+  for (Sweep sweep : sweepsWith(true))
+  {
+    const Loop loop = loopOf(sweep, run(sweep));
+    sweep.config.contact.check_branches = true;
+    for (const int from : {0, sweep.steps()})
+    {
+      WheelsetContact contact(sweep.config);
+      EXPECT_FALSE(contact.evaluate(stateAt(sweep.at(from), sweep.wheel_load)).near_branch) << sweep.name;
+      const WheelsetResult& result = moved(contact, sweep, from, (loop.first + loop.last) / 2);
+      EXPECT_TRUE(result.near_branch) << sweep.name << " from " << sweep.at(from);
+      EXPECT_NE(result.reason.find("another equilibrium"), std::string::npos) << result.reason;
+    }
+  }
+}
 }  // namespace wheel_rail_contact::core::stability

@@ -98,6 +98,9 @@ struct WheelsetResult
   /// The estimated error of at least one wheel is above ContactConfig::tolerance. That of a single patch may be above
   /// it although its wheel is within it.
   bool above_tolerance = false;
+  /// Another equilibrium of the same state was found, in which the forces on the rails differ by more than 5 %: the
+  /// result depends on the states before. Only with ContactConfig::check_branches.
+  bool near_branch = false;
   double x = 0, y = 0, z = 0;        ///< axle centre in the track frame [m]; z is the solved (or given) height
   double yaw = 0, roll = 0;          ///< rotation of the axle [rad]; roll is the solved (or given) one
   std::array<RailResult, 2> rail;    ///< rail of each Side; valid only if the result is usable

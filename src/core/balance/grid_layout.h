@@ -14,6 +14,8 @@ struct SurfaceArea
   double x_least = 0, x_most = 0;      ///< [m]
   double arc_least = 0, arc_most = 0;  ///< [m]
   SurfaceOrigin origin;                ///< the point from which the arc is counted; its x is not used
+  double half_length = 0;              ///< of the expected pressure along the track [m]
+  bool whole = true;                   ///< the whole overlap, which the pressure cannot leave
 };
 
 /// A grid and its origin on the surface.

@@ -5,16 +5,13 @@
 #include <array>
 #include <utility>
 
+#include "core/balance/tuning.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Residual of the normal solution per unit of contact/tolerance [-]. In 150 random wheelsets the errors of pressure
-/// and area due to the residual were below the residual in 90 % of the cases and below three times the residual in 99 %
-/// of them.
-constexpr double residual_per_tolerance = 0.02;
 constexpr double least_residual = 1e-6;  ///< [-]
 
 /// Number of cells up to which a grid is prepared for all cell shapes. On a larger grid, which can only be set by hand,
@@ -23,14 +20,12 @@ constexpr int most_prepared_cells = 64 * 192;
 
 constexpr std::array<GridSize, 8> sizes{
     {{8, 16}, {12, 24}, {16, 32}, {16, 48}, {24, 64}, {32, 96}, {48, 128}, {64, 192}}};
-constexpr double first_share = 0.6;             ///< of the tolerance, for the expected error on the first grid [-]
-constexpr std::ptrdiff_t most_refinements = 2;  ///< levels above the first one
 
-/// First grid for a tolerance.
-const GridSize* firstFor(double tolerance)
+/// First grid for an expected error of 1 / (cells along)².
+const GridSize* firstFor(double error)
 {
   return std::find_if(sizes.begin(), sizes.end() - 1,
-                      [&](const GridSize& size) { return 1 <= first_share * tolerance * size.along * size.along; });
+                      [&](const GridSize& size) { return 1 <= error * size.along * size.along; });
 }
 
 std::vector<GridSize> sizesFor(const ContactConfig& contact)
@@ -39,9 +34,13 @@ std::vector<GridSize> sizesFor(const ContactConfig& contact)
   {
     return {{contact.cells_along, contact.cells_across}};
   }
-  const GridSize* const first = firstFor(contact.tolerance);
-  const bool refines = contact.method == NormalMethod::automatic;
-  return {first, first + 1 + (refines ? std::min(most_refinements, sizes.end() - first - 1) : 0)};
+  const double error = tuning::first_share * contact.tolerance;
+  if (contact.method != NormalMethod::automatic)
+  {
+    return {*firstFor(0.5 * error)};
+  }
+  const GridSize* const first = firstFor(error);
+  return {first, first + 1 + std::min<std::ptrdiff_t>(tuning::most_refinements, sizes.end() - 1 - first)};
 }
 
 std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const std::vector<GridSize>& grids)
@@ -52,7 +51,7 @@ std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const
     return makeNormalSolver(method);
   }
   ConjugateGradientsOptions options;
-  options.residual = std::max(residual_per_tolerance * config.contact.tolerance, least_residual);
+  options.residual = std::max(tuning::residual_per_tolerance * config.contact.tolerance, least_residual);
   auto solver = std::make_unique<ConjugateGradients>(options);
   for (const GridSize& size : grids)
   {

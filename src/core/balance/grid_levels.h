@@ -27,7 +27,8 @@ inline bool operator==(const GridSize& one, const GridSize& other)
 ///
 /// Every solution starts on the same grid, which the tolerance determines: the error of a smooth contact is of the
 /// order of 1 / (cells along)². With `method: auto`, a wheel whose estimated error exceeds the tolerance is solved
-/// again on a finer grid. Nothing depends on earlier results. Every other method has one grid.
+/// again on a finer grid. Nothing depends on earlier results. Every other method has one grid, for half
+/// the expected error.
 class GridLevels
 {
  public:

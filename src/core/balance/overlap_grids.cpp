@@ -2,11 +2,14 @@
 #include "core/balance/overlap_grids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/balance/tuning.h"
 #include "core/normal/estimate/unseen_slope.h"
+#include "core/normal/solvers/elliptic.h"
 #include "core/track/gap.h"
 
 namespace wheel_rail_contact::core
@@ -14,28 +17,43 @@ namespace wheel_rail_contact::core
 namespace
 {
 const double pi = std::acos(-1.0);
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr double least_overlap = 1e-9;      ///< smaller ones are below the accuracy of the search [m]
-constexpr double margin = 0.05;             ///< of an area beyond each end of the overlap, over its width [-]
-constexpr double margin_along = 0.08;       ///< the same along the track, where the radius of the wheel varies [-]
-constexpr double reserve = 0.1;             ///< of an area on each side, during a search [-]
-constexpr double most_larger_kept = 1.8;    ///< length of a kept grid over that of the area [-]
-constexpr double most_larger_reserved = 4;  ///< the same for Choice::reserved [-]
-constexpr double widening = 0.15;           ///< of an area whose border the overlap reaches, on each side [-]
-constexpr std::size_t usual_grids = 4;      ///< of a wheel, for which memory is reserved
-constexpr int most_widenings = 8;           ///< of one grid
-constexpr double smallest_opening = 0.05;   ///< columns that a vertical displacement opens by less are left out [-]
-constexpr double plane_turn = 0.2;          ///< turn of the normals that is neglected [rad]
+constexpr double least_overlap = 1e-9;  ///< smaller ones are below the accuracy of the search [m]
+constexpr std::size_t usual_grids = 4;  ///< of a wheel, for which memory is reserved
 
 /// Range of the overlap along the track [m].
 struct Extent
 {
-  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+  double least = infinity, most = -infinity;
 };
 
+/// Half-length of the overlap of a wheel circle that is `depth` too low [m].
+double halfLength(const PlacedWheel& wheel, const InitialContact& contact, double depth)
+{
+  const double radius = wheel.sections().radius - wheel.profile().at(contact.wheel_u).z;
+  return std::sqrt(2 * std::max(depth, 0.0) * radius);
+}
+
+/// Squares of the ratios of a contact's semi-axes to those of the overlap [-].
+struct ContactShare
+{
+  double along = 0, across = 0;
+};
+
+/// Those of a Hertzian contact: D / K for the longer axis and 1 - D / K for the shorter one, with the complete elliptic
+/// integrals K and D of its aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
+ContactShare contactShare(double overlap_length, double overlap_width)
+{
+  const double ratio = std::min(overlap_length, overlap_width) / std::max(overlap_length, overlap_width);
+  const Elliptic integrals = elliptic(std::pow(ratio, 4 / pi));
+  const double longer = integrals.d / integrals.k;
+  return overlap_length > overlap_width ? ContactShare{longer, 1 - longer} : ContactShare{1 - longer, longer};
+}
+
 /// Range of an overlap whose middle line is the contact locus and whose half-length falls towards its ends as that of
-/// an ellipse. The wheel is `lower` below its place [m].
-void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double lower, Extent& extent)
+/// an ellipse. At its deepest place it is `depth` deep [m].
+void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double depth, Extent& extent)
 {
   const double shift = interval.contact.wheel_u - interval.contact.rail_u;
   Extent locus;
@@ -48,15 +66,25 @@ void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double
       locus.most = std::max(locus.most, point.x);
     }
   }
-  // A wheel circle that overlaps by a depth below its lowest point does so over this length.
-  const double radius = wheel.sections().radius - wheel.profile().at(interval.contact.wheel_u).z;
   const double spread = locus.most - locus.least;
   const double half =
-      0.15 * spread +
-      std::hypot(0.5 * spread, std::sqrt(2 * std::max(lower - interval.contact.separation, 0.0) * radius));
+      tuning::overlap_margin * spread + std::hypot(0.5 * spread, halfLength(wheel, interval.contact, depth));
   const double middle = 0.5 * (locus.least + locus.most);
   extent.least = std::min(extent.least, middle - half);
   extent.most = std::max(extent.most, middle + half);
+}
+
+/// Part of the rail that a wheel overlaps in the intervals, with a margin. The wheel is `lower` below its place [m].
+RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower)
+{
+  Extent extent;
+  std::for_each(begin, end,
+                [&](const OverlapInterval& interval)
+                { addExtent(wheel, interval, lower - interval.contact.separation, extent); });
+  const double u_begin = begin->u_begin, u_end = (end - 1)->u_end;
+  const double along = tuning::overlap_margin * (extent.most - extent.least);
+  const double across = tuning::overlap_margin * (u_end - u_begin);
+  return {extent.least - along, extent.most + along, u_begin - across, u_end + across};
 }
 
 /// Adds a part of its length and width to each side of an area.
@@ -74,7 +102,7 @@ void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
 {
   for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
   {
-    if (columns[static_cast<std::size_t>(j)].perUp() < smallest_opening)
+    if (columns[static_cast<std::size_t>(j)].perUp() < tuning::smallest_opening)
     {
       patch.gap.col(j).setConstant(no_body_gap);
     }
@@ -89,17 +117,17 @@ void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, Eige
   const auto lowest = [&](Eigen::Index j) { return patch.gap.col(j).minCoeff(); };
   Eigen::Index row = 0, deepest = 0;
   patch.gap.minCoeff(&row, &deepest);
-  patch.weight = std::max(at(deepest).perUp(), smallest_opening);
+  patch.weight = std::max(at(deepest).perUp(), tuning::smallest_opening);
   patch.column_weight.resize(patch.grid.ny);
   double turn_least = 0, turn_most = 0;
   for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
   {
-    patch.column_weight[j] = std::max(at(j).perUp(), smallest_opening) / patch.weight;
+    patch.column_weight[j] = std::max(at(j).perUp(), tuning::smallest_opening) / patch.weight;
     const double turn = lowest(j) < 0 ? at(j).turnFrom(at(deepest)) : 0;
     turn_least = std::min(turn_least, turn);
     turn_most = std::max(turn_most, turn);
   }
-  const bool turns = turn_most - turn_least > plane_turn;
+  const bool turns = turn_most - turn_least > tuning::plane_turn;
   if (turns != (patch.turn.size() > 0))
   {
     patch.turn.swap(spare);
@@ -139,6 +167,11 @@ OverlapGrids::OverlapGrids(const Profile& wheel, const WheelsetConfig& wheelset,
 {
   laid_.reserve(usual_grids);
   before_.reserve(usual_grids);
+  origins_.reserve(usual_grids);
+  half_lengths_.reserve(usual_grids);
+  whole_.reserve(usual_grids);
+  pressed_.reserve(usual_grids);
+  joined_.reserve(2 * usual_grids);
 }
 
 void OverlapGrids::setRail(const PlacedRail& rail)
@@ -147,7 +180,7 @@ void OverlapGrids::setRail(const PlacedRail& rail)
   search_.setRail(rail);
 }
 
-OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSize& size, Choice choice,
+OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach,
                                           NormalProblem& problem)
 {
   placed_wheel_.emplace(wheel_, wheelset_, pose);
@@ -163,27 +196,54 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
   }
   search_.overlapIntervals(0, intervals_);
   std::swap(before_, laid_);
+  join(choice != Choice::own);
   laid_.clear();
+  origins_.clear();
+  half_lengths_.clear();
+  whole_.clear();
   for (std::size_t k = problem.patches.size(); k > 0; --k)
   {
     removeLast(problem);
   }
   for (std::size_t first = 0; first < intervals_.size(); first = endOfGroup(first))
   {
-    addGrid(wheel, first, endOfGroup(first), size, choice, problem);
+    addGrid(wheel, first, endOfGroup(first), size, choice, reach, problem);
   }
   couple(problem);
   return problem.patches.empty() ? Overlap::beside : Overlap::found;
 }
 
+/// Sets the parts of the rail profile of which each is in one grid: those that carry pressure, and those of the last
+/// grids if these are kept.
+void OverlapGrids::join(bool keep)
+{
+  joined_.clear();
+  for (const RailPart& one : pressed_)
+  {
+    joined_.emplace_back(one.u_begin, one.u_end);
+  }
+  for (std::size_t k = 0; keep && k < before_.size(); ++k)
+  {
+    const auto& [grid, origin] = before_[k].used;
+    joined_.emplace_back(origin.rail_u + grid.y(0), origin.rail_u + grid.y(grid.ny - 1));
+  }
+}
+
 /// End (exclusive) of the intervals from `first` on that are in one grid: each is closer to the next than the wider of
-/// them is wide.
+/// them is wide, or both are in one of the joined parts.
 std::size_t OverlapGrids::endOfGroup(std::size_t first) const
 {
   const auto width = [this](std::size_t k) { return intervals_[k].u_end - intervals_[k].u_begin; };
   double widest = width(first);
   std::size_t end = first + 1;
-  while (end < intervals_.size() && intervals_[end].u_begin - intervals_[end - 1].u_end < std::max(widest, width(end)))
+  const auto are_joined = [this](double u_begin, double u_end)
+  {
+    return std::any_of(joined_.begin(), joined_.end(),
+                       [&](const auto& one) { return one.first < u_begin && one.second > u_end; });
+  };
+  while (end < intervals_.size() &&
+         (intervals_[end].u_begin - intervals_[end - 1].u_end < std::max(widest, width(end)) ||
+          are_joined(intervals_[end - 1].u_end, intervals_[end].u_begin)))
   {
     widest = std::max(widest, width(end++));
   }
@@ -192,14 +252,27 @@ std::size_t OverlapGrids::endOfGroup(std::size_t first) const
 
 bool OverlapGrids::fits(double lower)
 {
-  search_.overlapIntervals(lower, intervals_);
+  search_.overlapIntervals(lower, lower_intervals_);
+  intervals_.swap(lower_intervals_);
+  const bool fit = fitIntervals(lower);
+  intervals_.swap(lower_intervals_);
+  return fit;
+}
+
+bool OverlapGrids::fitIntervals(double lower)
+{
+  join(false);
   std::size_t count = 0;
   for (std::size_t first = 0; first < intervals_.size(); first = endOfGroup(first), ++count)
   {
-    const GridSize size{laid_.front().used.grid.nx, laid_.front().used.grid.ny};
-    const SurfaceArea area = areaOf(*placed_wheel_, first, endOfGroup(first), lower);
-    if (count >= laid_.size() || laid_[count].reserved ||
-        !layGrid(area, size, laid_.front().used.grid.symmetric).equals(laid_[count].planned))
+    if (count >= laid_.size())
+    {
+      return false;
+    }
+    const Laid& laid = laid_[count];
+    const Grid& grid = laid.planned.grid;
+    const SurfaceArea area = areaOf(*placed_wheel_, first, endOfGroup(first), lower, laid.reach);
+    if (laid.has_patch && !layGrid(area, {grid.nx, grid.ny}, grid.symmetric).equals(laid.planned))
     {
       return false;
     }
@@ -207,9 +280,10 @@ bool OverlapGrids::fits(double lower)
   return count == laid_.size();
 }
 
-/// The area of the intervals from `first` to `last` (exclusive) of a wheel that is `lower` below its place [m], with a
-/// margin. Its origin is the deepest place.
-SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower) const
+/// The area for the intervals from `first` to `last` (exclusive) of a wheel that is `lower` below its place [m]. Its
+/// origin is the deepest place.
+SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower,
+                                 Reach reach) const
 {
   const OverlapInterval* const begin = &intervals_[first];
   const OverlapInterval* const end = begin + (last - first);
@@ -217,27 +291,203 @@ SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, st
                                                    [](const OverlapInterval& one, const OverlapInterval& other)
                                                    { return one.contact.separation < other.contact.separation; })
                                       ->contact;
-  Extent along;
-  std::for_each(begin, end, [&](const OverlapInterval& interval) { addExtent(wheel, interval, lower, along); });
+  RailPart part = overlapOf(wheel, begin, end, lower), inner;
+  const bool whole = reach == Reach::whole || !(findPressed(begin->u_begin, (end - 1)->u_end, inner) ||
+                                                (last - first == 1 && findContact(wheel, *begin, lower, inner)));
+  if (!whole)
+  {
+    part = {std::max(part.x_least, inner.x_least), std::min(part.x_most, inner.x_most),
+            std::max(part.u_begin, inner.u_begin), std::min(part.u_end, inner.u_end)};
+  }
   const Profile& profile = rail_->profile();
-  SurfaceArea area{along.least,
-                   along.most,
-                   arcLength(profile, deepest.rail_u, begin->u_begin),
-                   arcLength(profile, deepest.rail_u, (end - 1)->u_end),
-                   {0, deepest.rail_u, deepest.wheel_u}};
-  grow(margin_along, margin, area);
-  return area;
+  return {part.x_least,
+          part.x_most,
+          arcLength(profile, deepest.rail_u, part.u_begin),
+          arcLength(profile, deepest.rail_u, part.u_end),
+          {0, deepest.rail_u, deepest.wheel_u},
+          0.5 * (part.x_most - part.x_least) / (whole ? std::sqrt(2) : tuning::contact_margin),
+          whole};
+}
+
+/// Finds the part that a Hertzian contact with the same overlap would need, with a margin. @return false unless the
+/// separation has one minimum
+bool OverlapGrids::findContact(const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
+                               RailPart& part) const
+{
+  if (!interval.has_one_minimum)
+  {
+    return false;
+  }
+  const double separation = interval.contact.separation, depth = lower - separation;
+  const ContactShare share =
+      contactShare(halfLength(wheel, interval.contact, depth), 0.5 * (interval.u_end - interval.u_begin));
+  const double widened = tuning::contact_margin * tuning::contact_margin;
+  OverlapInterval contact = interval;
+  search_.moveEnds(separation + std::min(widened * share.across, 1.0) * depth, contact);
+  Extent extent;
+  addExtent(wheel, contact, std::min(widened * share.along, 1.0) * depth, extent);
+  part = {extent.least, extent.most, contact.u_begin, contact.u_end};
+  return true;
+}
+
+void OverlapGrids::follow(const std::vector<PatchPressure>& pressure)
+{
+  pressed_.clear();
+  for (std::size_t k = 0; k < pressure.size(); ++k)
+  {
+    const Grid& grid = pressure[k].grid;
+    const Eigen::ArrayXXd& p = pressure[k].pressure;
+    Eigen::Index first = 0, last = p.cols() - 1, low = 0, high = p.rows() - 1;
+    const auto is_empty = [](const auto& line) { return !(line > 0).any(); };
+    for (; first < last && is_empty(p.col(first)); ++first)
+    {
+    }
+    for (; last > first && is_empty(p.col(last)); --last)
+    {
+    }
+    for (; low < high && is_empty(p.row(low)); ++low)
+    {
+    }
+    for (; high > low && is_empty(p.row(high)); --high)
+    {
+    }
+    const double x_most = grid.x(static_cast<int>(high)) + 1.5 * grid.dx;
+    const double x_least = grid.symmetric ? -x_most : grid.x(static_cast<int>(low)) - 1.5 * grid.dx;
+    const auto parameter = [&](Eigen::Index j) { return columns_[k][static_cast<std::size_t>(j)].rail_u; };
+    pressed_.push_back({originOf(k).x + x_least, originOf(k).x + x_most, parameter(first) - 1.5 * grid.dy,
+                        parameter(last) + 1.5 * grid.dy});
+  }
+}
+
+/// Finds the part that carries pressure between two parameters of the rail profile. @return false if there is none
+bool OverlapGrids::findPressed(double u_begin, double u_end, RailPart& all) const
+{
+  all = {infinity, -infinity, infinity, -infinity};
+  for (const RailPart& one : pressed_)
+  {
+    if (one.u_end > u_begin && one.u_begin < u_end)
+    {
+      all = {std::min(all.x_least, one.x_least), std::max(all.x_most, one.x_most), std::min(all.u_begin, one.u_begin),
+             std::max(all.u_end, one.u_end)};
+    }
+  }
+  return all.x_most > all.x_least;
+}
+
+bool OverlapGrids::isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const
+{
+  const auto last_row = pressure.rows() - 1, last_column = pressure.cols() - 1;
+  const bool symmetric = placed_wheel_->pose().yaw == 0;
+  return !whole_[patch] && ((pressure.col(0) > 0).any() || (pressure.col(last_column) > 0).any() ||
+                            (pressure.row(last_row) > 0).any() || (!symmetric && (pressure.row(0) > 0).any()));
+}
+
+bool OverlapGrids::isComplete(const NormalProblem& problem, const NormalSolution& solution)
+{
+  bool is_whole = true;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  {
+    if (isCut(k, solution.patches[k].pressure))
+    {
+      return false;
+    }
+    is_whole = is_whole && whole_[k];
+  }
+  if (is_whole)
+  {
+    return true;
+  }
+  column_sums_.resize(solution.patches.size());
+  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  {
+    column_sums_[k] = solution.patches[k].pressure.colwise().sum();
+  }
+  return !mayTouchOutside(problem, solution);
+}
+
+/// True if the surfaces may touch outside of the grids. Near a contact their distance grows with that from the contact;
+/// another contact needs a place farther away where it is smaller again.
+bool OverlapGrids::mayTouchOutside(const NormalProblem& problem, const NormalSolution& solution)
+{
+  for (const OverlapInterval& interval : intervals_)
+  {
+    search_.stationsOf(interval, stations_);
+    if (mayTouchFarther(problem, solution, stations_.begin(), stations_.end()) ||
+        mayTouchFarther(problem, solution, stations_.rbegin(), stations_.rend()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The same on the way from one end to the other, on the parts that lead away from the nearest grid.
+template <typename Station>
+bool OverlapGrids::mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
+                                   Station end) const
+{
+  double least = infinity, before = infinity;
+  for (; station != end; ++station)
+  {
+    const double beyond = beyondGrids(station->rail_u);
+    if (beyond > before)
+    {
+      const double overlap = station->depth + solution.approach - displacementAt(*station, problem, solution);
+      if (overlap > std::max(least, 0.0) + 2 * ContactSearch::station_error)
+      {
+        return true;
+      }
+      least = std::min(least, overlap);
+    }
+    else
+    {
+      least = infinity;
+    }
+    before = beyond;
+  }
+  return false;
+}
+
+/// Distance to the nearest grid along the profile [m]; zero in a grid.
+double OverlapGrids::beyondGrids(double u) const
+{
+  double nearest = infinity;
+  for (const std::vector<SurfaceColumn>& columns : columns_)
+  {
+    nearest = std::min(nearest, std::max({columns.front().rail_u - u, u - columns.back().rail_u, 0.0}));
+  }
+  return nearest;
+}
+
+/// Displacement by the forces in the columns (Johnson 1985, eq. 3.22b), each as a point force at the root mean square
+/// distance along the track [m]. That by the pressure is not smaller, because 1 / distance is convex.
+double OverlapGrids::displacementAt(const OverlapStation& station, const NormalProblem& problem,
+                                    const NormalSolution& solution) const
+{
+  double sum = 0;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  {
+    const double variance = 0.25 * half_lengths_[k] * half_lengths_[k];
+    const double unit = problem.patches[k].grid.cellArea() / (pi * problem.modulus);
+    for (Eigen::Index j = 0; j < column_sums_[k].size(); ++j)
+    {
+      const SurfaceColumn& column = columns_[k][static_cast<std::size_t>(j)];
+      const double y = station.y - column.y, z = station.z - column.z;
+      sum += unit * column_sums_[k][j] / std::sqrt(y * y + z * z + variance);
+    }
+  }
+  return sum;
 }
 
 /// A grid of the last call that covers the area; null if there is none.
-const OverlapGrids::Laid* OverlapGrids::laidBefore(const SurfaceArea& area, const GridSize& size, Choice choice) const
+const OverlapGrids::Laid* OverlapGrids::laidBefore(const SurfaceArea& area, const GridSize& size) const
 {
-  const double most_larger = choice == Choice::kept ? most_larger_kept : most_larger_reserved;
   for (const Laid& laid : before_)
   {
     const double shift = arcLength(rail_->profile(), laid.used.origin.rail_u, area.origin.rail_u);
     if (GridSize{laid.used.grid.nx, laid.used.grid.ny} == size &&
-        laid.used.grid.symmetric == (placed_wheel_->pose().yaw == 0) && covers(laid.used, area, shift, most_larger))
+        laid.used.grid.symmetric == (placed_wheel_->pose().yaw == 0) &&
+        covers(laid.used, area, shift, (laid.whole ? tuning::most_larger : 1) * tuning::most_larger))
     {
       return &laid;
     }
@@ -247,46 +497,61 @@ const OverlapGrids::Laid* OverlapGrids::laidBefore(const SurfaceArea& area, cons
 
 /// Adds the grid over the intervals `first` to `last` (exclusive), if there are columns that overlap.
 void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size,
-                           Choice choice, NormalProblem& problem)
+                           Choice choice, Reach reach, NormalProblem& problem)
 {
-  const bool symmetric = wheel.pose().yaw == 0;
-  SurfaceArea area = areaOf(wheel, first, last, 0);
-  const Laid* const before = choice != Choice::own ? laidBefore(area, size, choice) : nullptr;
-  const GridLayout fresh = layGrid(area, size, symmetric);
-  const bool reserved = choice == Choice::reserved && before == nullptr;
-  if (reserved)
-  {
-    grow(reserve, reserve, area);
-  }
-  Laid laid = before != nullptr ? *before : Laid{fresh, layGrid(area, size, symmetric), reserved};
-  GridLayout& layout = laid.used;
+  const SurfaceArea area = areaOf(wheel, first, last, 0, reach);
+  const Laid* const before = choice != Choice::own ? laidBefore(area, size) : nullptr;
+  const GridLayout planned = layGrid(area, size, wheel.pose().yaw == 0);
+  Laid laid = before != nullptr ? *before : Laid{planned, planned, reach, area.whole};
+  laid.reach = reach;
   appendPatch(problem);
-  PatchGap& patch = problem.patches.back();
+  bool found = fillGrid(wheel, size, area, laid.used, problem.patches.back());
+  if (!found && before != nullptr)  // the cells of the kept grid are too large
+  {
+    laid = {planned, planned, reach, area.whole};
+    found = fillGrid(wheel, size, area, laid.used, problem.patches.back());
+  }
+  laid.has_patch = found;
+  laid_.push_back(laid);
+  if (!found)
+  {
+    removeLast(problem);
+    return;
+  }
+  origins_.push_back(laid.used.origin);
+  half_lengths_.push_back(area.half_length);
+  whole_.push_back(area.whole);
+}
+
+/// Fills the last columns and their patch. If the area is the whole overlap, and the overlap is found to be larger,
+/// area and grid are widened. @return false if no cell overlaps
+bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout,
+                            PatchGap& patch)
+{
   std::vector<SurfaceColumn>& columns = columns_.back();
-  for (int k = 0; k < most_widenings; ++k)
+  for (double margin = tuning::overlap_margin; margin < 2; margin *= 2)
   {
     patch.grid = layout.grid;
     if (!buildSurfaceGap(wheel, *rail_, layout.origin, layout.grid, patch.gap, columns))
     {
-      break;
+      return false;
     }
     leaveOutWalls(columns, patch);
-    const bool long_enough = !isCutAlong(patch), wide_enough = !isCutAcross(patch);
+    const bool long_enough = !area.whole || !isCutAlong(patch), wide_enough = !area.whole || !isCutAcross(patch);
     if (long_enough && wide_enough)
     {
       if (!(patch.gap.minCoeff() < 0))
       {
-        break;
+        return false;
       }
       setNormals(columns, patch, spare_turn_);
       fillUnseenSlope(patch, [&](Eigen::Index j) { return gapSlope(columns, patch, j); });
-      laid_.push_back(laid);
-      return;
+      return true;
     }
-    grow(long_enough ? 0 : widening, wide_enough ? 0 : widening, area);
-    layout = layGrid(area, size, symmetric);
+    grow(long_enough ? 0 : margin, wide_enough ? 0 : margin, area);
+    layout = layGrid(area, size, wheel.pose().yaw == 0);
   }
-  removeLast(problem);
+  return false;
 }
 
 /// Appends a patch, with the memory of a removed one if there is any.
@@ -338,10 +603,9 @@ void OverlapGrids::couple(NormalProblem& problem)
     for (std::size_t l = k + 1; l < problem.patches.size(); column += problem.patches[l++].grid.ny)
     {
       const Grid &one = problem.patches[k].grid, &other = problem.patches[l].grid;
-      // The pressure is about 1 / sqrt(2) as long as the overlap; the variance of a half-ellipse is a quarter of the
-      // square of its half-length.
-      const auto variance = [](const Grid& grid) { return std::pow(0.5 * grid.nx * grid.dx, 2) / 8; };
-      const double along = std::pow(originOf(k).x - originOf(l).x, 2) + variance(one) + variance(other);
+      // The variance of a half-ellipse is a quarter of the square of its half-length.
+      const double along = std::pow(originOf(k).x - originOf(l).x, 2) +
+                           0.25 * (std::pow(half_lengths_[k], 2) + std::pow(half_lengths_[l], 2));
       for (Eigen::Index i = 0; i < one.ny; ++i)
       {
         const SurfaceColumn& here = columns_[k][static_cast<std::size_t>(i)];

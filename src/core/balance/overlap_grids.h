@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/balance/grid_layout.h"
@@ -12,11 +13,20 @@
 
 namespace wheel_rail_contact::core
 {
+/// Part of a rail: x along the track, side axes, and a parameter of its profile [m].
+struct RailPart
+{
+  double x_least = 0, x_most = 0;
+  double u_begin = 0, u_end = 0;
+};
+
 /// Grids on the surface of a rail over its overlap with a wheel, and the normal problem on them. Side axes.
 ///
 /// The contact lies inside the overlap of the undeformed bodies, because the surfaces only move apart under a pressure.
-/// Nothing is learned from earlier pressures. Intervals of the overlap that are closer to one another than the wider of
-/// them is wide are in one grid. Each grid is a patch of the problem. The forces in one grid displace the others
+/// Where the separation has one minimum, a grid covers the contact of paraboloids with the same overlap and a margin
+/// (Reach::expected). If the pressure reaches its edge, or the rest of the overlap may touch (isComplete()), a grid
+/// over the whole overlap must follow. Intervals of the overlap that are closer to one another than the wider of them
+/// is wide are in one grid. Each grid is a patch of the problem. The forces in one grid displace the others
 /// (NormalProblem::coupling).
 class OverlapGrids
 {
@@ -32,9 +42,15 @@ class OverlapGrids
   /// Which grids are used. Those of the last call keep the solutions of one search smooth.
   enum class Choice
   {
-    own,      ///< those of the pose
-    kept,     ///< those of the last call where they still cover the overlap
-    reserved  ///< the same; new ones are larger, so that they are more likely to be kept
+    own,  ///< those of the pose
+    kept  ///< those of the last call where they still cover the overlap
+  };
+
+  /// How much of the overlap the grids cover.
+  enum class Reach
+  {
+    expected,  ///< the expected contact, where the separation has one minimum
+    whole      ///< all of it
   };
 
   /// Keeps references to `wheel` and `wheelset`, which must outlive the object.
@@ -45,7 +61,12 @@ class OverlapGrids
   const PlacedRail& rail() const { return *rail_; }
 
   /// Finds the overlap at a pose. Sets patches and coupling of the problem, whose modulus must be set, if there is one.
-  Overlap build(const WheelsetPose& pose, const GridSize& size, Choice choice, NormalProblem& problem);
+  Overlap build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach, NormalProblem& problem);
+
+  /// The next grids cover this pressure of the last problem and a cell more on each side, instead of the overlap.
+  void follow(const std::vector<PatchPressure>& pressure);
+  /// The next grids are laid over the overlap again.
+  void unfollow() { pressed_.clear(); }
 
   /// Position of the smallest separation at the last pose. Valid unless the wheel was beside the rail.
   const InitialContact& touch() const { return touch_; }
@@ -54,7 +75,10 @@ class OverlapGrids
   /// Columns of each patch of the problem.
   const std::vector<std::vector<SurfaceColumn>>& columns() const { return columns_; }
   /// Origin of the grid of a patch.
-  const SurfaceOrigin& originOf(std::size_t patch) const { return laid_[patch].used.origin; }
+  const SurfaceOrigin& originOf(std::size_t patch) const { return origins_[patch]; }
+  /// True if the grids contain the whole contact: no pressure reaches the edge of a grid that the overlap exceeds, and
+  /// the surfaces outside of the grids, displaced by the forces in them, do not touch.
+  bool isComplete(const NormalProblem& problem, const NormalSolution& solution);
   /// True if the grids are those that the wheel would get `lower` below the last pose [m].
   bool fits(double lower);
 
@@ -63,14 +87,29 @@ class OverlapGrids
   struct Laid
   {
     GridLayout planned, used;
-    bool reserved = false;  ///< it was laid with a reserve
+    Reach reach = Reach::whole;
+    bool whole = true;      ///< it covers the whole overlap
+    bool has_patch = true;  ///< there are columns that overlap
   };
 
-  SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower) const;
+  bool isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const;
+  bool mayTouchOutside(const NormalProblem& problem, const NormalSolution& solution);
+  template <typename Station>
+  bool mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
+                       Station end) const;
+  double beyondGrids(double u) const;
+  double displacementAt(const OverlapStation& station, const NormalProblem& problem,
+                        const NormalSolution& solution) const;
+  bool fitIntervals(double lower);
+  bool findPressed(double u_begin, double u_end, RailPart& all) const;
+  bool findContact(const PlacedWheel& wheel, const OverlapInterval& interval, double lower, RailPart& part) const;
+  SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower, Reach reach) const;
   std::size_t endOfGroup(std::size_t first) const;
-  const Laid* laidBefore(const SurfaceArea& area, const GridSize& size, Choice choice) const;
+  const Laid* laidBefore(const SurfaceArea& area, const GridSize& size) const;
+  void join(bool keep);
   void addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size, Choice choice,
-               NormalProblem& problem);
+               Reach reach, NormalProblem& problem);
+  bool fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout, PatchGap& patch);
   void appendPatch(NormalProblem& problem);
   void removeLast(NormalProblem& problem);
   void couple(NormalProblem& problem);
@@ -80,9 +119,16 @@ class OverlapGrids
   std::optional<PlacedRail> rail_;
   ContactSearch search_;
   InitialContact touch_;
-  std::vector<OverlapInterval> intervals_;
+  std::vector<OverlapInterval> intervals_, lower_intervals_;
+  std::vector<OverlapStation> stations_;
+  std::vector<Eigen::ArrayXd> column_sums_;  ///< of the pressures in the columns of each patch [Pa]
   std::vector<std::vector<SurfaceColumn>> columns_;
-  std::vector<Laid> laid_, before_;  ///< of this and of the last call
+  std::vector<Laid> laid_, before_;                ///< of each group of intervals, in this and in the last call
+  std::vector<SurfaceOrigin> origins_;             ///< of each patch
+  std::vector<double> half_lengths_;               ///< of the expected pressure of each patch, along the track [m]
+  std::vector<char> whole_;                        ///< the grid of a patch covers the whole overlap
+  std::vector<RailPart> pressed_;                  ///< see follow()
+  std::vector<std::pair<double, double>> joined_;  ///< see join()
   std::optional<PlacedWheel> placed_wheel_;
   std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
   std::vector<std::vector<SurfaceColumn>> spare_columns_;

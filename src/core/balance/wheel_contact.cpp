@@ -10,12 +10,17 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double typical_load = 1e5;      ///< [N]; under it the overlap is about typical_overlap
-constexpr double typical_overlap = 6e-5;  ///< [m]
-constexpr int most_lowerings = 20;
+/// Overlap of a wheel on a rail under a load, over load^(2/3); a start [m/N^(2/3)].
+constexpr double typical_overlap = 2.8e-8;
 
 /// Movements whose openings are not multiples of one another.
 constexpr std::array<Motion, 4> independent{wheel_up, wheel_roll, rail_lateral, rail_roll};
+
+/// True for the methods that take the shape of the whole overlap.
+bool usesOverlap(NormalMethod method)
+{
+  return method == NormalMethod::hertz || method == NormalMethod::kik_piotrowski;
+}
 
 /// Turn of the wheel from one column to another [rad], small.
 double wheelTurn(const SurfaceColumn& from, const SurfaceColumn& to)
@@ -25,7 +30,10 @@ double wheelTurn(const SurfaceColumn& from, const SurfaceColumn& to)
 }  // namespace
 
 WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solver)
-    : solver_(solver), grids_(*config.wheel_profile, config.wheelset, *config.rail_profile), tangent_(rough_residual)
+    : solver_(solver),
+      grids_(*config.wheel_profile, config.wheelset, *config.rail_profile),
+      tangent_(tuning::rough_residual),
+      first_reach_(usesOverlap(config.contact.method) ? OverlapGrids::Reach::whole : OverlapGrids::Reach::expected)
 {
   solution_.status = SolveStatus::no_contact;
   problem_.modulus = contactModulus(config.wheel_material, config.rail_material);
@@ -46,6 +54,14 @@ WheelStatus WheelContact::none(WheelStatus status)
 void WheelContact::setGrid(std::size_t level, const GridSize& size)
 {
   size_ = size;
+  if (level > level_)
+  {
+    grids_.follow(solution_.patches);
+  }
+  else
+  {
+    grids_.unfollow();
+  }
   if (level != level_)
   {
     kept_.resize(std::max(kept_.size(), std::max(level, level_) + 1));
@@ -53,12 +69,14 @@ void WheelContact::setGrid(std::size_t level, const GridSize& size)
     std::swap(kept_[level], solution_);
     level_ = level;
     solution_.status = SolveStatus::no_contact;
+    column_forces_.clear();
   }
 }
 
 void WheelContact::forget()
 {
   none(WheelStatus::no_contact);
+  grids_.unfollow();
   for (NormalSolution& solution : kept_)
   {
     solution.patches.clear();
@@ -68,8 +86,7 @@ void WheelContact::forget()
 WheelStatus WheelContact::touch(const WheelsetPose& pose)
 {
   pose_ = pose;
-  const OverlapGrids::Overlap overlap = grids_.build(pose, size_, choice_, problem_);
-  if (overlap == OverlapGrids::Overlap::beside)
+  if (build(first_reach_) == OverlapGrids::Overlap::beside)
   {
     return none(WheelStatus::beside_rail);
   }
@@ -80,7 +97,7 @@ WheelStatus WheelContact::touch(const WheelsetPose& pose)
 WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
 {
   pose_ = pose;
-  switch (grids_.build(pose, size_, choice_, problem_))
+  switch (build(first_reach_))
   {
     case OverlapGrids::Overlap::beside:
       return none(WheelStatus::beside_rail);
@@ -93,11 +110,11 @@ WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
 
 WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
 {
-  const double lowering = typical_overlap * std::cbrt(std::pow(load / typical_load, 2));
+  const double lowering = typical_overlap * std::cbrt(load * load);
   pose_ = pose;
-  for (int i = 0; i < most_lowerings; ++i)
+  for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    switch (grids_.build(pose_, size_, choice_, problem_))
+    switch (build(first_reach_))
     {
       case OverlapGrids::Overlap::beside:
         return none(WheelStatus::beside_rail);
@@ -111,17 +128,36 @@ WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
   return none(WheelStatus::unbalanced);
 }
 
-WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
+OverlapGrids::Overlap WheelContact::build(OverlapGrids::Reach reach)
 {
-  problem_.control = control;
-  problem_.value = value;
+  return grids_.build(pose_, size_, choice_, reach, problem_);
+}
+
+/// Solves the problem, from the last solution if that is possible.
+void WheelContact::solveProblem()
+{
   const bool warm = solution_.patches.size() == problem_.patches.size();
   solver_.solve(problem_, warm, solution_);
-  if (const SolveStatus status = solution_.status; warm && !isUsable(status))
+  if (warm && !isUsable(solution_.status))
   {
     solver_.solve(problem_, false, solution_);
   }
   ++solutions_;
+}
+
+WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
+{
+  problem_.control = control;
+  problem_.value = value;
+  solveProblem();
+  if (isUsable(solution_.status) && !grids_.isComplete(problem_, solution_))
+  {
+    if (build(OverlapGrids::Reach::whole) != OverlapGrids::Overlap::found)
+    {
+      return none(WheelStatus::unbalanced);  // the overlap is between the columns of the larger grid
+    }
+    solveProblem();
+  }
   if (!isUsable(solution_.status))
   {
     const SolveStatus status = solution_.status;
@@ -244,12 +280,12 @@ void WheelContact::takeOpenings()
 MotionVector WheelContact::verticalStiffness()
 {
   MotionVector row = MotionVector::Zero();
-  if (solution_.patches.empty())
+  if (column_forces_.empty())
   {
     return row;
   }
   takeOpenings();
-  tangent_.setResidual(rough_residual);
+  tangent_.setResidual(tuning::rough_residual);
   const ContactTangent::Forces elastic = tangent_.stiffness(problem_, solution_, tangent_openings_, 0);
   for (std::size_t m = 0; m < independent.size(); ++m)
   {
@@ -261,7 +297,7 @@ MotionVector WheelContact::verticalStiffness()
 
 MotionMatrix WheelContact::stiffness(double residual)
 {
-  if (solution_.patches.empty())
+  if (column_forces_.empty())
   {
     return MotionMatrix::Zero();
   }

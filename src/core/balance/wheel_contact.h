@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/balance/overlap_grids.h"
+#include "core/balance/tuning.h"
 #include "core/normal/solvers/contact_tangent.h"
 #include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/normal_solver.h"
@@ -68,6 +70,8 @@ class WheelContact
   double height() const { return pose_.z - remaining(); }
   /// Height of the gap minus height() [m].
   double remaining() const { return solution_.approach; }
+  /// True if the gap is so close to its final height that the solution is usable.
+  bool isDeepEnough() const { return std::abs(remaining()) <= tuning::remaining_approach * overlap(); }
   /// Largest overlap of the undeformed bodies [m].
   double overlap() const { return -grids_.touch().separation; }
   /// Elastic energy [J].
@@ -77,7 +81,7 @@ class WheelContact
   /// Derivatives of the forces with respect to the coordinates, with negative sign: elastic part (ContactTangent) and
   /// geometric part. Zero without pressure.
   /// @param residual  see ContactTangent
-  MotionMatrix stiffness(double residual = rough_residual);
+  MotionMatrix stiffness(double residual = tuning::rough_residual);
   /// Its row of the wheel's height alone, which takes a quarter of the products.
   MotionVector verticalStiffness();
   /// Height change of the axle centre per unit of a coordinate, under the same load and with the distribution of the
@@ -105,9 +109,9 @@ class WheelContact
   void forget();
 
  private:
-  static constexpr double rough_residual = 0.03;  ///< the search of an equilibrium needs no less
-
+  OverlapGrids::Overlap build(OverlapGrids::Reach reach);
   WheelStatus solve(NormalProblem::Control control, double value);
+  void solveProblem();
   WheelStatus none(WheelStatus status);
   void evaluate();
   void openings(std::size_t patch);
@@ -129,6 +133,7 @@ class WheelContact
   MotionVector forces_ = MotionVector::Zero();
   double energy_ = 0;
   OverlapGrids::Choice choice_ = OverlapGrids::Choice::own;
+  OverlapGrids::Reach first_reach_;
   int solutions_ = 0;
 };
 }  // namespace wheel_rail_contact::core

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/balance/rail_support.h"
+#include "core/balance/tuning.h"
 
 namespace wheel_rail_contact::core
 {
@@ -14,16 +15,8 @@ namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr int most_solutions = 60;      ///< of the contact, in one search
-constexpr int most_own = 8;             ///< solutions after which new grids get a reserve
-constexpr double energy_noise = 1e-3;   ///< of the contact's energy that is not resolved [-]
-constexpr double smaller_slope = 0.9;   ///< ratio of the slopes of the energy of an accepted step [-]
-constexpr double least_share = 0.02;    ///< of a step that is shortened further [-]
-constexpr double jump_share = 20;       ///< of the accuracy, where the forces jump as the grids change [-]
-constexpr double most_open = 0.05;      ///< of the forces that a last step may close [-]
-constexpr double least_move = 1e-9;     ///< of a rail without contact that is neglected [m]
-constexpr double farthest_step = 1e-3;  ///< of the rail in one step [m]
-constexpr double roll_arm = 0.1;        ///< converts a roll of the rail to a comparable displacement [m]
+constexpr double least_move = 1e-9;  ///< of a rail without contact that is neglected [m]
+constexpr double roll_arm = 0.1;     ///< converts a roll of the rail to a comparable displacement [m]
 }  // namespace
 
 /// Length of a movement of the rail head; a roll counts by its effect on the crown [m].
@@ -164,18 +157,18 @@ Eigen::Vector3d WheelOnRail::step(const Eigen::Vector3d& open) const
   return step.allFinite() ? step : open;
 }
 
-WheelStatus WheelOnRail::carry(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids)
+WheelStatus WheelOnRail::carry(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
 {
   under_load_ = true;
   return !(load > 0) ? touchAtRest(pose)
          : bends_    ? search(pose, load, accuracy, keep_grids)
-                     : searchHeight(pose, load, accuracy, keep_grids);
+                     : searchHeight(pose, load, keep_grids);
 }
 
-WheelStatus WheelOnRail::hold(const WheelsetPose& pose, const WheelAccuracy& accuracy)
+WheelStatus WheelOnRail::hold(const WheelsetPose& pose, double accuracy)
 {
   under_load_ = false;
-  return bends_ ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, accuracy, false);
+  return bends_ ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, false);
 }
 
 /// Position of first touch without load.
@@ -204,7 +197,7 @@ WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPo
   place(forces);
   const WheelStatus status = under_load_ ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
   loaded_ = status == WheelStatus::solved;
-  responded_ = false;
+  responded_ = responded_ && keep_response_;
   trial.forces = forces;
   trial.height = height_ = contact_.height();
   trial.open = (loaded_ ? target() : restForces()) - forces;
@@ -213,7 +206,7 @@ WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPo
     trial.merit =
         contact_.energy() + 0.5 * forces.dot(compliance_ * forces) + (under_load_ ? load * contact_.height() : 0);
     trial.noise =
-        !loaded_ ? 0 : (energy_noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) * contact_.energy();
+        !loaded_ ? 0 : (tuning::noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) * contact_.energy();
   }
   else
   {
@@ -222,23 +215,17 @@ WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPo
   return status;
 }
 
-/// True if the remaining approach is small enough.
-bool WheelOnRail::isDeepEnough(const WheelAccuracy& accuracy) const
-{
-  return !under_load_ || std::abs(contact_.remaining()) <= accuracy.approach * contact_.overlap();
-}
-
 /// True if the last solution is in equilibrium. Otherwise sets the step of the forces that leads to it.
-bool WheelOnRail::settled(const Trial& trial, const WheelAccuracy& accuracy, Eigen::Vector3d& step)
+bool WheelOnRail::settled(const Trial& trial, double accuracy, Eigen::Vector3d& step)
 {
   step = trial.open;
   if (!loaded_)
   {
     return lengthOf(compliance_ * trial.open) <= least_move;
   }
-  const bool deep = isDeepEnough(accuracy);
+  const bool deep = !under_load_ || contact_.isDeepEnough();
   const auto even = [&](const Eigen::Vector3d& change)
-  { return contact_.opening(railMove(compliance_ * change)) <= accuracy.opening * contact_.overlap(); };
+  { return contact_.opening(railMove(compliance_ * change)) <= accuracy * contact_.overlap(); };
   if (deep && even(trial.open))
   {
     return true;
@@ -255,22 +242,19 @@ bool WheelOnRail::settled(const Trial& trial, const WheelAccuracy& accuracy, Eig
 /// The grids of a solution of a search.
 OverlapGrids::Choice WheelOnRail::gridsOf(int solution, bool keep_grids)
 {
-  return solution > most_own          ? OverlapGrids::Choice::reserved
-         : keep_grids || solution > 0 ? OverlapGrids::Choice::kept
-                                      : OverlapGrids::Choice::own;
+  return keep_grids || solution > 0 ? OverlapGrids::Choice::kept : OverlapGrids::Choice::own;
 }
 
 /// Search on a rail that does not bend: only the height is unknown.
-WheelStatus WheelOnRail::searchHeight(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy,
-                                      bool keep_grids)
+WheelStatus WheelOnRail::searchHeight(const WheelsetPose& pose, double load, bool keep_grids)
 {
   WheelsetPose at = pose;
   Trial trial;
-  for (int i = 0; i < most_solutions; ++i)
+  for (int i = 0; i < tuning::most_solutions; ++i)
   {
     contact_.choose(gridsOf(i, keep_grids));
     const WheelStatus status = solveOn(Eigen::Vector3d::Zero(), at, load, trial);
-    if (!loaded_ || isDeepEnough(accuracy))
+    if (!loaded_ || contact_.isDeepEnough())
     {
       return finish(trial, Eigen::Vector3d::Zero(), status);
     }
@@ -279,7 +263,7 @@ WheelStatus WheelOnRail::searchHeight(const WheelsetPose& pose, double load, con
   return WheelStatus::unbalanced;
 }
 
-WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids)
+WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
 {
   WheelsetPose at = pose;
   Eigen::Vector3d forces = forces_, step = Eigen::Vector3d::Zero(), rise_per_force = Eigen::Vector3d::Zero();
@@ -287,9 +271,10 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, const Whe
   forces[0] = own_force_ ? forces[0] : given_lateral_;
   Trial best, trial;
   double share = 1;
-  for (int i = 0; i < most_solutions; ++i)
+  for (int i = 0; i < tuning::most_solutions; ++i)
   {
     contact_.choose(gridsOf(i, keep_grids));
+    keep_response_ = keep_response_ && i < tuning::early_solutions;
     const WheelStatus status = solveOn(forces, at, load, trial);
     const bool usable = loaded_ || status == WheelStatus::no_contact;
     const bool first = !std::isfinite(best.merit);
@@ -298,11 +283,11 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, const Whe
       return status;
     }
     const double shorter = first ? 1 : usable ? shortened(best, trial) : 0.5;
-    if (usable && shorter < 1 && share <= least_share && isNear(accuracy, step) && isNearlyClosed(trial))
+    if (usable && shorter < 1 && share <= tuning::shortest_share && isNear(accuracy, step) && isNearlyClosed(trial))
     {
       return finish(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
     }
-    if (!usable || (shorter < 1 && share > least_share))
+    if (!usable || (shorter < 1 && share > tuning::shortest_share))
     {
       share *= shorter;
     }
@@ -315,7 +300,7 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, const Whe
         return finish(trial, step, status);
       }
       const double far = lengthOf(compliance_ * step);
-      step *= far > farthest_step ? farthest_step / far : 1;
+      step *= far > tuning::longest_step ? tuning::longest_step / far : 1;
       rise_per_force = under_load_ && responded_ ? height_per_force_ : Eigen::Vector3d::Zero();
     }
     forces = best.forces + share * step;
@@ -328,14 +313,14 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, const Whe
 /// solution; with other methods, a step may be small because it is wrong.
 bool WheelOnRail::isNearlyClosed(const Trial& trial)
 {
-  return trial.open.head<2>().norm() <= most_open * trial.forces.head<2>().norm();
+  return trial.open.head<2>().norm() <= tuning::last_step * trial.forces.head<2>().norm();
 }
 
 /// True if the last solution carries load, and a step would change the contact little.
-bool WheelOnRail::isNear(const WheelAccuracy& accuracy, const Eigen::Vector3d& step) const
+bool WheelOnRail::isNear(double accuracy, const Eigen::Vector3d& step) const
 {
-  return loaded_ && isDeepEnough(accuracy) &&
-         contact_.opening(railMove(compliance_ * step)) <= jump_share * accuracy.opening * contact_.overlap();
+  return loaded_ && contact_.isDeepEnough() &&
+         contact_.opening(railMove(compliance_ * step)) <= tuning::jump_share * accuracy * contact_.overlap();
 }
 
 /// Takes the last solution, with a last step of the forces, as the result.
@@ -363,7 +348,7 @@ double WheelOnRail::shortened(const Trial& best, const Trial& trial) const
   {
     return rise <= 0 ? 1 : 0.5;
   }
-  if (rise < -noise || (rise <= noise && std::abs(after) <= smaller_slope * std::abs(before)))
+  if (rise < -noise || (rise <= noise && std::abs(after) <= tuning::smaller_slope * std::abs(before)))
   {
     return 1;
   }

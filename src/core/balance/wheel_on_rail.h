@@ -6,13 +6,6 @@
 
 namespace wheel_rail_contact::core
 {
-/// Accuracy of WheelOnRail, over the overlap of the undeformed bodies [-].
-struct WheelAccuracy
-{
-  double approach = 0;  ///< largest remaining approach under a load
-  double opening = 0;   ///< largest opening by the remaining deflection of the rail (WheelContact::opening())
-};
-
 /// One wheel on its rail, which bends. Side axes.
 ///
 /// Unknown are the forces on the rail, whose deflection is compliance * forces, and under a load the height. Where the
@@ -35,10 +28,12 @@ class WheelOnRail
 
   /// Finds height and deflection at a pose under a load [N]; the height of `pose` is the start. Without a positive
   /// load, the height of first touch.
+  /// @param accuracy    largest opening by the remaining deflection of the rail, over the overlap [-], see
+  ///                    WheelContact::opening()
   /// @param keep_grids  starts on the grids of the last solution, see OverlapGrids::Choice
-  WheelStatus carry(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids);
+  WheelStatus carry(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
   /// Finds the deflection at a given pose.
-  WheelStatus hold(const WheelsetPose& pose, const WheelAccuracy& accuracy);
+  WheelStatus hold(const WheelsetPose& pose, double accuracy);
 
   /// Height of the axle centre in the last solution [m].
   double height() const { return height_; }
@@ -46,6 +41,8 @@ class WheelOnRail
   /// influence matrix. Until then the next functions take the distribution of the pressure, and the forces on the
   /// rail, as constant.
   void respond();
+  /// True: respond() is not called again after the next solutions. The response hardly differs on another grid.
+  void keepResponse(bool keep) { keep_response_ = keep; }
   bool responded() const { return responded_ || !loaded_; }
   /// Change of the height by roll, with the load kept [m/rad].
   double heightPerRoll() const;
@@ -68,13 +65,12 @@ class WheelOnRail
   struct Trial;
 
   static OverlapGrids::Choice gridsOf(int solution, bool keep_grids);
-  WheelStatus searchHeight(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids);
-  WheelStatus search(const WheelsetPose& pose, double load, const WheelAccuracy& accuracy, bool keep_grids);
+  WheelStatus searchHeight(const WheelsetPose& pose, double load, bool keep_grids);
+  WheelStatus search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
   WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial);
-  bool settled(const Trial& trial, const WheelAccuracy& accuracy, Eigen::Vector3d& step);
-  bool isDeepEnough(const WheelAccuracy& accuracy) const;
+  bool settled(const Trial& trial, double accuracy, Eigen::Vector3d& step);
   static bool isNearlyClosed(const Trial& trial);
-  bool isNear(const WheelAccuracy& accuracy, const Eigen::Vector3d& step) const;
+  bool isNear(double accuracy, const Eigen::Vector3d& step) const;
   WheelStatus finish(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
   double shortened(const Trial& best, const Trial& trial) const;
   Eigen::Vector3d restForces() const;
@@ -96,6 +92,7 @@ class WheelOnRail
   bool is_placed_ = false;
   double height_ = 0, touch_slope_ = 0;
   bool loaded_ = false, responded_ = false, under_load_ = true;
+  bool keep_response_ = false;
   bool has_response_ = false;  ///< the next values are those of this or an earlier solution
   double height_per_roll_ = 0, height_per_lateral_ = 0;
   Eigen::Vector3d height_per_force_;  ///< change of the height by forces on the rail, through its deflection [m/N]

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/balance/both_sides.h"
+#include "core/balance/tuning.h"
 
 namespace wheel_rail_contact::core
 {
@@ -13,21 +14,10 @@ namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr int most_passes = 80;          ///< of both wheels; bisection alone needs fewer
-constexpr int passes_on_own_grids = 1;   ///< after these, grids are kept
-constexpr double greatest_step = 2e-3;   ///< of the roll in a pass [rad]
-constexpr double farthest_turn = 5e-5;   ///< roll for which a contact is not solved again [rad]; it slides by 20 um
-constexpr double flattest_slope = -0.1;  ///< limit of the slope of the height difference [m/rad]
-constexpr double finest_bracket = 1e-9;  ///< width at which a bracket without a zero ends the search [rad]
-constexpr double roll_limit = 0.2;       ///< [rad]
-
-constexpr double remaining_approach = 0.1;      ///< of a wheel, over its overlap [-]
-constexpr double opening_per_tolerance = 0.04;  ///< opening by what is left of the balance, over the overlap [-]
-constexpr double unknown_share = 0.3;           ///< of the limit, with slopes from the pressure alone [-]
-constexpr double jump_share = 20;               ///< the same where the heights jump as the grids change [-]
-constexpr double uncertain_share = 1e-3;        ///< error of a height, over the overlap [-]
-constexpr double least_load = 1e-9;             ///< smaller loads are taken as zero [N]
-constexpr double unloaded_accuracy = 1e-7;      ///< of the height of a wheel without load [m]
+constexpr double finest_bracket = 1e-9;     ///< width at which a bracket without a zero ends the search [rad]
+constexpr double roll_limit = 0.2;          ///< [rad]
+constexpr double least_load = 1e-9;         ///< smaller loads are taken as zero [N]
+constexpr double unloaded_accuracy = 1e-7;  ///< of the height of a wheel without load [m]
 
 bool isUsable(WheelStatus status)
 {
@@ -38,12 +28,14 @@ bool isUsable(WheelStatus status)
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
     : config_(config),
       levels_(levels),
+      greatest_turn_(tuning::longest_step / config.wheelset.rolling_radius),
       wheels_{WheelOnRail(config, levels.solver()), WheelOnRail(config, levels.solver())}
 {
 }
 
-void WheelsetBalance::reset()
+void WheelsetBalance::reset(double roll)
 {
+  start_roll_ = roll;
   warm_ = false;
   for (WheelOnRail& wheel : wheels_)
   {
@@ -88,7 +80,7 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   const bool given = !config_.wheelset.solve_height_and_roll;
   const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
   z_ = given ? state.z : warm_ ? z_ : config_.wheelset.rolling_radius;
-  roll_ = given ? state.roll : warm_ ? roll_ : 0;
+  roll_ = given ? state.roll : warm_ ? roll_ : start_roll_;
   const double moved = state.y - state_.y;
   state_ = state;
   reason_ = {};
@@ -109,7 +101,7 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   do
   {
     status = given ? hold() : search();
-  } while (isUsable(status) && (refine() || layOwnGrids()));
+  } while (isUsable(status) && (layOwnGrids() || refine()));
   solutions_ = count() - before;
   if (!isUsable(status))
   {
@@ -136,12 +128,12 @@ void WheelsetBalance::predict(double moved)
     wheels_[k].predict(outward, 0);
   }
   const double step = -(heights_[0] - heights_[1]) / updateSlopes();
-  turn(roll_ + std::clamp(step, -greatest_step, greatest_step));
+  turn(roll_ + std::clamp(step, -greatest_turn_, greatest_turn_));
 }
 
 WheelStatus WheelsetBalance::hold()
 {
-  const WheelAccuracy accuracy{infinity, opening_per_tolerance * config_.contact.tolerance};
+  const double accuracy = tuning::opening_per_tolerance * config_.contact.tolerance;
   open_.fill(0);
   for (const Side side : sides)
   {
@@ -164,8 +156,8 @@ WheelStatus WheelsetBalance::hold()
 bool WheelsetBalance::isMoved(std::size_t k) const
 {
   const double turned = roll_ - solved_roll_[k];
-  return !solved_[k] || !wheels_[k].loaded() || std::abs(turned) > farthest_turn ||
-         openedBy(k, turned) > opening_per_tolerance * config_.contact.tolerance;
+  return !solved_[k] || !wheels_[k].loaded() ||
+         openedBy(k, turned) > tuning::opening_per_tolerance * config_.contact.tolerance;
 }
 
 /// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
@@ -178,7 +170,7 @@ double WheelsetBalance::openedBy(std::size_t k, double roll) const
 /// Solves the wheels at the roll, as far as they are not.
 WheelStatus WheelsetBalance::pass(bool keep_grids)
 {
-  const WheelAccuracy accuracy{remaining_approach, opening_per_tolerance * config_.contact.tolerance};
+  const double accuracy = tuning::opening_per_tolerance * config_.contact.tolerance;
   any_solved_ = false;
   for (const Side side : sides)
   {
@@ -207,7 +199,7 @@ double WheelsetBalance::updateSlopes()
   {
     slopes_[index(side)] = sideSign(side) * wheels_[index(side)].heightPerRoll();
   }
-  return std::min(slopes_[0] - slopes_[1], flattest_slope);
+  return std::min(slopes_[0] - slopes_[1], tuning::flattest_slope);
 }
 
 /// Changes the roll, and heights and deflections as they follow.
@@ -228,13 +220,13 @@ void WheelsetBalance::turn(double roll)
 bool WheelsetBalance::settle(double difference, double share)
 {
   const double closed = roll_ - difference / updateSlopes();
-  const double limit = share * opening_per_tolerance * config_.contact.tolerance;
+  const double limit = share * tuning::opening_per_tolerance * config_.contact.tolerance;
   for (std::size_t k = 0; k < 2; ++k)
   {
     open_[k] = openedBy(k, closed - solved_roll_[k]);
   }
   const bool at_rest = !wheels_[0].loaded() && !wheels_[1].loaded() && std::abs(difference) > unloaded_accuracy;
-  if (at_rest || !(std::max(open_[0], open_[1]) <= limit) || !(std::abs(closed - roll_) <= greatest_step))
+  if (at_rest || !(std::max(open_[0], open_[1]) <= limit) || !(std::abs(closed - roll_) <= greatest_turn_))
   {
     return false;
   }
@@ -245,7 +237,7 @@ bool WheelsetBalance::settle(double difference, double share)
 /// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
 bool WheelsetBalance::isNarrow(double range) const
 {
-  const double limit = opening_per_tolerance * config_.contact.tolerance;
+  const double limit = tuning::opening_per_tolerance * config_.contact.tolerance;
   return std::all_of(wheels_.begin(), wheels_.end(),
                      [&](const WheelOnRail& wheel)
                      {
@@ -257,16 +249,20 @@ bool WheelsetBalance::isNarrow(double range) const
 WheelStatus WheelsetBalance::search()
 {
   double least = -infinity, most = infinity;
-  for (int i = 0; i < most_passes; ++i)
+  for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    if (const WheelStatus status = pass(i > passes_on_own_grids); !isUsable(status))
+    for (std::size_t k = 0; k < 2 && i >= tuning::early_solutions; ++k)
+    {
+      wheels_[k].keepResponse(false);
+    }
+    if (const WheelStatus status = pass(i >= tuning::early_solutions); !isUsable(status))
     {
       return status;
     }
     const double difference = heights_[0] - heights_[1];
     const bool known = wheels_[0].responded() && wheels_[1].responded();
     // Other grids at the same place: the heights differ by the errors of the grids.
-    if (settle(difference, laid_ ? jump_share : known ? 1 : unknown_share))
+    if (settle(difference, laid_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
     {
       return WheelStatus::solved;
     }
@@ -279,13 +275,13 @@ WheelStatus WheelsetBalance::search()
     double uncertain = 0;
     for (const WheelOnRail& wheel : wheels_)
     {
-      uncertain += wheel.loaded() ? uncertain_share * wheel.contact().overlap() : unloaded_accuracy;
+      uncertain += wheel.loaded() ? tuning::noise * wheel.contact().overlap() : unloaded_accuracy;
     }
     if (std::abs(difference) > uncertain)
     {
       (difference > 0 ? least : most) = roll_;
     }
-    double next = roll_ + std::clamp(-difference / updateSlopes(), -greatest_step, greatest_step);
+    double next = roll_ + std::clamp(-difference / updateSlopes(), -greatest_turn_, greatest_turn_);
     if (!(next > least && next < most))
     {
       const bool bracketed = std::isfinite(least) && std::isfinite(most);
@@ -293,7 +289,7 @@ WheelStatus WheelsetBalance::search()
     }
     if (isNarrow(most - least) || !any_solved_)
     {
-      return settle(difference, jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
+      return settle(difference, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
     }
     turn(next);
     if (!(std::abs(roll_) < roll_limit))
@@ -348,6 +344,7 @@ bool WheelsetBalance::refine()
     const std::size_t level = levels_.finer(level_[k], wheel_errors_[k]);
     if (level != level_[k])
     {
+      wheels_[k].respond();
       setLevel(k, level);
       refined = true;
     }
@@ -374,6 +371,7 @@ bool WheelsetBalance::layOwnGrids()
 void WheelsetBalance::setLevel(std::size_t k, std::size_t level)
 {
   level_[k] = level;
+  wheels_[k].keepResponse(level > 0);
   laid_ = false;
   solved_[k] = false;
   wheels_[k].contact().setGrid(level, levels_.at(level));

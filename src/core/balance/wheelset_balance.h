@@ -28,8 +28,8 @@ class WheelsetBalance
   /// Keeps references to `config` and `levels`, which must outlive this.
   WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels);
 
-  /// The next solution starts cold.
-  void reset();
+  /// The next solution starts cold, at a roll [rad].
+  void reset(double roll = 0);
 
   /// Solves a valid state. The last result is the start. If the status is not ok, reason() gives the reason.
   ContactStatus solve(const WheelsetState& state);
@@ -73,6 +73,7 @@ class WheelsetBalance
 
   const ContactModelConfig& config_;
   const GridLevels& levels_;
+  double greatest_turn_;  ///< of the roll in one step [rad]
   std::array<WheelOnRail, 2> wheels_;
   WheelsetState state_;
   std::array<double, 2> loads_{};        ///< vertical wheel loads [N]
@@ -87,7 +88,7 @@ class WheelsetBalance
   std::array<double, 2> wheel_errors_{};
   std::array<double, 2> open_{};
   bool any_solved_ = false;  ///< in the last pass
-  double z_ = 0, roll_ = 0;
+  double z_ = 0, roll_ = 0, start_roll_ = 0;
   bool warm_ = false;
   bool laid_ = false;  ///< layOwnGrids() was called on these levels
   int solutions_ = 0;

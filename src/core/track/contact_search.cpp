@@ -227,6 +227,8 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
       end = last + 1;
       interval = intervalBetween(first, last, separation);
       interval.contact = refined(lowestStation(first, end));
+      const auto next = std::upper_bound(minima_.begin(), minima_.end(), minimum);
+      interval.has_one_minimum = next == minima_.end() || *next >= end;
       if (end - first >= fine_stations)
       {
         intervals.push_back(interval);
@@ -246,5 +248,42 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
       intervals.push_back(interval);
     }
   }
+}
+
+std::size_t ContactSearch::nearestStation(double y) const
+{
+  const double station = (y - stations_.first) / spacing;
+  return static_cast<std::size_t>(std::clamp(station + 0.5, 0.0, static_cast<double>(stations_.count - 1)));
+}
+
+void ContactSearch::stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const
+{
+  stations.clear();
+  const auto [first, last] = belowAround(nearestStation(interval.contact.y), 0);
+  for (std::size_t k = first; k <= last; ++k)
+  {
+    const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, stations_.count - 1);
+    const double slope =
+        (rail_outline_.z(after) - rail_outline_.z(before)) / (stations_.y(after) - stations_.y(before));
+    const double per_height = 1 / std::sqrt(1 + slope * slope);
+    stations.push_back({rail_outline_.u(k), stations_.y(k), rail_outline_.z(k), -separation_[k] * per_height});
+  }
+}
+
+void ContactSearch::moveEnds(double separation, OverlapInterval& interval) const
+{
+  const std::size_t nearest = nearestStation(interval.contact.y);
+  if (separation_[nearest] < separation)
+  {
+    const auto [first, last] = belowAround(nearest, separation);
+    if (last + 1 - first >= fine_stations)
+    {
+      const OverlapInterval ends = intervalBetween(first, last, separation);
+      interval.u_begin = ends.u_begin;
+      interval.u_end = ends.u_end;
+      return;
+    }
+  }
+  setWidthByCurvature(separation, interval);
 }
 }  // namespace wheel_rail_contact::core

@@ -30,6 +30,15 @@ struct OverlapInterval
   double u_end = 0;             ///< parameter of the rail profile at the end on the field side [m]
   InitialContact contact;       ///< position of the smallest separation in it
   bool at_profile_end = false;  ///< the interval is cut off by the end of a profile
+  bool has_one_minimum = true;  ///< the separation has one minimum in it
+};
+
+/// Place in an overlap at which the outlines are compared. Side axes.
+struct OverlapStation
+{
+  double rail_u = 0;    ///< parameter of the rail profile [m]
+  double y = 0, z = 0;  ///< point of the rail [m]
+  double depth = 0;     ///< overlap along the normal of the rail [m]
 };
 
 /// Search for contact between a placed wheel and a placed rail. The algorithm is our own:
@@ -43,6 +52,10 @@ struct OverlapInterval
 class ContactSearch
 {
  public:
+  static constexpr double spacing = 2.5e-4;  ///< distance of the stations, and of the samples on the profiles [m]
+  /// Largest error of the separation at stations, by straight segments on radii of 10 mm on both bodies [m].
+  static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
+
   /// Samples the profiles. Keeps no reference to them.
   ContactSearch(const Profile& wheel, const Profile& rail);
 
@@ -57,15 +70,16 @@ class ContactSearch
 
   /// Finds all intervals in which the separation is below `separation` [m], from the gauge side to the field side.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const;
+  /// Stations in an interval below the separation 0.
+  void stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const;
+  /// Moves the ends of an interval with one minimum to a separation [m] above this minimum.
+  void moveEnds(double separation, OverlapInterval& interval) const;
 
  private:
-  static constexpr double spacing = 2.5e-4;  ///< distance of the stations, and of the samples on the profiles [m]
-  /// Largest error of the separation at stations, by straight segments on radii of 10 mm on both bodies [m].
-  static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
-
   static constexpr std::size_t no_station = std::numeric_limits<std::size_t>::max();
 
   void findMinima();
+  std::size_t nearestStation(double y) const;
   double depthBelowStation(std::size_t k) const;
   std::size_t lowestStation(std::size_t first, std::size_t end) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;

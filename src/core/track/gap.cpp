@@ -10,9 +10,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Part of the length of the overlap that a pressure fills, about 1 / sqrt(2) [-].
-constexpr double pressed = 0.7;
-
 /// Sections of a wheel in the axes of a column: along the tangent of the rail and along its normal.
 WheelSections seenFrom(const SurfaceColumn& column, const WheelSections& wheel)
 {
@@ -152,22 +149,24 @@ class SurfaceGapBuilder
   }
 
   /// Evaluates each cell, from the middle of the columns to both of their ends. Returns the sum of the heights.
-  /// @param mean_slope  set to the slope at the places of a pressure's mean square distance from the middle: with an
-  ///                    elliptic pressure on `pressed` of the column, half of its half-length
+  /// @param mean_slope  set to the mean of the slope, weighted with (overlap)^(5/2): on a parabola, this has the
+  /// variance
+  ///                    of the pressure of a circular Hertz contact. Without overlap: slope at the lowest place
   Numbers fillRows(int count, Eigen::ArrayXXd& gap, Numbers& mean_slope)
   {
     Numbers sum = Numbers::Zero(), slope = Numbers::Zero();
-    const int typical = static_cast<int>(0.25 * pressed * grid_.nx);
+    Numbers weights = Numbers::Zero(), lowest = Numbers::Constant(no_body_gap), lowest_slope = Numbers::Zero();
     const auto fill = [&](int first, int end, int step)
     {
       Numbers u = group_.u;
       for (int row = first; row != end; row += step)
       {
         const Numbers n = heights_.heights(group_, count, x_ + grid_.x(row), u, slope);
-        if (row == first + step * typical)
-        {
-          mean_slope += (grid_.symmetric ? 1 : 0.5) * slope;
-        }
+        const Numbers overlap = (-n).max(0.0), weight = overlap * overlap * overlap.sqrt();
+        mean_slope += weight * slope;
+        weights += weight;
+        lowest_slope = (n < lowest).select(slope, lowest_slope);
+        lowest = lowest.min(n);
         sum += n;
         for (int k = 0; k < count; ++k)
         {
@@ -178,6 +177,7 @@ class SurfaceGapBuilder
     const int middle = grid_.symmetric ? 0 : grid_.nx / 2;
     fill(middle, grid_.rows(), 1);
     fill(middle - 1, -1, -1);
+    mean_slope = (weights > 0).select(mean_slope / weights, lowest_slope);
     return sum;
   }
 

@@ -174,6 +174,8 @@ void readContact(ParameterReader& reader, core::ContactConfig& contact)
   reader.read("contact/tolerance", rules::finite, contact.tolerance);
   reader.read("contact/grid/along", rules::whole, contact.cells_along);
   reader.read("contact/grid/across", rules::whole, contact.cells_across);
+  reader.read("contact/check_branches", std::vector<std::pair<std::string, bool>>{{"false", false}, {"true", true}},
+              contact.check_branches);
 }
 
 void readMarkers(ParameterReader& reader, MarkerConfig& markers)

@@ -189,5 +189,5 @@ def _draw_legend(axes, rows):
                           label="best of the fixed methods\n(Pareto front)"))
     legend = axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
                          ncol=3, columnspacing=3, title_fontsize=9.5,
-                         title=f"Methods on {len(grids)} grids, 8×16 to 48×128; auto at 10, 3, 1 and 0.3 %")
+                         title=f"Methods on {len(grids)} grids, 8×16 to 64×192; auto at 10, 3, 1 and 0.3 %")
     legend.get_children()[0].align = "left"  # the argument `alignment` is newer than the oldest supported matplotlib

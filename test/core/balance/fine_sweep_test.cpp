@@ -45,4 +45,24 @@ TEST(FineSweep, FindsTheBalanceFromTheTrackCentreToTheFlange)
     }
   }
 }
+
+// The overlap of the right wheel has one minimum, and a shoulder 8 mm beside it that touches as well: 71.63 mm² on 64 ×
+// 192 cells over the whole overlap, 57.7 mm² without the second contact. From both directions and cold.
+TEST(FineSweep, AContactOnAShoulderOfTheOverlapIsFound)
+{
+  constexpr double begin = -5.3e-3, end = -5.55e-3, shoulder = -5.415e-3, fine = 5e-6, expected = 71.63e-6;
+  const ContactModelConfig config = manchesterScene();
+  for (const double from : {begin, end, shoulder})
+  {
+    WheelsetContact contact(config);
+    const double direction = from > shoulder ? -1 : 1;
+    for (double y = from; direction * (shoulder - y) > 0.5 * fine; y += direction * fine)
+    {
+      contact.evaluate(stateAt(y, 1e5));
+    }
+    const WheelTotal total = wheelTotal(contact.evaluate(stateAt(shoulder, 1e5)), Side::right);
+    EXPECT_EQ(total.patches, 2) << "from " << from;
+    EXPECT_NEAR(total.area, expected, config.contact.tolerance * expected) << "from " << from;
+  }
+}
 }  // namespace wheel_rail_contact::core

@@ -33,14 +33,28 @@ class OverlapGridsTest : public testing::Test
   {
     WheelsetPose pose{y, 0.47, yaw, 0};
     NormalProblem none = problem_;
-    EXPECT_EQ(grids_.build(pose, size, OverlapGrids::Choice::own, none), OverlapGrids::Overlap::none);
+    EXPECT_EQ(grids_.build(pose, size, OverlapGrids::Choice::own, OverlapGrids::Reach::whole, none),
+              OverlapGrids::Overlap::none);
     pose.z -= grids_.touch().separation + depth;
     return pose;
   }
 
   OverlapGrids::Overlap build(const WheelsetPose& pose, OverlapGrids::Choice choice = OverlapGrids::Choice::own)
   {
-    return grids_.build(pose, size, choice, problem_);
+    return grids_.build(pose, size, choice, OverlapGrids::Reach::whole, problem_);
+  }
+
+  /// The same pressure in all cells [Pa].
+  NormalSolution pressed(double pressure) const
+  {
+    NormalSolution solution;
+    for (const PatchGap& patch : problem_.patches)
+    {
+      solution.patches.emplace_back();
+      solution.patches.back().grid = patch.grid;
+      solution.patches.back().pressure.setConstant(patch.grid.rows(), patch.grid.ny, pressure);
+    }
+    return solution;
   }
 
   /// Expects no cell of a border to overlap, and some cell inside.
@@ -172,10 +186,60 @@ TEST_F(OverlapGridsTest, GridsAreKeptWhereTheyStillCoverTheOverlap)
   build(pose, OverlapGrids::Choice::kept);
   EXPECT_GT(problem_.patches[0].grid.dy, first.dy);
   expectOverlapInside();
-  pose.z += 1.7 * overlap;  // the grid is much too large
-  build(pose, OverlapGrids::Choice::kept);
-  EXPECT_LT(problem_.patches[0].grid.dy, first.dy);
-  expectOverlapInside();
+}
+
+TEST(GridLayout, CoversAnAreaUnlessItIsMuchSmaller)
+{
+  SurfaceArea area{-4e-3, 4e-3, -3e-3, 3e-3, {}};
+  const GridLayout layout = layGrid(area, {16, 32}, true);
+  EXPECT_TRUE(covers(layout, area, 0, 2));
+  EXPECT_FALSE(covers(layout, area, 2e-3, 2)) << "the area is beside the grid";
+  area.x_least *= 0.4;
+  area.x_most *= 0.4;
+  EXPECT_TRUE(covers(layout, area, 0, 4));
+  EXPECT_FALSE(covers(layout, area, 0, 2));
+}
+
+// A Hertzian contact is 0.7 times as long and as wide as the overlap. The grids leave a margin.
+TEST_F(OverlapGridsTest, TheExpectedContactIsAPartOfTheOverlap)
+{
+  for (const double y : {3e-3, 4e-3})
+  {
+    const WheelsetPose pose = overlapping(y, 0, overlap);
+    ASSERT_EQ(build(pose), OverlapGrids::Overlap::found);
+    const Grid whole = problem_.patches[0].grid;
+    EXPECT_TRUE(grids_.isComplete(problem_, pressed(1)));
+    ASSERT_EQ(grids_.build(pose, size, OverlapGrids::Choice::own, OverlapGrids::Reach::expected, problem_),
+              OverlapGrids::Overlap::found);
+    const Grid expected = problem_.patches[0].grid;
+    EXPECT_LT(expected.cellArea(), 0.75 * whole.cellArea()) << "y " << y;
+    NormalSolution solution = pressed(0);
+    EXPECT_TRUE(grids_.isComplete(problem_, solution));
+    solution.patches[0].pressure(0, 0) = 1;
+    EXPECT_FALSE(grids_.isComplete(problem_, solution)) << "pressure at the edge";
+  }
+}
+
+// A finer grid is laid over the pressure found on a coarser one.
+TEST_F(OverlapGridsTest, AFinerGridFollowsThePressure)
+{
+  const WheelsetPose pose = overlapping(1e-3, 0, overlap);
+  build(pose);
+  const Grid grid = problem_.patches[0].grid;
+  PatchPressure pressure;
+  pressure.grid = grid;
+  pressure.pressure = Eigen::ArrayXXd::Zero(grid.rows(), grid.ny);
+  pressure.pressure.block(0, grid.ny / 2 - 2, 3, 4).setOnes();
+  const auto u = [this](Eigen::Index j) { return grids_.columns()[0][static_cast<std::size_t>(j)].rail_u; };
+  const double begin = u(grid.ny / 2 - 2) - grid.dy, end = u(grid.ny / 2 + 1) + grid.dy;
+  grids_.follow({pressure});
+  grids_.build(pose, size, OverlapGrids::Choice::own, OverlapGrids::Reach::expected, problem_);
+  EXPECT_LT(grids_.columns()[0].front().rail_u, begin);
+  EXPECT_GT(grids_.columns()[0].back().rail_u, end);
+  EXPECT_LT(problem_.patches[0].grid.dy, 0.7 * grid.dy);
+  grids_.unfollow();
+  build(pose);
+  EXPECT_EQ(problem_.patches[0].grid.dy, grid.dy);
 }
 
 TEST_F(OverlapGridsTest, BodiesApartOrBesideOneAnotherHaveNoGrids)

@@ -224,7 +224,8 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
 
 // Required: max pressure within 1.5 % (2.5 % on the flange), area within 2 % (5 % below 50 mm², where the cells of the
 // reference are coarse). Where the reference has one plane for several areas, planes up to 0.3 rad apart change loads
-// and lengths by up to 1 / cos(0.3) - 1 = 5 %. This limit is only a plausibility check.
+// and lengths by up to 1 / cos(0.3) - 1 = 5 %, and the cells of the reference are coarse as well: 6 %. This limit is
+// only a plausibility check.
 TEST_P(ReferenceStateTest, PressureAndAreaAgreeWithTheReference)
 {
   for (const Side side : {Side::left, Side::right})
@@ -235,8 +236,9 @@ TEST_P(ReferenceStateTest, PressureAndAreaAgreeWithTheReference)
     EXPECT_LT(std::abs(relative(found.max_pressure, reference.max_pressure)), reference.several ? 0.05
                                                                               : onFlange()      ? 0.025
                                                                                                 : 0.015);
-    EXPECT_LT(std::abs(relative(found.area, reference.area)),
-              reference.several || reference.area < 50e-6 ? 0.05 : 0.02);
+    EXPECT_LT(std::abs(relative(found.area, reference.area)), reference.several        ? 0.06
+                                                              : reference.area < 50e-6 ? 0.05
+                                                                                       : 0.02);
   }
 }
 

