@@ -2,90 +2,21 @@
 #include "core/balance/overlap_grids.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/balance/patch_columns.h"
 #include "core/balance/tuning.h"
-#include "core/normal/estimate/unseen_slope.h"
-#include "core/normal/solvers/elliptic.h"
-#include "core/track/gap.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr double least_overlap = 1e-9;  ///< smaller ones are below the accuracy of the search [m]
 constexpr std::size_t usual_grids = 4;  ///< of a wheel, for which memory is reserved
-
-/// Range of the overlap along the track [m].
-struct Extent
-{
-  double least = infinity, most = -infinity;
-};
-
-/// Half-length of the overlap of a wheel circle that is `depth` too low [m].
-double halfLength(const PlacedWheel& wheel, const InitialContact& contact, double depth)
-{
-  const double radius = wheel.sections().radius - wheel.profile().at(contact.wheel_u).z;
-  return std::sqrt(2 * std::max(depth, 0.0) * radius);
-}
-
-/// Squares of the ratios of a contact's semi-axes to those of the overlap [-].
-struct ContactShare
-{
-  double along = 0, across = 0;
-};
-
-/// Those of a Hertzian contact: D / K for the longer axis and 1 - D / K for the shorter one, with the complete elliptic
-/// integrals K and D of its aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
-ContactShare contactShare(double overlap_length, double overlap_width)
-{
-  const double ratio = std::min(overlap_length, overlap_width) / std::max(overlap_length, overlap_width);
-  const Elliptic integrals = elliptic(std::pow(ratio, 4 / pi));
-  const double longer = integrals.d / integrals.k;
-  return overlap_length > overlap_width ? ContactShare{longer, 1 - longer} : ContactShare{1 - longer, longer};
-}
-
-/// Range of an overlap whose middle line is the contact locus and whose half-length falls towards its ends as that of
-/// an ellipse. At its deepest place it is `depth` deep [m].
-void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double depth, Extent& extent)
-{
-  const double shift = interval.contact.wheel_u - interval.contact.rail_u;
-  Extent locus;
-  for (const double u : {interval.contact.wheel_u, interval.u_begin + shift, interval.u_end + shift})
-  {
-    SpacePoint point{};
-    if (wheel.locus(wheel.profile().at(u), point))
-    {
-      locus.least = std::min(locus.least, point.x);
-      locus.most = std::max(locus.most, point.x);
-    }
-  }
-  const double spread = locus.most - locus.least;
-  const double half =
-      tuning::overlap_margin * spread + std::hypot(0.5 * spread, halfLength(wheel, interval.contact, depth));
-  const double middle = 0.5 * (locus.least + locus.most);
-  extent.least = std::min(extent.least, middle - half);
-  extent.most = std::max(extent.most, middle + half);
-}
-
-/// Part of the rail that a wheel overlaps in the intervals, with a margin. The wheel is `lower` below its place [m].
-RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower)
-{
-  Extent extent;
-  std::for_each(begin, end,
-                [&](const OverlapInterval& interval)
-                { addExtent(wheel, interval, lower - interval.contact.separation, extent); });
-  const double u_begin = begin->u_begin, u_end = (end - 1)->u_end;
-  const double along = tuning::overlap_margin * (extent.most - extent.least);
-  const double across = tuning::overlap_margin * (u_end - u_begin);
-  return {extent.least - along, extent.most + along, u_begin - across, u_end + across};
-}
 
 /// Adds a part of its length and width to each side of an area.
 void grow(double along, double across, SurfaceArea& area)
@@ -95,58 +26,6 @@ void grow(double along, double across, SurfaceArea& area)
   area.x_most += along * length;
   area.arc_least -= across * width;
   area.arc_most += across * width;
-}
-
-/// Leaves columns out that a vertical displacement hardly opens, or closes.
-void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
-{
-  for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
-  {
-    if (columns[static_cast<std::size_t>(j)].perUp() < tuning::smallest_opening)
-    {
-      patch.gap.col(j).setConstant(no_body_gap);
-    }
-  }
-}
-
-/// Sets weights and normals of the columns. The reference is the column with the deepest overlap.
-/// @param spare  memory of `turn` while the normals hardly turn
-void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, Eigen::ArrayXd& spare)
-{
-  const auto at = [&](Eigen::Index j) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(j)]; };
-  const auto lowest = [&](Eigen::Index j) { return patch.gap.col(j).minCoeff(); };
-  Eigen::Index row = 0, deepest = 0;
-  patch.gap.minCoeff(&row, &deepest);
-  patch.weight = std::max(at(deepest).perUp(), tuning::smallest_opening);
-  patch.column_weight.resize(patch.grid.ny);
-  double turn_least = 0, turn_most = 0;
-  for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
-  {
-    patch.column_weight[j] = std::max(at(j).perUp(), tuning::smallest_opening) / patch.weight;
-    const double turn = lowest(j) < 0 ? at(j).turnFrom(at(deepest)) : 0;
-    turn_least = std::min(turn_least, turn);
-    turn_most = std::max(turn_most, turn);
-  }
-  const bool turns = turn_most - turn_least > tuning::plane_turn;
-  if (turns != (patch.turn.size() > 0))
-  {
-    patch.turn.swap(spare);
-  }
-  patch.turn.resize(turns ? patch.grid.ny : 0);
-  for (Eigen::Index j = 0; j < patch.turn.size(); ++j)
-  {
-    patch.turn[j] = at(j).angle() - at(deepest).angle();
-  }
-}
-
-/// Slope of the gap across the track at the middle of a column: on the normal of a rail that turns by k per unit of its
-/// arc, a body at the height g moves past by 1 - k g.
-double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j)
-{
-  const auto at = [&](Eigen::Index i) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(i)]; };
-  const double turn = at(j + 1).turnFrom(at(j - 1)) / (2 * patch.grid.dy);
-  const Eigen::Index middle = patch.grid.symmetric ? 0 : patch.gap.rows() / 2;
-  return at(j).wheel_slope * (1 - turn * patch.gap(middle, j));
 }
 
 /// True if the overlap reaches an end of its grid along the track.
@@ -163,13 +42,11 @@ bool isCutAcross(const PatchGap& patch)
 }  // namespace
 
 OverlapGrids::OverlapGrids(const Profile& wheel, const WheelsetConfig& wheelset, const Profile& rail)
-    : wheel_(wheel), wheelset_(wheelset), search_(wheel, rail)
+    : wheel_(wheel), wheelset_(wheelset), search_(wheel, rail), outside_(search_, placed_, columns_)
 {
   laid_.reserve(usual_grids);
   before_.reserve(usual_grids);
-  origins_.reserve(usual_grids);
-  half_lengths_.reserve(usual_grids);
-  whole_.reserve(usual_grids);
+  placed_.reserve(usual_grids);
   pressed_.reserve(usual_grids);
   joined_.reserve(2 * usual_grids);
 }
@@ -198,9 +75,7 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
   std::swap(before_, laid_);
   join(choice != Choice::own);
   laid_.clear();
-  origins_.clear();
-  half_lengths_.clear();
-  whole_.clear();
+  placed_.clear();
   for (std::size_t k = problem.patches.size(); k > 0; --k)
   {
     removeLast(problem);
@@ -292,8 +167,9 @@ SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, st
                                                    { return one.contact.separation < other.contact.separation; })
                                       ->contact;
   RailPart part = overlapOf(wheel, begin, end, lower), inner;
-  const bool whole = reach == Reach::whole || !(findPressed(begin->u_begin, (end - 1)->u_end, inner) ||
-                                                (last - first == 1 && findContact(wheel, *begin, lower, inner)));
+  const bool whole =
+      reach == Reach::whole || !(findPressed(begin->u_begin, (end - 1)->u_end, inner) ||
+                                 (last - first == 1 && findContact(search_, wheel, *begin, lower, inner)));
   if (!whole)
   {
     part = {std::max(part.x_least, inner.x_least), std::min(part.x_most, inner.x_most),
@@ -309,53 +185,12 @@ SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, st
           whole};
 }
 
-/// Finds the part that a Hertzian contact with the same overlap would need, with a margin. @return false unless the
-/// separation has one minimum
-bool OverlapGrids::findContact(const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
-                               RailPart& part) const
-{
-  if (!interval.has_one_minimum)
-  {
-    return false;
-  }
-  const double separation = interval.contact.separation, depth = lower - separation;
-  const ContactShare share =
-      contactShare(halfLength(wheel, interval.contact, depth), 0.5 * (interval.u_end - interval.u_begin));
-  const double widened = tuning::contact_margin * tuning::contact_margin;
-  OverlapInterval contact = interval;
-  search_.moveEnds(separation + std::min(widened * share.across, 1.0) * depth, contact);
-  Extent extent;
-  addExtent(wheel, contact, std::min(widened * share.along, 1.0) * depth, extent);
-  part = {extent.least, extent.most, contact.u_begin, contact.u_end};
-  return true;
-}
-
 void OverlapGrids::follow(const std::vector<PatchPressure>& pressure)
 {
   pressed_.clear();
   for (std::size_t k = 0; k < pressure.size(); ++k)
   {
-    const Grid& grid = pressure[k].grid;
-    const Eigen::ArrayXXd& p = pressure[k].pressure;
-    Eigen::Index first = 0, last = p.cols() - 1, low = 0, high = p.rows() - 1;
-    const auto is_empty = [](const auto& line) { return !(line > 0).any(); };
-    for (; first < last && is_empty(p.col(first)); ++first)
-    {
-    }
-    for (; last > first && is_empty(p.col(last)); --last)
-    {
-    }
-    for (; low < high && is_empty(p.row(low)); ++low)
-    {
-    }
-    for (; high > low && is_empty(p.row(high)); --high)
-    {
-    }
-    const double x_most = grid.x(static_cast<int>(high)) + 1.5 * grid.dx;
-    const double x_least = grid.symmetric ? -x_most : grid.x(static_cast<int>(low)) - 1.5 * grid.dx;
-    const auto parameter = [&](Eigen::Index j) { return columns_[k][static_cast<std::size_t>(j)].rail_u; };
-    pressed_.push_back({originOf(k).x + x_least, originOf(k).x + x_most, parameter(first) - 1.5 * grid.dy,
-                        parameter(last) + 1.5 * grid.dy});
+    pressed_.push_back(pressedPart(pressure[k], originOf(k), columns_[k]));
   }
 }
 
@@ -378,8 +213,8 @@ bool OverlapGrids::isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) con
 {
   const auto last_row = pressure.rows() - 1, last_column = pressure.cols() - 1;
   const bool symmetric = placed_wheel_->pose().yaw == 0;
-  return !whole_[patch] && ((pressure.col(0) > 0).any() || (pressure.col(last_column) > 0).any() ||
-                            (pressure.row(last_row) > 0).any() || (!symmetric && (pressure.row(0) > 0).any()));
+  return !placed_[patch].whole && ((pressure.col(0) > 0).any() || (pressure.col(last_column) > 0).any() ||
+                                   (pressure.row(last_row) > 0).any() || (!symmetric && (pressure.row(0) > 0).any()));
 }
 
 bool OverlapGrids::isComplete(const NormalProblem& problem, const NormalSolution& solution)
@@ -391,92 +226,13 @@ bool OverlapGrids::isComplete(const NormalProblem& problem, const NormalSolution
     {
       return false;
     }
-    is_whole = is_whole && whole_[k];
+    is_whole = is_whole && placed_[k].whole;
   }
   if (is_whole)
   {
     return true;
   }
-  column_sums_.resize(solution.patches.size());
-  for (std::size_t k = 0; k < solution.patches.size(); ++k)
-  {
-    column_sums_[k] = solution.patches[k].pressure.colwise().sum();
-  }
-  return !mayTouchOutside(problem, solution);
-}
-
-/// True if the surfaces may touch outside of the grids. Near a contact their distance grows with that from the contact;
-/// another contact needs a place farther away where it is smaller again.
-bool OverlapGrids::mayTouchOutside(const NormalProblem& problem, const NormalSolution& solution)
-{
-  for (const OverlapInterval& interval : intervals_)
-  {
-    search_.stationsOf(interval, stations_);
-    if (mayTouchFarther(problem, solution, stations_.begin(), stations_.end()) ||
-        mayTouchFarther(problem, solution, stations_.rbegin(), stations_.rend()))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// The same on the way from one end to the other, on the parts that lead away from the nearest grid.
-template <typename Station>
-bool OverlapGrids::mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
-                                   Station end) const
-{
-  double least = infinity, before = infinity;
-  for (; station != end; ++station)
-  {
-    const double beyond = beyondGrids(station->rail_u);
-    if (beyond > before)
-    {
-      const double overlap = station->depth + solution.approach - displacementAt(*station, problem, solution);
-      if (overlap > std::max(least, 0.0) + 2 * ContactSearch::station_error)
-      {
-        return true;
-      }
-      least = std::min(least, overlap);
-    }
-    else
-    {
-      least = infinity;
-    }
-    before = beyond;
-  }
-  return false;
-}
-
-/// Distance to the nearest grid along the profile [m]; zero in a grid.
-double OverlapGrids::beyondGrids(double u) const
-{
-  double nearest = infinity;
-  for (const std::vector<SurfaceColumn>& columns : columns_)
-  {
-    nearest = std::min(nearest, std::max({columns.front().rail_u - u, u - columns.back().rail_u, 0.0}));
-  }
-  return nearest;
-}
-
-/// Displacement by the forces in the columns (Johnson 1985, eq. 3.22b), each as a point force at the root mean square
-/// distance along the track [m]. That by the pressure is not smaller, because 1 / distance is convex.
-double OverlapGrids::displacementAt(const OverlapStation& station, const NormalProblem& problem,
-                                    const NormalSolution& solution) const
-{
-  double sum = 0;
-  for (std::size_t k = 0; k < solution.patches.size(); ++k)
-  {
-    const double variance = 0.25 * half_lengths_[k] * half_lengths_[k];
-    const double unit = problem.patches[k].grid.cellArea() / (pi * problem.modulus);
-    for (Eigen::Index j = 0; j < column_sums_[k].size(); ++j)
-    {
-      const SurfaceColumn& column = columns_[k][static_cast<std::size_t>(j)];
-      const double y = station.y - column.y, z = station.z - column.z;
-      sum += unit * column_sums_[k][j] / std::sqrt(y * y + z * z + variance);
-    }
-  }
-  return sum;
+  return !outside_.isPossible(intervals_, problem, solution);
 }
 
 /// A grid of the last call that covers the area; null if there is none.
@@ -518,9 +274,7 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
     removeLast(problem);
     return;
   }
-  origins_.push_back(laid.used.origin);
-  half_lengths_.push_back(area.half_length);
-  whole_.push_back(area.whole);
+  placed_.push_back({laid.used.origin, area.half_length, area.whole});
 }
 
 /// Fills the last columns and their patch. If the area is the whole overlap, and the overlap is found to be larger,
@@ -545,7 +299,7 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
         return false;
       }
       setNormals(columns, patch, spare_turn_);
-      fillUnseenSlope(patch, [&](Eigen::Index j) { return gapSlope(columns, patch, j); });
+      setUnseenSlope(columns, patch);
       return true;
     }
     grow(long_enough ? 0 : margin, wide_enough ? 0 : margin, area);
@@ -603,18 +357,17 @@ void OverlapGrids::couple(NormalProblem& problem)
     for (std::size_t l = k + 1; l < problem.patches.size(); column += problem.patches[l++].grid.ny)
     {
       const Grid &one = problem.patches[k].grid, &other = problem.patches[l].grid;
-      // The variance of a half-ellipse is a quarter of the square of its half-length.
-      const double along = std::pow(originOf(k).x - originOf(l).x, 2) +
-                           0.25 * (std::pow(half_lengths_[k], 2) + std::pow(half_lengths_[l], 2));
+      const double along = std::pow(originOf(k).x - originOf(l).x, 2) + pressureVariance(placed_[k].half_length) +
+                           pressureVariance(placed_[l].half_length);
       for (Eigen::Index i = 0; i < one.ny; ++i)
       {
         const SurfaceColumn& here = columns_[k][static_cast<std::size_t>(i)];
         for (Eigen::Index j = 0; j < other.ny; ++j)
         {
           const SurfaceColumn& there = columns_[l][static_cast<std::size_t>(j)];
-          const double distance = std::sqrt(along + std::pow(here.y - there.y, 2) + std::pow(here.z - there.z, 2));
           problem.coupling(row + i, column + j) = problem.coupling(column + j, row + i) =
-              (here.cosine * there.cosine + here.sine * there.sine) / (pi * problem.modulus * distance);
+              (here.cosine * there.cosine + here.sine * there.sine) *
+              displacementPerForce(problem.modulus, along, here.y - there.y, here.z - there.z);
         }
       }
     }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/balance/grid_layout.h"
+#include "core/balance/outside_contact.h"
+#include "core/balance/rail_part.h"
 #include "core/track/contact_search.h"
 #include "core/track/gap.h"
 #include "wheel_rail_contact/core/normal_problem.h"
@@ -13,13 +15,6 @@
 
 namespace wheel_rail_contact::core
 {
-/// Part of a rail: x along the track, side axes, and a parameter of its profile [m].
-struct RailPart
-{
-  double x_least = 0, x_most = 0;
-  double u_begin = 0, u_end = 0;
-};
-
 /// Grids on the surface of a rail over its overlap with a wheel, and the normal problem on them. Side axes.
 ///
 /// The contact lies inside the overlap of the undeformed bodies, because the surfaces only move apart under a pressure.
@@ -55,6 +50,8 @@ class OverlapGrids
 
   /// Keeps references to `wheel` and `wheelset`, which must outlive the object.
   OverlapGrids(const Profile& wheel, const WheelsetConfig& wheelset, const Profile& rail);
+  OverlapGrids(const OverlapGrids&) = delete;  // outside_ refers to other members
+  OverlapGrids& operator=(const OverlapGrids&) = delete;
 
   /// Sets the position of the rail.
   void setRail(const PlacedRail& rail);
@@ -75,7 +72,7 @@ class OverlapGrids
   /// Columns of each patch of the problem.
   const std::vector<std::vector<SurfaceColumn>>& columns() const { return columns_; }
   /// Origin of the grid of a patch.
-  const SurfaceOrigin& originOf(std::size_t patch) const { return origins_[patch]; }
+  const SurfaceOrigin& originOf(std::size_t patch) const { return placed_[patch].origin; }
   /// True if the grids contain the whole contact: no pressure reaches the edge of a grid that the overlap exceeds, and
   /// the surfaces outside of the grids, displaced by the forces in them, do not touch.
   bool isComplete(const NormalProblem& problem, const NormalSolution& solution);
@@ -93,16 +90,8 @@ class OverlapGrids
   };
 
   bool isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const;
-  bool mayTouchOutside(const NormalProblem& problem, const NormalSolution& solution);
-  template <typename Station>
-  bool mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
-                       Station end) const;
-  double beyondGrids(double u) const;
-  double displacementAt(const OverlapStation& station, const NormalProblem& problem,
-                        const NormalSolution& solution) const;
   bool fitIntervals(double lower);
   bool findPressed(double u_begin, double u_end, RailPart& all) const;
-  bool findContact(const PlacedWheel& wheel, const OverlapInterval& interval, double lower, RailPart& part) const;
   SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower, Reach reach) const;
   std::size_t endOfGroup(std::size_t first) const;
   const Laid* laidBefore(const SurfaceArea& area, const GridSize& size) const;
@@ -120,15 +109,12 @@ class OverlapGrids
   ContactSearch search_;
   InitialContact touch_;
   std::vector<OverlapInterval> intervals_, lower_intervals_;
-  std::vector<OverlapStation> stations_;
-  std::vector<Eigen::ArrayXd> column_sums_;  ///< of the pressures in the columns of each patch [Pa]
   std::vector<std::vector<SurfaceColumn>> columns_;
   std::vector<Laid> laid_, before_;                ///< of each group of intervals, in this and in the last call
-  std::vector<SurfaceOrigin> origins_;             ///< of each patch
-  std::vector<double> half_lengths_;               ///< of the expected pressure of each patch, along the track [m]
-  std::vector<char> whole_;                        ///< the grid of a patch covers the whole overlap
+  std::vector<PlacedGrid> placed_;                 ///< of each patch
   std::vector<RailPart> pressed_;                  ///< see follow()
   std::vector<std::pair<double, double>> joined_;  ///< see join()
+  OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
   std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
   std::vector<std::vector<SurfaceColumn>> spare_columns_;

@@ -28,6 +28,7 @@ bool isUsable(WheelStatus status)
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
     : config_(config),
       levels_(levels),
+      accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
       greatest_turn_(tuning::longest_step / config.wheelset.rolling_radius),
       wheels_{WheelOnRail(config, levels.solver()), WheelOnRail(config, levels.solver())}
 {
@@ -133,7 +134,6 @@ void WheelsetBalance::predict(double moved)
 
 WheelStatus WheelsetBalance::hold()
 {
-  const double accuracy = tuning::opening_per_tolerance * config_.contact.tolerance;
   open_.fill(0);
   for (const Side side : sides)
   {
@@ -142,7 +142,7 @@ WheelStatus WheelsetBalance::hold()
     {
       continue;
     }
-    const WheelStatus status = wheels_[k].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy);
+    const WheelStatus status = wheels_[k].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
     if (!isUsable(status))
     {
       return status;
@@ -156,8 +156,7 @@ WheelStatus WheelsetBalance::hold()
 bool WheelsetBalance::isMoved(std::size_t k) const
 {
   const double turned = roll_ - solved_roll_[k];
-  return !solved_[k] || !wheels_[k].loaded() ||
-         openedBy(k, turned) > tuning::opening_per_tolerance * config_.contact.tolerance;
+  return !solved_[k] || !wheels_[k].loaded() || openedBy(k, turned) > accuracy_;
 }
 
 /// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
@@ -170,7 +169,6 @@ double WheelsetBalance::openedBy(std::size_t k, double roll) const
 /// Solves the wheels at the roll, as far as they are not.
 WheelStatus WheelsetBalance::pass(bool keep_grids)
 {
-  const double accuracy = tuning::opening_per_tolerance * config_.contact.tolerance;
   any_solved_ = false;
   for (const Side side : sides)
   {
@@ -180,7 +178,7 @@ WheelStatus WheelsetBalance::pass(bool keep_grids)
       continue;
     }
     const WheelStatus status = wheels_[k].carry(toSide(side, {state_.y, heights_[k], state_.yaw, roll_}), loads_[k],
-                                                accuracy, keep_grids && solved_[k]);
+                                                accuracy_, keep_grids && solved_[k]);
     if (!isUsable(status))
     {
       return status;
@@ -220,7 +218,7 @@ void WheelsetBalance::turn(double roll)
 bool WheelsetBalance::settle(double difference, double share)
 {
   const double closed = roll_ - difference / updateSlopes();
-  const double limit = share * tuning::opening_per_tolerance * config_.contact.tolerance;
+  const double limit = share * accuracy_;
   for (std::size_t k = 0; k < 2; ++k)
   {
     open_[k] = openedBy(k, closed - solved_roll_[k]);
@@ -237,12 +235,11 @@ bool WheelsetBalance::settle(double difference, double share)
 /// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
 bool WheelsetBalance::isNarrow(double range) const
 {
-  const double limit = tuning::opening_per_tolerance * config_.contact.tolerance;
   return std::all_of(wheels_.begin(), wheels_.end(),
                      [&](const WheelOnRail& wheel)
                      {
-                       return range < finest_bracket ||
-                              (wheel.loaded() && wheel.openingPerRoll() * range < limit * wheel.contact().overlap());
+                       return range < finest_bracket || (wheel.loaded() && wheel.openingPerRoll() * range <
+                                                                               accuracy_ * wheel.contact().overlap());
                      });
 }
 

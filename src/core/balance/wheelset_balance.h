@@ -73,6 +73,7 @@ class WheelsetBalance
 
   const ContactModelConfig& config_;
   const GridLevels& levels_;
+  double accuracy_;       ///< largest opening by what is left of the balance, over the overlap [-]
   double greatest_turn_;  ///< of the roll in one step [rad]
   std::array<WheelOnRail, 2> wheels_;
   WheelsetState state_;

@@ -149,9 +149,8 @@ class SurfaceGapBuilder
   }
 
   /// Evaluates each cell, from the middle of the columns to both of their ends. Returns the sum of the heights.
-  /// @param mean_slope  set to the mean of the slope, weighted with (overlap)^(5/2): on a parabola, this has the
-  /// variance
-  ///                    of the pressure of a circular Hertz contact. Without overlap: slope at the lowest place
+  /// @param mean_slope  set to the mean of the slope, weighted with overlap^(5/2), which has on a parabola the variance
+  ///                    of a circular Hertz contact's pressure. Without overlap: the slope at the lowest place
   Numbers fillRows(int count, Eigen::ArrayXXd& gap, Numbers& mean_slope)
   {
     Numbers sum = Numbers::Zero(), slope = Numbers::Zero();

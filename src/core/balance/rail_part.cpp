@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/balance/rail_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/balance/tuning.h"
+#include "core/normal/solvers/elliptic.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+const double pi = std::acos(-1.0);
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Range of the overlap along the track [m].
+struct Extent
+{
+  double least = infinity, most = -infinity;
+};
+
+/// Half-length of the overlap of a wheel circle that is `depth` too low [m].
+double halfLength(const PlacedWheel& wheel, const InitialContact& contact, double depth)
+{
+  const double radius = wheel.sections().radius - wheel.profile().at(contact.wheel_u).z;
+  return std::sqrt(2 * std::max(depth, 0.0) * radius);
+}
+
+/// Squares of the ratios of a contact's semi-axes to those of the overlap [-].
+struct ContactShare
+{
+  double along = 0, across = 0;
+};
+
+/// Those of a Hertzian contact: D / K for the longer axis and 1 - D / K for the shorter one, with the complete elliptic
+/// integrals K and D of its aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
+ContactShare contactShare(double overlap_length, double overlap_width)
+{
+  const double ratio = std::min(overlap_length, overlap_width) / std::max(overlap_length, overlap_width);
+  const Elliptic integrals = elliptic(std::pow(ratio, 4 / pi));
+  const double longer = integrals.d / integrals.k;
+  return overlap_length > overlap_width ? ContactShare{longer, 1 - longer} : ContactShare{1 - longer, longer};
+}
+
+/// Range of an overlap whose middle line is the contact locus and whose half-length falls towards its ends as that of
+/// an ellipse. At its deepest place it is `depth` deep [m].
+void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double depth, Extent& extent)
+{
+  const double shift = interval.contact.wheel_u - interval.contact.rail_u;
+  Extent locus;
+  for (const double u : {interval.contact.wheel_u, interval.u_begin + shift, interval.u_end + shift})
+  {
+    SpacePoint point{};
+    if (wheel.locus(wheel.profile().at(u), point))
+    {
+      locus.least = std::min(locus.least, point.x);
+      locus.most = std::max(locus.most, point.x);
+    }
+  }
+  const double spread = locus.most - locus.least;
+  const double half =
+      tuning::overlap_margin * spread + std::hypot(0.5 * spread, halfLength(wheel, interval.contact, depth));
+  const double middle = 0.5 * (locus.least + locus.most);
+  extent.least = std::min(extent.least, middle - half);
+  extent.most = std::max(extent.most, middle + half);
+}
+
+/// First and last index of the lines of a pressure that are not empty; the whole range if all are.
+template <typename Lines>
+std::pair<Eigen::Index, Eigen::Index> loadedLines(Eigen::Index count, const Lines& is_loaded)
+{
+  Eigen::Index first = 0, last = count - 1;
+  while (first < last && !is_loaded(first))
+  {
+    ++first;
+  }
+  while (last > first && !is_loaded(last))
+  {
+    --last;
+  }
+  return {first, last};
+}
+}  // namespace
+
+RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower)
+{
+  Extent extent;
+  std::for_each(begin, end,
+                [&](const OverlapInterval& interval)
+                { addExtent(wheel, interval, lower - interval.contact.separation, extent); });
+  const double u_begin = begin->u_begin, u_end = (end - 1)->u_end;
+  const double along = tuning::overlap_margin * (extent.most - extent.least);
+  const double across = tuning::overlap_margin * (u_end - u_begin);
+  return {extent.least - along, extent.most + along, u_begin - across, u_end + across};
+}
+
+bool findContact(const ContactSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
+                 RailPart& part)
+{
+  if (!interval.has_one_minimum)
+  {
+    return false;
+  }
+  const double separation = interval.contact.separation, depth = lower - separation;
+  const ContactShare share =
+      contactShare(halfLength(wheel, interval.contact, depth), 0.5 * (interval.u_end - interval.u_begin));
+  const double widened = tuning::contact_margin * tuning::contact_margin;
+  OverlapInterval contact = interval;
+  search.moveEnds(separation + std::min(widened * share.across, 1.0) * depth, contact);
+  Extent extent;
+  addExtent(wheel, contact, std::min(widened * share.along, 1.0) * depth, extent);
+  part = {extent.least, extent.most, contact.u_begin, contact.u_end};
+  return true;
+}
+
+RailPart pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin, const std::vector<SurfaceColumn>& columns)
+{
+  const Grid& grid = patch.grid;
+  const Eigen::ArrayXXd& p = patch.pressure;
+  const auto [first, last] = loadedLines(p.cols(), [&p](Eigen::Index j) { return (p.col(j) > 0).any(); });
+  const auto [low, high] = loadedLines(p.rows(), [&p](Eigen::Index i) { return (p.row(i) > 0).any(); });
+  // Half of the outer cell, and one more.
+  const double x_most = grid.x(static_cast<int>(high)) + 1.5 * grid.dx;
+  const double x_least = grid.symmetric ? -x_most : grid.x(static_cast<int>(low)) - 1.5 * grid.dx;
+  return {origin.x + x_least, origin.x + x_most, columns[static_cast<std::size_t>(first)].rail_u - 1.5 * grid.dy,
+          columns[static_cast<std::size_t>(last)].rail_u + 1.5 * grid.dy};
+}
+}  // namespace wheel_rail_contact::core
