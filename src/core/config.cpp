@@ -2,21 +2,28 @@
 #include "wheel_rail_contact/core/config.h"
 
 #include <stdexcept>
+#include <string>
+
+#include "core/option_check.h"
 
 namespace wheel_rail_contact::core
 {
 void validate(const ContactModelConfig& config)
 {
-  if (config.wheel_profile == nullptr)
+  for (const Side side : sides)
   {
-    throw std::invalid_argument("wheel/profile is not set");
+    const std::string name = nameOf(side);
+    if (config.wheel_profile[side] == nullptr)
+    {
+      throw std::invalid_argument("wheel/profile or wheel/" + name + "/profile is not set");
+    }
+    if (config.rail_profile[side] == nullptr)
+    {
+      throw std::invalid_argument("rail/profile or rail/" + name + "/profile is not set");
+    }
+    validate(config.wheel_material[side], optionOf(config.wheel_material, side, "material/wheel", "wheel", "material"));
+    validate(config.rail_material[side], optionOf(config.rail_material, side, "material/rail", "rail", "material"));
   }
-  if (config.rail_profile == nullptr)
-  {
-    throw std::invalid_argument("rail/profile is not set");
-  }
-  validate(config.wheel_material, "material/wheel");
-  validate(config.rail_material, "material/rail");
   validate(config.track);
   validate(config.wheelset);
   validate(config.contact);

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "wheel_rail_contact/core/sides.h"
+
 namespace wheel_rail_contact::core
 {
 /// @throw std::invalid_argument "option = value text" unless `rule` is true.
@@ -11,4 +13,23 @@ void require(bool rule, const std::string& option, double value, const char* tex
 void requirePositive(const std::string& option, double value);
 /// Same unless the absolute value is at most `limit`.
 void requireWithin(const std::string& option, double value, double limit, const char* text);
+
+/// "left" or "right".
+const char* nameOf(Side side);
+
+/// True if both values are equal, or if neither of them is equal to itself (NaN).
+template <typename Value>
+bool areSame(const Value& a, const Value& b)
+{
+  const auto equal = [](const Value& one, const Value& other) { return one == other; };
+  return equal(a, b) || !(equal(a, a) || equal(b, b));
+}
+
+/// Name of an option of a side in messages: that for both sides if their values are the same, otherwise
+/// body/left|right/option.
+template <typename Value>
+std::string optionOf(const Sides<Value>& values, Side side, const char* both, const char* body, const char* option)
+{
+  return areSame(values.left, values.right) ? both : std::string(body) + '/' + nameOf(side) + '/' + option;
+}
 }  // namespace wheel_rail_contact::core

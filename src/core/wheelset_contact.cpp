@@ -20,17 +20,17 @@ constexpr double force_limit = 1e8;          ///< largest accepted load [N], [N 
 constexpr double stiffness_residual = 1e-3;  ///< of stiffness(), see ContactTangent
 constexpr double other_roll = 5e-3;          ///< distance of the starts that search for other equilibria [rad]
 constexpr double other_force = 0.05;         ///< difference of the forces of another equilibrium [-]
-constexpr double offset_limit = 0.1;         ///< largest accepted displacement of a rail by other wheelsets [m]
+constexpr double displacement_limit = 0.1;   ///< largest accepted displacement of a rail [m]
 
 bool within(double value, double limit)
 {
   return std::abs(value) <= limit;
 }
 
-bool within(const RailDeflection& offset)
+bool within(const RailDeflection& displacement)
 {
-  return within(offset.lateral, offset_limit) && within(offset.vertical, offset_limit) &&
-         within(offset.roll, angle_limit);
+  return within(displacement.lateral, displacement_limit) && within(displacement.vertical, displacement_limit) &&
+         within(displacement.roll, angle_limit);
 }
 
 /// Reason why a state is rejected; empty if it is valid.
@@ -52,9 +52,9 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   {
     return "lateral rail force is not a number or beyond 1e8 N";
   }
-  if (!within(state.rail_offset[0]) || !within(state.rail_offset[1]))
+  if (!within(state.rail_displacement[0]) || !within(state.rail_displacement[1]))
   {
-    return "deflection of a rail by other wheelsets is not a number or beyond 0.1 m or 0.2 rad";
+    return "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad";
   }
   if (height_and_roll_given && !within(state.roll, angle_limit))
   {
@@ -87,7 +87,7 @@ class WheelsetContact::Chain
     result_.x = state.x;
     result_.y = state.y;
     result_.yaw = state.yaw;
-    result_.z = given ? state.z : config_.wheelset.rolling_radius;
+    result_.z = given ? state.z : config_.wheelset.meanRadius();
     result_.roll = given ? state.roll : 0;
     const std::string_view reason = fault(state, given);
     result_.status = reason.empty() ? balance_.solve(state) : ContactStatus::invalid_input;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/balance/rail_support.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "paper/one_wheel.h"
 #include "paper/placement.h"
@@ -64,13 +65,13 @@ std::vector<ForceRow> given(const ContactModelConfig& config, const NamedTable& 
   ConjugateGradients solver;
   OneWheel left(config, solver, force_grid);
   OneWheel right(config, solver, force_grid);
-  const PlacedRail undeflected(config.rail_profile, config.track);
+  const PlacedRail undeflected = restingRail(config, Side::left);
   std::vector<ForceRow> rows;
   for (const double y : positions)
   {
     for (const double force : forces)
     {
-      const RailDeflection moved = givenDeflection(table.table, share, force, config.track.rail_inclination);
+      const RailDeflection moved = givenDeflection(table.table, share, force, config.track.rail_inclination.left);
       left.setRail(undeflected.deflected(moved));
       right.setRail(undeflected.deflected(moved));
       double roll = 0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/balance/rail_support.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/seidel.h"
 #include "paper/one_wheel.h"
@@ -21,7 +22,7 @@ MethodRow row(const ContactModelConfig& config, const RailDeflection& deflection
               const GridSize& size, double stop)
 {
   OneWheel wheel(config, solver, size);
-  wheel.setRail(PlacedRail(config.rail_profile, config.track).deflected(deflection));
+  wheel.setRail(restingRail(config, Side::left).deflected(deflection));
   MethodRow row{solver.name(), size, 0, 0, stop, 0, {0, 0}, 0};
   if (wheel.solve(case_position, 0, printed_wheel_load))
   {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/balance/rail_support.h"
+
 namespace wheel_rail_contact::core::paper
 {
 namespace
@@ -32,7 +34,9 @@ RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclinatio
 }
 
 OneWheel::OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSize& size)
-    : config_(checked(std::move(config))), undeflected_(config_.rail_profile, config_.track), contact_(config_, solver)
+    : config_(checked(std::move(config))),
+      undeflected_(restingRail(config_, Side::left)),
+      contact_(config_, Side::left, solver)
 {
   contact_.setGrid(0, size);
   contact_.setRail(undeflected_);
@@ -40,13 +44,13 @@ OneWheel::OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSi
 
 void OneWheel::displaceCrown(const RailDeflection& crown)
 {
-  contact_.setRail(undeflected_.deflected(withCrownDisplaced(crown, config_.track.rail_inclination)));
+  contact_.setRail(undeflected_.deflected(withCrownDisplaced(crown, config_.track.rail_inclination.left)));
 }
 
 bool OneWheel::solve(double y, double roll, double load)
 {
   contact_.forget();
-  WheelsetPose pose{y, config_.wheelset.rolling_radius + clear_height, 0, roll};
+  WheelsetPose pose{y, config_.wheelset.rolling_radius.left + clear_height, 0, roll};
   for (int pass = 0; pass < most_passes; ++pass)
   {
     if (contact_.solveLoad(pose, load) != WheelStatus::solved)

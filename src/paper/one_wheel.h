@@ -13,8 +13,8 @@ namespace wheel_rail_contact::core::paper
 /// @param inclination  inclination of the undeflected rail towards the track centre [rad]
 RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclination);
 
-/// One wheel on one rail at a given roll of the wheelset and a given vertical load, side axes. This is the part of the
-/// wheelset balance for one side, for scans in which roll and deflection are given.
+/// The left wheel on its rail at a given roll of the wheelset and a given vertical load, side axes. This is the part of
+/// the wheelset balance for one side, for scans in which roll and deflection are given.
 class OneWheel
 {
  public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/balance/rail_support.h"
 #include "core/track/contact_search.h"
 #include "paper/one_wheel.h"
 
@@ -20,31 +21,32 @@ ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
   if (of.name != own_rail)
   {
     changed.rail_bending.model = RailBendingConfig::Model::prescribed;
-    changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.rail_inclination);
+    changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.rail_inclination.left);
   }
   return changed;
 }
 
 void addOutlines(const ContactModelConfig& config, const PlacedRail& rail, Placement& placement)
 {
-  const WheelsetPose level{case_position, config.wheelset.rolling_radius, 0, placement.roll};
-  ContactSearch search(*config.wheel_profile, *config.rail_profile);
+  const WheelsetPose level{case_position, config.wheelset.rolling_radius.left, 0, placement.roll};
+  const Profile& wheel_profile = *config.wheel_profile.left;
+  ContactSearch search(wheel_profile, rail.profile());
   search.setRail(rail);
-  search.setWheel(PlacedWheel(*config.wheel_profile, config.wheelset, level));
+  search.setWheel(PlacedWheel(wheel_profile, config.wheelset, Side::left, level));
   InitialContact touch;
   search.nearest(touch);
   placement.initial_contact = rail.at(touch.rail_u);
   WheelsetPose touching = level;
   touching.z -= touch.separation;
-  const PlacedWheel wheel(*config.wheel_profile, config.wheelset, touching);
-  for (double u = 0; u <= config.rail_profile->length(); u += drawing_step)
+  const PlacedWheel wheel(wheel_profile, config.wheelset, Side::left, touching);
+  for (double u = 0; u <= rail.profile().length(); u += drawing_step)
   {
     placement.rail.push_back(rail.at(u));
   }
-  for (double u = 0; u <= config.wheel_profile->length(); u += drawing_step)
+  for (double u = 0; u <= wheel_profile.length(); u += drawing_step)
   {
     PlanePoint point{};
-    if (wheel.section(config.wheel_profile->at(u), 0, point))
+    if (wheel.section(wheel_profile.at(u), 0, point))
     {
       placement.wheel.push_back(point);
     }
@@ -88,7 +90,7 @@ Placement solveCase(const ContactModelConfig& config, const Case& of)
   Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, {}};
   std::copy_if(result.patches.begin(), result.patches.end(), std::back_inserter(placement.patches),
                [](const PatchResult& patch) { return patch.side == Side::left; });
-  const PlacedRail rail = PlacedRail(config.rail_profile, config.track).deflected(placement.deflection);
+  const PlacedRail rail = restingRail(config, Side::left).deflected(placement.deflection);
   addOutlines(config, rail, placement);
   return placement;
 }

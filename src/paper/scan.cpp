@@ -217,13 +217,14 @@ std::vector<ScanRow> Scan::inclination(const std::string& rail) const
 
 std::vector<ScanRow> Scan::alone(const std::string& rail) const
 {
-  OneWheel wheel(configFor(rail, config_.track.rail_inclination), solver_, scan_grid);
+  OneWheel wheel(configFor(rail, config_.track.rail_inclination.left), solver_, scan_grid);
   std::vector<ScanRow> rows;
   for (const double y : ranges_.free_position.values())
   {
     for (const double turn : ranges_.free_turn.values())
     {
-      add(wheel, {"alone", rail, config_.track.rail_inclination, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}},
+      add(wheel,
+          {"alone", rail, config_.track.rail_inclination.left, printed_wheel_load, y, 0, {0, 0, turn}, {}, {}, {}},
           rows);
     }
   }

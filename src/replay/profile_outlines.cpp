@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/track/placement.h"
+#include "core/balance/rail_support.h"
 
 namespace wheel_rail_contact
 {
@@ -31,10 +31,10 @@ std::string outline(const core::Profile& profile, const Place& place)
 }
 }  // namespace
 
-std::string railOutlineText(const core::ContactModelConfig& config)
+std::string railOutlineText(const core::ContactModelConfig& config, core::Side side)
 {
-  const core::PlacedRail rail(config.rail_profile, config.track);
-  return outline(*config.rail_profile,
+  const core::PlacedRail rail = core::restingRail(config, side);
+  return outline(rail.profile(),
                  [&rail](double u)
                  {
                    const core::PlanePoint p = rail.at(u);
@@ -42,23 +42,23 @@ std::string railOutlineText(const core::ContactModelConfig& config)
                  });
 }
 
-std::string railReferenceText(const core::ContactModelConfig& config)
+std::string railReferenceText(const core::ContactModelConfig& config, core::Side side)
 {
-  const core::PlanePoint point = core::PlacedRail(config.rail_profile, config.track).referencePoint();
+  const core::PlanePoint point = core::restingRail(config, side).referencePoint();
   std::ostringstream text;
   write(point.y, point.z, text);
   return text.str();
 }
 
-std::string wheelOutlineText(const core::ContactModelConfig& config)
+std::string wheelOutlineText(const core::ContactModelConfig& config, core::Side side)
 {
-  const core::Profile& profile = *config.wheel_profile;
+  const core::Profile& profile = *config.wheel_profile[side];
   const core::WheelsetConfig& wheelset = config.wheelset;
   return outline(profile,
                  [&](double u)
                  {
                    const core::CurvePoint p = profile.at(u);
-                   return std::make_pair(wheelset.halfBase() + p.y, p.z - wheelset.rolling_radius);
+                   return std::make_pair(wheelset.halfBase() + p.y, p.z - wheelset.rolling_radius[side]);
                  });
 }
 }  // namespace wheel_rail_contact

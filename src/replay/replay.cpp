@@ -28,10 +28,14 @@ BagConnection resultConnection(const std::string& wheelset, const std::string& d
       .set("md5sum", ros::message_traits::md5sum<WheelsetContact>())
       .set("message_definition", ros::message_traits::definition<WheelsetContact>())
       .set("callerid", wheelset + "/contact_node")
-      .set(description_field, description)
-      .set("rail_outline", railOutlineText(model))
-      .set("rail_reference", railReferenceText(model))
-      .set("wheel_outline", wheelOutlineText(model));
+      .set(description_field, description);
+  for (const core::Side side : core::sides)
+  {
+    const std::string name = side == core::Side::left ? "left_" : "right_";
+    connection.header.set(name + "rail_outline", railOutlineText(model, side))
+        .set(name + "rail_reference", railReferenceText(model, side))
+        .set(name + "wheel_outline", wheelOutlineText(model, side));
+  }
   return connection;
 }
 

@@ -307,7 +307,10 @@ void ReplaySource::emit(std::size_t wheelset)
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
   const NeighbourEffect effect = own.neighbours.effectAt(event.input.stamp);
-  event.input.state.rail_offset = effect.deflection;
+  for (const core::Side side : core::sides)
+  {
+    event.input.state.rail_displacement[index(side)] += effect.deflection[index(side)];
+  }
   event.input.lacks_neighbour = !effect.complete;
   event.read = read_;
   event.warm_up = !in_span_;

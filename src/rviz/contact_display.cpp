@@ -86,8 +86,7 @@ void ContactDisplay::extendTrail()
   const std::size_t length = properties_.trailLength();
   if (length > 0)
   {
-    const std::optional<core::PlacedRail> at_rest = restingRail(model());
-    trail_.add(*output_, at_rest ? &*at_rest : nullptr);
+    trail_.add(*output_, restingRails(model()));
   }
   trail_.limit(length);
 }

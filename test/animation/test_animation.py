@@ -18,7 +18,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
 from sweep_case import SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 MOVED = """\
-rail: {profile: UIC60_manchester}
+wheel: {left: {rolling_radius: 0.4597}}
+rail: {profile: UIC60_manchester, right: {profile: 60E1, inclination: 1:20}}
 rail_bending: {model: prescribed, prescribed: {lateral: 2.0e-3, vertical: -1.0e-3, roll: 20.0e-3}}
 """
 
@@ -44,7 +45,7 @@ class Animation(SweepCase):
         results, topic = read(self.moved)
         for message in read_full(self.moved, topic, {0, 57, 100}).values():
             for patch in message.patches:
-                shown = section(message, patch.side, results.outlines)
+                shown = section(message, patch.side, results.outlines[patch.side])
                 origin = 1e3 * np.array([(1, -1)[patch.side] * patch.pose.position.y, patch.pose.position.z])
                 # The origin of the patch is on the rail. At a radius of 13 mm, chords of 0.4 mm deviate by 2 um.
                 self.assertLess(distance(origin, shown.rail), 0.003)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../manchester_scene.h"
+#include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 
@@ -72,9 +73,9 @@ struct Sweep : BackAndForth
 struct OneWheel
 {
   core::ContactModelConfig config = core::manchesterScene();
-  core::PlacedRail rail{config.rail_profile, config.track};
+  core::PlacedRail rail = core::restingRail(config, core::Side::left);
   core::ConjugateGradients solver;
-  core::WheelContact wheel{config, solver};
+  core::WheelContact wheel{config, core::Side::left, solver};
 
   OneWheel() { wheel.setRail(rail); }
 
@@ -83,7 +84,7 @@ struct OneWheel
   {
     constexpr int passes = 4;
     wheel.setGrid(0, size);
-    pose.z = config.wheelset.rolling_radius;
+    pose.z = config.wheelset.rolling_radius.left;
     for (int pass = 0; pass < passes; ++pass)
     {
       wheel.solveLoad(pose, 100e3);

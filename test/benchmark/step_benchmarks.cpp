@@ -16,7 +16,7 @@ void search(benchmark::State& state)
   Sweep sweep;
   for (auto _ : state)
   {
-    one.wheel.touch({sweep.next().y, one.config.wheelset.rolling_radius + above, 0, 0});
+    one.wheel.touch({sweep.next().y, one.config.wheelset.rolling_radius.left + above, 0, 0});
     benchmark::DoNotOptimize(one.wheel.height());
   }
 }
@@ -26,7 +26,7 @@ void gap(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
   one.solveOn(size);
-  const core::PlacedWheel placed(*one.config.wheel_profile, one.config.wheelset, one.pose);
+  const core::PlacedWheel placed(*one.config.wheel_profile.left, one.config.wheelset, core::Side::left, one.pose);
   const core::SurfaceOrigin origin = one.wheel.grids().originOf(0);
   const core::Grid grid = one.wheel.problem().patches[0].grid;
   Eigen::ArrayXXd gaps;
@@ -42,7 +42,7 @@ void problem(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
   one.solveOn(size);
-  core::OverlapGrids grids(*one.config.wheel_profile, one.config.wheelset, *one.config.rail_profile);
+  core::OverlapGrids grids(one.config, core::Side::left);
   grids.setRail(one.rail);
   core::NormalProblem built;
   built.modulus = one.wheel.problem().modulus;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/balance/rail_support.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "paper/methods.h"
 #include "paper/one_wheel.h"
@@ -35,13 +36,13 @@ Figures levelFigures(const core::RailDeflection& crown, double y = case_position
 TEST(PaperConfig, DescribesTheCaseOfThePaper)
 {
   const core::ContactModelConfig model = paperConfig().model;
-  EXPECT_EQ(model.rail_profile->name(), "UIC60_manchester");
-  EXPECT_EQ(model.wheel_profile->name(), "S1002");
-  EXPECT_EQ(model.wheelset.rolling_radius, 0.460);
+  EXPECT_EQ(model.rail_profile.left->name(), "UIC60_manchester");
+  EXPECT_EQ(model.wheel_profile.left->name(), "S1002");
+  EXPECT_EQ(model.wheelset.rolling_radius.left, 0.460);
   EXPECT_EQ(model.wheelset.flange_back_distance, 1.360);
   EXPECT_EQ(model.track.gauge, 1.435);
-  EXPECT_EQ(model.wheel_material.young, 2.1e11);
-  EXPECT_EQ(model.rail_material.poisson, 0.28);
+  EXPECT_EQ(model.wheel_material.left.young, 2.1e11);
+  EXPECT_EQ(model.rail_material.left.poisson, 0.28);
   EXPECT_EQ(model.rail_bending.model, core::RailBendingConfig::Model::compliance);
   EXPECT_EQ(model.rail_bending.lateral_force_value, printed_lateral_force);
 }
@@ -51,7 +52,7 @@ TEST(PaperConfig, DescribesTheCaseOfThePaper)
 // is rigid here.
 TEST(PaperConfig, RailDeflectsAsPrinted)
 {
-  const core::ComplianceTable table = paperConfig().model.rail_bending.table;
+  const core::ComplianceTable table = paperConfig().model.rail_bending.table.left;
   const double height = 0.1624 - 0.158;
   const core::RailDeflection moved = deflection(table, {printed_lateral_force, 0, printed_lateral_force * height});
   const double top = moved.lateral + moved.roll * core::ComplianceTable::reference_depth;
@@ -87,9 +88,9 @@ TEST(PaperFigures, WithoutBendingAgreeWithThePrintedOnes)
 TEST(CrownDisplacement, MovesTheCrownAndTurnsTheRail)
 {
   const core::ContactModelConfig model = paperConfig().model;
-  const core::PlacedRail rail(model.rail_profile, model.track);
+  const core::PlacedRail rail = core::restingRail(model, core::Side::left);
   const core::RailDeflection crown{0.3e-3, -0.1e-3, 9e-3};
-  const core::PlacedRail moved = rail.deflected(withCrownDisplaced(crown, model.track.rail_inclination));
+  const core::PlacedRail moved = rail.deflected(withCrownDisplaced(crown, model.track.rail_inclination.left));
   const core::CurvePoint top{0, 0, 1, 0, 0, 0};
   EXPECT_NEAR(moved.place(top).y - rail.place(top).y, crown.lateral, 1e-12);
   EXPECT_NEAR(moved.place(top).z - rail.place(top).z, crown.vertical, 1e-12);

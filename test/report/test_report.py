@@ -23,6 +23,11 @@ from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other
 from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
+BENDING = f"""\
+wheel: {{right: {{rolling_radius: 0.4597}}}}
+rail: {{profile: UIC60_manchester, right: {{profile: 60E1, inclination: 1:20}}}}
+rail_bending: {{model: compliance, table: {TABLE}}}
+"""
 BROWSER = "chromium-headless-shell"
 WINDOW = (1200, 6000)  # large enough for the whole page
 PAGE_WIDTH = 1100      # of the text, defined in the style of the page
@@ -51,8 +56,7 @@ class Report(SweepCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        (cls.folder / "bend.yaml").write_text(
-            f"rail: {{profile: UIC60_manchester}}\nrail_bending: {{model: compliance, table: {TABLE}}}\n")
+        (cls.folder / "bend.yaml").write_text(BENDING)
         cls.bending = cls.replay("bending.bag", cls.folder / "bend.yaml")
 
     def report(self, *arguments, status=0):
@@ -108,7 +112,7 @@ class Report(SweepCase):
             results, _ = read(bag)
             for side in (0, 1):
                 for kind, points in zip(("rail", "wheel"), figures.contact_points(results, side)):
-                    outline = results.outlines[kind]
+                    outline = results.outlines[side][kind]
                     distance = np.hypot(*(points[:, None, :] - outline[None, :, :]).T).min(axis=0)
                     # Half the step of the outline is 0.2 mm. The approach of the bodies is at most 0.2 mm.
                     self.assertLess(distance.max(), 0.3e-3, f"{bag.name}, {kind}, side {side}")

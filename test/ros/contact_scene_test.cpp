@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
@@ -56,7 +57,7 @@ TEST_F(Scene, PressureInTrueSizeIsDrawnOnItsPatch)
 
 TEST_F(Scene, PointsOfTheProfileMoveWithTheRail)
 {
-  const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
+  const core::PlacedRail at_rest = core::restingRail(config.model, core::Side::left);
   const core::RailDeflection from{1e-3, -2e-4, 0.01}, to{8e-3, 3e-3, -0.05};
   const core::PlacedRail before = at_rest.deflected(from), after = at_rest.deflected(to);
   for (const core::Side side : {core::Side::left, core::Side::right})
@@ -88,7 +89,7 @@ TEST_F(Scene, PatchMovesWithTheMagnifiedDeflection)
 TEST_F(Scene, OnlyTheSelectedSideIsDrawn)
 {
   options.track.sides = {core::Side::right};
-  trail.add(output, nullptr);
+  trail.add(output, {});
   const MarkerArray markers = draw();
   for (const char* ns : {"rail", "rail_at_rest", "wheel", "zoom", "outline", "force", "label"})
   {
@@ -152,25 +153,25 @@ TEST_F(Scene, TextContainsPressureAreaForceErrorAndMethod)
 
 TEST_F(Scene, TrailIsStoredOnTheRailAtRest)
 {
-  const core::PlacedRail at_rest(config.model.rail_profile, config.model.track);
-  trail.add(output, &at_rest);
+  const auto at_rest = restingRails(&config.model);
+  trail.add(output, at_rest);
   result.rail[1].deflection.lateral = 2e-3;
   result.patches[1].pose.y -= 2e-3;  // the rail has moved outward, and the patch with it
   output.header.stamp += ros::Duration(1);
-  trail.add(output, &at_rest);
+  trail.add(output, at_rest);
   ASSERT_EQ(trail.points().size(), 4U);
   EXPECT_NEAR(trail.points()[3].pose.y, trail.points()[1].pose.y, 1e-12);
 
   trail.limit(3);
   EXPECT_EQ(trail.points().size(), 3U);
   output.header.stamp -= ros::Duration(2);
-  trail.add(output, &at_rest);
+  trail.add(output, at_rest);
   EXPECT_EQ(trail.points().size(), 2U) << "time has gone back";
 }
 
 TEST_F(Scene, WheelsetCanBeDrawnAtTheOrigin)
 {
-  trail.add(output, nullptr);
+  trail.add(output, {});
   output.state.x += 1;
   output.header.stamp += ros::Duration(1);
   options.at_origin = true;

@@ -40,3 +40,12 @@ TEST(LinearRange, WarningListsBothRails)
             "left rail: Y = 50.0 kN at Q = 40.0 kN, |Y|/Q = 1.250; its compliance table is valid up to 0.6; "
             "right rail: Y = 5.0 kN at Q = 0.0 kN, |Y|/Q = inf; its compliance table is valid up to 0.6");
 }
+
+TEST(LinearRange, EachRailHasThatOfItsTable)
+{
+  const core::WheelsetResult result = withForces(50e3, 100e3, 50e3, 100e3);
+  EXPECT_EQ(linearRangeWarning(result, {0.6, 0.4}),
+            "right rail: Y = 50.0 kN at Q = 100.0 kN, |Y|/Q = 0.500; its compliance table is valid up to 0.4");
+  EXPECT_EQ(linearRangeWarning(result, {0.4, 0.6}),
+            "left rail: Y = 50.0 kN at Q = 100.0 kN, |Y|/Q = 0.500; its compliance table is valid up to 0.4");
+}

@@ -155,3 +155,18 @@ TEST(NeighbourForces, OnlyTheNewestResultsAreStored)
   EXPECT_EQ(forceAt(forces, 10.00005), 0);
   EXPECT_DOUBLE_EQ(forceAt(forces, 10.00015), 1e3);
 }
+
+// On a rail inclined by 0.1 rad, a vertical force Q has the component -0.1 Q across the rail.
+TEST(NeighbourForces, EachRailHasItsOwnInfluenceAndInclination)
+{
+  NodeConfig config = configWith(1);
+  config.neighbours[0].influence.right.lateral_lateral = 3 * compliance;
+  config.model.track.rail_inclination = {0.1, 0};
+  NeighbourForces forces(config);
+  NeighbourResult result = resultAt(10, 0, 1e3);
+  result.left_rail.vertical_force = 1e4;
+  forces.add(0, result);
+  const auto moved = forces.effectAt(ros::Time(10.1)).deflection;
+  EXPECT_DOUBLE_EQ(moved[0].lateral, -compliance * 1e4 * std::sin(0.1) * std::cos(0.1));
+  EXPECT_DOUBLE_EQ(moved[1].lateral, 3 * compliance * 1e3);
+}

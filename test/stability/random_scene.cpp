@@ -159,7 +159,7 @@ void Walk::jump()
   state_.y = oneIn(random_, 20) ? uniform(random_, -0.04, 0.04) : uniform(random_, -0.010, 0.010);
   state_.yaw = oneIn(random_, 2) ? 0 : uniform(random_, -1, 1) * (oneIn(random_, 4) ? 0.06 : 0.01);
   state_.roll = uniform(random_, -5e-4, 5e-4);
-  state_.z = wheelset_.rolling_radius + uniform(random_, -4e-4, 2e-4);
+  state_.z = wheelset_.rolling_radius.left + uniform(random_, -4e-4, 2e-4);
   drawLoad();
 }
 

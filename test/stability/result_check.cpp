@@ -2,19 +2,17 @@
 #include "result_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/balance/rail_support.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core::stability
 {
 namespace
 {
-constexpr std::array<Side, 2> sides{Side::left, Side::right};
-
 /// Relative rounding error of a sum over up to some thousand cells [-].
 constexpr double rounding = 1e-9;
 constexpr double least_radius = 5e-3;  ///< smaller than all radii of the rails [m]
@@ -72,6 +70,11 @@ RailDeflection difference(const RailDeflection& a, const RailDeflection& b)
   return {a.lateral - b.lateral, a.vertical - b.vertical, a.roll - b.roll};
 }
 
+SurfaceDisplacement displacementOf(const ContactModelConfig& config, Side side)
+{
+  return SurfaceDisplacement(contactModulus(config.wheel_material[side], config.rail_material[side]));
+}
+
 /// Depth of the overlap of the rigid bodies [m].
 double overlapOf(const std::vector<PressedSurface>& surfaces)
 {
@@ -86,8 +89,8 @@ double overlapOf(const std::vector<PressedSurface>& surfaces)
 
 ResultCheck::ResultCheck(const ContactModelConfig& config)
     : config_(config),
-      undeflected_(config.rail_profile, config.track),
-      displacement_(contactModulus(config.wheel_material, config.rail_material))
+      undeflected_(restingRail(config, Side::left), restingRail(config, Side::right)),
+      displacement_(displacementOf(config, Side::left), displacementOf(config, Side::right))
 {
 }
 
@@ -219,11 +222,10 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
     {
       fault("lateral force on the rail differs from the given one", rail.lateral_force);
     }
-    expected = deflectionInTrack(bending.table, {rail.lateral_force, rail.vertical_force, rail.moment},
-                                 config_.track.rail_inclination);
+    expected = deflectionInTrack(bending.table[side], {rail.lateral_force, rail.vertical_force, rail.moment},
+                                 config_.track.rail_inclination[side]);
   }
-  const RailDeflection& offset = state.rail_offset[k];
-  expected = {expected.lateral + offset.lateral, expected.vertical + offset.vertical, expected.roll + offset.roll};
+  expected += state.rail_displacement[k];
   const double scale = sizeOf(found), off = sizeOf(difference(expected, found));
   if (off > rounding * scale + 1e-15)
   {
@@ -234,9 +236,9 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
 /// Builds the surfaces under the patches of a wheel and checks what belongs to them.
 void ResultCheck::checkWheel(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
-  const PlacedRail rail = undeflected_.deflected(result.rail[static_cast<std::size_t>(side)].deflection);
+  const PlacedRail rail = undeflected_[side].deflected(result.rail[static_cast<std::size_t>(side)].deflection);
   const WheelsetPose pose = toSide(side, {result.y, result.z, result.yaw, result.roll});
-  const PlacedWheel wheel(*config_.wheel_profile, config_.wheelset, pose);
+  const PlacedWheel wheel(*config_.wheel_profile[side], config_.wheelset, side, pose);
   std::vector<PressedSurface> surfaces;
   try
   {
@@ -267,7 +269,7 @@ void ResultCheck::checkWheel(const WheelsetState& state, const WheelsetResult& r
   checkRailForces(state, result, surfaces, rail, side);
   if (in_cells)
   {
-    checkConditions(surfaces);
+    checkConditions(surfaces, side);
   }
 }
 
@@ -324,12 +326,12 @@ void ResultCheck::checkRailForces(const WheelsetState& state, const WheelsetResu
   }
 }
 
-void ResultCheck::checkConditions(const std::vector<PressedSurface>& surfaces)
+void ResultCheck::checkConditions(const std::vector<PressedSurface>& surfaces, Side side)
 {
   const double overlap = overlapOf(surfaces);
   for (const PressedSurface& surface : surfaces)
   {
-    const Eigen::ArrayXXd w = displacement_.at(surface, surfaces) + surface.gap;
+    const Eigen::ArrayXXd w = displacement_[side].at(surface, surfaces) + surface.gap;
     const double inside = (surface.pressure > 0).select(w.abs(), 0.0).maxCoeff();
     const double outside = (surface.pressure > 0).select(0.0, (-w).max(0.0)).maxCoeff();
     violation_ = std::max({violation_, inside / overlap, outside / overlap});

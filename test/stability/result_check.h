@@ -39,11 +39,11 @@ class ResultCheck
   void checkDeflection(const WheelsetState& state, const WheelsetResult& result, Side side);
   void checkRailForces(const WheelsetState& state, const WheelsetResult& result,
                        const std::vector<PressedSurface>& surfaces, const PlacedRail& rail, Side side);
-  void checkConditions(const std::vector<PressedSurface>& surfaces);
+  void checkConditions(const std::vector<PressedSurface>& surfaces, Side side);
 
   const ContactModelConfig& config_;
-  PlacedRail undeflected_;
-  SurfaceDisplacement displacement_;
+  Sides<PlacedRail> undeflected_;
+  Sides<SurfaceDisplacement> displacement_;
   std::vector<std::string> faults_;
   double violation_ = 0;
 };

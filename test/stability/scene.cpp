@@ -13,8 +13,8 @@ namespace
 auto besidesY(const WheelsetState& s)
 {
   const auto offset = [](const RailDeflection& d) { return std::tuple(d.lateral, d.vertical, d.roll); };
-  return std::tuple(s.x, s.z, s.yaw, s.roll, s.force_z, s.torque_x, s.rail_lateral_force, offset(s.rail_offset[0]),
-                    offset(s.rail_offset[1]));
+  return std::tuple(s.x, s.z, s.yaw, s.roll, s.force_z, s.torque_x, s.rail_lateral_force,
+                    offset(s.rail_displacement[0]), offset(s.rail_displacement[1]));
 }
 }  // namespace
 
@@ -61,7 +61,7 @@ std::string describe(const Scene& scene)
   std::snprintf(method, sizeof method, "%s, tolerance %.3g, grid %d x %d", toString(contact.method), contact.tolerance,
                 contact.cells_along, contact.cells_across);
   std::snprintf(track, sizeof track, "inclination %.4g rad, gauge %.4f m, height and roll %s",
-                scene.config.track.rail_inclination, scene.config.track.gauge,
+                scene.config.track.rail_inclination.left, scene.config.track.gauge,
                 scene.config.wheelset.solve_height_and_roll ? "from the load" : "given");
   return scene.wheel.name + " on " + scene.rail.name + "; " + method + "; rails: " + railModel(scene) + "; " + track;
 }

@@ -33,6 +33,6 @@ double beyondClearance(const ContactModelConfig& config, const WheelsetState& st
 std::string railModel(const Scene& scene);
 /// Profiles, method, rails and track on one line.
 std::string describe(const Scene& scene);
-/// All numbers of a state except `x` and `rail_offset`.
+/// All numbers of a state except `x` and `rail_displacement`.
 std::string describe(const WheelsetState& state);
 }  // namespace wheel_rail_contact::core::stability

@@ -44,7 +44,7 @@ SceneProfile readProfileOf(const std::string& body, ProfileKind kind, ParameterR
 void readTable(ParameterReader& reader, Scene& scene)
 {
   const std::string group = "rail_bending/table/";
-  ComplianceTable& table = scene.config.rail_bending.table;
+  ComplianceTable table;
   const auto read = [&](const std::string& name, const NumberRule& rule, double& value)
   {
     reader.require(group + name, "model compliance requires all numbers of the table");
@@ -55,6 +55,7 @@ void readTable(ParameterReader& reader, Scene& scene)
   read("lateral_roll", rules::finite, table.lateral_roll);
   read("roll_roll", rules::positive, table.roll_roll);
   read("vertical_vertical", rules::positive, table.vertical_vertical);
+  scene.config.rail_bending.table = table;
 }
 
 WheelsetState readState(ParameterReader& reader)
@@ -70,9 +71,9 @@ WheelsetState readState(ParameterReader& reader)
   {
     const std::string side = side_names[k];
     reader.read("rail_lateral_force/" + side, rules::finite, state.rail_lateral_force[k]);
-    reader.read("rail_offset/" + side + "/lateral", rules::finite, state.rail_offset[k].lateral);
-    reader.read("rail_offset/" + side + "/vertical", rules::finite, state.rail_offset[k].vertical);
-    reader.read("rail_offset/" + side + "/roll", rules::finite, state.rail_offset[k].roll);
+    reader.read("rail_displacement/" + side + "/lateral", rules::finite, state.rail_displacement[k].lateral);
+    reader.read("rail_displacement/" + side + "/vertical", rules::finite, state.rail_displacement[k].vertical);
+    reader.read("rail_displacement/" + side + "/roll", rules::finite, state.rail_displacement[k].roll);
   }
   reader.refuseUnknown();
   return state;
@@ -135,7 +136,7 @@ void write(std::ostream& out, const RailBendingConfig& bending, const std::strin
   }
   if (bending.model == Model::compliance)
   {
-    const ComplianceTable& table = bending.table;
+    const ComplianceTable& table = bending.table.left;
     out << "  table:\n    name: " << table_name << "\n    lateral_lateral: " << shortest(table.lateral_lateral)
         << "\n    lateral_roll: " << shortest(table.lateral_roll) << "\n    roll_roll: " << shortest(table.roll_roll)
         << "\n    vertical_vertical: " << shortest(table.vertical_vertical) << "\n  lateral_force: "
@@ -154,10 +155,10 @@ void write(std::ostream& out, const WheelsetState& state)
       << ",\n     rail_lateral_force: {left: " << shortest(state.rail_lateral_force[0])
       << ", right: " << shortest(state.rail_lateral_force[1]) << '}';
   const auto is_zero = [](const RailDeflection& d) { return d.lateral == 0 && d.vertical == 0 && d.roll == 0; };
-  if (!is_zero(state.rail_offset[0]) || !is_zero(state.rail_offset[1]))
+  if (!is_zero(state.rail_displacement[0]) || !is_zero(state.rail_displacement[1]))
   {
-    out << ",\n     rail_offset: {left: " << inFlow(state.rail_offset[0]) << ", right: " << inFlow(state.rail_offset[1])
-        << '}';
+    out << ",\n     rail_displacement: {left: " << inFlow(state.rail_displacement[0])
+        << ", right: " << inFlow(state.rail_displacement[1]) << '}';
   }
   out << "}\n";
 }
@@ -212,14 +213,15 @@ void writeScene(std::ostream& out, const Scene& scene)
          "description: "
       << quoted(scene.description) << "\ntrack:\n  gauge: " << shortest(config.track.gauge)
       << "\n  gauge_depth: " << shortest(config.track.gauge_depth)
-      << "\n  rail_inclination: " << shortest(config.track.rail_inclination)
-      << "\nwheelset:\n  rolling_radius: " << shortest(config.wheelset.rolling_radius)
+      << "\n  rail_inclination: " << shortest(config.track.rail_inclination.left)
+      << "\nwheelset:\n  rolling_radius: " << shortest(config.wheelset.rolling_radius.left)
       << "\n  flange_back_distance: " << shortest(config.wheelset.flange_back_distance)
       << "\n  tape_circle: " << shortest(config.wheelset.tape_circle)
       << "\n  free: " << (config.wheelset.solve_height_and_roll ? "[z, roll]" : "[]") << '\n';
   write(out, "wheel", scene.wheel);
   write(out, "rail", scene.rail);
-  out << "material:\n  wheel: " << inFlow(config.wheel_material) << "  rail: " << inFlow(config.rail_material);
+  out << "material:\n  wheel: " << inFlow(config.wheel_material.left)
+      << "  rail: " << inFlow(config.rail_material.left);
   write(out, config.rail_bending, scene.table_name);
   out << "contact:\n  method: " << toString(config.contact.method)
       << "\n  tolerance: " << shortest(config.contact.tolerance) << "\n  grid: {along: " << config.contact.cells_along

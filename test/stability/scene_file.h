@@ -17,7 +17,7 @@
 ///                             config/rails) instead of a file
 ///   states                    list of states, evaluated in this order by one WheelsetContact: groups of y, z, yaw,
 ///                             roll, force_z, torque_x, rail_lateral_force/{left, right},
-///                             rail_offset/{left, right}/{lateral, vertical, roll}; units and signs as in
+///                             rail_displacement/{left, right}/{lateral, vertical, roll}; units and signs as in
 ///                             WheelsetState; a missing number is 0
 namespace wheel_rail_contact::core::stability
 {

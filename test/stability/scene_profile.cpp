@@ -21,9 +21,9 @@ SceneProfile loadSceneProfile(const std::string& name, ProfileKind kind, std::op
                               const std::string& folder)
 {
   const bool is_file = name.find_first_of("./") != std::string::npos;
-  return {
-      name, noise,
-      std::make_shared<Profile>(is_file ? readProfile(resolved(name, folder), kind, noise) : loadProfile(name, kind))};
+  return {name, noise,
+          std::make_shared<Profile>(is_file ? readProfile(resolved(name, folder), kind, {noise, false})
+                                            : loadProfile(name, kind))};
 }
 
 std::vector<SceneProfile> wheelProfiles()

@@ -65,7 +65,7 @@ Situation lifted()
   ContactModelConfig config = standard();
   config.wheelset.solve_height_and_roll = false;
   WheelsetState state;
-  state.z = config.wheelset.rolling_radius + 0.010;
+  state.z = config.wheelset.rolling_radius.left + 0.010;
   return {"both wheels above the rails, height given", config, state};
 }
 

@@ -7,28 +7,29 @@
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/profile.h"
 #include "wheel_rail_contact/core/rail_compliance.h"
+#include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
 {
-/// All parameters of a WheelsetContact. Both profiles must be set; all other members have usable defaults.
+/// All parameters of a WheelsetContact. All profiles must be set; all other members have usable defaults.
 struct ContactModelConfig
 {
-  /// Profile of the left wheel; the right wheel has its mirror image. Must not be null. See standard_profiles.h and
-  /// profile_reader.h.
-  std::shared_ptr<const Profile> wheel_profile;
-  /// Profile of the left rail, upright (before it is turned by TrackConfig::rail_inclination); the right rail has its
-  /// mirror image. Must not be null.
-  std::shared_ptr<const Profile> rail_profile;
-  Material wheel_material;         ///< of both wheels; default: steel
-  Material rail_material;          ///< of both rails; default: steel
+  /// Profile of each wheel, from the flange to the field side on both sides: one profile for both wheels makes them
+  /// mirror images. Must not be null. See standard_profiles.h and profile_reader.h.
+  Sides<std::shared_ptr<const Profile>> wheel_profile;
+  /// Profile of each rail, from the gauge to the field side, upright (before it is turned by
+  /// TrackConfig::rail_inclination). Must not be null.
+  Sides<std::shared_ptr<const Profile>> rail_profile;
+  Sides<Material> wheel_material;  ///< of each wheel; default: steel
+  Sides<Material> rail_material;   ///< of each rail; default: steel
   TrackConfig track;               ///< position and inclination of the rails
   WheelsetConfig wheelset;         ///< dimensions of the wheelset; whether its height and roll are solved or given
   ContactConfig contact;           ///< method and tolerance of the contact solution
   RailBendingConfig rail_bending;  ///< deflection of the rails; default: rigid rails
 };
 
-/// Checks that both profiles are set and that every parameter is within its range.
+/// Checks that all profiles are set and that every parameter is within its range.
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const ContactModelConfig& config);
 }  // namespace wheel_rail_contact::core

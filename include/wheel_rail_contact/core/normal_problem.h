@@ -14,6 +14,12 @@ struct Material
   double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
 };
 
+/// True if both constants are equal.
+inline bool operator==(const Material& a, const Material& b)
+{
+  return a.young == b.young && a.poisson == b.poisson;
+}
+
 /// Checks that both constants are within their range. `option` is the name of the material in the message.
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const Material& material, const std::string& option);

@@ -41,13 +41,24 @@ class ProfileError : public std::runtime_error
 /// Standard deviation of MiniProf measurements across the curve that is assumed unless another one is given [m].
 constexpr double miniprof_noise = 5e-6;
 
+/// How the points of a file are read.
+struct ProfileReading
+{
+  /// Expected standard deviation of the points across the curve [m], 0 to 1e-4. Default: approx.smooth for Simpack,
+  /// miniprof_noise for MiniProf, 0 for CSV.
+  std::optional<double> noise = std::nullopt;
+  /// True: y of the points, as described for the format in readProfile(), changes its sign. For a file of the other
+  /// side, or of a rail of the right side as it lies in the track with y to the left.
+  bool mirror = false;
+};
+
 /// Returns a standard profile by its name, or a profile from a file by its path.
 ///
 /// Names: `S1002` (wheel), `60E1` and `UIC60_manchester` (rails). Any other text is the path of a file for
-/// readProfile().
-/// @throw std::invalid_argument if the named standard profile is of the other kind.
+/// readProfile(); `reading` applies to files.
+/// @throw std::invalid_argument if the named standard profile is of the other kind, or is to be mirrored.
 /// @throw ProfileError in the cases of readProfile().
-Profile loadProfile(const std::string& name_or_path, ProfileKind kind);
+Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const ProfileReading& reading = {});
 
 /// Reads a profile from a file. The extension of its name (upper or lower case) determines the format:
 ///
@@ -73,14 +84,13 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind);
 /// distance the digits of a file do not determine a curvature. With noise, a smoothing spline is fitted to the points;
 /// without noise, an interpolating spline passes through all of them.
 ///
-/// @param path   path of the file
-/// @param kind   expected kind of the profile
-/// @param noise  expected standard deviation of the points across the curve [m], 0 to 1e-4. Default: approx.smooth for
-///               Simpack, miniprof_noise for MiniProf, 0 for CSV.
+/// @param path     path of the file
+/// @param kind     expected kind of the profile
+/// @param reading  options
 /// @throw ProfileError if the file cannot be read, is truncated, malformed or of the wrong kind, is larger than 4 MiB
 /// or has more than 20000 points. Also if it does not contain a plausible profile: fewer than 10 points, points not in
 /// order along the curve, a gap of more than 25 mm, a width outside 20 mm to 300 mm, a height above 120 mm, or a shape
 /// that is not that of a wheel or rail.
 /// @throw std::invalid_argument if the noise is out of range.
-Profile readProfile(const std::string& path, ProfileKind kind, std::optional<double> noise = std::nullopt);
+Profile readProfile(const std::string& path, ProfileKind kind, const ProfileReading& reading = {});
 }  // namespace wheel_rail_contact::core

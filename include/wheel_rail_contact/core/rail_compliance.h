@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "wheel_rail_contact/core/sides.h"
+
 namespace wheel_rail_contact::core
 {
 /// Rigid displacement of a rail head, in the axes of its side: outward (away from the track centre) and up (+z).
@@ -13,6 +15,15 @@ struct RailDeflection
   double vertical = 0;  ///< vertical displacement [m], up positive
   double roll = 0;      ///< rotation of the head [rad], positive if the crown moves outward
 };
+
+/// Adds a small displacement of the same rail head.
+inline RailDeflection& operator+=(RailDeflection& sum, const RailDeflection& added)
+{
+  sum.lateral += added.lateral;
+  sum.vertical += added.vertical;
+  sum.roll += added.roll;
+  return sum;
+}
 
 /// Force of a wheel on a rail head, in the axes of its side.
 struct RailForce
@@ -69,7 +80,7 @@ struct RailBendingConfig
   };
   Model model = Model::none;                           ///< source of the deflection
   RailDeflection prescribed;                           ///< deflection of both rails, for Model::prescribed
-  ComplianceTable table;                               ///< compliance of both rails, for Model::compliance
+  Sides<ComplianceTable> table;                        ///< compliance of each rail, for Model::compliance
   LateralForce lateral_force = LateralForce::contact;  ///< source of the lateral force, for Model::compliance
   double lateral_force_value = 0;                      ///< for LateralForce::constant [N], outward positive
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "wheel_rail_contact/core/sides.h"
+
 /// Normal contact of the wheels of a railway wheelset with two rails.
 ///
 /// SI units, angles in radians. Track frame: x forward along the track, y left, z up; the origin is on the centre line,
@@ -8,13 +10,6 @@
 /// the field side of a rail. doc/glossary.md explains all terms.
 namespace wheel_rail_contact::core
 {
-/// Side of the track, seen in the direction of travel (+x).
-enum class Side
-{
-  left = 0,  ///< y > 0
-  right = 1  ///< y < 0
-};
-
 /// Position and inclination of the undeflected rails.
 struct TrackConfig
 {
@@ -22,19 +17,21 @@ struct TrackConfig
   double gauge_depth = 0.014;  ///< depth below the tops of the rails at which the gauge is measured [m], > 0
   /// Inclination of each rail, top towards the track centre [rad]; at most 0.2. 1:40 is atan(1/40). This is not the
   /// cant (superelevation) of the track.
-  double rail_inclination = 0.025;
+  Sides<double> rail_inclination = 0.025;
 };
 
 /// Dimensions of the wheelset, and the part of its pose that is solved.
 struct WheelsetConfig
 {
-  double rolling_radius = 0.460;        ///< radius of the wheels at the running circle [m], > 0
-  double flange_back_distance = 1.360;  ///< back-to-back distance: between the backs of both flanges [m], > 0
-  double tape_circle = 0.070;           ///< distance from the flange back to the running circle [m], > 0
+  Sides<double> rolling_radius = 0.460;  ///< radius of each wheel at its running circle [m], > 0
+  double flange_back_distance = 1.360;   ///< back-to-back distance: between the backs of both flanges [m], > 0
+  double tape_circle = 0.070;            ///< distance from the flange back to the running circle [m], > 0
   /// True: height and roll of the axle are solved from the load. False: they are given in each WheelsetState, and the
   /// forces follow from them.
   bool solve_height_and_roll = true;
 
+  /// Mean radius of both wheels at their running circles [m].
+  double meanRadius() const { return 0.5 * (rolling_radius.left + rolling_radius.right); }
   /// Half the distance between the running circles of both wheels [m].
   double halfBase() const { return 0.5 * flange_back_distance + tape_circle; }
 };

@@ -30,9 +30,9 @@ struct WheelsetState
   /// Lateral force on the rail of each Side, outward positive [N]; at most 1e8. Used only with
   /// RailBendingConfig::LateralForce::topic.
   std::array<double, 2> rail_lateral_force{};
-  /// Deflection of the rail of each Side at this wheelset, caused by the forces of other wheelsets; at most 0.1 m and
-  /// 0.2 rad. Used only with RailBendingConfig::Model::compliance.
-  std::array<RailDeflection, 2> rail_offset{};
+  /// Displacement of the rail of each Side at this wheelset, besides its deflection under this wheel: by a track model
+  /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
+  std::array<RailDeflection, 2> rail_displacement{};
   double x = 0;  ///< position of the axle centre along the track [m]; not checked, only copied to the result
 };
 }  // namespace wheel_rail_contact::core

@@ -41,8 +41,11 @@ bool isCutAcross(const PatchGap& patch)
 }
 }  // namespace
 
-OverlapGrids::OverlapGrids(const Profile& wheel, const WheelsetConfig& wheelset, const Profile& rail)
-    : wheel_(wheel), wheelset_(wheelset), search_(wheel, rail), outside_(search_, placed_, columns_)
+OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side)
+    : config_(config),
+      side_(side),
+      search_(*config.wheel_profile[side], *config.rail_profile[side]),
+      outside_(search_, placed_, columns_)
 {
   laid_.reserve(usual_grids);
   before_.reserve(usual_grids);
@@ -60,7 +63,7 @@ void OverlapGrids::setRail(const PlacedRail& rail)
 OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach,
                                           NormalProblem& problem)
 {
-  placed_wheel_.emplace(wheel_, wheelset_, pose);
+  placed_wheel_.emplace(*config_.wheel_profile[side_], config_.wheelset, side_, pose);
   const PlacedWheel& wheel = *placed_wheel_;
   search_.setWheel(wheel);
   if (!search_.nearest(touch_))

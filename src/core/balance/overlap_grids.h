@@ -10,8 +10,8 @@
 #include "core/balance/rail_part.h"
 #include "core/track/contact_search.h"
 #include "core/track/gap.h"
+#include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/normal_problem.h"
-#include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
 {
@@ -48,8 +48,8 @@ class OverlapGrids
     whole      ///< all of it
   };
 
-  /// Keeps references to `wheel` and `wheelset`, which must outlive the object.
-  OverlapGrids(const Profile& wheel, const WheelsetConfig& wheelset, const Profile& rail);
+  /// Keeps a reference to `config`, which must outlive this.
+  OverlapGrids(const ContactModelConfig& config, Side side);
   OverlapGrids(const OverlapGrids&) = delete;  // outside_ refers to other members
   OverlapGrids& operator=(const OverlapGrids&) = delete;
 
@@ -103,8 +103,8 @@ class OverlapGrids
   void removeLast(NormalProblem& problem);
   void couple(NormalProblem& problem);
 
-  const Profile& wheel_;
-  const WheelsetConfig& wheelset_;
+  const ContactModelConfig& config_;
+  Side side_;
   std::optional<PlacedRail> rail_;
   ContactSearch search_;
   InitialContact touch_;

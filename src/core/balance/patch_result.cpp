@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/balance/both_sides.h"
 #include "core/balance/least_gap.h"
+#include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {

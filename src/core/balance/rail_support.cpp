@@ -3,6 +3,11 @@
 
 namespace wheel_rail_contact::core
 {
+PlacedRail restingRail(const ContactModelConfig& config, Side side)
+{
+  return {config.rail_profile[side], config.track, side};
+}
+
 Eigen::Vector3d toCoordinates(const RailDeflection& deflection)
 {
   return {deflection.lateral, deflection.vertical, deflection.roll};

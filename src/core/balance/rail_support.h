@@ -3,10 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "wheel_rail_contact/core/rail_compliance.h"
+#include "core/track/placement.h"
+#include "wheel_rail_contact/core/config.h"
 
 namespace wheel_rail_contact::core
 {
+/// Rail of a side without displacement. Side axes.
+PlacedRail restingRail(const ContactModelConfig& config, Side side);
+
 /// Coordinates of the deflection of a rail head, side axes. They are lateral outward [m],
 /// vertical up [m] and outward roll about the reference point of the head [rad]. The forces along them are the outward
 /// force on the rail [N], the upward force on the rail [N] and the moment on the head about that point [N m].

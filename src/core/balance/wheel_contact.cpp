@@ -29,14 +29,14 @@ double wheelTurn(const SurfaceColumn& from, const SurfaceColumn& to)
 }
 }  // namespace
 
-WheelContact::WheelContact(const ContactModelConfig& config, NormalSolver& solver)
+WheelContact::WheelContact(const ContactModelConfig& config, Side side, NormalSolver& solver)
     : solver_(solver),
-      grids_(*config.wheel_profile, config.wheelset, *config.rail_profile),
+      grids_(config, side),
       tangent_(tuning::rough_residual),
       first_reach_(usesOverlap(config.contact.method) ? OverlapGrids::Reach::whole : OverlapGrids::Reach::expected)
 {
   solution_.status = SolveStatus::no_contact;
-  problem_.modulus = contactModulus(config.wheel_material, config.rail_material);
+  problem_.modulus = contactModulus(config.wheel_material[side], config.rail_material[side]);
 }
 
 /// Removes the last solution.

@@ -46,7 +46,7 @@ class WheelContact
 {
  public:
   /// Keeps references to `config` and `solver`, which must outlive the object.
-  WheelContact(const ContactModelConfig& config, NormalSolver& solver);
+  WheelContact(const ContactModelConfig& config, Side side, NormalSolver& solver);
 
   /// Sets the number of cells of each grid, and its index. The next solution starts from the pressure of the last one
   /// with the same index.

@@ -32,17 +32,17 @@ struct WheelOnRail::Trial
   double height = 0, merit = infinity, noise = 0;
 };
 
-WheelOnRail::WheelOnRail(const ContactModelConfig& config, NormalSolver& solver)
+WheelOnRail::WheelOnRail(const ContactModelConfig& config, Side side, NormalSolver& solver)
     : config_(config),
-      contact_(config, solver),
-      undeflected_(config.rail_profile, config.track),
+      contact_(config, side, solver),
+      undeflected_(restingRail(config, side)),
       compliance_(Eigen::Matrix3d::Zero()),
       bends_(config.rail_bending.model == RailBendingConfig::Model::compliance),
       own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact)
 {
   if (bends_)
   {
-    compliance_ = supportCompliance(config.rail_bending.table, config.track.rail_inclination);
+    compliance_ = supportCompliance(config.rail_bending.table[side], config.track.rail_inclination[side]);
   }
   setRail(0, RailDeflection());
 }
@@ -54,14 +54,16 @@ void WheelOnRail::reset()
   contact_.forget();
 }
 
-void WheelOnRail::setRail(double lateral, const RailDeflection& offset)
+void WheelOnRail::setRail(double lateral, const RailDeflection& displaced)
 {
   using LateralForce = RailBendingConfig::LateralForce;
   const RailBendingConfig& bending = config_.rail_bending;
   given_lateral_ = bending.lateral_force == LateralForce::constant ? bending.lateral_force_value : lateral;
-  offset_ = bends_                                                  ? toCoordinates(offset)
-            : bending.model == RailBendingConfig::Model::prescribed ? toCoordinates(bending.prescribed)
-                                                                    : Eigen::Vector3d::Zero();
+  offset_ = toCoordinates(displaced);
+  if (bending.model == RailBendingConfig::Model::prescribed)
+  {
+    offset_ += toCoordinates(bending.prescribed);
+  }
 }
 
 /// Places the rail as the forces deflect it.

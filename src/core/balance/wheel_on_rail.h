@@ -17,14 +17,14 @@ class WheelOnRail
 {
  public:
   /// Keeps references to `config` and `solver`, which must outlive the object.
-  WheelOnRail(const ContactModelConfig& config, NormalSolver& solver);
+  WheelOnRail(const ContactModelConfig& config, Side side, NormalSolver& solver);
 
   /// The next solution starts from an undeflected rail.
   void reset();
   /// Sets what else moves the rail. The start is the deflection of the last solution.
-  /// @param lateral  given lateral force, outward positive [N]; only without RailBendingConfig::LateralForce::contact
-  /// @param offset   deflection by other wheelsets
-  void setRail(double lateral, const RailDeflection& offset);
+  /// @param lateral    given lateral force, outward positive [N]; only without RailBendingConfig::LateralForce::contact
+  /// @param displaced  displacement of the rail, besides that by this wheel and RailBendingConfig::prescribed
+  void setRail(double lateral, const RailDeflection& displaced);
 
   /// Finds height and deflection at a pose under a load [N]; the height of `pose` is the start. Without a positive
   /// load, the height of first touch.

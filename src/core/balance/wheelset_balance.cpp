@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/balance/both_sides.h"
 #include "core/balance/tuning.h"
+#include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
@@ -29,8 +29,8 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLev
     : config_(config),
       levels_(levels),
       accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
-      greatest_turn_(tuning::longest_step / config.wheelset.rolling_radius),
-      wheels_{WheelOnRail(config, levels.solver()), WheelOnRail(config, levels.solver())}
+      greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
+      wheels_{WheelOnRail(config, Side::left, levels.solver()), WheelOnRail(config, Side::right, levels.solver())}
 {
 }
 
@@ -80,7 +80,7 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   const int before = count();
   const bool given = !config_.wheelset.solve_height_and_roll;
   const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
-  z_ = given ? state.z : warm_ ? z_ : config_.wheelset.rolling_radius;
+  z_ = given ? state.z : warm_ ? z_ : config_.wheelset.meanRadius();
   roll_ = given ? state.roll : warm_ ? roll_ : start_roll_;
   const double moved = state.y - state_.y;
   state_ = state;
@@ -96,7 +96,7 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
     const double load = -0.5 * state.force_z - sideSign(side) * transfer;
     loads_[index(side)] = load > least_load ? load : 0;
     setLevel(index(side), 0);
-    wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state.rail_offset[index(side)]);
+    wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state.rail_displacement[index(side)]);
   }
   WheelStatus status = WheelStatus::solved;
   do

@@ -4,10 +4,10 @@
 #include <array>
 #include <string_view>
 
-#include "core/balance/both_sides.h"
 #include "core/balance/grid_levels.h"
 #include "core/balance/islands.h"
 #include "core/balance/wheel_on_rail.h"
+#include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 #include "wheel_rail_contact/core/wheelset_state.h"
 

@@ -77,7 +77,7 @@ void setHeightFromTape(std::vector<ProfileSection>& sections)
 }
 }  // namespace
 
-Profile loadProfile(const std::string& name_or_path, ProfileKind kind)
+Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const ProfileReading& reading)
 {
   for (const StandardProfile& standard : standard_profiles)
   {
@@ -90,18 +90,26 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind)
       throw std::invalid_argument("profile '" + name_or_path + "' belongs to a " + nameOf(standard.kind) + "; a " +
                                   nameOf(kind) + " profile is required");
     }
+    if (reading.mirror)
+    {
+      throw std::invalid_argument("mirror = true applies to files, not to the standard profile '" + name_or_path + "'");
+    }
     return standard.make();
   }
-  return readProfile(name_or_path, kind);
+  return readProfile(name_or_path, kind, reading);
 }
 
-Profile readProfile(const std::string& path, ProfileKind kind, std::optional<double> noise)
+Profile readProfile(const std::string& path, ProfileKind kind, const ProfileReading& reading)
 {
   const std::string extension = checkedExtension(path, kind);
   ProfileFile file(path);
-  const FileProfile content = readContent(file, extension, kind);
+  FileProfile content = readContent(file, extension, kind);
+  for (FilePoint& point : content.points)
+  {
+    point.point.y *= reading.mirror ? -1 : 1;
+  }
   const std::vector<SampledPoint> points = orderedPoints(file, content, kind);
-  const double expected_noise = noise.value_or(content.noise);
+  const double expected_noise = reading.noise.value_or(content.noise);
   std::vector<ProfileSection> sections =
       expected_noise != 0.0 ? smoothingSpline(points, expected_noise) : interpolatingSpline(points);
   if (content.height_from_tape)

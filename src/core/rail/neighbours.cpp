@@ -59,10 +59,7 @@ RailDeflection neighbourDeflection(const std::vector<NeighbourForce>& neighbours
   RailDeflection sum;
   for (const NeighbourForce& neighbour : neighbours)
   {
-    const RailDeflection moved = deflectionInTrack(neighbour.influence, neighbour.force, inclination);
-    sum.lateral += moved.lateral;
-    sum.vertical += moved.vertical;
-    sum.roll += moved.roll;
+    sum += deflectionInTrack(neighbour.influence, neighbour.force, inclination);
   }
   return sum;
 }

@@ -70,6 +70,7 @@ void validate(const RailBendingConfig& bending)
   requireWithin("rail_bending/prescribed/roll", given.roll, 0.2, "must be within ±0.2 rad");
   require(std::isfinite(bending.lateral_force_value), "rail_bending/lateral_force", bending.lateral_force_value,
           "must be a finite number");
-  bending.table.validate();
+  bending.table.left.validate();
+  bending.table.right.validate();
 }
 }  // namespace wheel_rail_contact::core

@@ -30,9 +30,10 @@ constexpr double scan_spacing = 1e-4;
 constexpr double root_tolerance = 1e-12;  ///< [m]
 }  // namespace
 
-PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track) : profile_(std::move(profile))
+PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track, Side side)
+    : profile_(std::move(profile))
 {
-  turn(track.rail_inclination);
+  turn(track.rail_inclination[side]);
   const int count = std::max(2, static_cast<int>(profile_->length() / scan_spacing));
   const double step = profile_->length() / count;
   const auto height = [this](double u) { return at(u).z; };
@@ -104,7 +105,7 @@ void PlacedRail::turn(double angle)
   frame_.sine = std::sin(angle);
 }
 
-PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose)
+PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, Side side, const WheelsetPose& pose)
     : profile_(&profile), pose_(pose)
 {
   // Roll, then yaw, about fixed axes: axle direction = Rz(yaw) Rx(roll) (0, 1, 0).
@@ -114,7 +115,7 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
   forward_x_ = std::hypot(ay, az);
   const WheelCoordinate y{pose.y, ay, az / forward_x_, -ax * ay / forward_x_};
   const WheelCoordinate z{pose.z, az, -ay / forward_x_, -ax * az / forward_x_};
-  sections_ = {wheelset.rolling_radius, wheelset.halfBase(), ax, 1 / forward_x_, y, z};
+  sections_ = {wheelset.rolling_radius[side], wheelset.halfBase(), ax, 1 / forward_x_, y, z};
 }
 
 namespace

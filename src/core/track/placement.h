@@ -59,7 +59,7 @@ class PlacedRail
   /// Undeflected rail. Its highest point is at z = 0. Its innermost point down to z = -gauge_depth is at half the gauge
   /// from the track centre.
   /// @throw std::invalid_argument if the profile ends above the gauge depth on its gauge side.
-  PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track);
+  PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track, Side side);
 
   /// The same rail with its head displaced by `deflection` from its present position.
   PlacedRail deflected(const RailDeflection& deflection) const;
@@ -151,7 +151,7 @@ class PlacedWheel
  public:
   /// Keeps a reference to `profile`, which must outlive the object.
   /// @param pose  pose of the wheelset in side axes
-  PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, const WheelsetPose& pose);
+  PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, Side side, const WheelsetPose& pose);
 
   /// Point of the contact locus on the wheel circle through the profile point `p`: the point at which the surface
   /// normal has no x component.

@@ -9,12 +9,20 @@ void validate(const TrackConfig& track)
 {
   requirePositive("track/gauge", track.gauge);
   requirePositive("track/gauge_depth", track.gauge_depth);
-  requireWithin("track/rail_inclination", track.rail_inclination, 0.2, "must be within ±0.2 rad");
+  for (const Side side : sides)
+  {
+    requireWithin(optionOf(track.rail_inclination, side, "track/rail_inclination", "rail", "inclination"),
+                  track.rail_inclination[side], 0.2, "must be within ±0.2 rad");
+  }
 }
 
 void validate(const WheelsetConfig& wheelset)
 {
-  requirePositive("wheelset/rolling_radius", wheelset.rolling_radius);
+  for (const Side side : sides)
+  {
+    requirePositive(optionOf(wheelset.rolling_radius, side, "wheelset/rolling_radius", "wheel", "rolling_radius"),
+                    wheelset.rolling_radius[side]);
+  }
   requirePositive("wheelset/flange_back_distance", wheelset.flange_back_distance);
   requirePositive("wheelset/tape_circle", wheelset.tape_circle);
 }

@@ -24,15 +24,15 @@ void append(const std::string& sentence, std::string& text)
 }
 }  // namespace
 
-std::string linearRangeWarning(const core::WheelsetResult& result, double linear_range)
+std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
 {
   std::string text;
   for (const core::Side side : {core::Side::left, core::Side::right})
   {
     const core::RailResult& rail = result.rail[static_cast<std::size_t>(side)];
-    if (std::abs(rail.lateral_force) > linear_range * std::max(rail.vertical_force, 0.0))
+    if (std::abs(rail.lateral_force) > linear_range[side] * std::max(rail.vertical_force, 0.0))
     {
-      append(rangeWarning(side, rail, linear_range), text);
+      append(rangeWarning(side, rail, linear_range[side]), text);
     }
   }
   return text;

@@ -77,11 +77,12 @@ NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
     effect.complete = effect.complete && known != nullptr;
     if (known != nullptr)
     {
-      forces[0].push_back({neighbour.influence, (*known)[0]});
-      forces[1].push_back({neighbour.influence, (*known)[1]});
+      forces[0].push_back({neighbour.influence.left, (*known)[0]});
+      forces[1].push_back({neighbour.influence.right, (*known)[1]});
     }
   }
-  effect.deflection = {neighbourDeflection(forces[0], inclination_), neighbourDeflection(forces[1], inclination_)};
+  effect.deflection = {neighbourDeflection(forces[0], inclination_.left),
+                       neighbourDeflection(forces[1], inclination_.right)};
   return effect;
 }
 

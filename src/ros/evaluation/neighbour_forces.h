@@ -54,13 +54,13 @@ class NeighbourForces
   };
   struct Neighbour
   {
-    core::ComplianceTable influence;
+    core::Sides<core::ComplianceTable> influence;
     std::deque<Result> results;  ///< in order of increasing stamps
   };
   static const Forces* forcesAt(const Neighbour& neighbour, const ros::Time& stamp);
   static std::optional<Forces> forcesOf(const NeighbourResult& result);
 
-  double inclination_;  ///< of the rails [rad]
+  core::Sides<double> inclination_;  ///< of the rails [rad]
   std::vector<Neighbour> neighbours_;
 };
 }  // namespace wheel_rail_contact

@@ -22,8 +22,8 @@ bool isShown(core::Side side, const SceneOptions& options)
 }
 
 /// The result with scaled rail deflections, and with patches that have moved with these rails.
-core::WheelsetResult withScaledDeflection(const core::WheelsetResult& result, const core::PlacedRail& at_rest,
-                                          double scale)
+core::WheelsetResult withScaledDeflection(const core::WheelsetResult& result,
+                                          const core::Sides<core::PlacedRail>& at_rest, double scale)
 {
   core::WheelsetResult drawn = result;
   for (core::RailResult& rail : drawn.rail)
@@ -32,9 +32,9 @@ core::WheelsetResult withScaledDeflection(const core::WheelsetResult& result, co
   }
   for (core::PatchResult& patch : drawn.patches)
   {
-    const auto side = static_cast<std::size_t>(patch.side);
-    patch.pose =
-        carriedByRail(at_rest, patch.side, result.rail.at(side).deflection, drawn.rail.at(side).deflection, patch.pose);
+    const std::size_t k = index(patch.side);
+    patch.pose = carriedByRail(at_rest[patch.side], patch.side, result.rail.at(k).deflection,
+                               drawn.rail.at(k).deflection, patch.pose);
   }
   return drawn;
 }
@@ -84,8 +84,9 @@ void addPatch(const PatchPicture& picture, const SceneOptions& options, const st
 }
 
 /// @param shift displacement of the drawn points along the track [m]
-void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn, const core::PlacedRail* at_rest,
-              double shift, const SceneOptions& options, const std_msgs::Header& header, MarkerArray& markers)
+void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
+              const std::optional<core::Sides<core::PlacedRail>>& at_rest, double shift, const SceneOptions& options,
+              const std_msgs::Header& header, MarkerArray& markers)
 {
   Marker marker = makeMarker(header, "trail", 0, Marker::SPHERE_LIST, makeColor(1, 1, 1));
   marker.scale.x = marker.scale.y = marker.scale.z = options.trail_width;
@@ -94,7 +95,8 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn, cons
     if (isShown(point.side, options))
     {
       const core::RailDeflection& now = drawn.rail.at(static_cast<std::size_t>(point.side)).deflection;
-      const core::PatchPose pose = at_rest ? carriedByRail(*at_rest, point.side, {}, now, point.pose) : point.pose;
+      const core::PatchPose pose =
+          at_rest ? carriedByRail((*at_rest)[point.side], point.side, {}, now, point.pose) : point.pose;
       marker.points.push_back(toPoint({pose.x + shift, pose.y, pose.z}));
       marker.colors.push_back(colorOf(point.max_pressure / options.patch.max_pressure));
     }
@@ -152,7 +154,7 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
     return markers;
   }
   const double x = options.at_origin ? 0 : output.x();
-  const std::optional<core::PlacedRail> at_rest = restingRail(model);
+  const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model);
   std::optional<core::WheelsetResult> scaled_result;
   if (at_rest && options.deflection_scale != 1)
   {
@@ -170,7 +172,7 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
       addPatch(picture, options, output.header, markers);
     }
   }
-  addTrail(trail, drawn, at_rest ? &*at_rest : nullptr, x - output.x(), options, output.header, markers);
+  addTrail(trail, drawn, at_rest, x - output.x(), options, output.header, markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

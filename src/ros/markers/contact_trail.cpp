@@ -5,7 +5,7 @@
 
 namespace wheel_rail_contact
 {
-void ContactTrail::add(const ContactOutput& output, const core::PlacedRail* at_rest)
+void ContactTrail::add(const ContactOutput& output, const std::optional<core::Sides<core::PlacedRail>>& at_rest)
 {
   if (output.header.stamp < last_)
   {
@@ -22,7 +22,7 @@ void ContactTrail::add(const ContactOutput& output, const core::PlacedRail* at_r
     if (at_rest)
     {
       const core::RailDeflection& now = output.result->rail.at(static_cast<std::size_t>(patch.side)).deflection;
-      pose = carriedByRail(*at_rest, patch.side, now, {}, pose);
+      pose = carriedByRail((*at_rest)[patch.side], patch.side, now, {}, pose);
     }
     pose.x += output.x();
     points_.push_back({patch.side, pose, patch.max_pressure});

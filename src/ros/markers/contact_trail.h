@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 #include "ros/evaluation/contact_evaluator.h"
 
@@ -23,8 +24,8 @@ class ContactTrail
 {
  public:
   /// Adds the patches of an output; none if it is unusable.
-  /// @param at_rest rail at rest, to which the points are moved back (carriedByRail()); null: they stay where they are
-  void add(const ContactOutput& output, const core::PlacedRail* at_rest);
+  /// @param at_rest rails at rest, to which the points are moved back (carriedByRail()); none: they stay where they are
+  void add(const ContactOutput& output, const std::optional<core::Sides<core::PlacedRail>>& at_rest);
   /// Removes the oldest points until at most `count` remain.
   void limit(std::size_t count);
   /// Removes all points.

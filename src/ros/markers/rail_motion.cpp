@@ -3,11 +3,18 @@
 
 #include <Eigen/Geometry>
 
+#include "core/balance/rail_support.h"
+
 namespace wheel_rail_contact
 {
-std::optional<core::PlacedRail> restingRail(const core::ContactModelConfig* model)
+std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model)
 {
-  return model ? std::make_optional<core::PlacedRail>(model->rail_profile, model->track) : std::nullopt;
+  if (!model)
+  {
+    return std::nullopt;
+  }
+  return core::Sides<core::PlacedRail>(core::restingRail(*model, core::Side::left),
+                                       core::restingRail(*model, core::Side::right));
 }
 
 core::RailDeflection scaled(const core::RailDeflection& deflection, double scale)

@@ -8,8 +8,8 @@
 
 namespace wheel_rail_contact
 {
-/// Undeflected rail of the model; none without a model.
-std::optional<core::PlacedRail> restingRail(const core::ContactModelConfig* model);
+/// Rails of the model without displacement; none without a model.
+std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model);
 
 /// Deflection with each component multiplied by `scale`.
 core::RailDeflection scaled(const core::RailDeflection& deflection, double scale);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/balance/rail_support.h"
 #include "core/track/placement.h"
 #include "ros/markers/color_map.h"
 #include "ros/markers/marker_tools.h"
@@ -68,7 +69,7 @@ Eigen::Isometry3d toTrack(const core::WheelsetPose& pose, double x)
 /// @param turn angle about the axle, from the lowest point forward [rad]
 Vector3d wheelPoint(const core::WheelsetConfig& wheelset, core::Side side, const core::CurvePoint& p, double turn)
 {
-  const double radius = wheelset.rolling_radius - p.z;
+  const double radius = wheelset.rolling_radius[side] - p.z;
   return {radius * std::sin(turn), core::sideSign(side) * (wheelset.halfBase() + p.y), -radius * std::cos(turn)};
 }
 
@@ -78,7 +79,7 @@ Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, con
   const int intervals = std::max(1, static_cast<int>(std::lround(2 * style.wheel_sweep / row_spacing)));
   Marker marker =
       makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor(style.wheel_alpha));
-  const core::Profile& profile = *model.wheel_profile;
+  const core::Profile& profile = *model.wheel_profile[side];
   SurfacePoints points;
   for (int row = 0; row <= intervals; ++row)
   {
@@ -100,7 +101,7 @@ Marker wheelProfile(const core::ContactModelConfig& model, const TrackStyle& sty
 {
   Marker marker = makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, profileColor());
   marker.scale.x = style.profile_line_width;
-  const core::Profile& profile = *model.wheel_profile;
+  const core::Profile& profile = *model.wheel_profile[side];
   for (int i = 0; i < profile_points; ++i)
   {
     const core::CurvePoint p = profile.at(parameterAt(profile, i));
@@ -121,7 +122,7 @@ Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, c
 {
   Marker marker = makeMarker(header, "wheel_lines", static_cast<int>(side), Marker::LINE_LIST, lineColor());
   marker.scale.x = style.line_width;
-  const core::Profile& profile = *model.wheel_profile;
+  const core::Profile& profile = *model.wheel_profile[side];
   core::CurvePoint tip = profile.at(0);
   for (int i = 0; i < profile_points; ++i)
   {
@@ -196,11 +197,10 @@ void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& 
 void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
               const std::array<core::RailDeflection, 2>& deflection, MarkerArray& markers)
 {
-  const core::PlacedRail at_rest(model.rail_profile, model.track);
   const double half_length = 0.5 * style.rail_length;
   for (const core::Side side : style.sides)
   {
-    const core::PlacedRail rail = at_rest.deflected(deflection.at(static_cast<std::size_t>(side)));
+    const core::PlacedRail rail = core::restingRail(model, side).deflected(deflection.at(index(side)));
     Marker marker =
         makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor(style.rail_alpha));
     addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)},
@@ -212,10 +212,9 @@ void addRails(const core::ContactModelConfig& model, const TrackStyle& style, co
 void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                     double x, MarkerArray& markers)
 {
-  const core::PlacedRail at_rest(model.rail_profile, model.track);
   for (const core::Side side : style.sides)
   {
-    markers.markers.push_back(railAtRest(at_rest, style, header, side, x));
+    markers.markers.push_back(railAtRest(core::restingRail(model, side), style, header, side, x));
   }
 }
 

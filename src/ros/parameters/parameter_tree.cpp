@@ -85,6 +85,25 @@ YAML::Node groupToYaml(XmlRpc::XmlRpcValue& value)
   }
   return node;
 }
+/// True if a group with parameters in the tree has this name.
+bool containsOne(const std::string& name, const ParameterTree& tree)
+{
+  const auto next = tree.lower_bound(name + '/');
+  return next != tree.end() && next->first.compare(0, name.size() + 1, name + '/') == 0;
+}
+
+/// True if a parameter of the tree has the name of a group with this name in it.
+bool isWithin(const std::string& name, const ParameterTree& tree)
+{
+  for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
+  {
+    if (tree.count(name.substr(0, slash)) > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }  // namespace
 
 ParameterTree parameterTree(const YAML::Node& document)
@@ -145,7 +164,13 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue value)
 ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper)
 {
   ParameterTree result = upper;
-  result.insert(base.begin(), base.end());
+  for (const auto& entry : base)
+  {
+    if (!isWithin(entry.first, upper) && !containsOne(entry.first, upper))
+    {
+      result.insert(entry);
+    }
+  }
   return result;
 }
 }  // namespace wheel_rail_contact

@@ -27,6 +27,7 @@ ParameterTree readParameterFile(const std::string& file);
 /// @throw std::invalid_argument for dates and binary data.
 YAML::Node toYaml(XmlRpc::XmlRpcValue value);
 
-/// Union of both trees. For names in both, the value is that of `upper`.
+/// Union of both trees. For names in both, the value is that of `upper`. A group of `upper`
+/// replaces a value of `base` with its name, and a value replaces a group.
 ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper);
 }  // namespace wheel_rail_contact

@@ -7,10 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ros/parameters/compliance_table_file.h"
-#include "ros/parameters/file_names.h"
+#include "ros/parameters/model_files.h"
 #include "ros/parameters/parameter_reader.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact
 {
@@ -18,25 +16,20 @@ namespace
 {
 const NumberRule seconds{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= 60; }};
 
-/// Names of files and shipped profiles. They are opened after all other values have been checked.
-struct FileNames
+/// Prefix of the parameters of one side: "rail/left/".
+std::string sideGroup(const std::string& body, core::Side side)
 {
-  std::string wheel_profile, rail_profile, table;
-};
+  return body + (side == core::Side::left ? "/left/" : "/right/");
+}
 
 /// Reads the rail inclination [rad], given as an angle in radians or as a ratio such as 1:40, which is atan(1/40).
 ///
 /// YAML 1.1 parsers (rosparam, roslaunch) read an unquoted 1:N, with N below 60, as the sexagesimal number 60 + N. No
 /// valid angle is in this range. A number between 60 and 120 is therefore read as the ratio 1:N.
-void readInclination(ParameterReader& reader, double& inclination)
+void readInclination(ParameterReader& reader, const std::string& name, double& inclination)
 {
   constexpr double sexagesimal = 60;
   constexpr const char* rule = "a finite number [rad] or a ratio 1:N with a finite N > 0";
-  const std::string name = "track/rail_inclination";
-  if (reader.has("track/cant"))
-  {
-    reader.refuse("track/cant", "renamed to track/rail_inclination (cant is the superelevation of the track)");
-  }
   double denominator = 0;
   if (reader.readRatio(name, {rule, rules::positive.holds}, denominator))
   {
@@ -55,7 +48,16 @@ void readTrack(ParameterReader& reader, NodeConfig& config)
   core::TrackConfig& track = config.model.track;
   reader.read("track/gauge", rules::finite, track.gauge);
   reader.read("track/gauge_depth", rules::finite, track.gauge_depth);
-  readInclination(reader, track.rail_inclination);
+  if (reader.has("track/cant"))
+  {
+    reader.refuse("track/cant", "renamed to track/rail_inclination (cant is the superelevation of the track)");
+  }
+  readInclination(reader, "track/rail_inclination", track.rail_inclination.left);
+  track.rail_inclination.right = track.rail_inclination.left;
+  for (const core::Side side : core::sides)
+  {
+    readInclination(reader, sideGroup("rail", side) + "inclination", track.rail_inclination[side]);
+  }
   reader.read("track/frame", config.track_frame);
   if (config.track_frame.empty() || config.track_frame[0] == '/')
   {
@@ -65,7 +67,12 @@ void readTrack(ParameterReader& reader, NodeConfig& config)
 
 void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
 {
-  reader.read("wheelset/rolling_radius", rules::finite, wheelset.rolling_radius);
+  reader.read("wheelset/rolling_radius", rules::finite, wheelset.rolling_radius.left);
+  wheelset.rolling_radius.right = wheelset.rolling_radius.left;
+  for (const core::Side side : core::sides)
+  {
+    reader.read(sideGroup("wheel", side) + "rolling_radius", rules::finite, wheelset.rolling_radius[side]);
+  }
   reader.read("wheelset/flange_back_distance", rules::finite, wheelset.flange_back_distance);
   reader.read("wheelset/tape_circle", rules::finite, wheelset.tape_circle);
   std::vector<std::string> free =
@@ -83,6 +90,69 @@ void readMaterial(ParameterReader& reader, const std::string& group, core::Mater
 {
   reader.read(group + "/young", rules::finite, material.young);
   reader.read(group + "/poisson", rules::finite, material.poisson);
+}
+
+/// Materials of a body ("wheel" or "rail") on both sides.
+void readMaterials(ParameterReader& reader, const std::string& body, core::Sides<core::Material>& materials)
+{
+  readMaterial(reader, "material/" + body, materials.left);
+  materials.right = materials.left;
+  for (const core::Side side : core::sides)
+  {
+    readMaterial(reader, sideGroup(body, side) + "material", materials[side]);
+  }
+}
+
+/// Reads a profile: its name or file, or a group with `file` and `mirror`. Unchanged if it is not given.
+void readProfile(ParameterReader& reader, const std::string& name, NamedFile& profile)
+{
+  const std::string file = name + "/file", mirror = name + "/mirror";
+  if (reader.has(name) && (reader.has(file) || reader.has(mirror)))
+  {
+    reader.refuse(name, "either a name or a group with file and mirror");
+  }
+  if (reader.has(mirror))
+  {
+    reader.require(file, "the file to be mirrored");
+  }
+  if (reader.has(name) || reader.has(file))
+  {
+    profile = NamedFile{reader.has(file) ? file : name, "", false};
+  }
+  reader.read(name, profile.value);
+  reader.read(file, profile.value);
+  reader.read(mirror, {{"false", false}, {"true", true}}, profile.mirror);
+}
+
+/// Profiles of a body ("wheel" or "rail") on both sides.
+void readProfiles(ParameterReader& reader, const std::string& body, core::Sides<NamedFile>& profiles)
+{
+  readProfile(reader, body + "/profile", profiles.left);
+  profiles.right = profiles.left;
+  for (const core::Side side : core::sides)
+  {
+    readProfile(reader, sideGroup(body, side) + "profile", profiles[side]);
+  }
+}
+
+void readTables(ParameterReader& reader, bool required, core::Sides<NamedFile>& tables)
+{
+  tables = NamedFile{"rail_bending/table", "", false};
+  reader.read("rail_bending/table", tables.left.value);
+  tables.right = tables.left;
+  for (const core::Side side : core::sides)
+  {
+    const std::string name = sideGroup("rail", side) + "table";
+    if (reader.has(name))
+    {
+      tables[side].parameter = name;
+    }
+    reader.read(name, tables[side].value);
+  }
+  if (required && (tables.left.value.empty() || tables.right.value.empty()))
+  {
+    reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
+  }
 }
 
 void readLateralForce(ParameterReader& reader, core::RailBendingConfig& bending)
@@ -138,17 +208,13 @@ void readNeighbours(ParameterReader& reader, NodeConfig& config)
   }
 }
 
-void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, FileNames& files)
+void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, ModelFiles& files)
 {
   using Model = core::RailBendingConfig::Model;
   reader.read("rail_bending/model",
               {{"none", Model::none}, {"prescribed", Model::prescribed}, {"compliance", Model::compliance}},
               bending.model);
-  reader.read("rail_bending/table", files.table);
-  if (bending.model == Model::compliance && files.table.empty())
-  {
-    reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
-  }
+  readTables(reader, bending.model == Model::compliance, files.table);
   readLateralForce(reader, bending);
   reader.read("rail_bending/prescribed/lateral", rules::finite, bending.prescribed.lateral);
   reader.read("rail_bending/prescribed/vertical", rules::finite, bending.prescribed.vertical);
@@ -190,14 +256,14 @@ void readMarkers(ParameterReader& reader, MarkerConfig& markers)
 }
 
 /// Reads all parameters; the names that are not read here are unknown.
-void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
+void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
 {
   readTrack(reader, config);
   readWheelset(reader, config.model.wheelset);
-  reader.read("wheel/profile", files.wheel_profile);
-  reader.read("rail/profile", files.rail_profile);
-  readMaterial(reader, "material/wheel", config.model.wheel_material);
-  readMaterial(reader, "material/rail", config.model.rail_material);
+  readProfiles(reader, "wheel", files.wheel_profile);
+  readProfiles(reader, "rail", files.rail_profile);
+  readMaterials(reader, "wheel", config.model.wheel_material);
+  readMaterials(reader, "rail", config.model.rail_material);
   readRailBending(reader, config.model.rail_bending, files);
   readNeighbours(reader, config);
   readContact(reader, config.model.contact);
@@ -205,63 +271,14 @@ void readAll(ParameterReader& reader, NodeConfig& config, FileNames& files)
   readMarkers(reader, config.markers);
 }
 
-/// Opens the file of the parameter `name`.
-/// @param open function that opens the file `value`
-/// @throw std::invalid_argument with the name of the parameter and the reason if `open` throws.
-template <typename Open>
-auto openFile(const std::string& name, const std::string& value, const Open& open)
+/// Requires a value for both sides.
+void requireBoth(const ParameterReader& reader, const core::Sides<NamedFile>& files, const std::string& both,
+                 const std::string& why)
 {
-  try
+  if (files.left.value.empty() || files.right.value.empty())
   {
-    return open(value);
+    reader.require(both, why);
   }
-  catch (const std::exception& error)
-  {
-    const std::string reason = error.what();
-    const bool names_file = reason.compare(0, value.size() + 1, value + ":") == 0;
-    throw std::invalid_argument(name + " = " + (names_file ? "" : value + ": ") + reason);
-  }
-}
-
-/// ROS reads the name 60E1 as the number 60e1 in `_rail/profile:=60E1` on a command line, and in a <param> without a
-/// type in a launch file.
-const std::string rail_60e1_as_number = "600";
-
-/// Opens a shipped profile, or a file if the value contains a dot or a slash.
-std::shared_ptr<const core::Profile> openProfile(const std::string& value, core::ProfileKind kind,
-                                                 const std::string& directory)
-{
-  if (value == rail_60e1_as_number)
-  {
-    return std::make_shared<core::Profile>(core::loadProfile("60E1", kind));
-  }
-  const bool is_file = value.find_first_of("./") != std::string::npos;
-  return std::make_shared<core::Profile>(core::loadProfile(is_file ? resolveFile(value, directory) : value, kind));
-}
-
-/// Opens the files and checks the ranges of the core's options.
-void complete(const FileNames& files, const std::string& directory, NodeConfig& config)
-{
-  core::ContactModelConfig& model = config.model;
-  model.wheel_profile =
-      openFile("wheel/profile", files.wheel_profile,
-               [&](const std::string& value) { return openProfile(value, core::ProfileKind::wheel, directory); });
-  model.rail_profile =
-      openFile("rail/profile", files.rail_profile,
-               [&](const std::string& value) { return openProfile(value, core::ProfileKind::rail, directory); });
-  if (model.rail_bending.model == core::RailBendingConfig::Model::compliance)
-  {
-    const ComplianceTableFile file =
-        openFile("rail_bending/table", files.table,
-                 [&](const std::string& value) { return readComplianceTable(resolveFile(value, directory)); });
-    model.rail_bending.table = file.table;
-    config.linear_range = file.linear_range;
-    for (NeighbourConfig& neighbour : config.neighbours)
-    {
-      neighbour.influence = influenceAt(file.neighbours, neighbour.distance);
-    }
-  }
-  validate(model);
 }
 }  // namespace
 
@@ -269,14 +286,15 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
 {
   ParameterReader reader(tree, prefix);
   NodeConfig config;
-  FileNames files;
+  ModelFiles files;
   readAll(reader, config, files);
   reader.refuseUnknown();
-  reader.require("wheel/profile", "give the name of a profile or a file");
-  reader.require("rail/profile", "give the name of a profile or a file");
+  requireBoth(reader, files.wheel_profile, "wheel/profile", "give the name of a profile or a file");
+  requireBoth(reader, files.rail_profile, "rail/profile", "give the name of a profile or a file");
   try
   {
-    complete(files, directory, config);
+    openFiles(files, directory, config);
+    validate(config.model);
   }
   catch (const std::invalid_argument& error)
   {
@@ -289,7 +307,7 @@ std::set<std::string> parameterNames()
 {
   ParameterReader reader({}, "");
   NodeConfig config;
-  FileNames files;
+  ModelFiles files;
   readAll(reader, config, files);
   return reader.knownNames();
 }

@@ -15,17 +15,17 @@ namespace wheel_rail_contact
 /// Another wheelset on the same rails, whose forces also deflect the rails here.
 struct NeighbourConfig
 {
-  std::string topic;                ///< topic of its results (WheelsetContact), unresolved
-  double distance = 0;              ///< along the track [m], > 0
-  core::ComplianceTable influence;  ///< compliances at this distance, from the table
+  std::string topic;                             ///< topic of its results (WheelsetContact), unresolved
+  double distance = 0;                           ///< along the track [m], > 0
+  core::Sides<core::ComplianceTable> influence;  ///< compliances of each rail at this distance, from its table
 };
 
 /// All parameters of the live node and the replay.
 struct NodeConfig
 {
   core::ContactModelConfig model;  ///< parameters of the core
-  /// Largest |Y|/Q for which the compliance table is valid [-]; infinite without a table.
-  double linear_range = std::numeric_limits<double>::infinity();
+  /// Largest |Y|/Q for which the compliance table of each rail is valid [-]; infinite without a table.
+  core::Sides<double> linear_range = std::numeric_limits<double>::infinity();
   std::vector<NeighbourConfig> neighbours;  ///< empty unless rail_bending/model is compliance
   std::string track_frame = "track";        ///< tf name of the track frame
   double slop = 0;                          ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
@@ -43,8 +43,11 @@ struct NodeConfig
 ///   track/frame                                 tf name
 ///   wheelset/{rolling_radius, flange_back_distance, tape_circle}   [m]
 ///   wheelset/free                               [z, roll] (solved from the load) or [] (taken from the pose)
-///   wheel/profile, rail/profile                 required: name of a shipped profile, or a file
+///   wheel/profile, rail/profile                 required: name of a shipped profile, or a file, or the group
+///                                               {file, mirror}
 ///   material/{wheel,rail}/{young, poisson}      [Pa, -]
+///   wheel/{left,right}/{profile, rolling_radius, material/...}          of one side; default: the value for both sides
+///   rail/{left,right}/{profile, inclination, table, material/...}       the same
 ///   rail_bending/model                          none, prescribed or compliance
 ///   rail_bending/table                          file, required with model compliance
 ///   rail_bending/lateral_force                  contact, topic, or a constant [N], outward positive

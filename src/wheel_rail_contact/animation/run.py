@@ -43,7 +43,8 @@ def _text(message, side, lateral, force, pressure):
 def read_run(path, label, side, frames, wheelset):
     """Reads the results of a bag. Raises Failure if it contains no outlines of the profiles, or no contact."""
     results, topic = read(path, wheelset)
-    if "reference" not in results.outlines:
+    outlines = results.outlines[side]
+    if "reference" not in outlines:
         raise Failure(f"{path}: does not contain the outlines of the profiles; write the results with contact_replay")
     if np.size(results.patches["result"]) == 0:
         raise Failure(f"{path}: no result has a contact")
@@ -57,6 +58,6 @@ def read_run(path, label, side, frames, wheelset):
     force = 1e-3 * results.rail[chosen, side, RAIL_FIELDS.index("lateral_force")]
     return Run(label=label, stamp=results.stamp[chosen], status=results.status[chosen],
                outward=MM * (1, -1)[side] * results.y[chosen], lateral=lateral, force=force, pressure=pressure,
-               sections=[section(messages[i], side, results.outlines) for i in chosen],
+               sections=[section(messages[i], side, outlines) for i in chosen],
                texts=[_text(messages[i], side, *row) for i, *row in zip(chosen, lateral, force, pressure)],
-               rest=MM * results.outlines["rail"], reference=MM * results.outlines["reference"][0])
+               rest=MM * outlines["rail"], reference=MM * outlines["reference"][0])

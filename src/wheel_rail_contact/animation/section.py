@@ -68,7 +68,7 @@ def section(message, side, outlines):
     """Section of a result. The wheel is drawn without yaw; a yawed wheel therefore appears slightly away from its contact.
 
     @param side index into SIDES
-    @param outlines as in report.results.Results
+    @param outlines of this side, as in report.results.Results
     """
     return Section(wheel=_wheel(message, side, outlines["wheel"]),
                    rail=_rail(message, side, outlines["rail"], outlines["reference"][0]),

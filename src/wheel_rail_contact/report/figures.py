@@ -89,7 +89,7 @@ def histories(results, other, path):
 def contact_points(results, side):
     """Positions of the patches of a side on the undeflected rail and on the wheel.
 
-    @return two arrays (n, 2) of y, z [m] in the axes of the left side; positions on the right are mirrored
+    @return two arrays (n, 2) of y, z [m] y outward
     """
     patches = results.patches
     chosen = patches["side"] == side
@@ -97,8 +97,8 @@ def contact_points(results, side):
     y, z = patches["y"][chosen], patches["z"][chosen]
     lateral, vertical, tilt = (np.nan_to_num(results.rail[index, side, column]) for column in (0, 1, 2))
     on_rail = np.column_stack([sign * y - lateral, z - vertical])
-    if "reference" in results.outlines:  # centre of rotation of the rail roll
-        reference = results.outlines["reference"][0]
+    if "reference" in results.outlines[side]:  # centre of rotation of the rail roll
+        reference = results.outlines[side]["reference"][0]
         dy, dz = (on_rail - reference).T
         on_rail = reference + np.column_stack([np.cos(tilt) * dy - np.sin(tilt) * dz,
                                                np.cos(tilt) * dz + np.sin(tilt) * dy])
@@ -117,8 +117,9 @@ def bands(results, path):
         chosen = results.patches["side"] == side
         for row, (kind, points) in enumerate(zip(("wheel", "rail"), contact_points(results, side)[::-1])):
             axis, sign = axes[row][side], (1, -1)[side]
-            if kind in results.outlines:
-                axis.plot(sign * 1e3 * results.outlines[kind][:, 0], 1e3 * results.outlines[kind][:, 1], color="0.4")
+            if kind in results.outlines[side]:
+                outline = 1e3 * results.outlines[side][kind]
+                axis.plot(sign * outline[:, 0], outline[:, 1], color="0.4")
             colours = axis.scatter(sign * 1e3 * points[:, 0], 1e3 * points[:, 1], c=pressure[chosen], s=14, norm=scale,
                                    cmap="viridis", zorder=3)
             axis.set(title=f"{SIDES[side]} {kind}", aspect="equal", xlabel="y [mm]", ylabel="z [mm]")

@@ -23,12 +23,13 @@ class Results:
     rail: np.ndarray = None        # (result, side, RAIL_FIELDS)
     patches: dict = None           # name -> array; `result` is the index of the result to which the patch belongs
     reasons: dict = field(default_factory=dict)    # (status, text without numbers) -> [count, first text]
-    outlines: dict = field(default_factory=dict)   # "rail", "wheel", "reference" of the left side -> (n, 2) y, z; may be empty
+    outlines: list = field(default_factory=lambda: [{}, {}])   # left, right: "rail", "wheel", "reference" -> (n, 2) outward y,
+                                                               # z; may be empty
     parameters: str = ""
 
 
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
-OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> field of the header
+OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force")
 
 
@@ -60,8 +61,8 @@ def read(path, wheelset=None):
             _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
     except rosbag.ROSBagException as error:
         raise Failure(f"{path}: {error}") from None
-    results.outlines = {kind: np.array(_text(header[name]).split(), float).reshape(-1, 2)
-                        for kind, name in OUTLINES.items() if name in header}
+    results.outlines = [{kind: np.array(_text(header[side + name]).split(), float).reshape(-1, 2)
+                         for kind, name in OUTLINES.items() if side + name in header} for side in ("left_", "right_")]
     results.parameters = _text(header.get("contact_replay", ""))
     return results, topic
 

@@ -30,17 +30,18 @@ ContactModelConfig onPads(const ComplianceTable& table)
 std::vector<double> simpleIteration(double y, int steps)
 {
   const ContactModelConfig config = onPads(verySoftPads());
-  const PlacedRail straight(config.rail_profile, config.track);
+  const PlacedRail straight = restingRail(config, Side::left);
   ConjugateGradients solver;
-  WheelContact wheel(config, solver);
+  WheelContact wheel(config, Side::left, solver);
   wheel.setGrid(0, {16, 64});
-  const Eigen::Matrix3d compliance = supportCompliance(config.rail_bending.table, config.track.rail_inclination);
+  const Eigen::Matrix3d compliance =
+      supportCompliance(config.rail_bending.table.left, config.track.rail_inclination.left);
   RailDeflection deflection;
   std::vector<double> lateral;
   for (int step = 0; step < steps; ++step)
   {
     wheel.setRail(straight.deflected(deflection));
-    WheelsetPose pose{y, config.wheelset.rolling_radius, 0, 0};
+    WheelsetPose pose{y, config.wheelset.rolling_radius.left, 0, 0};
     for (int pass = 0; pass < 8; ++pass)  // until no approach remains
     {
       if (wheel.solveLoad(pose, wheel_load) != WheelStatus::solved)

@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core
@@ -25,7 +26,7 @@ class OverlapGridsTest : public testing::Test
   {
     grids_.setRail(rail_);
     search_.setRail(rail_);
-    problem_.modulus = contactModulus(config_.wheel_material, config_.rail_material);
+    problem_.modulus = contactModulus(config_.wheel_material.left, config_.rail_material.left);
   }
 
   /// Pose at which the bodies overlap by `depth` [m].
@@ -88,9 +89,9 @@ class OverlapGridsTest : public testing::Test
   }
 
   ContactModelConfig config_ = manchesterScene();
-  PlacedRail rail_{config_.rail_profile, config_.track};
-  OverlapGrids grids_{*config_.wheel_profile, config_.wheelset, *config_.rail_profile};
-  ContactSearch search_{*config_.wheel_profile, *config_.rail_profile};
+  PlacedRail rail_ = restingRail(config_, Side::left);
+  OverlapGrids grids_{config_, Side::left};
+  ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
   NormalProblem problem_;
 };
 }  // namespace
@@ -156,7 +157,7 @@ TEST_F(OverlapGridsTest, GridsContainTheWholeOverlap)
     SCOPED_TRACE("y " + std::to_string(y) + " yaw " + std::to_string(yaw) + " depth " + std::to_string(depth));
     ASSERT_EQ(build(pose), OverlapGrids::Overlap::found);
     expectOverlapInside();
-    search_.setWheel({*config_.wheel_profile, config_.wheelset, pose});
+    search_.setWheel({*config_.wheel_profile.left, config_.wheelset, Side::left, pose});
     std::vector<OverlapInterval> intervals;
     search_.overlapIntervals(0, intervals);
     for (const OverlapInterval& interval : intervals)

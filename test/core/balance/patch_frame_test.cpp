@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/balance/rail_support.h"
 #include "core/track/contact_search.h"
 #include "wheelset_scene.h"
 
@@ -46,7 +47,7 @@ class PatchFrameTest : public testing::Test
 TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
 {
   WheelsetContact contact(scene_);
-  const PlacedRail rail = PlacedRail(scene_.rail_profile, scene_.track).deflected(scene_.rail_bending.prescribed);
+  const PlacedRail rail = restingRail(scene_, Side::left).deflected(scene_.rail_bending.prescribed);
   for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
   {
     const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4, 0.002));
@@ -161,8 +162,8 @@ TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOnePenetration)
 {
   scene_ = manchesterScene();
   WheelsetContact contact(scene_);
-  ContactSearch search(*scene_.wheel_profile, *scene_.rail_profile);
-  const PlacedRail rail(scene_.rail_profile, scene_.track);
+  ContactSearch search(*scene_.wheel_profile.left, *scene_.rail_profile.left);
+  const PlacedRail rail = restingRail(scene_, Side::left);
   search.setRail(rail);
   int found = 0;
   for (double y = 4.6e-3; y < 5.4e-3; y += 5e-5)
@@ -175,7 +176,8 @@ TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOnePenetration)
     }
     ++found;
     EXPECT_NEAR(wheelTotal(result, Side::left).vertical, 1e4, 1e-6 * 1e4);
-    search.setWheel({*scene_.wheel_profile, scene_.wheelset, {result.y, result.z, result.yaw, result.roll}});
+    search.setWheel(
+        {*scene_.wheel_profile.left, scene_.wheelset, Side::left, {result.y, result.z, result.yaw, result.roll}});
     std::vector<OverlapInterval> intervals;
     search.overlapIntervals(0, intervals);
     for (const PatchResult& patch : result.patches)

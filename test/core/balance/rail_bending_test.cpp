@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/balance/rail_support.h"
 #include "core/track/placement.h"
 #include "wheelset_scene.h"
 
@@ -51,7 +52,7 @@ class RailBendingTest : public testing::Test
     for (const double y : {0.0, 2e-3, -4e-3})
     {
       WheelsetState state = stateAt(y, 1e5);
-      state.rail_offset[0].lateral = state.rail_offset[1].lateral = offset;
+      state.rail_displacement[0].lateral = state.rail_displacement[1].lateral = offset;
       moved.reset();
       wide.reset();
       const WheelsetResult& a = moved.evaluate(state);
@@ -98,17 +99,17 @@ TEST_F(RailBendingTest, DisplacementByOtherWheelsetsAddsToTheOwnDeflection)
     scene_.rail_bending.lateral_force_value = 5e3;
     WheelsetContact contact(scene_);
     WheelsetState state = stateAt(2e-3, 1e5);
-    state.rail_offset = {RailDeflection{4e-4, -1e-4, 2e-3}, RailDeflection{-3e-4, 2e-4, 1e-3}};
+    state.rail_displacement = {RailDeflection{4e-4, -1e-4, 2e-3}, RailDeflection{-3e-4, 2e-4, 1e-3}};
     const WheelsetResult& result = contact.evaluate(state);
     ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
     for (std::size_t side = 0; side < 2; ++side)
     {
       const RailResult& rail = result.rail[side];
       const RailDeflection own = deflectionInTrack(softPads(), {rail.lateral_force, rail.vertical_force, rail.moment},
-                                                   scene_.track.rail_inclination);
-      EXPECT_NEAR(rail.deflection.lateral - own.lateral, state.rail_offset[side].lateral, 2e-9);
-      EXPECT_NEAR(rail.deflection.vertical - own.vertical, state.rail_offset[side].vertical, 2e-9);
-      EXPECT_NEAR(rail.deflection.roll - own.roll, state.rail_offset[side].roll, 2e-8);
+                                                   scene_.track.rail_inclination.left);
+      EXPECT_NEAR(rail.deflection.lateral - own.lateral, state.rail_displacement[side].lateral, 2e-9);
+      EXPECT_NEAR(rail.deflection.vertical - own.vertical, state.rail_displacement[side].vertical, 2e-9);
+      EXPECT_NEAR(rail.deflection.roll - own.roll, state.rail_displacement[side].roll, 2e-8);
     }
   }
 }
@@ -121,10 +122,10 @@ TEST_F(RailBendingTest, DeflectionIsTheTableTimesTheForces)
 {
   useTable(RailBendingConfig::LateralForce::contact);
   WheelsetContact contact(scene_);
-  const PlacedRail straight(scene_.rail_profile, scene_.track);
+  const PlacedRail straight = restingRail(scene_, Side::left);
   const ComplianceTable table = softPads();
-  const double cosine = std::cos(scene_.track.rail_inclination);
-  const double sine = std::sin(scene_.track.rail_inclination);
+  const double cosine = std::cos(scene_.track.rail_inclination.left);
+  const double sine = std::sin(scene_.track.rail_inclination.left);
   for (const double y : {0.0, 2e-3, 4e-3})
   {
     const WheelsetResult& result = contact.evaluate(stateAt(y, 1e5));
@@ -143,7 +144,7 @@ TEST_F(RailBendingTest, DeflectionIsTheTableTimesTheForces)
       EXPECT_NEAR(square, table.lateral_lateral * square_force + table.lateral_roll * moment, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(moment, momentOf(result, side, straight.deflected(moved)), 1) << "y " << y;
       const RailDeflection due = deflectionInTrack(table, {rail.lateral_force, rail.vertical_force, rail.moment},
-                                                   scene_.track.rail_inclination);
+                                                   scene_.track.rail_inclination.left);
       EXPECT_NEAR(moved.lateral, due.lateral, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(moved.vertical, due.vertical, 2e-6 * size) << "y " << y;
       EXPECT_NEAR(0.1 * moved.roll, 0.1 * due.roll, 2e-6 * size) << "y " << y;

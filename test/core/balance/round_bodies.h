@@ -47,8 +47,8 @@ inline HertzContact exactContact(const ContactModelConfig& scene, double slope, 
 {
   const double cosine = 1 / std::hypot(1, slope);
   const double place = 0.5 * scene.track.gauge + half_head - crown_radius * std::sin(std::atan(slope));
-  const double radius = scene.wheelset.rolling_radius - slope * (place - y - scene.wheelset.halfBase());
+  const double radius = scene.wheelset.rolling_radius.left - slope * (place - y - scene.wheelset.halfBase());
   return hertzForForce({0.5 * cosine / radius, 0.5 / crown_radius},
-                       contactModulus(scene.wheel_material, scene.rail_material), load / cosine);
+                       contactModulus(scene.wheel_material.left, scene.rail_material.left), load / cosine);
 }
 }  // namespace wheel_rail_contact::core::round_bodies

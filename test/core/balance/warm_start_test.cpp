@@ -170,7 +170,7 @@ TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
     std::shared_ptr<const Profile> rail;
     double y, yaw, force_z, gauge, inclination;
   };
-  const auto uic60 = scene_.rail_profile;
+  const auto uic60 = scene_.rail_profile.left;
   const auto rail_60e1 = std::make_shared<const Profile>(rail60E1());
   const Place places[] = {{uic60, -5.152e-3, -15.431e-3, -41711, 1.432924, 1.0 / 40},
                           {rail_60e1, -4.598e-3, 17.928e-3, -296284, 1.432, 1.0 / 20},

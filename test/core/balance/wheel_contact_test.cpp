@@ -99,9 +99,9 @@ class WheelContactTest : public testing::Test
 
   ContactModelConfig config_ = fineScene();
   WheelsetContact wheelset_{config_};
-  PlacedRail straight_{config_.rail_profile, config_.track};
+  PlacedRail straight_ = restingRail(config_, Side::left);
   ConjugateGradients solver_ = strictSolver();
-  WheelContact contact_{config_, solver_};
+  WheelContact contact_{config_, Side::left, solver_};
   WheelsetPose pose_;
 };
 
@@ -349,7 +349,7 @@ TEST_F(WheelContactTest, FirstTouchIsTheHeightWithoutOverlap)
 TEST_F(WheelContactTest, AFailedWarmStartIsFollowedByAColdOne)
 {
   ColdSolver solver;
-  WheelContact contact(config_, solver);
+  WheelContact contact(config_, Side::left, solver);
   contact.setRail(straight_);
   contact.setGrid(0, coarse);
   balance(-2e-3);

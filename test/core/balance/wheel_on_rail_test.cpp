@@ -47,15 +47,15 @@ class WheelOnRailTest : public testing::Test
 
   Eigen::Matrix3d compliance() const
   {
-    return supportCompliance(config_.rail_bending.table, config_.track.rail_inclination);
+    return supportCompliance(config_.rail_bending.table.left, config_.track.rail_inclination.left);
   }
 
   /// Potential energy of contact, rail and load with the rail at `rail`, with the height in equilibrium [J].
   double potential(const Eigen::Vector3d& rail, WheelsetPose pose)
   {
-    WheelContact contact(config_, solver_);
+    WheelContact contact(config_, Side::left, solver_);
     contact.setGrid(0, size);
-    contact.setRail(PlacedRail(config_.rail_profile, config_.track).deflected(toDeflection(rail)));
+    contact.setRail(restingRail(config_, Side::left).deflected(toDeflection(rail)));
     for (int i = 0; i < 10; ++i)
     {
       EXPECT_EQ(contact.solveLoad(pose, load), WheelStatus::solved);
@@ -78,7 +78,7 @@ TEST_F(WheelOnRailTest, ForcesOfTheContactDeflectTheRail)
     config_ = onPads(table);
     for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
     {
-      WheelOnRail wheel(config_, solver_);
+      WheelOnRail wheel(config_, Side::left, solver_);
       wheel.contact().setGrid(0, size);
       ASSERT_EQ(wheel.carry({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
       const Eigen::Vector3d due = compliance().inverse() * coordinates(wheel);
@@ -98,7 +98,7 @@ TEST_F(WheelOnRailTest, EquilibriumIsTheLeastPotentialEnergy)
   for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
   {
     const WheelsetPose pose{y, 0.46, 0, 0};
-    WheelOnRail wheel(config_, solver_);
+    WheelOnRail wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, size);
     ASSERT_EQ(wheel.carry(pose, load, strict, false), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
@@ -114,7 +114,7 @@ TEST_F(WheelOnRailTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
 {
   for (const double y : {0.0, 6e-3, 7e-3})
   {
-    WheelOnRail wheel(config_, solver_);
+    WheelOnRail wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, size);
     ASSERT_EQ(wheel.carry({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
@@ -132,7 +132,7 @@ TEST_F(WheelOnRailTest, HeightPerRollIsTheSlopeOfTheHeight)
 {
   for (const double y : {0.0, 3e-3})
   {
-    WheelOnRail wheel(config_, solver_);
+    WheelOnRail wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, size);
     const auto heightAt = [&](double roll)
     {
@@ -148,7 +148,7 @@ TEST_F(WheelOnRailTest, HeightPerRollIsTheSlopeOfTheHeight)
 
 TEST_F(WheelOnRailTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 {
-  WheelOnRail wheel(config_, solver_);
+  WheelOnRail wheel(config_, Side::left, solver_);
   wheel.contact().setGrid(0, size);
   ASSERT_EQ(wheel.carry({0, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
   ASSERT_EQ(wheel.carry({0, 0.46, 0, 0}, 0, strict, false), WheelStatus::no_contact);
@@ -161,7 +161,7 @@ TEST_F(WheelOnRailTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 TEST_F(WheelOnRailTest, ARigidRailIsNotDeflected)
 {
   config_ = manchesterScene();
-  WheelOnRail wheel(config_, solver_);
+  WheelOnRail wheel(config_, Side::left, solver_);
   wheel.contact().setGrid(0, size);
   ASSERT_EQ(wheel.carry({3e-3, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
   EXPECT_TRUE(coordinates(wheel).isZero(0));

@@ -62,7 +62,7 @@ TEST_F(WheelsetInputTest, NonFiniteOrHugeValuesAreRejectedWithAReason)
     for (const auto coordinate : {&RailDeflection::lateral, &RailDeflection::vertical, &RailDeflection::roll})
     {
       state = stateAt(0, 1e5);
-      state.rail_offset[1].*coordinate = bad;
+      state.rail_displacement[1].*coordinate = bad;
       expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
     }
   }
@@ -146,7 +146,7 @@ TEST_F(WheelsetInputTest, InvalidOptionsAreRejectedByName)
     config.wheelset.tape_circle = bad;
     expectRefused(config, "wheelset/tape_circle");
     config = scene_;
-    config.wheel_material.young = bad;
+    config.wheel_material = Material{bad, 0.28};
     expectRefused(config, "material/wheel/young");
     config = scene_;
     config.contact.tolerance = bad;
@@ -156,7 +156,7 @@ TEST_F(WheelsetInputTest, InvalidOptionsAreRejectedByName)
   config.track.rail_inclination = 0.3;
   expectRefused(config, "track/rail_inclination");
   config = scene_;
-  config.rail_material.poisson = 0.6;
+  config.rail_material = Material{2.1e11, 0.6};
   expectRefused(config, "material/rail/poisson");
 }
 
@@ -181,6 +181,6 @@ TEST_F(WheelsetInputTest, InvalidGridsAndRailsAreRejectedByName)
   config.rail_bending.lateral_force_value = std::numeric_limits<double>::infinity();
   expectRefused(config, "rail_bending/lateral_force");
   config = scene_;
-  config.rail_bending.table = {1e-9, 1e-6, 1e-9, 1e-9};
+  config.rail_bending.table = ComplianceTable{1e-9, 1e-6, 1e-9, 1e-9};
   expectRefused(config, "lateral_roll");
 }

@@ -219,12 +219,12 @@ TEST(ProfileFiles, PointsAreSmoothedForAGivenNoise)
   const Folder folder;
   const std::string path = folder.write("head.csv", csv(pointsOf(rail60E1())));
   const Profile through = readProfile(path, ProfileKind::rail);
-  const Profile near = readProfile(path, ProfileKind::rail, 5e-6);
+  const Profile near = readProfile(path, ProfileKind::rail, {5e-6});
   EXPECT_LT(deviation(through, pointsOf(rail60E1())), 1e-12);
   EXPECT_GT(deviation(near, pointsOf(rail60E1())), 5e-6);
   EXPECT_LT(deviation(near, pointsOf(rail60E1())), 50e-6);
-  EXPECT_THROW(readProfile(path, ProfileKind::rail, -1e-6), std::invalid_argument);
-  EXPECT_THROW(readProfile(path, ProfileKind::rail, 2.0 * max_spline_noise), std::invalid_argument);
+  EXPECT_THROW(readProfile(path, ProfileKind::rail, {-1e-6}), std::invalid_argument);
+  EXPECT_THROW(readProfile(path, ProfileKind::rail, {2.0 * max_spline_noise}), std::invalid_argument);
 }
 
 /// Converts a point to the axes of a MiniProf wheel [mm]: X from the flange back, Y towards the flange tip.
@@ -247,7 +247,7 @@ TEST(MiniProfProfile, OriginOfAWheelIsOnTheRunningCircle)
       "ProgramName=MiniProf for Windows\nSide=L\nTilt=\nColumnDef=X,Y\nXYPoints=" + std::to_string(points.size()) +
       "\nXoffset=0.0000\nYoffset=0.0000\n";
   const Profile wheel = readProfile(folder.write("a.whl", header + "\n" + lines(changed(points, miniProfWheel), "  ")),
-                                    ProfileKind::wheel, 0.0);
+                                    ProfileKind::wheel, {0.0});
   EXPECT_LT(deviation(wheel, points), 1e-12);
 
   // Running circle 73.5 mm from the flange back, heights from another reference.
@@ -257,7 +257,7 @@ TEST(MiniProfProfile, OriginOfAWheelIsOnTheRunningCircle)
                                               return Point{miniProfWheel(p).y, miniProfWheel(p).z + 2.0};
                                             });
   const Profile other = readProfile(
-      folder.write("b.whl", header + "WheelDiameterTaperline=73.5\n" + lines(raised, "\t")), ProfileKind::wheel, 0.0);
+      folder.write("b.whl", header + "WheelDiameterTaperline=73.5\n" + lines(raised, "\t")), ProfileKind::wheel, {0.0});
   EXPECT_LT(deviation(other, changed(points,
                                      [&](const Point& p) {
                                        return Point{p.y - origin.y, p.z - origin.z};
@@ -288,7 +288,7 @@ TEST(MiniProfProfile, GaugeSideOfARailIsAtPositiveX)
   {
     rows << "7 " << p.z + 0.25 << " " << p.y - 1.5 << " 0.1\n";
   }
-  const Profile rail = readProfile(folder.write("head.BAN", text + rows.str()), ProfileKind::rail, 0.0);
+  const Profile rail = readProfile(folder.write("head.BAN", text + rows.str()), ProfileKind::rail, {0.0});
   EXPECT_LT(deviation(rail, points), 1e-12);
   EXPECT_NEAR(rail.at(0.0).z, points.front().z, 1e-12);
 }
@@ -300,7 +300,7 @@ TEST(MiniProfProfile, PointsAreSmoothedByDefault)
   const std::string path = folder.write("head.ban", lines(changed(points, miniProfRail), " "));
   EXPECT_GT(deviation(readProfile(path, ProfileKind::rail), points), miniprof_noise);
   EXPECT_LT(deviation(readProfile(path, ProfileKind::rail), points), 10.0 * miniprof_noise);
-  EXPECT_LT(deviation(readProfile(path, ProfileKind::rail, 0.0), points), 1e-12);
+  EXPECT_LT(deviation(readProfile(path, ProfileKind::rail, {0.0}), points), 1e-12);
 }
 
 TEST(MiniProfProfile, OldFilesWithFreeTextAreRead)
@@ -309,7 +309,7 @@ TEST(MiniProfProfile, OldFilesWithFreeTextAreRead)
   const std::vector<Point> points = pointsOf(s1002Wheel());
   const std::string header = "#MINIWHEELPROF\nwheel 12\nCar Number..:\n\" 32.58 37.11 14.71\n(Sd/Sh/qR)\n\n";
   const std::string path = folder.write("old.whl", header + lines(changed(points, miniProfWheel), "    "));
-  EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, 0.0), points), 1e-12);
+  EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, {0.0}), points), 1e-12);
 }
 
 TEST(MiniProfProfile, OverlapOfTwoStrokesIsOmitted)
@@ -319,7 +319,7 @@ TEST(MiniProfProfile, OverlapOfTwoStrokesIsOmitted)
   std::vector<Point> points(rail.begin(), rail.begin() + 250);
   points.insert(points.end(), rail.begin() + 247, rail.end());
   const Profile read =
-      readProfile(folder.write("head.ban", lines(changed(points, miniProfRail), " ")), ProfileKind::rail, 0.0);
+      readProfile(folder.write("head.ban", lines(changed(points, miniProfRail), " ")), ProfileKind::rail, {0.0});
   EXPECT_LT(deviation(read, rail), 1e-12);
 }
 

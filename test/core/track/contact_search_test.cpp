@@ -28,8 +28,8 @@ constexpr double dense_error = 0.05e-6;
 struct Scene
 {
   Scene(const ContactModelConfig& config, Side side, const WheelsetPose& pose, const RailDeflection& bent)
-      : rail(PlacedRail(config.rail_profile, config.track).deflected(bent)),
-        wheel(*config.wheel_profile, config.wheelset, toSide(side, pose))
+      : rail(PlacedRail(config.rail_profile.left, config.track, Side::left).deflected(bent)),
+        wheel(*config.wheel_profile.left, config.wheelset, Side::left, toSide(side, pose))
   {
     const WheelsetPose& seen = wheel.pose();
     std::ostringstream out;
@@ -108,7 +108,7 @@ class ContactSearchTest : public testing::Test
   std::mt19937 random_{seed_};
   std::uniform_real_distribution<double> unit_{-1, 1};
   ContactModelConfig config_ = manchesterScene();
-  ContactSearch search_{*config_.wheel_profile, *config_.rail_profile};
+  ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
 };
 }  // namespace
 
@@ -134,7 +134,7 @@ TEST_F(ContactSearchTest, NearestPositionAgreesWithBruteForce)
 
     const PlanePoint rail = scene.rail.at(contact.rail_u);
     SpacePoint wheel{};
-    ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile->at(contact.wheel_u), wheel));
+    ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile.left->at(contact.wheel_u), wheel));
     EXPECT_NEAR(rail.y, contact.y, 1e-10);  // the search ends at 1e-11 m
     EXPECT_NEAR(wheel.y, contact.y, 1e-10);
     EXPECT_NEAR(wheel.z - rail.z, contact.separation, 3e-10);
@@ -156,7 +156,7 @@ TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPosition)
     ASSERT_TRUE(search_.nearest(contact));
     SpacePoint locus{};
     PlanePoint wheel{};
-    const CurvePoint point = config_.wheel_profile->at(contact.wheel_u);
+    const CurvePoint point = config_.wheel_profile.left->at(contact.wheel_u);
     ASSERT_TRUE(scene.wheel.locus(point, locus));
     ASSERT_TRUE(scene.wheel.section(point, locus.x, wheel));
     if (contact.curvature > 0 && std::abs(wheel.dz / wheel.dy - contact.slope) < 4e-5)
@@ -344,10 +344,10 @@ TEST_F(ContactSearchTest, LowerBranchOfAFoldedOutlineIsFoundAtLargeYaw)
     place(scene);
     double y_before = -1;
     bool turns_back = false;
-    for (double u = 0.012; u < config_.wheel_profile->length(); u += 1e-4)
+    for (double u = 0.012; u < config_.wheel_profile.left->length(); u += 1e-4)
     {
       SpacePoint locus{};
-      ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile->at(u), locus));
+      ASSERT_TRUE(scene.wheel.locus(config_.wheel_profile.left->at(u), locus));
       turns_back = turns_back || locus.y < y_before;
       y_before = locus.y;
     }

@@ -24,13 +24,13 @@ class GapTest : public testing::Test
   {
     WheelsetPose pose{y, 0.46, yaw, 0};
     search_.setRail(rail_);
-    search_.setWheel({*config_.wheel_profile, config_.wheelset, pose});
+    search_.setWheel({*config_.wheel_profile.left, config_.wheelset, Side::left, pose});
     InitialContact contact;
     ASSERT_TRUE(search_.nearest(contact));
     pose.z -= contact.separation;
     place(pose);
     SpacePoint locus;
-    ASSERT_TRUE(wheel_.locus(config_.wheel_profile->at(contact.wheel_u), locus));
+    ASSERT_TRUE(wheel_.locus(config_.wheel_profile.left->at(contact.wheel_u), locus));
     origin_ = {locus.x, contact.rail_u, contact.wheel_u};
   }
 
@@ -41,8 +41,8 @@ class GapTest : public testing::Test
     place(pose);
     SpacePoint locus{};
     PlanePoint wheel{};
-    ASSERT_TRUE(wheel_.locus(config_.wheel_profile->at(wheel_u), locus));
-    ASSERT_TRUE(wheel_.section(config_.wheel_profile->at(wheel_u), locus.x, wheel));
+    ASSERT_TRUE(wheel_.locus(config_.wheel_profile.left->at(wheel_u), locus));
+    ASSERT_TRUE(wheel_.section(config_.wheel_profile.left->at(wheel_u), locus.x, wheel));
     const double slope = wheel.dz / wheel.dy;
     double rail_u = 0;
     const auto is_flatter = [&](double u) { return rail_.at(u).dy > 0 && rail_.at(u).dz / rail_.at(u).dy < slope; };
@@ -56,7 +56,10 @@ class GapTest : public testing::Test
     origin_ = {locus.x, rail_u, wheel_u};
   }
 
-  void place(const WheelsetPose& pose) { wheel_ = PlacedWheel(*config_.wheel_profile, config_.wheelset, pose); }
+  void place(const WheelsetPose& pose)
+  {
+    wheel_ = PlacedWheel(*config_.wheel_profile.left, config_.wheelset, Side::left, pose);
+  }
 
   bool build(const Grid& grid) { return buildSurfaceGap(wheel_, rail_, origin_, grid, gap_, columns_); }
 
@@ -81,7 +84,7 @@ class GapTest : public testing::Test
         {
           const Eigen::Vector3d arm = Eigen::Vector3d(origin_.x + x, rail.y, rail.z) + distance * normal - centre;
           const double along = arm.dot(axle);
-          return (arm - along * axle).norm() - config_.wheelset.rolling_radius +
+          return (arm - along * axle).norm() - config_.wheelset.rolling_radius.left +
                  profileHeight(along - config_.wheelset.halfBase());
         },
         -2e-3, 2e-3);
@@ -104,14 +107,14 @@ class GapTest : public testing::Test
 
   double profileHeight(double y) const
   {
-    const Profile& profile = *config_.wheel_profile;
+    const Profile& profile = *config_.wheel_profile.left;
     return profile.at(root([&](double u) { return profile.at(u).y - y; }, 0, profile.length())).z;
   }
 
   ContactModelConfig config_ = manchesterScene();
-  PlacedRail rail_{config_.rail_profile, config_.track};
-  PlacedWheel wheel_{*config_.wheel_profile, config_.wheelset, {}};
-  ContactSearch search_{*config_.wheel_profile, *config_.rail_profile};
+  PlacedRail rail_{config_.rail_profile.left, config_.track, Side::left};
+  PlacedWheel wheel_{*config_.wheel_profile.left, config_.wheelset, Side::left, {}};
+  ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
   SurfaceOrigin origin_;
   Eigen::ArrayXXd gap_;
   std::vector<SurfaceColumn> columns_;
@@ -233,7 +236,7 @@ TEST_F(GapTest, ColumnsBesideTheRailHaveNoContact)
   for (int j = 0; j < wide.ny; ++j)
   {
     const double u = columns_[static_cast<std::size_t>(j)].rail_u;
-    if (u < 0 || u > config_.rail_profile->length())
+    if (u < 0 || u > config_.rail_profile.left->length())
     {
       EXPECT_EQ(gap_.col(j).minCoeff(), no_body_gap) << "at " << wide.y(j);
     }
@@ -287,7 +290,7 @@ TEST_F(GapTest, BodiesInFirstTouchDoNotOverlap)
 // search that mixes the expansion on one side with the profile on the other side can oscillate there.
 TEST_F(GapTest, EveryColumnIsFoundAtADiscontinuityOfTheWheelParameter)
 {
-  const Profile& profile = *config_.wheel_profile;
+  const Profile& profile = *config_.wheel_profile.left;
   const auto changes = [&](double u) { return std::abs(profile.at(u + 1e-9).dy - profile.at(u - 1e-9).dy) > 0.1; };
   const auto discontinuity =
       std::find_if(profile.discontinuities().begin() + 1, profile.discontinuities().end() - 1, changes);

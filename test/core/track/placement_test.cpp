@@ -78,22 +78,23 @@ class PlacementTest : public testing::Test
 TEST_F(PlacementTest, FirstTouchOfTheManchesterBenchmarkAgreesWithTheReference)
 {
   scene_.track.rail_inclination = std::atan(1.0 / 40);
-  const PlacedRail rail(scene_.rail_profile, scene_.track);
+  const PlacedRail rail(scene_.rail_profile.left, scene_.track, Side::left);
   const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
   // 2 um: the reference measures the gauge on the samples of the file, connected by chords up to 1 um inside the R13
   // arc.
   EXPECT_NEAR(crown.y, (760.53145 - 7.4917) * 1e-3, 2e-6);
   EXPECT_NEAR(crown.z, -0.0937e-3, 0.00005e-3);  // all printed digits
 
-  ContactSearch search(*scene_.wheel_profile, *scene_.rail_profile);
+  ContactSearch search(*scene_.wheel_profile.left, *scene_.rail_profile.left);
   search.setRail(rail);
-  search.setWheel({*scene_.wheel_profile, scene_.wheelset, {0, scene_.wheelset.rolling_radius, 0, 0}});
+  search.setWheel(
+      {*scene_.wheel_profile.left, scene_.wheelset, Side::left, {0, scene_.wheelset.rolling_radius.left, 0, 0}});
   InitialContact touch;
   ASSERT_TRUE(search.nearest(touch));
   EXPECT_NEAR(touch.separation, 0.18213e-3, 0.00001e-3);  // all printed digits
   // 5 um: the printed positions have two decimals in mm; plus the 2 um above.
   EXPECT_NEAR(touch.y, (760.53145 - 7.28) * 1e-3, 7e-6);
-  EXPECT_NEAR(scene_.wheel_profile->at(touch.wheel_u).y, 3.25e-3, 7e-6);
+  EXPECT_NEAR(scene_.wheel_profile.left->at(touch.wheel_u).y, 3.25e-3, 7e-6);
 }
 
 TEST_F(PlacementTest, RailTopsAreInTheTrackPlaneAndGaugeFacesAtGauge)
@@ -102,7 +103,7 @@ TEST_F(PlacementTest, RailTopsAreInTheTrackPlaneAndGaugeFacesAtGauge)
   {
     for (const double inclination : {0.0, 0.025, 0.05})
     {
-      const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {gauge, 0.014, inclination});
+      const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {gauge, 0.014, inclination}, Side::left);
       const RailSamples samples(rail);
       // Error of samples 0.5 um apart: 1e-16 m at the top of R300, 0.5 um / 20 at a gauge point on the 1:20 side.
       EXPECT_NEAR(samples.top, 0, 1e-12);
@@ -116,7 +117,7 @@ TEST_F(PlacementTest, RailTopsAreInTheTrackPlaneAndGaugeFacesAtGauge)
 // nearly vertical (1:20).
 TEST_F(PlacementTest, AxisOfUpright60E1IsHalfAHeadOutsideTheGauge)
 {
-  const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {1.435, 0.0143, 0});
+  const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {1.435, 0.0143, 0}, Side::left);
   const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
   EXPECT_NEAR(crown.y, 0.7175 + 0.0359998, 1e-7);  // half of the last digit of 35.9998 mm
   EXPECT_NEAR(crown.z, 0, rounding);
@@ -124,9 +125,9 @@ TEST_F(PlacementTest, AxisOfUpright60E1IsHalfAHeadOutsideTheGauge)
 
 TEST_F(PlacementTest, InclinationTurnsTheHeadTowardsTheTrackCentre)
 {
-  const PlacedRail upright(scene_.rail_profile, {1.435, 0.014, 0});
-  const PlacedRail inclined(scene_.rail_profile, {1.435, 0.014, 0.025});
-  const double middle = 0.5 * scene_.rail_profile->length();
+  const PlacedRail upright(scene_.rail_profile.left, {1.435, 0.014, 0}, Side::left);
+  const PlacedRail inclined(scene_.rail_profile.left, {1.435, 0.014, 0.025}, Side::left);
+  const double middle = 0.5 * scene_.rail_profile.left->length();
   EXPECT_NEAR(upright.at(middle).dz / upright.at(middle).dy, 0, 1e-12);
   EXPECT_NEAR(inclined.at(middle).dz / inclined.at(middle).dy, std::tan(0.025), 1e-12);
 }
@@ -135,7 +136,7 @@ TEST_F(PlacementTest, RailThatEndsAboveTheGaugeDepthIsRejected)
 {
   try
   {
-    const PlacedRail rail(scene_.rail_profile, {1.435, 0.2, 0.025});
+    const PlacedRail rail(scene_.rail_profile.left, {1.435, 0.2, 0.025}, Side::left);
     FAIL() << "a gauge depth of 0.2 m was accepted";
   }
   catch (const std::invalid_argument& error)
@@ -146,7 +147,7 @@ TEST_F(PlacementTest, RailThatEndsAboveTheGaugeDepthIsRejected)
 
 TEST_F(PlacementTest, DeflectionMovesTheReferencePointAndTurnsTheHeadAboutIt)
 {
-  const PlacedRail rest(scene_.rail_profile, scene_.track);
+  const PlacedRail rest(scene_.rail_profile.left, scene_.track, Side::left);
   for (int i = 0; i < 100; ++i)
   {
     const RailDeflection given{random_.within(-5e-3, 5e-3), random_.within(-2e-3, 2e-3), random_.within(-0.03, 0.03)};
@@ -157,9 +158,9 @@ TEST_F(PlacementTest, DeflectionMovesTheReferencePointAndTurnsTheHeadAboutIt)
     EXPECT_NEAR(after.z - before.z, given.vertical, rounding);
     // The crown is 14 mm above the reference point, on the axis of the rail. Outward roll moves it outward.
     const PlanePoint crown = bent.place({0, 0, 1, 0, 0, 0});
-    EXPECT_NEAR(crown.y - after.y, 0.014 * std::sin(given.roll - scene_.track.rail_inclination), rounding);
-    EXPECT_NEAR(crown.z - after.z, 0.014 * std::cos(given.roll - scene_.track.rail_inclination), rounding);
-    const double u = random_.within(0, scene_.rail_profile->length());
+    EXPECT_NEAR(crown.y - after.y, 0.014 * std::sin(given.roll - scene_.track.rail_inclination.left), rounding);
+    EXPECT_NEAR(crown.z - after.z, 0.014 * std::cos(given.roll - scene_.track.rail_inclination.left), rounding);
+    const double u = random_.within(0, scene_.rail_profile.left->length());
     EXPECT_NEAR(std::hypot(bent.at(u).y - after.y, bent.at(u).z - after.z),
                 std::hypot(rest.at(u).y - before.y, rest.at(u).z - before.z), rounding);
   }
@@ -172,8 +173,8 @@ TEST_F(PlacementTest, SectionAndLocusAreAtTheRadiusOfTheProfileFromTheAxle)
   for (int i = 0; i < 2000; ++i)
   {
     const WheelsetPose pose = random_();
-    const PlacedWheel wheel(*scene_.wheel_profile, scene_.wheelset, pose);
-    const CurvePoint point = scene_.wheel_profile->at(random_.within(0, scene_.wheel_profile->length()));
+    const PlacedWheel wheel(*scene_.wheel_profile.left, scene_.wheelset, Side::left, pose);
+    const CurvePoint point = scene_.wheel_profile.left->at(random_.within(0, scene_.wheel_profile.left->length()));
     const double x = random_.within(-0.05, 0.05);
     PlanePoint section;
     SpacePoint locus{};
@@ -184,7 +185,7 @@ TEST_F(PlacementTest, SectionAndLocusAreAtTheRadiusOfTheProfileFromTheAxle)
     {
       const double along = (surface - centre).dot(axle);
       EXPECT_NEAR(along, scene_.wheelset.halfBase() + point.y, 1e-13);  // rounding of a few products below 1 m
-      EXPECT_NEAR((surface - centre - along * axle).norm(), scene_.wheelset.rolling_radius - point.z, 1e-13);
+      EXPECT_NEAR((surface - centre - along * axle).norm(), scene_.wheelset.rolling_radius.left - point.z, 1e-13);
     };
     expectOnWheel({x, section.y, section.z});
     const double steepest = std::hypot(axle.y(), axle.z()) / std::abs(axle.x());
@@ -198,12 +199,12 @@ TEST_F(PlacementTest, SectionAndLocusAreAtTheRadiusOfTheProfileFromTheAxle)
 
 TEST_F(PlacementTest, DerivativesOfASectionAgreeWithDifferences)
 {
-  const Profile& profile = *scene_.wheel_profile;
+  const Profile& profile = *scene_.wheel_profile.left;
   // Error of the central difference: third derivative times step², about 1e-9. Rounding: 1e-16 / step = 1e-10.
   const double step = 1e-6;
   for (int i = 0; i < 1000; ++i)
   {
-    const PlacedWheel wheel(profile, scene_.wheelset, random_());
+    const PlacedWheel wheel(profile, scene_.wheelset, Side::left, random_());
     const double u = random_.within(0.001, profile.length() - 0.001);
     const double x = random_.within(-0.05, 0.05);
     const bool near_discontinuity =
@@ -233,8 +234,8 @@ TEST_F(PlacementTest, RightWheelIsTheMirrorImageOfTheLeftOne)
     EXPECT_EQ(back.roll, pose.roll);
     EXPECT_EQ(toSide(Side::left, pose).y, pose.y);
 
-    const PlacedWheel wheel(*scene_.wheel_profile, scene_.wheelset, seen);
-    const CurvePoint point = scene_.wheel_profile->at(random_.within(0, scene_.wheel_profile->length()));
+    const PlacedWheel wheel(*scene_.wheel_profile.left, scene_.wheelset, Side::left, seen);
+    const CurvePoint point = scene_.wheel_profile.left->at(random_.within(0, scene_.wheel_profile.left->length()));
     PlanePoint section;
     ASSERT_TRUE(wheel.section(point, 0.01, section));
     // In the track frame the right wheel is on the negative end of the axle.
@@ -243,6 +244,6 @@ TEST_F(PlacementTest, RightWheelIsTheMirrorImageOfTheLeftOne)
     const Eigen::Vector3d centre(0, pose.y, pose.z);
     const double along = (surface - centre).dot(axle);
     EXPECT_NEAR(along, -(scene_.wheelset.halfBase() + point.y), 1e-13);
-    EXPECT_NEAR((surface - centre - along * axle).norm(), scene_.wheelset.rolling_radius - point.z, 1e-13);
+    EXPECT_NEAR((surface - centre - along * axle).norm(), scene_.wheelset.rolling_radius.left - point.z, 1e-13);
   }
 }

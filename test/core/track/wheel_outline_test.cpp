@@ -71,7 +71,7 @@ TEST(WheelOutlineTest, LocusIsTheLowestOutlineAlongTheTrack)
   for (const double yaw : {0.0, 0.01, -0.03, 0.06, -0.06})
   {
     const WheelsetPose pose{0.01 * unit(random), 0.46, yaw, 0.02 * unit(random)};
-    const PlacedWheel wheel(profile, wheelset, pose);
+    const PlacedWheel wheel(profile, wheelset, Side::left, pose);
     const Eigen::ArrayXd places = Eigen::ArrayXd::LinSpaced(40, 0.685, 0.803) + (pose.y + 0.46 * pose.roll);
     LowestOutline locus_outline(places);
     for (const CurvePoint& point : points)

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/model_files.h"
+
+#include <memory>
+#include <stdexcept>
+
+#include "ros/parameters/compliance_table_file.h"
+#include "ros/parameters/file_names.h"
+#include "wheel_rail_contact/core/profile_reader.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// Opens a file.
+/// @param open function that opens the file `value`
+/// @throw std::invalid_argument with the name of the parameter and the reason if `open` throws.
+template <typename Open>
+auto openFile(const NamedFile& file, const Open& open)
+{
+  try
+  {
+    return open(file.value);
+  }
+  catch (const std::exception& error)
+  {
+    const std::string reason = error.what();
+    const bool names_file = reason.compare(0, file.value.size() + 1, file.value + ":") == 0;
+    throw std::invalid_argument(file.parameter + " = " + (names_file ? "" : file.value + ": ") + reason);
+  }
+}
+
+/// ROS reads the name 60E1 as the number 60e1 in `_rail/profile:=60E1` on a command line, and in a <param> without a
+/// type in a launch file.
+const std::string rail_60e1_as_number = "600";
+
+/// Opens a shipped profile, or a file if the value contains a dot or a slash.
+std::shared_ptr<const core::Profile> openProfile(const NamedFile& file, core::ProfileKind kind,
+                                                 const std::string& directory)
+{
+  return openFile(file,
+                  [&](const std::string& value)
+                  {
+                    const bool is_file = value.find_first_of("./") != std::string::npos;
+                    const std::string name = value == rail_60e1_as_number ? "60E1" : value;
+                    return std::make_shared<core::Profile>(core::loadProfile(
+                        is_file ? resolveFile(name, directory) : name, kind, {std::nullopt, file.mirror}));
+                  });
+}
+
+/// Opens the files of both sides, a common one only once.
+template <typename Open>
+auto openBoth(const core::Sides<NamedFile>& files, const Open& open)
+{
+  auto left = open(files.left);
+  auto right = files.left == files.right ? left : open(files.right);
+  return core::Sides<decltype(left)>(std::move(left), std::move(right));
+}
+
+void openTables(const core::Sides<NamedFile>& files, const std::string& directory, NodeConfig& config)
+{
+  const core::Sides<ComplianceTableFile> tables =
+      openBoth(files,
+               [&](const NamedFile& file)
+               {
+                 return openFile(file, [&](const std::string& value)
+                                 { return readComplianceTable(resolveFile(value, directory)); });
+               });
+  for (const core::Side side : core::sides)
+  {
+    config.model.rail_bending.table[side] = tables[side].table;
+    config.linear_range[side] = tables[side].linear_range;
+    for (NeighbourConfig& neighbour : config.neighbours)
+    {
+      neighbour.influence[side] = influenceAt(tables[side].neighbours, neighbour.distance);
+    }
+  }
+}
+}  // namespace
+
+void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config)
+{
+  const auto opener = [&directory](core::ProfileKind kind)
+  { return [kind, &directory](const NamedFile& file) { return openProfile(file, kind, directory); }; };
+  config.model.wheel_profile = openBoth(files.wheel_profile, opener(core::ProfileKind::wheel));
+  config.model.rail_profile = openBoth(files.rail_profile, opener(core::ProfileKind::rail));
+  if (config.model.rail_bending.model == core::RailBendingConfig::Model::compliance)
+  {
+    openTables(files.table, directory, config);
+  }
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "wheel_rail_contact/core/wheelset_contact.h"
+
+/// Mirror image of a wheelset on its rails: left and right are exchanged. There is no tolerance: both sides use the
+/// same arithmetic.
+namespace wheel_rail_contact::core
+{
+inline Side otherSide(Side side)
+{
+  return side == Side::left ? Side::right : Side::left;
+}
+
+inline WheelsetState mirrored(WheelsetState state)
+{
+  state.y = -state.y;
+  state.yaw = -state.yaw;
+  state.roll = -state.roll;
+  state.torque_x = -state.torque_x;
+  std::swap(state.rail_lateral_force[0], state.rail_lateral_force[1]);
+  std::swap(state.rail_displacement[0], state.rail_displacement[1]);
+  return state;
+}
+
+inline ContactModelConfig mirrored(ContactModelConfig config)
+{
+  std::swap(config.wheel_profile.left, config.wheel_profile.right);
+  std::swap(config.rail_profile.left, config.rail_profile.right);
+  std::swap(config.wheel_material.left, config.wheel_material.right);
+  std::swap(config.rail_material.left, config.rail_material.right);
+  std::swap(config.track.rail_inclination.left, config.track.rail_inclination.right);
+  std::swap(config.wheelset.rolling_radius.left, config.wheelset.rolling_radius.right);
+  std::swap(config.rail_bending.table.left, config.rail_bending.table.right);
+  return config;
+}
+
+inline std::vector<const PatchResult*> patchesOf(const WheelsetResult& result, Side side)
+{
+  std::vector<const PatchResult*> found;
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      found.push_back(&patch);
+    }
+  }
+  return found;
+}
+
+/// Equal bits.
+inline void expectMirrorImage(const PatchResult& patch, const PatchResult& image)
+{
+  EXPECT_EQ(patch.pose.x, image.pose.x);
+  EXPECT_EQ(patch.pose.y, -image.pose.y);
+  EXPECT_EQ(patch.pose.z, image.pose.z);
+  EXPECT_EQ(patch.pose.angle, -image.pose.angle);
+  EXPECT_EQ(patch.contact_angle, image.contact_angle);
+  EXPECT_EQ(patch.normal_force, image.normal_force);
+  EXPECT_EQ(patch.approach, image.approach);
+  EXPECT_EQ(patch.area, image.area);
+  EXPECT_EQ(patch.max_pressure, image.max_pressure);
+  EXPECT_EQ(patch.error_estimate, image.error_estimate);
+  EXPECT_EQ(patch.iterations, image.iterations);
+  EXPECT_EQ(patch.residual, image.residual);
+  ASSERT_EQ(patch.pressure.rows(), image.pressure.rows());
+  ASSERT_EQ(patch.pressure.cols(), image.pressure.cols());
+  EXPECT_TRUE((patch.pressure == image.pressure.rowwise().reverse()).all());
+}
+
+/// Equal bits.
+inline void expectMirrorImage(const WheelsetResult& result, const WheelsetResult& image)
+{
+  EXPECT_EQ(result.status, image.status);
+  EXPECT_EQ(result.z, image.z);
+  EXPECT_EQ(result.roll, -image.roll);
+  for (const Side side : sides)
+  {
+    const RailResult& rail = result.rail[index(side)];
+    const RailResult& other_rail = image.rail[index(otherSide(side))];
+    EXPECT_EQ(rail.lateral_force, other_rail.lateral_force);
+    EXPECT_EQ(rail.vertical_force, other_rail.vertical_force);
+    EXPECT_EQ(rail.moment, other_rail.moment);
+    EXPECT_EQ(rail.deflection.lateral, other_rail.deflection.lateral);
+    EXPECT_EQ(rail.deflection.vertical, other_rail.deflection.vertical);
+    EXPECT_EQ(rail.deflection.roll, other_rail.deflection.roll);
+    const auto patches = patchesOf(result, side);
+    const auto images = patchesOf(image, otherSide(side));
+    ASSERT_EQ(patches.size(), images.size());
+    for (std::size_t k = 0; k < patches.size(); ++k)
+    {
+      expectMirrorImage(*patches[k], *images[k]);
+    }
+  }
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "mirror_image.h"
+#include "round_bodies.h"
+#include "same_bits.h"
+#include "wheelset_scene.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+const Material soft_steel{1.9e11, 0.3};
+const Material hard_steel{2.3e11, 0.25};
+
+/// S1002 on 60E1 on the left, and a cone of 1:40 on UIC60 on the right. All other options differ as well.
+ContactModelConfig unequalSides()
+{
+  ContactModelConfig config;
+  config.wheel_profile = {std::make_shared<Profile>(s1002Wheel()),
+                          std::make_shared<Profile>(round_bodies::coneWheel(1.0 / 40))};
+  config.wheelset.rolling_radius = {0.460, 0.459};
+  config.rail_profile = {std::make_shared<Profile>(rail60E1()), std::make_shared<Profile>(railUic60Manchester())};
+  config.track.rail_inclination = {std::atan(1.0 / 40), std::atan(1.0 / 20)};
+  config.wheel_material = {Material(), soft_steel};
+  config.rail_material = {hard_steel, Material()};
+  config.rail_bending.table = {softPads(), verySoftPads()};
+  return config;
+}
+
+/// Sets one option of one side to a value of unequalSides().
+struct OptionOfASide
+{
+  const char* name;
+  std::function<void(ContactModelConfig&, Side)> set;
+};
+
+const std::vector<OptionOfASide>& optionsOfASide()
+{
+  static const std::vector<OptionOfASide> options{
+      {"wheel profile",
+       [](ContactModelConfig& c, Side side) { c.wheel_profile[side] = unequalSides().wheel_profile.right; }},
+      {"rail profile",
+       [](ContactModelConfig& c, Side side) { c.rail_profile[side] = unequalSides().rail_profile.left; }},
+      {"rolling radius", [](ContactModelConfig& c, Side side) { c.wheelset.rolling_radius[side] += 2e-5; }},
+      {"inclination", [](ContactModelConfig& c, Side side) { c.track.rail_inclination[side] = std::atan(1.0 / 20); }},
+      {"wheel material", [](ContactModelConfig& c, Side side) { c.wheel_material[side] = soft_steel; }},
+      {"rail material", [](ContactModelConfig& c, Side side) { c.rail_material[side] = hard_steel; }},
+      {"table", [](ContactModelConfig& c, Side side) { c.rail_bending.table[side] = verySoftPads(); }},
+  };
+  return options;
+}
+
+class SidesTest : public testing::Test
+{
+ protected:
+  double within(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  RailDeflection randomDisplacement() { return {within(-1e-3, 1e-3), within(-1e-3, 1e-3), within(-5e-3, 5e-3)}; }
+  /// A state with all its values different from zero, but every second one without a yaw.
+  WheelsetState randomState()
+  {
+    WheelsetState state = stateAt(within(-5e-3, 5e-3), std::exp(within(std::log(2e3), std::log(2e5))));
+    state.yaw = within(-1, 1) > 0 ? 0 : within(-0.01, 0.01);
+    state.torque_x = within(-0.5, 0.5) * state.force_z * 0.75;
+    state.rail_lateral_force = {within(-1e4, 3e4), within(-1e4, 3e4)};
+    state.rail_displacement = {randomDisplacement(), randomDisplacement()};
+    return state;
+  }
+
+  const unsigned seed_ = 41U;
+  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
+  std::mt19937 random_{seed_};
+};
+}  // namespace
+
+// Exchanging the sides mirrors the scene. Both sides use the same arithmetic, so every bit is the same, from a cold
+// start and with the state before as a start, on rigid rails and on rails that bend under either lateral force.
+TEST_F(SidesTest, ExchangedSidesHaveTheMirroredResult)
+{
+  ContactModelConfig rigid = unequalSides(), bending = rigid, with_forces;
+  bending.rail_bending.model = RailBendingConfig::Model::compliance;
+  with_forces = bending;
+  with_forces.rail_bending.lateral_force = RailBendingConfig::LateralForce::topic;
+  int usable = 0;
+  for (const ContactModelConfig& config : {rigid, bending, with_forces})
+  {
+    WheelsetContact contact(config);
+    WheelsetContact mirror(mirrored(config));
+    for (int i = 0; i < 30; ++i)
+    {
+      const WheelsetState state = randomState();
+      if (i % 2 == 0)
+      {
+        contact.reset();
+        mirror.reset();
+      }
+      SCOPED_TRACE("y " + std::to_string(state.y) + " yaw " + std::to_string(state.yaw));
+      const WheelsetResult& result = contact.evaluate(state);
+      expectMirrorImage(result, mirror.evaluate(mirrored(state)));
+      usable += isUsable(result.status) ? 1 : 0;
+    }
+  }
+  EXPECT_GE(usable, 85) << "of 90 states";
+}
+
+TEST_F(SidesTest, OneValueForBothSidesIsTheValueOfEachSide)
+{
+  const ContactModelConfig unequal = unequalSides();
+  ContactModelConfig both, each;
+  both.wheel_profile = unequal.wheel_profile.left;
+  both.rail_profile = unequal.rail_profile.right;
+  both.wheelset.rolling_radius = 0.459;
+  both.track.rail_inclination = std::atan(1.0 / 20);
+  both.wheel_material = soft_steel;
+  both.rail_material = hard_steel;
+  both.rail_bending.table = softPads();
+  for (const Side side : sides)
+  {
+    each.wheel_profile[side] = unequal.wheel_profile.left;
+    each.rail_profile[side] = unequal.rail_profile.right;
+    each.wheelset.rolling_radius[side] = 0.459;
+    each.track.rail_inclination[side] = std::atan(1.0 / 20);
+    each.wheel_material[side] = soft_steel;
+    each.rail_material[side] = hard_steel;
+    each.rail_bending.table[side] = softPads();
+  }
+  both.rail_bending.model = each.rail_bending.model = RailBendingConfig::Model::compliance;
+  WheelsetContact of_both(both), of_each(each);
+  for (int i = 0; i < 5; ++i)
+  {
+    const WheelsetState state = randomState();
+    expectSameBits(of_both.evaluate(state), of_each.evaluate(state));
+  }
+}
+
+// With the given height and roll of the axle, the wheels do not affect one another: the other wheel keeps every bit.
+TEST_F(SidesTest, AnOptionOfOneSideChangesTheContactOfThatSideOnly)
+{
+  ContactModelConfig equal = manchesterScene();
+  equal.rail_bending.model = RailBendingConfig::Model::compliance;
+  equal.rail_bending.table = softPads();
+  equal.wheelset.solve_height_and_roll = false;
+  WheelsetState state = stateAt(1e-3, 0);
+  WheelsetContact before(equal);
+  state.z = 0.4592;  // 0.8 mm below the height of first touch, on soft rails
+  const WheelsetResult& result = before.evaluate(state);
+  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  for (const OptionOfASide& option : optionsOfASide())
+  {
+    for (const Side side : sides)
+    {
+      SCOPED_TRACE(std::string(option.name) + (side == Side::left ? ", left" : ", right"));
+      ContactModelConfig changed = equal;
+      option.set(changed, side);
+      WheelsetContact contact(changed);
+      const WheelsetResult& other = contact.evaluate(state);
+      ASSERT_EQ(other.status, ContactStatus::ok) << other.reason;
+      const auto kept = patchesOf(other, otherSide(side)), same = patchesOf(result, otherSide(side));
+      ASSERT_EQ(kept.size(), same.size());
+      for (std::size_t k = 0; k < kept.size(); ++k)
+      {
+        expectSameBits(*kept[k], *same[k]);
+      }
+      EXPECT_NE(wheelTotal(other, side).max_pressure, wheelTotal(result, side).max_pressure);
+    }
+  }
+}
+
+TEST_F(SidesTest, AnInvalidOptionIsRefusedWithTheNameOfItsSide)
+{
+  struct Mistake
+  {
+    const char* name;
+    std::function<void(ContactModelConfig&)> make;
+  };
+  const Mistake mistakes[] = {
+      {"wheel/left/profile", [](ContactModelConfig& c) { c.wheel_profile.left = nullptr; }},
+      {"rail/right/profile", [](ContactModelConfig& c) { c.rail_profile.right = nullptr; }},
+      {"wheel/right/rolling_radius", [](ContactModelConfig& c) { c.wheelset.rolling_radius.right = -0.46; }},
+      {"wheel/left/rolling_radius", [](ContactModelConfig& c) { c.wheelset.rolling_radius.left = std::nan(""); }},
+      {"rail/left/inclination", [](ContactModelConfig& c) { c.track.rail_inclination.left = 0.3; }},
+      {"wheel/right/material/young", [](ContactModelConfig& c) { c.wheel_material.right.young = 0; }},
+      {"rail/left/material/poisson", [](ContactModelConfig& c) { c.rail_material.left.poisson = 0.6; }},
+      {"lateral_roll", [](ContactModelConfig& c) { c.rail_bending.table.right.lateral_roll = 1; }},
+  };
+  for (const Mistake& mistake : mistakes)
+  {
+    ContactModelConfig config = unequalSides();
+    mistake.make(config);
+    try
+    {
+      validate(config);
+      ADD_FAILURE() << mistake.name << " was accepted";
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(mistake.name), std::string::npos) << error.what();
+    }
+  }
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+#include <ros/package.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ros/parameters/parameters.h"
+
+namespace wheel_rail_contact
+{
+inline std::string packageFile(const std::string& name)
+{
+  return ros::package::getPath("wheel_rail_contact") + "/" + name;
+}
+
+inline ParameterTree defaults()
+{
+  return readParameterFile(packageFile("config/default.yaml"));
+}
+
+inline ParameterTree with(const std::string& yaml)
+{
+  return overlay(defaults(), parameterTree(YAML::Load(yaml)));
+}
+
+inline NodeConfig read(const ParameterTree& tree)
+{
+  return readNodeConfig(tree, "/contact_node/", testing::TempDir());
+}
+
+/// Message with which a tree is refused; "accepted" if it is not.
+inline std::string refusal(const ParameterTree& tree)
+{
+  try
+  {
+    read(tree);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+inline bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+struct Mistake
+{
+  const char* yaml;   ///< replaces values of config/default.yaml
+  const char* name;   ///< text that the message must contain
+  const char* value;  ///< text that the message must contain
+};
+
+/// Expects each mistake to be refused with its name and value.
+inline void expectRefused(const std::vector<Mistake>& mistakes)
+{
+  for (const Mistake& mistake : mistakes)
+  {
+    const std::string message = refusal(with(mistake.yaml));
+    EXPECT_TRUE(contains(message, std::string("/contact_node/") + mistake.name) && contains(message, mistake.value))
+        << mistake.yaml << "\n  gave: " << message;
+  }
+}
+}  // namespace wheel_rail_contact
