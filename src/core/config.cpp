@@ -17,7 +17,7 @@ void validate(const ContactModelConfig& config)
     {
       throw std::invalid_argument("wheel/profile or wheel/" + name + "/profile is not set");
     }
-    if (config.rail_profile[side] == nullptr)
+    if (config.rail_profile[side] == nullptr && config.rail_sections[side] == nullptr)
     {
       throw std::invalid_argument("rail/profile or rail/" + name + "/profile is not set");
     }

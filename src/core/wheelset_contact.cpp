@@ -89,9 +89,7 @@ class WheelsetContact::Chain
     result_.yaw = state.yaw;
     result_.z = given ? state.z : config_.wheelset.meanRadius();
     result_.roll = given ? state.roll : 0;
-    const std::string_view reason = fault(state, given);
-    result_.status = reason.empty() ? balance_.solve(state) : ContactStatus::invalid_input;
-    result_.reason = reason.empty() ? balance_.reason() : reason;
+    solve(state);
     result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
     result_.above_tolerance = result_.near_branch = false;
     patch_count_ = 0;
@@ -128,6 +126,37 @@ class WheelsetContact::Chain
   const ContactModelConfig& config() const { return config_; }
 
  private:
+  void solve(const WheelsetState& state)
+  {
+    if (const std::string_view reason = fault(state, !config_.wheelset.solve_height_and_roll); !reason.empty())
+    {
+      result_.status = ContactStatus::invalid_input;
+      result_.reason = reason;
+      return;
+    }
+    if (const std::string_view reason = outside(state.distance); !reason.empty())
+    {
+      result_.status = ContactStatus::outside_line;
+      result_.reason = reason;
+      return;
+    }
+    result_.status = balance_.solve(state);
+    result_.reason = balance_.reason();
+  }
+
+  /// Reason why a place is not on the line; empty if it is.
+  std::string_view outside(double x) const
+  {
+    if (config_.track.line && !config_.track.line->contains(x))
+    {
+      return "the wheelset is outside track/line";
+    }
+    const auto& sections = config_.rail_sections;
+    return (sections.left && !sections.left->contains(x)) || (sections.right && !sections.right->contains(x))
+               ? "the wheelset is outside the sections of a rail"
+               : "";
+  }
+
   static ContactModelConfig checked(ContactModelConfig config)
   {
     validate(config);
@@ -189,6 +218,7 @@ class WheelsetContact::Chain
   GridLevels levels_;
   WheelsetBalance balance_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
+  WheelsetState state_;                   ///< the last one, with the displacement by the line
   WheelsetResult result_;
   std::size_t patch_count_ = 0;
 };

@@ -36,7 +36,7 @@ RailDeflection withCrownDisplaced(const RailDeflection& crown, double inclinatio
 OneWheel::OneWheel(ContactModelConfig config, NormalSolver& solver, const GridSize& size)
     : config_(checked(std::move(config))),
       undeflected_(restingRail(config_, Side::left)),
-      contact_(config_, Side::left, solver)
+      contact_(config_, Side::left, undeflected_, solver)
 {
   contact_.setGrid(0, size);
   contact_.setRail(undeflected_);

@@ -19,8 +19,9 @@ namespace
 constexpr const char* header =
     "result [-],wheelset,stamp [s],status,reason,x [m],y [m],z [m],roll [rad],yaw [rad],"
     "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
+    "left_given_lateral [m],left_given_vertical [m],left_given_roll [rad],"
     "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
-    "right_vertical_force [N],"
+    "right_vertical_force [N],right_given_lateral [m],right_given_vertical [m],right_given_roll [rad],"
     "side,patch_y [m],patch_z [m],contact_angle [rad],normal_force [N],approach [m],area [m^2],max_pressure [Pa],"
     "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad]\n";
 constexpr const char* no_patch = ",,,,,,,,,,,,";
@@ -49,7 +50,7 @@ std::string stamp(const ros::Time& time)
 std::string cells(const RailDeflection& rail)
 {
   return cell(rail.lateral) + cell(rail.vertical) + cell(rail.roll) + cell(rail.lateral_force) +
-         cell(rail.vertical_force);
+         cell(rail.vertical_force) + cell(rail.given_lateral) + cell(rail.given_vertical) + cell(rail.given_roll);
 }
 
 std::string cells(const ContactPatch& patch)

@@ -54,27 +54,19 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
 
 ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const
 {
-  const InputPairing pairing(config);
-  Uses uses{{"/tf", {Role::transform, 0}}, {"/tf_static", {Role::static_transform, 0}}};
+  Uses uses{{"/tf", {Role::transform}}, {"/tf_static", {Role::static_transform}}};
   for (std::size_t i = 0; i < wheelsets.size(); ++i)
   {
-    const std::string inputs = wheelsets[i] + "/wheelset/";
-    uses.insert({inputs + "pose", {Role::pose, i}});
-    if (pairing.usesLoad())
+    for (const InputTopic topic : inputTopics(config))
     {
-      uses.insert({inputs + "load", {Role::load, i}});
-    }
-    if (pairing.usesRailForces())
-    {
-      uses.insert({inputs + "left_rail_force", {Role::left_rail_force, i}});
-      uses.insert({inputs + "right_rail_force", {Role::right_rail_force, i}});
+      uses.insert({wheelsets[i] + "/" + nameOf(topic), {Role::input, i, topic}});
     }
     for (std::size_t k = 0; k < config.neighbours.size(); ++k)
     {
       const std::string& topic = config.neighbours[k].topic;
       const std::string name = topic[0] == '/' ? topic : wheelsets[i] + "/" + topic;
       requireFromEarlierRun(name);
-      uses.insert({name, {Role::neighbour, i, k}});
+      uses.insert({name, {Role::neighbour, i, {}, k}});
     }
   }
   return uses;
@@ -127,24 +119,22 @@ void ReplaySource::requireTopics() const
                     [&name = topic](const auto& entry) { return absolute(entry.second.topic) == name; });
     if (!is_there && use.role != Role::transform && use.role != Role::static_transform)
     {
-      rejectWithoutTopic(topic, typeAndSumOf(use.role).first);
+      rejectWithoutTopic(topic, typeAndSumOf(use).first);
     }
   }
 }
 
-std::pair<std::string, std::string> ReplaySource::typeAndSumOf(Role role)
+std::pair<std::string, std::string> ReplaySource::typeAndSumOf(const Use& use)
 {
-  switch (role)
+  switch (use.role)
   {
-    case Role::pose:
-      return typeAndSum<geometry_msgs::PoseStamped>();
     case Role::neighbour:
       return typeAndSum<WheelsetContact>();
     case Role::transform:
     case Role::static_transform:
       return typeAndSum<tf2_msgs::TFMessage>();
     default:
-      return typeAndSum<geometry_msgs::WrenchStamped>();
+      return withMessageType(use.topic, [](auto type) { return typeAndSum<typename decltype(type)::Message>(); });
   }
 }
 
@@ -156,7 +146,7 @@ void ReplaySource::requireTypes() const
     const auto [first, last] = uses_.equal_range(absolute(connection.topic));
     for (auto use = first; use != last; ++use)
     {
-      const auto wanted = typeAndSumOf(use->second.role);
+      const auto wanted = typeAndSumOf(use->second);
       if (connection.header.text("md5sum") != wanted.second)
       {
         const std::string type = connection.header.text("type");
@@ -261,26 +251,14 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
     wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<NeighbourResult>(message.data));
     return;
   }
-  auto input = pair(use, message);
+  Wheelset& wheelset = wheelsets_[use.wheelset];
+  auto input = withMessageType(
+      use.topic, [&](auto type)
+      { return wheelset.pairing.add(use.topic, parse<typename decltype(type)::Message>(message.data)); });
   if (input)
   {
-    wheelsets_[use.wheelset].waiting.push_back({std::move(*input), now_ + transform_timeout_ns});
+    wheelset.waiting.push_back({std::move(*input), now_ + transform_timeout_ns});
   }
-}
-
-std::optional<ContactInput> ReplaySource::pair(const Use& use, const BagMessage& message)
-{
-  InputPairing& pairing = wheelsets_[use.wheelset].pairing;
-  if (use.role == Role::pose)
-  {
-    return pairing.addPose(parse<geometry_msgs::PoseStamped>(message.data));
-  }
-  const auto wrench = parse<geometry_msgs::WrenchStamped>(message.data);
-  if (use.role == Role::load)
-  {
-    return pairing.addLoad(wrench);
-  }
-  return pairing.addRailForce(use.role == Role::left_rail_force ? core::Side::left : core::Side::right, wrench);
 }
 
 /// Emits the inputs that need not wait any longer, in order for each wheelset.

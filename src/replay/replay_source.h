@@ -65,10 +65,7 @@ class ReplaySource
  private:
   enum class Role
   {
-    pose,
-    load,
-    left_rail_force,
-    right_rail_force,
+    input,
     neighbour,
     transform,
     static_transform
@@ -76,8 +73,9 @@ class ReplaySource
   struct Use
   {
     Role role;
-    std::size_t wheelset;
-    std::size_t neighbour = 0;  ///< index in NodeConfig::neighbours
+    std::size_t wheelset = 0;
+    InputTopic topic = InputTopic::pose;  ///< of an input
+    std::size_t neighbour = 0;            ///< index in NodeConfig::neighbours
   };
   using Uses = std::multimap<std::string, Use>;  ///< by topic with a leading slash
   struct Waiting
@@ -101,7 +99,7 @@ class ReplaySource
   };
 
   Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const;
-  static std::pair<std::string, std::string> typeAndSumOf(Role role);
+  static std::pair<std::string, std::string> typeAndSumOf(const Use& use);
   bool isRead(const std::string& topic) const;
   void requireTopics() const;
   void requireTypes() const;
@@ -109,7 +107,6 @@ class ReplaySource
   [[noreturn]] void rejectWithoutTopic(const std::string& topic, const std::string& type) const;
   void take(const BagMessage& message);
   void use(const Use& use, const BagMessage& message);
-  std::optional<ContactInput> pair(const Use& use, const BagMessage& message);
   void release(bool only_overdue);
   void emit(std::size_t wheelset);
   void finish();

@@ -82,8 +82,8 @@ void DisplayProperties::makeTrackProperties(Property* parent)
   rail_alpha_ = makeFloat("Alpha", 1, 0, 1, "Opacity of the rails", rails_);
   deflection_scale_ =
       makeFloat("Deflection Scale", 1, 0, 1e4F,
-                "Magnification of the deflection of the rails; patches and trail stay on the drawn rail, "
-                "the wheels stay at their position",
+                "Magnification of the deflection of the rails; given displacements are drawn in their true size, "
+                "patches and trail stay on the drawn rail, the wheels stay at their position",
                 rails_);
   rails_at_rest_ = new BoolProperty("Rails At Rest", true, "Section of the undeflected rails, as a line", parent);
   trail_ = new BoolProperty("Trail", true, "Earlier contact points on the rail, coloured by pressure", parent);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <string>
 
 #include "../manchester_scene.h"
@@ -15,6 +16,8 @@ namespace wheel_rail_contact
 /// Complete evaluations of a wheelset by tolerance, from a cold and from a warm start; spread of their times, and the
 /// longest one in a fine sweep.
 void registerWheelsets();
+/// A wheelset that runs over a line with and without irregularities, compared with the ideal track.
+void registerLines();
 /// Each step of an evaluation.
 void registerSteps();
 /// Growth of the time with the number of cells, patches and wheelsets.
@@ -23,6 +26,14 @@ void registerGrowth();
 void registerReplay();
 /// Other solvers compared with conjugate gradients, and bending rails with rigid rails; timed alternately.
 void registerRatios();
+
+/// CPU time of this thread [s], independent of other processes.
+inline double threadTime()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
 
 /// Time taken by `work` [s].
 template <typename Work>
@@ -75,7 +86,7 @@ struct OneWheel
   core::ContactModelConfig config = core::manchesterScene();
   core::PlacedRail rail = core::restingRail(config, core::Side::left);
   core::ConjugateGradients solver;
-  core::WheelContact wheel{config, core::Side::left, solver};
+  core::WheelContact wheel{config, core::Side::left, rail, solver};
 
   OneWheel() { wheel.setRail(rail); }
 

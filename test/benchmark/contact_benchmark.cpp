@@ -14,6 +14,7 @@ int main(int argc, char** argv)
     return 1;
   }
   wheel_rail_contact::registerWheelsets();
+  wheel_rail_contact::registerLines();
   wheel_rail_contact::registerSteps();
   wheel_rail_contact::registerGrowth();
   wheel_rail_contact::registerRatios();

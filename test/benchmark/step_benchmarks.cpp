@@ -42,7 +42,7 @@ void problem(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
   one.solveOn(size);
-  core::OverlapGrids grids(one.config, core::Side::left);
+  core::OverlapGrids grids(one.config, core::Side::left, one.rail);
   grids.setRail(one.rail);
   core::NormalProblem built;
   built.modulus = one.wheel.problem().modulus;

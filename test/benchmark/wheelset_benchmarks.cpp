@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <utility>
@@ -58,14 +57,6 @@ void jitter(benchmark::State& state, const core::ContactModelConfig& config)
   state.counters["p95_us"] = times[count * 95 / 100];
   state.counters["p99_us"] = times[count * 99 / 100];
   state.counters["max_us"] = times.back();
-}
-
-/// CPU time of this thread [s], independent of other processes.
-double threadTime()
-{
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// Distribution of the CPU times of 20 001 evaluations from a warm start [ms]: y from -8 to 8 mm in steps of 0.8 um,

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A bag played through the live node gives the results of contact_replay: the same bytes in the same order."""
 
+import math
 import pathlib
 import subprocess
 import sys
@@ -14,12 +15,13 @@ import roslib.packages
 import rospkg
 import rospy
 import rostest
-from wheel_rail_contact.msg import WheelsetContact
+from geometry_msgs.msg import PointStamped, WrenchStamped
+from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("wheel_rail_contact"))
 BAG = PACKAGE / "bags" / "manchester_sweep.bag"
 CONFIG = PACKAGE / "config" / "manchester.yaml"
-RESULTS = "/contact_node/contact"
+ALL_INPUTS = PACKAGE / "test" / "replay" / "inputs.yaml"
 TIMEOUT = 60    # [s] of wall time
 SOLVE_TIME = 8  # size of solve_time at the end of a result [B]: wall time, 0 in a replay
 
@@ -31,28 +33,68 @@ def wait_for(condition):
     return condition()
 
 
-def replayed():
+def replayed(bag, config, wheelset):
     """Results of contact_replay as bytes."""
     program = roslib.packages.find_node("wheel_rail_contact", "contact_replay")[0]
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.bag"
-        subprocess.run([program, BAG, out, "--config", CONFIG], check=True)
-        with rosbag.Bag(str(out)) as bag:
-            return [raw[1] for _, raw, _ in bag.read_messages(RESULTS, raw=True)]
+        subprocess.run([program, bag, out, "--config", config, *(("--wheelset", wheelset) if wheelset else ())], check=True)
+        with rosbag.Bag(str(out)) as results:
+            return [raw[1] for _, raw, _ in results.read_messages(raw=True)]
+
+
+def additional_inputs(number, header):
+    """Displacements of the rails, distance, and forces on the rails for a pose of the sweep, as pairs of topic and message."""
+    turn = 0.1 * number
+    displacements = RailDisplacements(header=header)
+    displacements.left.lateral, displacements.left.vertical = 1e-3 * math.sin(turn), 5e-4 * math.cos(turn)
+    displacements.right.lateral, displacements.right.roll = 1e-3 * math.cos(turn), 2e-3 * math.sin(turn)
+    distance = PointStamped(header=header)
+    distance.point.x = 1000 + 0.5 * number
+    left, right = WrenchStamped(header=header), WrenchStamped(header=header)
+    left.wrench.force.y, right.wrench.force.y = 5e3 * math.sin(turn), 5e3 * math.cos(turn)
+    return (("rail_displacement", displacements), ("distance", distance), ("left_rail_force", left), ("right_rail_force", right))
+
+
+def write_all_inputs(path):
+    """Writes the sweep with all input topics, each in turn as the last of its pair."""
+    with rosbag.Bag(str(BAG)) as source, rosbag.Bag(str(path), "w") as bag:
+        messages = list(source.read_messages())
+        poses = [(message, at) for topic, message, at in messages if topic.endswith("pose")]
+        loads = {message.header.stamp: message for topic, message, _ in messages if topic.endswith("load")}
+        for number, (pose, at) in enumerate(poses):
+            inputs = [("pose", pose), ("load", loads[pose.header.stamp]), *additional_inputs(number, pose.header)]
+            for k in range(len(inputs)):
+                topic, message = inputs[(number + k) % len(inputs)]
+                bag.write(f"/all_inputs/wheelset/{topic}", message, at)
 
 
 class LiveEqualsReplay(unittest.TestCase):
-    def test_live_node_and_replay_give_the_same_bytes_in_the_same_order(self):
+    def compare(self, bag, config, wheelset=""):
+        """Plays a bag through the live node of a wheelset. @return results of contact_replay"""
         live = []
-        subscriber = rospy.Subscriber(RESULTS, rospy.AnyMsg, lambda message: live.append(message._buff))
+        subscriber = rospy.Subscriber(f"{wheelset}/contact_node/contact", rospy.AnyMsg,
+                                      lambda message: live.append(message._buff))
         self.assertTrue(wait_for(lambda: subscriber.get_num_connections() > 0))
         play = roslib.packages.find_node("rosbag", "play")[0]
-        subprocess.run([play, "--quiet", "--clock", "--wait-for-subscribers", "--delay=1", BAG], check=True)
-        expected = replayed()
+        subprocess.run([play, "--quiet", "--clock", "--wait-for-subscribers", "--delay=1", bag], check=True)
+        expected = replayed(bag, config, wheelset)
         self.assertTrue(wait_for(lambda: len(live) >= len(expected)), f"{len(live)} of {len(expected)} results")
         self.assertEqual(len(live), len(expected))
         for number, (one, other) in enumerate(zip(live, expected)):
             self.assertTrue(one[:-SOLVE_TIME] == other[:-SOLVE_TIME], f"result {number}:\n{difference(one, other)}")
+        return [WheelsetContact().deserialize(data) for data in expected]
+
+    def test_live_node_and_replay_give_the_same_bytes_in_the_same_order(self):
+        self.compare(BAG, CONFIG)
+
+    def test_same_with_displacements_distances_and_forces_of_the_rails(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bag = pathlib.Path(folder) / "all_inputs.bag"
+            write_all_inputs(bag)
+            results = self.compare(bag, ALL_INPUTS, "/all_inputs")
+        self.assertGreater(len([result for result in results if result.status == WheelsetContact.OK]), 0.9 * len(results))
+        self.assertGreater(max(result.right_rail.given_roll for result in results), 1e-3)
 
 
 def difference(one, other):

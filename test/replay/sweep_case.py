@@ -24,10 +24,10 @@ class SweepCase(unittest.TestCase):
         cls.rigid = cls.replay("rigid.bag", PACKAGE / "config" / "manchester.yaml")
 
     @classmethod
-    def replay(cls, name, config):
-        """@return path of the results of the sweep with a parameter file"""
+    def replay(cls, name, config, bag=SWEEP):
+        """@return path of the results of the sweep, or of another bag, with a parameter file"""
         out = cls.folder / name
-        subprocess.run([os.environ["CONTACT_REPLAY"], SWEEP, out, "--config", config], check=True, capture_output=True)
+        subprocess.run([os.environ["CONTACT_REPLAY"], bag, out, "--config", config], check=True, capture_output=True)
         return out
 
     def run_command(self, main, *arguments, status=0):

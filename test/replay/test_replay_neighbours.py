@@ -6,9 +6,9 @@ import pathlib
 
 import rosbag
 import yaml
-from wheel_rail_contact.msg import WheelsetContact
+from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
-from replay_case import MISUSED, RESULTS, ReplayCase, write_pairs
+from replay_case import MISUSED, RESULTS, ReplayCase, stamp, write_pairs
 
 PAIRS = 30
 INCLINATION = 0.025
@@ -64,6 +64,32 @@ class Neighbours(ReplayCase):
                 expected = deflection(influence, getattr(before, side))
                 self.assertGreater(max(map(abs, expected)), 1e-5)
                 for a, b in zip(offset(getattr(result, side)), expected):
+                    self.assertAlmostEqual(a, b, delta=2e-9)
+
+    def test_given_displacements_are_added_to_those_by_the_neighbour(self):
+        given = {"left_rail": (4e-4, -1e-4, 5e-4), "right_rail": (-3e-4, 2e-4, -6e-4)}
+        with rosbag.Bag(str(self.bag), "a") as bag:
+            for i in range(PAIRS):
+                message = RailDisplacements()
+                message.header.stamp = stamp(i)
+                for rail, values in zip((message.left, message.right), given.values()):
+                    rail.lateral, rail.vertical, rail.roll = values
+                bag.write("/behind/wheelset/rail_displacement", message, stamp(i))
+        both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
+                              "--keep-topics")
+        self.behind.write_text(BEHIND + "track: {displacement: topic}\n")
+        out, _ = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
+        front, behind = self.results(both, "/front" + RESULTS), self.results(out, "/behind" + RESULTS)
+        self.assertEqual(len(behind), PAIRS)
+        for before, result in zip(front, behind[1:]):
+            self.assertEqual(result.status, WheelsetContact.OK, result.status_text)
+            for side, values in given.items():
+                rail = getattr(result, side)
+                by_neighbour = deflection(TABLE["neighbours"][1], getattr(before, side))
+                whole = [a + b for a, b in zip(values, by_neighbour)]
+                for a, b in zip((rail.given_lateral, rail.given_vertical, rail.given_roll), whole):
+                    self.assertAlmostEqual(a, b, delta=1e-12)
+                for a, b in zip(offset(rail), whole):
                     self.assertAlmostEqual(a, b, delta=2e-9)
 
     def test_neighbour_without_results_in_the_bag_is_reported_by_name(self):

@@ -13,7 +13,7 @@ import genpy
 import numpy as np
 import rosbag
 from matplotlib import image
-from wheel_rail_contact.msg import WheelsetContact
+from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 from wheel_rail_contact.report import figures
 from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.results import per_result, read, read_full
@@ -58,6 +58,22 @@ class Report(SweepCase):
         super().setUpClass()
         (cls.folder / "bend.yaml").write_text(BENDING)
         cls.bending = cls.replay("bending.bag", cls.folder / "bend.yaml")
+        (cls.folder / "displace.yaml").write_text((cls.folder / "bend.yaml").read_text() + "track: {displacement: topic}\n")
+        cls.displaced = cls.replay("displaced.bag", cls.folder / "displace.yaml", cls.displaced_sweep())
+
+    @classmethod
+    def displaced_sweep(cls):
+        """@return path of the sweep, on rails that are displaced by millimetres"""
+        path = cls.folder / "displaced_sweep.bag"
+        with rosbag.Bag(str(SWEEP)) as sweep, rosbag.Bag(str(path), "w") as bag:
+            for topic, message, time in sweep.read_messages():
+                bag.write(topic, message, time)
+                if topic.endswith("pose"):
+                    displacements = RailDisplacements(header=message.header)
+                    displacements.left.lateral, displacements.left.roll = 2e-3, -5e-3
+                    displacements.right.lateral, displacements.right.vertical = 1e-3, 3e-3
+                    bag.write("/wheelset/rail_displacement", displacements, time)
+        return path
 
     def report(self, *arguments, status=0):
         return self.run_command(main, *arguments, status=status)
@@ -108,8 +124,9 @@ class Report(SweepCase):
         self.assertEqual(seen, 4)
 
     def test_contact_points_are_on_both_profiles(self):
-        for bag in (self.rigid, self.bending):
+        for bag in (self.rigid, self.bending, self.displaced):
             results, _ = read(bag)
+            self.assertGreater(len(results.patches["side"]), 200)
             for side in (0, 1):
                 for kind, points in zip(("rail", "wheel"), figures.contact_points(results, side)):
                     outline = results.outlines[side][kind]
@@ -133,7 +150,7 @@ class Report(SweepCase):
         x = np.arange(100000.0)
         y = np.sin(x / 5000)
         y[43210], y[43215], y[70000:70100] = 7, -7, np.nan
-        short_x, short_y = figures._thinned(x, y)
+        short_x, short_y = figures.thinned(x, y)
         self.assertLessEqual(len(short_x), figures.MAX_POINTS)
         self.assertEqual((np.nanmax(short_y), np.nanmin(short_y)), (7, -7))
         self.assertTrue((np.diff(short_x) > 0).all())

@@ -10,8 +10,6 @@
 
 #include <wheel_rail_contact/WheelsetContact.h>
 
-#include "message_bytes.h"
-
 using namespace wheel_rail_contact;
 
 namespace
@@ -52,7 +50,22 @@ boost::shared_ptr<const Message> shared(const Message& message)
 
 ContactInput input(const geometry_msgs::PoseStamped& p, const geometry_msgs::WrenchStamped& load = wrench(0, -2e5, 3))
 {
-  return {shared(p), shared(load), {}, {}};
+  ContactInput in;
+  in.pose = shared(p);
+  in.load = shared(load);
+  return in;
+}
+
+RailDisplacements displacements()
+{
+  RailDisplacements message;
+  message.left.lateral = 1e-3;
+  message.left.vertical = -2e-3;
+  message.left.roll = 3e-3;
+  message.right.lateral = -4e-3;
+  message.right.vertical = 5e-3;
+  message.right.roll = -6e-3;
+  return message;
 }
 
 core::WheelsetState convert(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
@@ -80,26 +93,6 @@ Eigen::Quaterniond turned(double yaw, double roll, double spin)
          Eigen::AngleAxisd(spin, Eigen::Vector3d::UnitY());
 }
 }  // namespace
-
-TEST(ContactInput, LongFrameNamesOfWaitingMessagesAreCut)
-{
-  NodeConfig config;
-  InputPairing pairing(config);
-  auto named = pose();
-  auto load = wrench(0, -2e5, 3);
-  named.header.frame_id.assign(1 << 20, 'x');
-  load.header.frame_id = named.header.frame_id;
-  EXPECT_FALSE(pairing.addPose(shared(named)));
-  const auto pair = pairing.addLoad(shared(load));
-  ASSERT_TRUE(pair);
-  for (const std::string& name : {pair->pose->header.frame_id, pair->load->header.frame_id})
-  {
-    EXPECT_GT(name.size(), InputPairing::longest_frame_name) << "the cut name must not become a valid name";
-    EXPECT_LT(name.capacity(), 2 * InputPairing::longest_frame_name);
-  }
-  EXPECT_EQ(bytesOf(pair->pose->pose), bytesOf(named.pose));
-  EXPECT_EQ(bytesOf(pair->load->wrench), bytesOf(load.wrench));
-}
 
 TEST(ContactInput, StateHasTheValuesOfPoseAndLoad)
 {
@@ -180,6 +173,7 @@ TEST(ContactInput, PoseIsTransformedToTheTrackFrame)
   const core::WheelsetState state = convert(input(message), transforms);
   EXPECT_NEAR(state.yaw, 0.01, 1e-12);
   EXPECT_NEAR(state.y, 0.01 + 4 * std::sin(0.01) + 0.002 * std::cos(0.01), 1e-12);
+  EXPECT_NEAR(state.distance, 4 * std::cos(0.01) - 0.002 * std::sin(0.01), 1e-12);
 
   message.header.stamp = ros::Time(11);
   const auto late = refusal(input(message), transforms);
@@ -209,31 +203,53 @@ TEST(ContactInput, RailForcesAreOutwardOnBothSides)
   EXPECT_EQ(refusal(in).second, "right rail force: force is not finite");
 }
 
-TEST(InputPairing, ConfigurationDeterminesTheInputTopics)
+TEST(ContactInput, DisplacementsOfTheRailsAreInTheAxesOfTheirSides)
 {
-  NodeConfig config;
-  InputPairing both(config);
-  EXPECT_FALSE(both.addPose(shared(pose())));
-  const auto pair = both.addLoad(shared(wrench(0, -1, 0)));
-  ASSERT_TRUE(pair);
-  EXPECT_TRUE(pair->pose && pair->load && !pair->rail_force[0]);
+  ContactInput in = input(pose());
+  EXPECT_EQ(convert(in).rail_displacement[0].lateral, 0);
+  auto message = displacements();
+  message.header.frame_id = "anywhere";
+  in.rail_displacement = shared(message);
+  const core::WheelsetState state = convert(in);
+  EXPECT_EQ(state.rail_displacement[0].lateral, 1e-3);
+  EXPECT_EQ(state.rail_displacement[0].vertical, -2e-3);
+  EXPECT_EQ(state.rail_displacement[0].roll, 3e-3);
+  EXPECT_EQ(state.rail_displacement[1].lateral, -4e-3);
+  EXPECT_EQ(state.rail_displacement[1].vertical, 5e-3);
+  EXPECT_EQ(state.rail_displacement[1].roll, -6e-3);
+}
 
-  config.model.wheelset.solve_height_and_roll = false;
-  InputPairing alone(config);
-  const auto single = alone.addPose(shared(pose()));
-  ASSERT_TRUE(single);
-  EXPECT_FALSE(single->load);
-  EXPECT_FALSE(alone.addLoad(shared(wrench(0, -1, 0))));
+TEST(ContactInput, NonFiniteDisplacementIsRefusedWithItsRail)
+{
+  for (const auto component : {&RailDisplacement::lateral, &RailDisplacement::vertical, &RailDisplacement::roll})
+  {
+    for (const double bad : {not_a_number, infinity, -infinity})
+    {
+      ContactInput in = input(pose());
+      auto message = displacements();
+      message.left.*component = bad;
+      in.rail_displacement = shared(message);
+      EXPECT_EQ(refusal(in),
+                (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "left rail displacement is not finite")));
+      message = displacements();
+      message.right.*component = bad;
+      in.rail_displacement = shared(message);
+      EXPECT_EQ(refusal(in).second, "right rail displacement is not finite");
+    }
+  }
+}
 
-  config = NodeConfig();
-  config.model.rail_bending.model = core::RailBendingConfig::Model::compliance;
-  config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::topic;
-  InputPairing four(config);
-  EXPECT_FALSE(four.addPose(shared(pose())));
-  EXPECT_FALSE(four.addRailForce(core::Side::right, shared(wrench(2, 0, 0))));
-  EXPECT_FALSE(four.addLoad(shared(wrench(0, -1, 0))));
-  const auto all = four.addRailForce(core::Side::left, shared(wrench(1, 0, 0)));
-  ASSERT_TRUE(all);
-  EXPECT_EQ(all->rail_force[0]->wrench.force.y, 1);
-  EXPECT_EQ(all->rail_force[1]->wrench.force.y, 2);
+TEST(ContactInput, DistanceIsThatOfTheMessageOrElseXInTheTrackFrame)
+{
+  ContactInput in = input(pose());
+  EXPECT_EQ(convert(in).distance, 4);
+  geometry_msgs::PointStamped place;
+  place.point.x = 1234.5;
+  in.distance = shared(place);
+  EXPECT_EQ(convert(in).distance, 1234.5);
+  EXPECT_EQ(convert(in).x, 4);
+  place.point.x = not_a_number;
+  in.distance = shared(place);
+  EXPECT_EQ(refusal(in),
+            (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "distance: point is not finite")));
 }

@@ -86,6 +86,37 @@ TEST_F(Scene, PatchMovesWithTheMagnifiedDeflection)
   EXPECT_NEAR(after.z, before.z, 1e-12);
 }
 
+TEST_F(Scene, GivenDisplacementIsDrawnInItsTrueSize)
+{
+  options.deflection_scale = 11;
+  const auto sections = [](const MarkerArray& markers) { return findMarker(markers, "rail", 0).points; };
+  const auto at_rest = sections(draw());
+  const auto force_at_rest = findMarker(draw(), "force", 0).points[0];
+  result.rail[0].given = result.rail[0].deflection = {2e-3, -3e-3, 0};
+  result.rail[0].deflection.lateral += 1e-3;
+  const auto moved = sections(draw());
+  ASSERT_EQ(moved.size(), at_rest.size());
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    EXPECT_NEAR(moved[i].y - at_rest[i].y, 2e-3 + 11e-3, 1e-12);
+    EXPECT_NEAR(moved[i].z - at_rest[i].z, -3e-3, 1e-12);
+  }
+  // The patch is on the displaced rail already: only the additional ten millimetres move it.
+  const auto force = findMarker(draw(), "force", 0).points[0];
+  EXPECT_NEAR(force.y - force_at_rest.y, 10e-3, 1e-12);
+  EXPECT_NEAR(force.z - force_at_rest.z, 0, 1e-12);
+
+  result.rail[0].deflection = result.rail[0].given = {1e-3, 2e-3, 0.01};
+  const auto only_given = sections(draw());
+  options.deflection_scale = 1;
+  const auto true_size = sections(draw());
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    EXPECT_NEAR(only_given[i].y, true_size[i].y, 1e-12);
+    EXPECT_NEAR(only_given[i].z, true_size[i].z, 1e-12);
+  }
+}
+
 TEST_F(Scene, OnlyTheSelectedSideIsDrawn)
 {
   options.track.sides = {core::Side::right};

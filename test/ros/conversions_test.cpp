@@ -45,8 +45,8 @@ core::WheelsetResult exampleResult()
   result.z = 0.4597;
   result.yaw = 0.02;
   result.roll = -0.001;
-  result.rail[0] = {{1e-3, -2e-4, 3e-3}, 3.5e3, 1e5, -200};
-  result.rail[1] = {{-1e-3, 2e-4, -3e-3}, -3.5e3, 0, 30};
+  result.rail[0] = {{1e-3, -2e-4, 3e-3}, {4e-4, 5e-5, -6e-4}, 3.5e3, 1e5, -200};
+  result.rail[1] = {{-1e-3, 2e-4, -3e-3}, {-7e-4, 8e-5, 9e-4}, -3.5e3, 0, 30};
   result.patches = {examplePatch(core::Side::left), examplePatch(core::Side::right)};
   return result;
 }
@@ -92,6 +92,9 @@ TEST(Conversions, ConversionToAMessageAndBackPreservesTheResult)
     EXPECT_EQ(after.rail[side].deflection.lateral, before.rail[side].deflection.lateral);
     EXPECT_EQ(after.rail[side].deflection.vertical, before.rail[side].deflection.vertical);
     EXPECT_EQ(after.rail[side].deflection.roll, before.rail[side].deflection.roll);
+    EXPECT_EQ(after.rail[side].given.lateral, before.rail[side].given.lateral);
+    EXPECT_EQ(after.rail[side].given.vertical, before.rail[side].given.vertical);
+    EXPECT_EQ(after.rail[side].given.roll, before.rail[side].given.roll);
     EXPECT_EQ(after.rail[side].lateral_force, before.rail[side].lateral_force);
     EXPECT_EQ(after.rail[side].vertical_force, before.rail[side].vertical_force);
     EXPECT_EQ(after.rail[side].moment, before.rail[side].moment);

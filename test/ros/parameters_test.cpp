@@ -20,13 +20,14 @@ std::string lastOf(const std::string& name)
   return name.substr(name.rfind('/') + 1);
 }
 
-/// True for parameters of one side, and for members of a group in place of the name of a profile.
+/// True for parameters of one side, and for members of a group in place of the name of a profile or a line.
 bool isOnlyExplained(const std::string& name)
 {
-  return contains(name, "/left/") || contains(name, "/right/") || contains(name, "/profile/");
+  return contains(name, "/left/") || contains(name, "/right/") || contains(name, "/profile/") ||
+         contains(name, "/line/");
 }
 
-/// A valid value of every parameter except the members of a group in place of the name of a profile.
+/// A valid value of every parameter except the members of a group in place of the name of a file.
 ParameterTree complete()
 {
   const std::string wheel = "{profile: S1002, rolling_radius: 0.46, material: {young: 2.1e+11, poisson: 0.28}}";
@@ -38,9 +39,9 @@ ParameterTree complete()
 ParameterTree validExcept(const std::string& name, const YAML::Node& value)
 {
   ParameterTree upper{{name, value}};
-  if (const std::string group = name.substr(0, name.rfind('/')); name == group + "/mirror")
+  if (const std::string group = name.substr(0, name.rfind('/')); name == group + "/mirror" || name == group + "/axes")
   {
-    upper.emplace(group + "/file", YAML::Node("profile.csv"));
+    upper.emplace(group + "/file", YAML::Node("file.csv"));
   }
   return overlay(isOnlyExplained(name) ? complete() : defaults(), upper);
 }
@@ -55,7 +56,7 @@ bool isNumber(const std::string& name)
 }
 }  // namespace
 
-// Parameters of one side, and the group with a file and its mirror, are not set: a value would override the plain name.
+// Parameters of one side, and the groups with a file, are not set: a value would override the plain name.
 TEST(Parameters, DefaultFileSetsOrExplainsExactlyTheKnownParameters)
 {
   std::ifstream file(packageFile("config/default.yaml"));
@@ -90,6 +91,8 @@ TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
   EXPECT_EQ(file.model.track.gauge, code.model.track.gauge);
   EXPECT_EQ(file.model.track.gauge_depth, code.model.track.gauge_depth);
   EXPECT_EQ(file.track_frame, code.track_frame);
+  EXPECT_EQ(file.displacement_topic, code.displacement_topic);
+  EXPECT_EQ(file.distance_topic, code.distance_topic);
   EXPECT_EQ(file.model.wheelset.flange_back_distance, code.model.wheelset.flange_back_distance);
   EXPECT_EQ(file.model.wheelset.tape_circle, code.model.wheelset.tape_circle);
   EXPECT_EQ(file.model.wheelset.solve_height_and_roll, code.model.wheelset.solve_height_and_roll);
@@ -167,6 +170,13 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"track: {frame: /track}", "track/frame", "/track"},
       {"track: {frame: ''}", "track/frame", "\"\""},
       {"track: {frame: [track]}", "track/frame", "[track]"},
+      {"track: {displacement: pose}", "track/displacement", "none, topic"},
+      {"track: {displacement: true}", "track/displacement", "true"},
+      {"track: {displacement: [topic]}", "track/displacement", "[topic]"},
+      {"track: {displacement: {lateral: 0.001}}", "track/displacement/lateral", "unknown"},
+      {"track: {distance: none}", "track/distance", "pose, topic"},
+      {"track: {distance: 12.5}", "track/distance", "12.5"},
+      {"track: {distance: [pose]}", "track/distance", "[pose]"},
       {"track: {gage: 1.435}", "track/gage", "track/gauge"},
       {"track: 1.435", "track", "unknown"},
       {"wheelset: {rolling_radius: 0}", "wheelset/rolling_radius", "0"},
@@ -352,6 +362,15 @@ TEST(Parameters, LateralForceIsAWordOrANumber)
   const core::RailBendingConfig bending = read(with("rail_bending: {lateral_force: 30e3}")).model.rail_bending;
   EXPECT_EQ(bending.lateral_force, LateralForce::constant);
   EXPECT_EQ(bending.lateral_force_value, 30000);
+}
+
+TEST(Parameters, DisplacementAndDistanceMayBeTopics)
+{
+  const NodeConfig neither = read(with("track: {displacement: none, distance: pose}"));
+  EXPECT_FALSE(neither.displacement_topic || neither.distance_topic);
+  EXPECT_TRUE(read(with("track: {displacement: topic}")).displacement_topic);
+  EXPECT_FALSE(read(with("track: {displacement: topic}")).distance_topic);
+  EXPECT_TRUE(read(with("track: {distance: topic}")).distance_topic);
 }
 
 TEST(Parameters, NeighboursHaveTheCompliancesOfTheTableAtTheirDistance)

@@ -62,6 +62,28 @@ class States(unittest.TestCase):
         for value, expected in zip(got, (7, -3e-3, 0.46, 0.2e-3, -1.5e-3, -200e3, 5e3, 9e3)):
             self.assertAlmostEqual(value, expected, delta=1e-12 * abs(expected))
 
+    def test_displacements_of_the_rails_are_outward_and_down_in_railway_axes(self):
+        table = ("time [s],y [mm],rail_lateral_left [mm],rail_vertical_left [mm],rail_roll_left [mrad],rail_lateral_right [mm],"
+                 "rail_vertical_right [mm],rail_roll_right [mrad],distance [m]\n1,0,1,2,3,-4,-5,-6,1234.5\n")
+        for axes, down in ("rep103", 1), ("railway", -1):
+            state, = self.states_of(table, "--axes", axes)
+            for side, expected in ("left", (1e-3, 2e-3 * down, 3e-3)), ("right", (-4e-3, -5e-3 * down, -6e-3)):
+                for name, value in zip(("lateral", "vertical", "roll"), expected):
+                    self.assertAlmostEqual(getattr(state, f"{side}_rail_{name}"), value, delta=1e-15, msg=(axes, side, name))
+            self.assertEqual(state.distance, 1234.5)
+
+    def test_displacements_and_distance_are_written_only_if_they_are_given(self):
+        without, = self.states_of("time [s],y [mm]\n1,0\n")
+        self.assertEqual((without.left_rail_lateral, without.right_rail_roll, without.distance), (None, None, None))
+        self.states_of("time [s],y [mm],rail_vertical_right [um]\n1,0,250\n")
+        with rosbag.Bag(str(self.folder / "out.bag")) as bag:
+            messages = {topic: message for topic, message, _ in bag.read_messages()}
+        self.assertEqual(set(messages), {"/wheelset/pose", "/wheelset/rail_displacement"})
+        displacements = messages["/wheelset/rail_displacement"]
+        self.assertEqual(displacements.header.stamp.to_nsec(), 10**9)
+        self.assertAlmostEqual(displacements.right.vertical, 250e-6, delta=1e-18)
+        self.assertEqual((displacements.left.lateral, displacements.left.vertical, displacements.right.roll), (0, 0, 0))
+
     def test_wheel_loads_are_converted_to_force_and_moment(self):
         # Q = -force.z / 2 -+ torque.x / (2 b), b = 0.75 m.
         state, = self.states_of("time [s],y [mm],Q_left [kN],Q_right [kN]\n1,0,120,90\n")
@@ -71,7 +93,8 @@ class States(unittest.TestCase):
     def test_conversion_to_a_table_and_back_is_exact(self):
         # Without angles: their conversion to a quaternion has rounding errors, 1e-16 rad.
         states = [State(10**9 + i * 1234567, 0.1 * i, math.sin(i) / 300, 0.46, 0.0, 0.0, -2e5 / 3 * (i + 1), math.pi * i,
-                        1e4 / (i + 1), -1e4 * (i + 1)) for i in range(20)]
+                        1e4 / (i + 1), -1e4 * (i + 1), *(1e-3 * math.cos(i + k) for k in range(6)), 1e3 + i / 7)
+                  for i in range(20)]
         write_bag(self.folder / "a.bag", states, "/front")
         for axes in ("rep103", "railway"):
             self.run_states("a.bag", f"{axes}.csv", "--axes", axes, "--wheelset", "front")

@@ -7,6 +7,7 @@
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/profile.h"
 #include "wheel_rail_contact/core/rail_compliance.h"
+#include "wheel_rail_contact/core/rail_sections.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/track.h"
 
@@ -19,8 +20,11 @@ struct ContactModelConfig
   /// mirror images. Must not be null. See standard_profiles.h and profile_reader.h.
   Sides<std::shared_ptr<const Profile>> wheel_profile;
   /// Profile of each rail, from the gauge to the field side, upright (before it is turned by
-  /// TrackConfig::rail_inclination). Must not be null.
+  /// TrackConfig::rail_inclination). Must not be null, unless `rail_sections` is set, which replaces it.
   Sides<std::shared_ptr<const Profile>> rail_profile;
+  /// Rail whose profile changes along the line, or of several parts; null: `rail_profile` everywhere. See
+  /// WheelsetState::distance.
+  Sides<std::shared_ptr<const RailSections>> rail_sections;
   Sides<Material> wheel_material;  ///< of each wheel; default: steel
   Sides<Material> rail_material;   ///< of each rail; default: steel
   TrackConfig track;               ///< position and inclination of the rails

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -76,7 +77,14 @@ struct ProfileSection
   double length;   ///< range of the local parameter: t in [0, length] [m], > 0
 };
 
-/// Wheel or rail profile: a plane curve of consecutive sections, from the gauge (flange) side to the field side.
+/// Range of the parameter u of a profile [m].
+struct ParameterRange
+{
+  double begin, end;
+};
+
+/// Wheel or rail profile: a plane curve of consecutive sections, from the gauge (flange) side to the field side. A rail
+/// may have several separate parts, such as a running rail and a check rail; each is such a curve.
 ///
 /// The origin is the running circle of a wheel or the crown (top of the upright rail) of a rail. The parameter u of the
 /// curve is the sum of the lengths of all preceding sections plus the local parameter of the section. Each section is
@@ -91,6 +99,12 @@ class Profile
   /// @throw std::invalid_argument if there is no section, a length is not positive and finite, a radius is not
   /// positive, or a polynomial has too many coefficients.
   Profile(std::string name, const std::vector<ProfileSection>& sections);
+  /// Profile of several parts. The parameters of two parts are part_distance apart.
+  /// @throw std::invalid_argument if there is no part, or as above.
+  static Profile ofParts(std::string name, const std::vector<std::vector<ProfileSection>>& parts);
+
+  /// Distance of the parameter u from the end of a part to the beginning of the next one [m]. No contact is as wide.
+  static constexpr double part_distance = 0.1;
 
   /// Name of the standard profile or of the file.
   const std::string& name() const { return name_; }
@@ -98,18 +112,30 @@ class Profile
   double length() const { return start_.back(); }
   /// Point and derivatives at the parameter u [m]. Outside [0, length()] the first or last section is continued.
   CurvePoint at(double u) const;
+  /// Ranges of u of the separate parts, in increasing order.
+  const std::vector<ParameterRange>& parts() const { return parts_; }
+  /// Range of u of the part that is nearest to u [m].
+  ParameterRange partAt(double u) const;
   /// Parameters u of all section boundaries, including both ends of the profile [m]. Curvature, and with rounded
   /// standards also position, may be discontinuous there.
   const std::vector<double>& discontinuities() const { return start_; }
 
  private:
   friend class ProfileCursor;
+  friend class ChangingProfile;
 
+  explicit Profile(std::string name) : name_(std::move(name)) {}
+  void clear();
+  void addPart(const std::vector<ProfileSection>& sections);
+  void add(const SectionLaw& law, double length);
+  void beginPart();
+  void makeBuckets();
   std::size_t sectionAt(double u) const;
 
   std::string name_;
   std::vector<SectionLaw> law_;
-  std::vector<double> start_;        ///< section boundaries: law_.size() + 1 values of u [m]
+  std::vector<double> start_;  ///< section boundaries: law_.size() + 1 values of u [m]
+  std::vector<ParameterRange> parts_;
   std::vector<std::size_t> bucket_;  ///< section at each boundary of equal buckets over the length, for fast look-up
   double buckets_per_metre_;         ///< [1/m]
 };

@@ -7,14 +7,16 @@
 #include <string>
 
 #include "wheel_rail_contact/core/profile.h"
+#include "wheel_rail_contact/core/rail_sections.h"
 
 namespace wheel_rail_contact::core
 {
 /// Kind of a profile. It determines the origin.
 enum class ProfileKind
 {
-  wheel,  ///< origin on the running circle
-  rail    ///< origin on the crown
+  wheel,        ///< origin on the running circle
+  rail,         ///< origin on the crown
+  rail_section  ///< section of a switch or crossing, or of a check rail: origin and shape are free
 };
 
 /// Profile file that cannot be used. what() is "file:line: reason", or "file: reason" if the file as a whole is wrong.
@@ -93,4 +95,20 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 /// that is not that of a wheel or rail.
 /// @throw std::invalid_argument if the noise is out of range.
 Profile readProfile(const std::string& path, ProfileKind kind, const ProfileReading& reading = {});
+
+/// Reads the slices of a rail: a `.slcs` file as used by the reference code CONTACT (Vollebregt), with a list of
+/// places and files. % begins a comment. The values are
+///
+/// * U_OFFSET, which must be 0, and the scale of the places [mm per unit];
+/// * the number of slices; the numbers of features, kinks and accelerations; the method of interpolation, which is not
+///   used;
+/// * a place and the name of a file, in quotes, relative to the slices file, for each slice;
+/// * with kinks or accelerations: their part numbers, which are not used;
+/// * with features: for each slice its place, and the positions of the features along its curve [mm], negative where it
+///   has none. They become RailSection::places.
+///
+/// A file with an extension of readProfile() is read as described there. Any other file has two columns, y to the field
+/// side and z down; they are in metres if the curve is less than 1 wide, else in millimetres.
+/// @throw ProfileError with file, line and reason.
+RailSeries readRailSlices(const std::string& path, const ProfileReading& reading = {});
 }  // namespace wheel_rail_contact::core

@@ -28,10 +28,11 @@ constexpr std::size_t index(Side side)
 template <typename Value>
 struct Sides
 {
-  Value left{};   ///< of the left side
-  Value right{};  ///< of the right side
+  Value left;   ///< of the left side
+  Value right;  ///< of the right side
 
-  Sides() = default;
+  /// Default values.
+  Sides() : left(), right() {}
   /// The same value on both sides.
   template <typename Same, typename = std::enable_if_t<std::is_convertible_v<Same, Value>>>
   Sides(const Same& both) : left(both), right(both)

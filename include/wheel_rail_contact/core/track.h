@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "wheel_rail_contact/core/sides.h"
+#include "wheel_rail_contact/core/track_line.h"
 
 /// Normal contact of the wheels of a railway wheelset with two rails.
 ///
@@ -18,6 +21,8 @@ struct TrackConfig
   /// Inclination of each rail, top towards the track centre [rad]; at most 0.2. 1:40 is atan(1/40). This is not the
   /// cant (superelevation) of the track.
   Sides<double> rail_inclination = 0.025;
+  /// Irregularities along the track, see WheelsetState::distance; null: the ideal track.
+  std::shared_ptr<const TrackLine> line{};
 };
 
 /// Dimensions of the wheelset, and the part of its pose that is solved.

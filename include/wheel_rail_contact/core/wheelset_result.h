@@ -19,13 +19,16 @@ enum class ContactStatus
   lift_off,       ///< at least one wheel carries no load, the other one is solved; usable
   off_profile,    ///< the contact would be beyond the end of a profile; not usable
   not_converged,  ///< normal solution, balance or coupling with the rails did not converge; not usable
+  outside_line,   ///< the place of the wheelset is not on the line (TrackConfig::line); not usable
   invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
 };
 
 /// Deflection of one rail and the forces on it, in the axes of its side: outward (away from the track centre) and up.
 struct RailResult
 {
-  RailDeflection deflection;  ///< of the rail head; includes the part caused by other wheelsets
+  RailDeflection deflection;  ///< whole displacement of the rail head from its place in the ideal track
+  /// Its part by the line (TrackConfig::line) and with the state (WheelsetState::rail_displacement).
+  RailDeflection given;
   /// Lateral force that bends the rail, outward positive [N]; its source is RailBendingConfig::lateral_force.
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]

@@ -33,6 +33,7 @@ struct WheelsetState
   /// Displacement of the rail of each Side at this wheelset, besides its deflection under this wheel: by a track model
   /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
   std::array<RailDeflection, 2> rail_displacement{};
-  double x = 0;  ///< position of the axle centre along the track [m]; not checked, only copied to the result
+  double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
+  double distance = 0;  ///< place of the wheelset on TrackConfig::line [m]; not used without a line
 };
 }  // namespace wheel_rail_contact::core

@@ -41,10 +41,10 @@ bool isCutAcross(const PatchGap& patch)
 }
 }  // namespace
 
-OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side)
+OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side, const PlacedRail& rail, double longest_rail)
     : config_(config),
       side_(side),
-      search_(*config.wheel_profile[side], *config.rail_profile[side]),
+      search_(*config.wheel_profile[side], rail.profile(), longest_rail),
       outside_(search_, placed_, columns_)
 {
   laid_.reserve(usual_grids);

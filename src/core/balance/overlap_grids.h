@@ -49,10 +49,14 @@ class OverlapGrids
   };
 
   /// Keeps a reference to `config`, which must outlive this.
-  OverlapGrids(const ContactModelConfig& config, Side side);
+  /// @param rail  its profile is the first one of the rail
+  /// @param longest_rail  length of the longest profile of the rail [m]
+  OverlapGrids(const ContactModelConfig& config, Side side, const PlacedRail& rail, double longest_rail = 0);
   OverlapGrids(const OverlapGrids&) = delete;  // outside_ refers to other members
   OverlapGrids& operator=(const OverlapGrids&) = delete;
 
+  /// Sets another profile of the rail. setRail() must follow.
+  void setProfile(const Profile& rail) { search_.setProfile(rail); }
   /// Sets the position of the rail.
   void setRail(const PlacedRail& rail);
   const PlacedRail& rail() const { return *rail_; }

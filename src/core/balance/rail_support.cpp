@@ -3,9 +3,15 @@
 
 namespace wheel_rail_contact::core
 {
+RailAlong railAlong(const ContactModelConfig& config, Side side)
+{
+  const auto& sections = config.rail_sections[side];
+  return sections ? RailAlong(*sections, config.track, side) : RailAlong(config.rail_profile[side], config.track, side);
+}
+
 PlacedRail restingRail(const ContactModelConfig& config, Side side)
 {
-  return {config.rail_profile[side], config.track, side};
+  return railAlong(config, side).rail();
 }
 
 Eigen::Vector3d toCoordinates(const RailDeflection& deflection)

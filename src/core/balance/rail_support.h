@@ -3,12 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "core/track/placement.h"
+#include "core/track/rail_along.h"
 #include "wheel_rail_contact/core/config.h"
 
 namespace wheel_rail_contact::core
 {
-/// Rail of a side without displacement. Side axes.
+/// Rail of a side in the ideal track, along the line. Keeps a reference to its sections, if it has any.
+RailAlong railAlong(const ContactModelConfig& config, Side side);
+/// Rail of a side in the ideal track, at its first section. Side axes.
 PlacedRail restingRail(const ContactModelConfig& config, Side side);
 
 /// Coordinates of the deflection of a rail head, side axes. They are lateral outward [m],

@@ -29,9 +29,10 @@ double wheelTurn(const SurfaceColumn& from, const SurfaceColumn& to)
 }
 }  // namespace
 
-WheelContact::WheelContact(const ContactModelConfig& config, Side side, NormalSolver& solver)
+WheelContact::WheelContact(const ContactModelConfig& config, Side side, const PlacedRail& rail, NormalSolver& solver,
+                           double longest_rail)
     : solver_(solver),
-      grids_(config, side),
+      grids_(config, side, rail, longest_rail),
       tangent_(tuning::rough_residual),
       first_reach_(usesOverlap(config.contact.method) ? OverlapGrids::Reach::whole : OverlapGrids::Reach::expected)
 {

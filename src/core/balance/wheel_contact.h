@@ -46,13 +46,18 @@ class WheelContact
 {
  public:
   /// Keeps references to `config` and `solver`, which must outlive the object.
-  WheelContact(const ContactModelConfig& config, Side side, NormalSolver& solver);
+  /// @param rail  its profile is the first one of the rail
+  /// @param longest_rail  length of the longest profile of the rail [m]
+  WheelContact(const ContactModelConfig& config, Side side, const PlacedRail& rail, NormalSolver& solver,
+               double longest_rail = 0);
 
   /// Sets the number of cells of each grid, and its index. The next solution starts from the pressure of the last one
   /// with the same index.
   void setGrid(std::size_t level, const GridSize& size);
   /// Sets which grids are used.
   void choose(OverlapGrids::Choice choice) { choice_ = choice; }
+  /// Sets another profile of the rail. setRail() must follow.
+  void setProfile(const Profile& rail) { grids_.setProfile(rail); }
   /// Sets the position of the rail.
   void setRail(const PlacedRail& rail) { grids_.setRail(rail); }
   const PlacedRail& rail() const { return grids_.rail(); }

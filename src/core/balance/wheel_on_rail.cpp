@@ -14,7 +14,6 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
 constexpr double least_move = 1e-9;  ///< of a rail without contact that is neglected [m]
 constexpr double roll_arm = 0.1;     ///< converts a roll of the rail to a comparable displacement [m]
 }  // namespace
@@ -34,16 +33,10 @@ struct WheelOnRail::Trial
 
 WheelOnRail::WheelOnRail(const ContactModelConfig& config, Side side, NormalSolver& solver)
     : config_(config),
-      contact_(config, side, solver),
-      undeflected_(restingRail(config, side)),
-      compliance_(Eigen::Matrix3d::Zero()),
-      bends_(config.rail_bending.model == RailBendingConfig::Model::compliance),
+      rail_(config, side),
+      contact_(config, side, rail_.atRest(), solver, rail_.longest()),
       own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact)
 {
-  if (bends_)
-  {
-    compliance_ = supportCompliance(config.rail_bending.table[side], config.track.rail_inclination[side]);
-  }
   setRail(0, RailDeflection());
 }
 
@@ -54,27 +47,32 @@ void WheelOnRail::reset()
   contact_.forget();
 }
 
+void WheelOnRail::moveTo(double x)
+{
+  if (rail_.moveTo(x))
+  {
+    contact_.setProfile(rail_.atRest().profile());
+    is_placed_ = false;
+  }
+}
+
 void WheelOnRail::setRail(double lateral, const RailDeflection& displaced)
 {
-  using LateralForce = RailBendingConfig::LateralForce;
   const RailBendingConfig& bending = config_.rail_bending;
-  given_lateral_ = bending.lateral_force == LateralForce::constant ? bending.lateral_force_value : lateral;
-  offset_ = toCoordinates(displaced);
-  if (bending.model == RailBendingConfig::Model::prescribed)
-  {
-    offset_ += toCoordinates(bending.prescribed);
-  }
+  const bool is_constant = bending.lateral_force == RailBendingConfig::LateralForce::constant;
+  given_lateral_ = is_constant ? bending.lateral_force_value : lateral;
+  rail_.displace(displaced);
 }
 
 /// Places the rail as the forces deflect it.
 void WheelOnRail::place(const Eigen::Vector3d& forces)
 {
-  const Eigen::Vector3d coordinates = offset_ + compliance_ * forces;
+  const Eigen::Vector3d coordinates = rail_.under(forces);
   if (!is_placed_ || coordinates != placed_)
   {
     placed_ = coordinates;
     is_placed_ = true;
-    contact_.setRail(undeflected_.deflected(toDeflection(coordinates)));
+    contact_.setRail(rail_.atRest().deflected(toDeflection(coordinates)));
   }
 }
 
@@ -108,7 +106,7 @@ void WheelOnRail::respond()
   // Without a usable stiffness: as before the call.
   height_per_roll_ = contact_.heightPer(wheel_roll);
   height_per_lateral_ = -contact_.heightPer(rail_lateral);
-  if (!bends_)
+  if (!rail_.bends())
   {
     const MotionVector vertical = contact_.verticalStiffness();
     if (vertical.allFinite() && vertical[wheel_up] > 0)
@@ -144,8 +142,8 @@ void WheelOnRail::respond()
     forces.row(2) -= contact_.heightOverReference() * forces.row(0);
     forces.row(0).setZero();
   }
-  response_ = forces.leftCols<3>() * compliance_;
-  height_per_force_ = compliance_ * height.head<3>().transpose();
+  response_ = forces.leftCols<3>() * rail_.compliance();
+  height_per_force_ = rail_.compliance() * height.head<3>().transpose();
   force_per_roll_ = step(forces.col(3));
   force_per_lateral_ = step(forces.col(4));
   height_per_roll_ = height[3] + height_per_force_.dot(force_per_roll_);
@@ -162,15 +160,15 @@ Eigen::Vector3d WheelOnRail::step(const Eigen::Vector3d& open) const
 WheelStatus WheelOnRail::carry(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
 {
   under_load_ = true;
-  return !(load > 0) ? touchAtRest(pose)
-         : bends_    ? search(pose, load, accuracy, keep_grids)
-                     : searchHeight(pose, load, keep_grids);
+  return !(load > 0)     ? touchAtRest(pose)
+         : rail_.bends() ? search(pose, load, accuracy, keep_grids)
+                         : searchHeight(pose, load, keep_grids);
 }
 
 WheelStatus WheelOnRail::hold(const WheelsetPose& pose, double accuracy)
 {
   under_load_ = false;
-  return bends_ ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, false);
+  return rail_.bends() ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, false);
 }
 
 /// Position of first touch without load.
@@ -205,14 +203,14 @@ WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPo
   trial.open = (loaded_ ? target() : restForces()) - forces;
   if (own_force_)
   {
-    trial.merit =
-        contact_.energy() + 0.5 * forces.dot(compliance_ * forces) + (under_load_ ? load * contact_.height() : 0);
+    trial.merit = contact_.energy() + 0.5 * forces.dot(rail_.compliance() * forces) +
+                  (under_load_ ? load * contact_.height() : 0);
     trial.noise =
         !loaded_ ? 0 : (tuning::noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) * contact_.energy();
   }
   else
   {
-    trial.merit = lengthOf(compliance_ * trial.open);
+    trial.merit = lengthOf(rail_.compliance() * trial.open);
   }
   return status;
 }
@@ -223,18 +221,18 @@ bool WheelOnRail::settled(const Trial& trial, double accuracy, Eigen::Vector3d& 
   step = trial.open;
   if (!loaded_)
   {
-    return lengthOf(compliance_ * trial.open) <= least_move;
+    return lengthOf(rail_.compliance() * trial.open) <= least_move;
   }
   const bool deep = !under_load_ || contact_.isDeepEnough();
   const auto even = [&](const Eigen::Vector3d& change)
-  { return contact_.opening(railMove(compliance_ * change)) <= accuracy * contact_.overlap(); };
+  { return contact_.opening(railMove(rail_.compliance() * change)) <= accuracy * contact_.overlap(); };
   if (deep && even(trial.open))
   {
     return true;
   }
   respond();
   step = this->step(trial.open);
-  if (own_force_ && !(step.dot(compliance_ * trial.open) > 0))  // not a direction of falling energy
+  if (own_force_ && !(step.dot(rail_.compliance() * trial.open) > 0))  // not a direction of falling energy
   {
     step = trial.open;
   }
@@ -301,7 +299,7 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, double ac
       {
         return finish(trial, step, status);
       }
-      const double far = lengthOf(compliance_ * step);
+      const double far = lengthOf(rail_.compliance() * step);
       step *= far > tuning::longest_step ? tuning::longest_step / far : 1;
       rise_per_force = under_load_ && responded_ ? height_per_force_ : Eigen::Vector3d::Zero();
     }
@@ -322,16 +320,16 @@ bool WheelOnRail::isNearlyClosed(const Trial& trial)
 bool WheelOnRail::isNear(double accuracy, const Eigen::Vector3d& step) const
 {
   return loaded_ && contact_.isDeepEnough() &&
-         contact_.opening(railMove(compliance_ * step)) <= tuning::jump_share * accuracy * contact_.overlap();
+         contact_.opening(railMove(rail_.compliance() * step)) <= tuning::jump_share * accuracy * contact_.overlap();
 }
 
 /// Takes the last solution, with a last step of the forces, as the result.
 WheelStatus WheelOnRail::finish(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status)
 {
-  forces_ = bends_ ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.forces().tail<3>());
-  if (under_load_ && loaded_ && bends_)
+  forces_ = rail_.bends() ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.forces().tail<3>());
+  if (under_load_ && loaded_ && rail_.bends())
   {
-    const Eigen::Vector3d move = compliance_ * step;
+    const Eigen::Vector3d move = rail_.compliance() * step;
     height_ += contact_.heightPer(rail_lateral) * move[0] + contact_.heightPer(rail_up) * move[1] +
                contact_.heightPer(rail_roll) * move[2];
   }
@@ -344,7 +342,7 @@ WheelStatus WheelOnRail::finish(const Trial& trial, const Eigen::Vector3d& step,
 double WheelOnRail::shortened(const Trial& best, const Trial& trial) const
 {
   const double rise = trial.merit - best.merit, noise = std::max(trial.noise, best.noise);
-  const Eigen::Vector3d move = compliance_ * (trial.forces - best.forces);
+  const Eigen::Vector3d move = rail_.compliance() * (trial.forces - best.forces);
   const double before = -best.open.dot(move), after = -trial.open.dot(move);
   if (!own_force_)
   {
@@ -372,7 +370,7 @@ double WheelOnRail::heightPerLateral() const
 
 void WheelOnRail::predict(double lateral, double roll)
 {
-  if (loaded_ && bends_ && has_response_)
+  if (loaded_ && rail_.bends() && has_response_)
   {
     forces_ += roll * force_per_roll_ + lateral * force_per_lateral_;
   }
@@ -382,9 +380,9 @@ double WheelOnRail::openingPerRoll() const
 {
   MotionVector move = MotionVector::Zero();
   move[wheel_roll] = 1;
-  if (bends_ && responded_)
+  if (rail_.bends() && responded_)
   {
-    move.tail<3>() = compliance_ * force_per_roll_;
+    move.tail<3>() = rail_.compliance() * force_per_roll_;
   }
   return loaded_ ? contact_.opening(move) : 0;
 }
@@ -392,7 +390,8 @@ double WheelOnRail::openingPerRoll() const
 RailResult WheelOnRail::rail() const
 {
   RailResult result;
-  result.deflection = toDeflection(offset_ + compliance_ * forces_);
+  result.deflection = toDeflection(rail_.under(forces_));
+  result.given = rail_.displacement();
   result.lateral_force = forces_[0];
   result.vertical_force = -forces_[1];
   result.moment = forces_[2];

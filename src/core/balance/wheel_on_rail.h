@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/balance/supported_rail.h"
 #include "core/balance/wheel_contact.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
@@ -21,6 +22,10 @@ class WheelOnRail
 
   /// The next solution starts from an undeflected rail.
   void reset();
+  /// Moves along the line to x [m], which the sections of the rail contain. setRail() must follow.
+  void moveTo(double x);
+  /// Rail in the ideal track at the place of the last moveTo().
+  const PlacedRail& restingRail() const { return rail_.atRest(); }
   /// Sets what else moves the rail. The start is the deflection of the last solution.
   /// @param lateral    given lateral force, outward positive [N]; only without RailBendingConfig::LateralForce::contact
   /// @param displaced  displacement of the rail, besides that by this wheel and RailBendingConfig::prescribed
@@ -48,6 +53,8 @@ class WheelOnRail
   double heightPerRoll() const;
   /// Change of the height by a movement of the wheel outward, with the load kept [-].
   double heightPerLateral() const;
+  /// Change of the height by a roll of the rail about its reference point, outward positive [m/rad].
+  double heightPerRailRoll() const { return loaded_ ? contact_.heightPer(rail_roll) : 0; }
   /// The largest opening of the gap by a roll [m/rad]: see WheelContact::opening().
   double openingPerRoll() const;
   /// Prepares the next solution for a movement of the wheel outward [m] and a roll [rad]: its start is the deflection
@@ -81,12 +88,10 @@ class WheelOnRail
   static MotionVector railMove(const Eigen::Vector3d& move);
 
   const ContactModelConfig& config_;
+  SupportedRail rail_;
   WheelContact contact_;
-  PlacedRail undeflected_;
-  Eigen::Matrix3d compliance_;  ///< of the rail; zero if it does not bend
-  bool bends_ = false, own_force_ = true;
+  bool own_force_ = true;
   double given_lateral_ = 0;
-  Eigen::Vector3d offset_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
   Eigen::Vector3d placed_ = Eigen::Vector3d::Zero();  ///< coordinates at which the rail lies
   bool is_placed_ = false;

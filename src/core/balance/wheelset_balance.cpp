@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/balance/tuning.h"
+#include "core/track/rail_on_line.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -77,33 +78,45 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
 
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
-  const int before = count();
+  const int solved_before = count();
   const bool given = !config_.wheelset.solve_height_and_roll;
   const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
   z_ = given ? state.z : warm_ ? z_ : config_.wheelset.meanRadius();
   roll_ = given ? state.roll : warm_ ? roll_ : start_roll_;
-  const double moved = state.y - state_.y;
+  const WheelsetState before = state_;
   state_ = state;
+  for (WheelOnRail& wheel : wheels_)
+  {
+    wheel.moveTo(state.distance);
+  }
+  if (const TrackLine* line = config_.track.line.get())
+  {
+    const std::array<RailDeflection, 2> displaced =
+        displacementsAt(line->at(state.distance),
+                        {wheels_[0].restingRail().referencePoint(), wheels_[1].restingRail().referencePoint()});
+    state_.rail_displacement[0] += displaced[0];
+    state_.rail_displacement[1] += displaced[1];
+  }
   reason_ = {};
   laid_ = false;
   heights_.fill(z_);
   if (warm_ && !given)
   {
-    predict(moved);
+    predict(before);
   }
   for (const Side side : sides)
   {
     const double load = -0.5 * state.force_z - sideSign(side) * transfer;
     loads_[index(side)] = load > least_load ? load : 0;
     setLevel(index(side), 0);
-    wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state.rail_displacement[index(side)]);
+    wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state_.rail_displacement[index(side)]);
   }
   WheelStatus status = WheelStatus::solved;
   do
   {
     status = given ? hold() : search();
   } while (isUsable(status) && (layOwnGrids() || refine()));
-  solutions_ = count() - before;
+  solutions_ = count() - solved_before;
   if (!isUsable(status))
   {
     return fail(status);
@@ -118,14 +131,17 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   return wheels_[0].loaded() && wheels_[1].loaded() ? ContactStatus::ok : ContactStatus::lift_off;
 }
 
-/// Predicts heights and roll after a lateral movement [m] from the last contacts.
-void WheelsetBalance::predict(double moved)
+/// Predicts heights and roll from the last contacts, after the movements of wheelset and rails since the state
+/// `before`.
+void WheelsetBalance::predict(const WheelsetState& before)
 {
   for (const Side side : sides)
   {
     const auto k = index(side);
-    const double outward = sideSign(side) * moved;
-    heights_[k] += wheels_[k].heightPerLateral() * outward;
+    const RailDeflection &rail = state_.rail_displacement[k], &rail_before = before.rail_displacement[k];
+    const double outward = sideSign(side) * (state_.y - before.y) - (rail.lateral - rail_before.lateral);
+    heights_[k] += wheels_[k].heightPerLateral() * outward + rail.vertical - rail_before.vertical +
+                   wheels_[k].heightPerRailRoll() * (rail.roll - rail_before.roll);
     wheels_[k].predict(outward, 0);
   }
   const double step = -(heights_[0] - heights_[1]) / updateSlopes();

@@ -57,7 +57,7 @@ class WheelsetBalance
   WheelStatus search();
   WheelStatus pass(bool keep_grids);
   WheelStatus hold();
-  void predict(double moved);
+  void predict(const WheelsetState& before);
   bool isMoved(std::size_t k) const;
   double openedBy(std::size_t k, double roll) const;
   double updateSlopes();

@@ -102,26 +102,92 @@ double CurvePoint::curvature() const
   return (dy * ddz - dz * ddy) / (speed_squared * std::sqrt(speed_squared));
 }
 
-Profile::Profile(std::string name, const std::vector<ProfileSection>& sections) : name_(std::move(name)), start_{0.0}
+Profile::Profile(std::string name, const std::vector<ProfileSection>& sections) : name_(std::move(name))
+{
+  clear();
+  addPart(sections);
+  makeBuckets();
+}
+
+Profile Profile::ofParts(std::string name, const std::vector<std::vector<ProfileSection>>& parts)
+{
+  Profile profile(std::move(name));
+  if (parts.empty())
+  {
+    throw std::invalid_argument("profile: '" + profile.name_ + "' has no parts");
+  }
+  profile.clear();
+  for (const std::vector<ProfileSection>& sections : parts)
+  {
+    profile.addPart(sections);
+  }
+  profile.makeBuckets();
+  return profile;
+}
+
+void Profile::addPart(const std::vector<ProfileSection>& sections)
 {
   if (sections.empty())
   {
     throw std::invalid_argument("profile: '" + name_ + "' has no sections");
   }
+  beginPart();
   for (const ProfileSection& section : sections)
   {
     checkSection(section);
-    law_.push_back(section.law);
-    start_.push_back(start_.back() + section.length);
+    add(section.law, section.length);
   }
+}
+
+void Profile::clear()
+{
+  law_.clear();
+  parts_.clear();
+  start_.assign(1, 0.0);
+}
+
+/// Begins the next part. A line without meaning fills the distance to the part before.
+void Profile::beginPart()
+{
+  if (!parts_.empty())
+  {
+    const ParameterRange before = parts_.back();
+    add(LineSection{0, 0, 1, 0}, part_distance);
+    parts_.back() = before;
+  }
+  parts_.push_back({length(), length()});
+}
+
+void Profile::add(const SectionLaw& law, double length)
+{
+  law_.push_back(law);
+  start_.push_back(start_.back() + length);
+  parts_.back().end = start_.back();
+}
+
+void Profile::makeBuckets()
+{
   const std::size_t buckets = buckets_per_section * law_.size();
   buckets_per_metre_ = static_cast<double>(buckets) / length();
+  bucket_.resize(buckets + 1);
+  std::size_t section = 0;
   for (std::size_t k = 0; k <= buckets; ++k)
   {
     const double u = static_cast<double>(k) / buckets_per_metre_;
-    const auto after = std::upper_bound(start_.begin() + 1, start_.end() - 1, u);
-    bucket_.push_back(static_cast<std::size_t>(after - start_.begin()) - 1);
+    while (section + 1 < law_.size() && start_[section + 1] <= u)
+    {
+      ++section;
+    }
+    bucket_[k] = section;
   }
+}
+
+ParameterRange Profile::partAt(double u) const
+{
+  const auto distance = [u](const ParameterRange& part) { return std::max({part.begin - u, u - part.end, 0.0}); };
+  return *std::min_element(parts_.begin(), parts_.end(),
+                           [&](const ParameterRange& one, const ParameterRange& other)
+                           { return distance(one) < distance(other); });
 }
 
 std::size_t Profile::sectionAt(double u) const

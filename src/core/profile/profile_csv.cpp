@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,35 @@ FileProfile readCsv(ProfileFile& file)
     {
       addPoint(file, content, pointOf(file, *unit));
     }
+  }
+  return content;
+}
+
+FileProfile readTwoColumns(ProfileFile& file)
+{
+  FileProfile content;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  while (file.next())
+  {
+    const std::vector<std::string> words = splitWords(file.line());
+    if (words.empty())
+    {
+      continue;
+    }
+    const std::optional<double> y = parseNumber(words[0]), z = words.size() == 2 ? parseNumber(words[1]) : std::nullopt;
+    if (!y || !z)
+    {
+      file.refuse("must contain two numbers");
+    }
+    least = std::min(least, *y);
+    most = std::max(most, *y);
+    addPoint(file, content, {*y, -*z});
+  }
+  const double unit = most - least < 1 ? 1 : 1e-3;
+  for (FilePoint& point : content.points)
+  {
+    point.point.y *= unit;
+    point.point.z *= unit;
   }
   return content;
 }

@@ -67,6 +67,14 @@ FileProfile readMiniProf(ProfileFile& file, ProfileKind kind);
 /// @throw ProfileError if it is malformed.
 FileProfile readCsv(ProfileFile& file);
 
+/// Reads a file of two columns: y to the field side, z down; in metres if the curve is less than 1 wide, else in
+/// millimetres.
+/// @throw ProfileError if it is malformed.
+FileProfile readTwoColumns(ProfileFile& file);
+/// Reads a slice of a rail: a file of readProfile(), or of two columns.
+/// @throw ProfileError as readProfile().
+Profile readSlice(const std::string& path, const ProfileReading& reading);
+
 /// Checks that the content is a plausible profile of the given kind. Returns its points in order from the gauge
 /// (flange) side to the field side, without points too close to the preceding one.
 /// @throw ProfileError with the line and the broken rule.

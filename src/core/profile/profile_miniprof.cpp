@@ -84,7 +84,7 @@ FileProfile MiniProfReader::read()
 
 void MiniProfReader::checkTapeCircle() const
 {
-  if (kind_ == ProfileKind::rail || content_.points.empty())
+  if (kind_ != ProfileKind::wheel || content_.points.empty())
   {
     return;
   }

@@ -243,8 +243,11 @@ std::vector<SampledPoint> orderedPoints(const ProfileFile& file, const FileProfi
   }
   checkSize(file, points);
   checkExtent(file, points);
-  (kind == ProfileKind::rail ? checkRail : checkWheel)(file, points);
-  checkOrigin(file, points);
+  if (kind != ProfileKind::rail_section)
+  {
+    (kind == ProfileKind::rail ? checkRail : checkWheel)(file, points);
+    checkOrigin(file, points);
+  }
   if (kind == ProfileKind::wheel)
   {
     checkFlangeReachesDown(file, points);

@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/core/profile_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -24,19 +25,36 @@ constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s
                                                  {"60E1", ProfileKind::rail, rail60E1},
                                                  {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
 
+bool fits(ProfileKind standard, ProfileKind kind)
+{
+  return (standard == ProfileKind::wheel) == (kind == ProfileKind::wheel);
+}
+
 const char* nameOf(ProfileKind kind)
 {
   return kind == ProfileKind::wheel ? "wheel" : "rail";
 }
 
 /// Extension of the path, in lower case.
+std::string extensionOf(const std::string& path)
+{
+  return lowerCase(std::filesystem::path(path).extension().string());
+}
+
+bool isKnownExtension(const std::string& extension)
+{
+  constexpr std::array<const char*, 5> known{".prw", ".prr", ".whl", ".ban", ".csv"};
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+/// Extension of the path, in lower case.
 /// @throw ProfileError if the extension is unknown or belongs to the other kind of profile.
 std::string checkedExtension(const std::string& path, ProfileKind kind)
 {
-  std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+  std::string extension = extensionOf(path);
   const bool of_wheel = extension == ".prw" || extension == ".whl";
   const bool of_rail = extension == ".prr" || extension == ".ban";
-  if (!of_wheel && !of_rail && extension != ".csv")
+  if (!isKnownExtension(extension))
   {
     throw ProfileError(path, 0,
                        "neither the name of a standard profile (S1002, 60E1, UIC60_manchester) nor a .prw, .prr, .whl, "
@@ -85,7 +103,7 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
     {
       continue;
     }
-    if (standard.kind != kind)
+    if (!fits(standard.kind, kind))
     {
       throw std::invalid_argument("profile '" + name_or_path + "' belongs to a " + nameOf(standard.kind) + "; a " +
                                   nameOf(kind) + " profile is required");
@@ -99,11 +117,11 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
   return readProfile(name_or_path, kind, reading);
 }
 
-Profile readProfile(const std::string& path, ProfileKind kind, const ProfileReading& reading)
+namespace
 {
-  const std::string extension = checkedExtension(path, kind);
-  ProfileFile file(path);
-  FileProfile content = readContent(file, extension, kind);
+Profile profileOf(const std::string& path, const ProfileFile& file, FileProfile content, ProfileKind kind,
+                  const ProfileReading& reading)
+{
   for (FilePoint& point : content.points)
   {
     point.point.y *= reading.mirror ? -1 : 1;
@@ -117,5 +135,23 @@ Profile readProfile(const std::string& path, ProfileKind kind, const ProfileRead
     setHeightFromTape(sections);
   }
   return {std::filesystem::path(path).filename().string(), sections};
+}
+}  // namespace
+
+Profile readProfile(const std::string& path, ProfileKind kind, const ProfileReading& reading)
+{
+  const std::string extension = checkedExtension(path, kind);
+  ProfileFile file(path);
+  return profileOf(path, file, readContent(file, extension, kind), kind, reading);
+}
+
+Profile readSlice(const std::string& path, const ProfileReading& reading)
+{
+  if (isKnownExtension(extensionOf(path)))
+  {
+    return readProfile(path, ProfileKind::rail_section, reading);
+  }
+  ProfileFile file(path);
+  return profileOf(path, file, readTwoColumns(file), ProfileKind::rail_section, reading);
 }
 }  // namespace wheel_rail_contact::core

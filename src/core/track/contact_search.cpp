@@ -14,26 +14,33 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t fine_stations = 8;  ///< intervals of fewer stations: their width follows from the curvature
 }  // namespace
 
-/// Parameters of equidistant points of a profile, about `spacing` apart, including both ends.
-std::vector<double> ContactSearch::sample(const Profile& profile)
+/// Adds parameters of equidistant points of a part of a profile, about `spacing` apart, including both ends.
+void ContactSearch::sample(const ParameterRange& part, std::vector<double>& u)
 {
-  const long count = std::max(2L, std::lround(profile.length() / spacing) + 1);
-  std::vector<double> u(static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < u.size(); ++i)
+  const double length = part.end - part.begin;
+  const long count = std::max(2L, std::lround(length / spacing) + 1);
+  for (long i = 0; i < count; ++i)
   {
-    u[i] = profile.length() * static_cast<double>(i) / static_cast<double>(count - 1);
+    u.push_back(part.begin + length * static_cast<double>(i) / static_cast<double>(count - 1));
   }
-  return u;
 }
 
-ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
+ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail)
 {
-  rail_line_.u = sample(rail);
-  for (const double u : rail_line_.u)
+  // The width of a rail never exceeds the length of its profile: memory for any position of the rail.
+  const double longest = std::max(longest_rail, rail.length());
+  const Stations room{0, spacing, static_cast<std::size_t>(longest / spacing) + 2};
+  wheel_outline_.start(room);
+  rail_outline_.start(room);
+  separation_.reserve(room.count);
+  minima_.reserve(room.count);
+  for (std::vector<double>* of_rail : {&rail_line_.u, &rail_line_.y, &rail_line_.z})
   {
-    rail_points_.push_back(rail.at(u));
+    of_rail->reserve(room.count + 2 * rail.parts().size());
   }
-  wheel_line_.u = sample(wheel);
+  rail_points_.reserve(room.count);
+  setProfile(rail);
+  sample({0, wheel.length()}, wheel_line_.u);
   while (wheel_line_.u.size() % WheelPoints::together != 0)
   {
     wheel_line_.u.push_back(wheel_line_.u.back());
@@ -55,12 +62,23 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail)
     group_begin_.push_back(*least);
     group_end_.push_back(*most);
   }
-  // The width of a rail never exceeds the length of its profile: memory for any position of the rail.
-  const Stations most{0, spacing, static_cast<std::size_t>(rail.length() / spacing) + 2};
-  wheel_outline_.start(most);
-  rail_outline_.start(most);
-  separation_.reserve(most.count);
-  minima_.reserve(most.count);
+}
+
+void ContactSearch::setProfile(const Profile& rail)
+{
+  rail_line_.u.clear();
+  part_ends_.clear();
+  for (const ParameterRange& part : rail.parts())
+  {
+    sample(part, rail_line_.u);
+    part_ends_.push_back(rail_line_.u.size());
+  }
+  rail_points_.clear();
+  ProfileCursor cursor(rail);
+  for (const double u : rail_line_.u)
+  {
+    rail_points_.push_back(cursor.at(u));
+  }
 }
 
 void ContactSearch::setRail(const PlacedRail& rail)
@@ -79,7 +97,12 @@ void ContactSearch::setRail(const PlacedRail& rail)
   nearest_station_ = no_station;
   stations_ = {*low, spacing, static_cast<std::size_t>((*high - *low) / spacing) + 2};
   rail_outline_.start(stations_);
-  rail_outline_.add(rail_line_, 0, rail_line_.y.size());
+  std::size_t first = 0;
+  for (const std::size_t end : part_ends_)
+  {
+    rail_outline_.add(rail_line_, first, end);
+    first = end;
+  }
   separation_.resize(stations_.count);
 }
 
@@ -116,12 +139,28 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
   nearest_station_ = no_station;
 }
 
+/// Finds the minima of each part of the rail.
 void ContactSearch::findMinima()
 {
   minima_.clear();
-  const double* separation = separation_.data();
   const std::size_t last = separation_.size() - 1;
-  for (std::size_t k = 0; k <= last; ++k)
+  std::size_t first = 0;
+  for (std::size_t k = 0; part_ends_.size() > 1 && k < last; ++k)
+  {
+    if (!areOnePart(k, k + 1))
+    {
+      findMinima(first, k);
+      first = k + 1;
+    }
+  }
+  findMinima(first, last);
+}
+
+/// Finds the minima of the stations `first` to `last`.
+void ContactSearch::findMinima(std::size_t first, std::size_t last)
+{
+  const double* separation = separation_.data();
+  for (std::size_t k = first; k <= last; ++k)
   {
     while (k < last && !(separation[k] < separation[k + 1]))
     {
@@ -158,8 +197,9 @@ OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t la
     const double share = (separation - separation_[inside]) / (separation_[outside] - separation_[inside]);
     return rail_outline_.u(inside) + share * (rail_outline_.u(outside) - rail_outline_.u(inside));
   };
-  const bool starts_open = first == 0 || !(separation_[first - 1] < infinity);
-  const bool ends_open = last + 1 == separation_.size() || !(separation_[last + 1] < infinity);
+  const bool starts_open = first == 0 || !(separation_[first - 1] < infinity) || !areOnePart(first - 1, first);
+  const bool ends_open =
+      last + 1 == separation_.size() || !(separation_[last + 1] < infinity) || !areOnePart(last, last + 1);
   interval.at_profile_end = starts_open || ends_open;
   interval.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
   interval.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
@@ -193,17 +233,31 @@ std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t end) con
                                   begin);
 }
 
+/// True if the rail outline shows the same part at both stations.
+bool ContactSearch::areOnePart(std::size_t k, std::size_t other) const
+{
+  return part_ends_.size() == 1 || std::abs(rail_outline_.u(k) - rail_outline_.u(other)) < 0.5 * Profile::part_distance;
+}
+
+/// Neighbours of a station on the same part; the station itself where there is none.
+std::pair<std::size_t, std::size_t> ContactSearch::neighbours(std::size_t k) const
+{
+  const bool has_before = k > 0 && areOnePart(k - 1, k);
+  const bool has_after = k + 1 < separation_.size() && areOnePart(k, k + 1);
+  return {has_before ? k - 1 : k, has_after ? k + 1 : k};
+}
+
 /// First and last station of the uninterrupted series of stations below `separation` around station k. Station k
 /// belongs to it in any case.
 std::pair<std::size_t, std::size_t> ContactSearch::belowAround(std::size_t k, double separation) const
 {
   std::size_t first = k;
   std::size_t last = k;
-  while (first > 0 && separation_[first - 1] < separation)
+  while (first > 0 && separation_[first - 1] < separation && areOnePart(first - 1, first))
   {
     --first;
   }
-  while (last + 1 < separation_.size() && separation_[last + 1] < separation)
+  while (last + 1 < separation_.size() && separation_[last + 1] < separation && areOnePart(last, last + 1))
   {
     ++last;
   }
@@ -262,9 +316,10 @@ void ContactSearch::stationsOf(const OverlapInterval& interval, std::vector<Over
   const auto [first, last] = belowAround(nearestStation(interval.contact.y), 0);
   for (std::size_t k = first; k <= last; ++k)
   {
-    const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, stations_.count - 1);
+    const auto [before, after] = neighbours(k);
     const double slope =
-        (rail_outline_.z(after) - rail_outline_.z(before)) / (stations_.y(after) - stations_.y(before));
+        after > before ? (rail_outline_.z(after) - rail_outline_.z(before)) / (stations_.y(after) - stations_.y(before))
+                       : 0;
     const double per_height = 1 / std::sqrt(1 + slope * slope);
     stations.push_back({rail_outline_.u(k), stations_.y(k), rail_outline_.z(k), -separation_[k] * per_height});
   }

@@ -29,7 +29,7 @@ struct OverlapInterval
   double u_begin = 0;           ///< parameter of the rail profile at the end on the gauge side [m]
   double u_end = 0;             ///< parameter of the rail profile at the end on the field side [m]
   InitialContact contact;       ///< position of the smallest separation in it
-  bool at_profile_end = false;  ///< the interval is cut off by the end of a profile
+  bool at_profile_end = false;  ///< the interval is cut off by the end of a profile, or by another part of the rail
   bool has_one_minimum = true;  ///< the separation has one minimum in it
 };
 
@@ -57,7 +57,11 @@ class ContactSearch
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
   /// Samples the profiles. Keeps no reference to them.
-  ContactSearch(const Profile& wheel, const Profile& rail);
+  /// @param longest_rail  length of the longest rail profile that setProfile() will get [m]
+  ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail = 0);
+
+  /// Samples another profile of the rail. setRail() must follow.
+  void setProfile(const Profile& rail);
 
   /// Sets the position of the rail. setWheel() must follow.
   void setRail(const PlacedRail& rail);
@@ -79,9 +83,12 @@ class ContactSearch
   static constexpr std::size_t no_station = std::numeric_limits<std::size_t>::max();
 
   void findMinima();
+  void findMinima(std::size_t first, std::size_t last);
   std::size_t nearestStation(double y) const;
   double depthBelowStation(std::size_t k) const;
   std::size_t lowestStation(std::size_t first, std::size_t end) const;
+  bool areOnePart(std::size_t k, std::size_t other) const;
+  std::pair<std::size_t, std::size_t> neighbours(std::size_t k) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;
   std::pair<std::size_t, std::size_t> pointsOverRail(const PlacedWheel& wheel) const;
   InitialContact refined(std::size_t k) const;
@@ -92,13 +99,14 @@ class ContactSearch
   OverlapInterval intervalBetween(std::size_t first, std::size_t last, double separation) const;
   static bool setWidthByCurvature(double separation, OverlapInterval& interval);
 
-  static std::vector<double> sample(const Profile& profile);
+  static void sample(const ParameterRange& part, std::vector<double>& u);
 
   WheelPoints wheel_points_;
   /// Smallest and largest y of each group of WheelPoints::together points and the point after it [m].
   std::vector<double> group_begin_, group_end_;
   std::vector<CurvePoint> rail_points_;
   OutlinePoints wheel_line_, rail_line_;  ///< the sampled points in side axes
+  std::vector<std::size_t> part_ends_;    ///< end of each part of the rail in its points (exclusive)
   Stations stations_;
   Outline wheel_outline_{Outline::Envelope::lower};
   Outline rail_outline_{Outline::Envelope::upper};

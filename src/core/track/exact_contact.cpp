@@ -81,7 +81,8 @@ bool ContactSearch::isNear(const InitialContact& contact, std::size_t k) const
 /// separations there. @return false unless it converges to a minimum between the neighbouring stations.
 bool ContactSearch::findByNewton(std::size_t k, InitialContact& contact) const
 {
-  if (k == 0 || k + 1 >= separation_.size())
+  const auto [before, after] = neighbours(k);
+  if (before == k || after == k)
   {
     return false;
   }
@@ -131,8 +132,7 @@ InitialContact ContactSearch::refined(std::size_t k) const
   {
     return trial;
   }
-  const std::size_t before = k > 0 ? k - 1 : k;
-  const std::size_t after = std::min(k + 1, separation_.size() - 1);
+  const auto [before, after] = neighbours(k);
   double difference = 0;
   bool found = false;
   const auto slope_difference_at = [&](double rail_u)

@@ -29,16 +29,16 @@ WheelSections seenFrom(const SurfaceColumn& column, const WheelSections& wheel)
 class SurfaceGapBuilder
 {
  public:
-  SurfaceGapBuilder(const PlacedWheel& wheel, const PlacedRail& rail, double x, const Grid& grid)
+  SurfaceGapBuilder(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid)
       : grid_(grid),
-        x_(x),
+        x_(origin.x),
         rail_(rail.frame()),
         wheel_(wheel.sections()),
         heights_(wheel.profile(), wheel_),
         wheel_profile_(wheel.profile()),
         rail_profile_(rail.profile()),
         wheel_end_(wheel.profile().length()),
-        rail_end_(rail.profile().length())
+        rail_part_(rail.profile().partAt(origin.rail_u))
   {
   }
 
@@ -62,7 +62,7 @@ class SurfaceGapBuilder
       arc += 0.5 * (speed_before + speed) * step_u;
       wheel_u += wheel_step * move;
       column.wheel_u = wheel_u;
-      if (rail_u < 0 || rail_u > rail_end_ || !findWheel(column, count))
+      if (rail_u < rail_part_.begin || rail_u > rail_part_.end || !findWheel(column, count))
       {
         column.wheel_u = wheel_u;
         gap.col(j).setConstant(no_body_gap);
@@ -188,7 +188,8 @@ class SurfaceGapBuilder
   WheelSections wheel_;
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;
-  double wheel_end_, rail_end_;  ///< largest parameters of the profiles [m]
+  double wheel_end_;          ///< largest parameter of its profile [m]
+  ParameterRange rail_part_;  ///< part of the rail on which the grid lies
   ColumnGroup group_;
   std::array<int, ColumnGroup::together> place_{};  ///< column of the grid at each place of the group
 };
@@ -213,7 +214,7 @@ bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const Sur
 {
   gap.resize(grid.rows(), grid.ny);
   columns.resize(static_cast<std::size_t>(grid.ny));
-  SurfaceGapBuilder builder(wheel, rail, origin.x, grid);
+  SurfaceGapBuilder builder(wheel, rail, origin, grid);
   const int middle = std::clamp(static_cast<int>(std::lround(-grid.y0 / grid.dy)), 0, grid.ny - 1);
   const bool up = builder.build(middle, 1, origin, gap, columns);
   const bool down = builder.build(middle - 1, -1, origin, gap, columns);

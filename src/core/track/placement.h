@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "wheel_rail_contact/core/profile.h"
@@ -60,6 +61,12 @@ class PlacedRail
   /// from the track centre.
   /// @throw std::invalid_argument if the profile ends above the gauge depth on its gauge side.
   PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track, Side side);
+
+  /// Rail with its profile at a given position.
+  PlacedRail(std::shared_ptr<const Profile> profile, const RailFrame& frame)
+      : profile_(std::move(profile)), frame_(frame)
+  {
+  }
 
   /// The same rail with its head displaced by `deflection` from its present position.
   PlacedRail deflected(const RailDeflection& deflection) const;

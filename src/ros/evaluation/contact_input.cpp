@@ -4,36 +4,20 @@
 #include <tf2/exceptions.h>
 
 #include <Eigen/Geometry>
-#include <boost/make_shared.hpp>
 #include <cmath>
-#include <utility>
 
 #include "ros/evaluation/conversions.h"
+#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t pose_channel = 0;
-constexpr std::size_t load_channel = 1;
 constexpr double quaternion_tolerance = 1e-3;
 
 [[noreturn]] void refuse(const std::string& reason)
 {
   throw UnusableInput(WheelsetContact::INVALID_INPUT, reason);
-}
-
-/// The message to store: with a frame_id that is cut at the longest stored length.
-template <typename Message>
-boost::shared_ptr<const Message> kept(const boost::shared_ptr<const Message>& message)
-{
-  if (message->header.frame_id.size() <= InputPairing::longest_frame_name)
-  {
-    return message;
-  }
-  auto shortened = boost::make_shared<Message>(*message);
-  shortened->header.frame_id = message->header.frame_id.substr(0, InputPairing::longest_frame_name) + "...";
-  return shortened;
 }
 
 template <typename Vector>
@@ -114,62 +98,33 @@ void setLoad(const geometry_msgs::WrenchStamped& load, const std::string& track_
   state.force_z = load.wrench.force.z;
   state.torque_x = load.wrench.torque.x;
 }
-}  // namespace
 
-InputPairing::InputPairing(const NodeConfig& config)
-    : uses_load_(config.model.wheelset.solve_height_and_roll),
-      uses_rail_forces_(config.model.rail_bending.model == core::RailBendingConfig::Model::compliance &&
-                        config.model.rail_bending.lateral_force == core::RailBendingConfig::LateralForce::topic),
-      pairing_(1 + (uses_load_ ? 1U : 0U) + (uses_rail_forces_ ? 2U : 0U), config.slop, capacity)
+std::string railName(core::Side side)
 {
+  return std::string(sideName(side)) + " rail";
 }
 
-std::optional<ContactInput> InputPairing::addPose(const geometry_msgs::PoseStampedConstPtr& pose)
+void setRailForces(const ContactInput& input, core::WheelsetState& state)
 {
-  return add(pose_channel, pose->header.stamp, {kept(pose), nullptr});
-}
-
-std::optional<ContactInput> InputPairing::addLoad(const geometry_msgs::WrenchStampedConstPtr& load)
-{
-  if (!uses_load_)
+  for (const core::Side side : core::sides)
   {
-    return std::nullopt;
-  }
-  return add(load_channel, load->header.stamp, {nullptr, kept(load)});
-}
-
-std::optional<ContactInput> InputPairing::addRailForce(core::Side side,
-                                                       const geometry_msgs::WrenchStampedConstPtr& force)
-{
-  if (!uses_rail_forces_)
-  {
-    return std::nullopt;
-  }
-  return add(firstRailForceChannel() + static_cast<std::size_t>(side), force->header.stamp, {nullptr, kept(force)});
-}
-
-std::optional<ContactInput> InputPairing::add(std::size_t channel, const ros::Time& stamp, Sample sample)
-{
-  const auto set = pairing_.add(channel, stamp, std::move(sample));
-  if (!set)
-  {
-    return std::nullopt;
-  }
-  ContactInput input;
-  input.pose = (*set)[pose_channel].pose;
-  if (uses_load_)
-  {
-    input.load = (*set)[load_channel].wrench;
-  }
-  if (uses_rail_forces_)
-  {
-    for (std::size_t side = 0; side < 2; ++side)
+    if (const auto& force = input.rail_force[index(side)])
     {
-      input.rail_force[side] = (*set)[firstRailForceChannel() + side].wrench;
+      requireFinite(force->wrench, railName(side) + " force");
+      state.rail_lateral_force[index(side)] = force->wrench.force.y;
     }
   }
-  return input;
 }
+
+core::RailDeflection displacementOf(const RailDisplacement& rail, core::Side side)
+{
+  if (!std::isfinite(rail.lateral) || !std::isfinite(rail.vertical) || !std::isfinite(rail.roll))
+  {
+    refuse(railName(side) + " displacement is not finite");
+  }
+  return fromMessage(rail);
+}
+}  // namespace
 
 bool isFrameName(const std::string& name)
 {
@@ -182,7 +137,7 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   core::WheelsetState state;
   const Eigen::Isometry3d pose = poseInTrack(*input.pose, track_frame, transforms);
   const core::WheelsetPose wheelset = toWheelsetPose(pose);
-  state.x = pose.translation().x();
+  state.x = state.distance = pose.translation().x();
   state.y = wheelset.y;
   state.z = wheelset.z;
   state.yaw = wheelset.yaw;
@@ -191,13 +146,16 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   {
     setLoad(*input.load, track_frame, state);
   }
-  for (std::size_t side = 0; side < 2; ++side)
+  setRailForces(input, state);
+  if (input.rail_displacement)
   {
-    if (input.rail_force[side])
-    {
-      requireFinite(input.rail_force[side]->wrench, side == 0 ? "left rail force" : "right rail force");
-      state.rail_lateral_force[side] = input.rail_force[side]->wrench.force.y;
-    }
+    state.rail_displacement = {displacementOf(input.rail_displacement->left, core::Side::left),
+                               displacementOf(input.rail_displacement->right, core::Side::right)};
+  }
+  if (input.distance)
+  {
+    requireFinite(input.distance->point, "distance: point");
+    state.distance = input.distance->point.x;
   }
   return state;
 }

@@ -13,9 +13,9 @@ namespace wheel_rail_contact
 namespace
 {
 /// Status constants of the message, in the order of ContactStatus.
-constexpr std::array<std::uint8_t, 5> status_constants{WheelsetContact::OK, WheelsetContact::LIFT_OFF,
-                                                       WheelsetContact::OFF_PROFILE, WheelsetContact::NOT_CONVERGED,
-                                                       WheelsetContact::INVALID_INPUT};
+constexpr std::array<std::uint8_t, 6> status_constants{WheelsetContact::OK,           WheelsetContact::LIFT_OFF,
+                                                       WheelsetContact::OFF_PROFILE,  WheelsetContact::NOT_CONVERGED,
+                                                       WheelsetContact::OUTSIDE_LINE, WheelsetContact::INVALID_INPUT};
 
 /// The given name of a normal method as text with static lifetime. `auto` is refused: a patch has the method that auto
 /// chose.
@@ -145,6 +145,11 @@ void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::Arra
   pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();
 }
 
+core::RailDeflection fromMessage(const RailDisplacement& message)
+{
+  return {message.lateral, message.vertical, message.roll};
+}
+
 RailDeflection toMessage(const core::RailResult& rail)
 {
   RailDeflection message;
@@ -154,15 +159,17 @@ RailDeflection toMessage(const core::RailResult& rail)
   message.lateral_force = rail.lateral_force;
   message.vertical_force = rail.vertical_force;
   message.moment = rail.moment;
+  message.given_lateral = rail.given.lateral;
+  message.given_vertical = rail.given.vertical;
+  message.given_roll = rail.given.roll;
   return message;
 }
 
 core::RailResult fromMessage(const RailDeflection& message)
 {
   core::RailResult rail;
-  rail.deflection.lateral = message.lateral;
-  rail.deflection.vertical = message.vertical;
-  rail.deflection.roll = message.roll;
+  rail.deflection = {message.lateral, message.vertical, message.roll};
+  rail.given = {message.given_lateral, message.given_vertical, message.given_roll};
   rail.lateral_force = message.lateral_force;
   rail.vertical_force = message.vertical_force;
   rail.moment = message.moment;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
+#include <wheel_rail_contact/RailDisplacement.h>
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "core/track/placement.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
@@ -41,6 +42,9 @@ PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& press
 /// Grid and pressure of a message.
 /// @throw std::invalid_argument unless the message has nx * ny values and the grid is symmetric about x = 0.
 void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::ArrayXXd& pressure);
+
+/// Displacement of a rail from a message.
+core::RailDeflection fromMessage(const RailDisplacement& message);
 
 /// Deflection and forces of a rail as a message.
 RailDeflection toMessage(const core::RailResult& rail);

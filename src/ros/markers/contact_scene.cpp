@@ -21,14 +21,14 @@ bool isShown(core::Side side, const SceneOptions& options)
   return std::find(sides.begin(), sides.end(), side) != sides.end();
 }
 
-/// The result with scaled rail deflections, and with patches that have moved with these rails.
-core::WheelsetResult withScaledDeflection(const core::WheelsetResult& result,
-                                          const core::Sides<core::PlacedRail>& at_rest, double scale)
+/// The result with magnified rail deflections, and with patches that have moved with these rails.
+core::WheelsetResult withMagnifiedDeflection(const core::WheelsetResult& result,
+                                             const core::Sides<core::PlacedRail>& at_rest, double scale)
 {
   core::WheelsetResult drawn = result;
   for (core::RailResult& rail : drawn.rail)
   {
-    rail.deflection = scaled(rail.deflection, scale);
+    rail.deflection = magnified(rail, scale);
   }
   for (core::PatchResult& patch : drawn.patches)
   {
@@ -155,12 +155,12 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
   }
   const double x = options.at_origin ? 0 : output.x();
   const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model);
-  std::optional<core::WheelsetResult> scaled_result;
+  std::optional<core::WheelsetResult> magnified_result;
   if (at_rest && options.deflection_scale != 1)
   {
-    scaled_result = withScaledDeflection(*output.result, *at_rest, options.deflection_scale);
+    magnified_result = withMagnifiedDeflection(*output.result, *at_rest, options.deflection_scale);
   }
-  const core::WheelsetResult& drawn = scaled_result ? *scaled_result : *output.result;
+  const core::WheelsetResult& drawn = magnified_result ? *magnified_result : *output.result;
   if (model)
   {
     addTrack(*model, drawn, output.pose(), x, options, output.header, markers);

@@ -14,19 +14,21 @@ namespace wheel_rail_contact
 /// Contents of a picture. `track.sides` selects the sides that are drawn.
 struct SceneOptions
 {
-  PatchStyle patch;             ///< style of the patches
-  TrackStyle track;             ///< style of wheels and rails
-  bool patches = true;          ///< pressure surfaces, magnified and in true size
-  bool outlines = true;         ///< edges of the contacts
-  bool forces = true;           ///< normal forces as arrows
-  bool labels = true;           ///< highest pressure and area
-  bool wheels = true;           ///< wheels and axle
-  bool rails = true;            ///< deflected rails
-  bool rails_at_rest = true;    ///< section of the undeflected rails
-  bool reason = false;          ///< reason of an unusable result, as text ("status")
-  double deflection_scale = 1;  ///< of the rails [-], >= 0; patches and trail move with the rail, the wheels do not
-  double trail_width = 0.001;   ///< diameter of the points of the trail [m], > 0
-  bool at_origin = false;       ///< draw the wheelset at x = 0
+  PatchStyle patch;           ///< style of the patches
+  TrackStyle track;           ///< style of wheels and rails
+  bool patches = true;        ///< pressure surfaces, magnified and in true size
+  bool outlines = true;       ///< edges of the contacts
+  bool forces = true;         ///< normal forces as arrows
+  bool labels = true;         ///< highest pressure and area
+  bool wheels = true;         ///< wheels and axle
+  bool rails = true;          ///< deflected rails
+  bool rails_at_rest = true;  ///< section of the undeflected rails
+  bool reason = false;        ///< reason of an unusable result, as text ("status")
+  /// Magnification of the deflection of the rails [-], >= 0. A given displacement is drawn in its true size. Patches
+  /// and trail move with the rail, the wheels do not.
+  double deflection_scale = 1;
+  double trail_width = 0.001;  ///< diameter of the points of the trail [m], > 0
+  bool at_origin = false;      ///< draw the wheelset at x = 0
 };
 
 /// Contents of the picture that the node publishes on ~markers.

@@ -17,9 +17,11 @@ std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactMod
                                        core::restingRail(*model, core::Side::right));
 }
 
-core::RailDeflection scaled(const core::RailDeflection& deflection, double scale)
+core::RailDeflection magnified(const core::RailResult& rail, double scale)
 {
-  return {scale * deflection.lateral, scale * deflection.vertical, scale * deflection.roll};
+  const core::RailDeflection &all = rail.deflection, &given = rail.given;
+  return {given.lateral + scale * (all.lateral - given.lateral),
+          given.vertical + scale * (all.vertical - given.vertical), given.roll + scale * (all.roll - given.roll)};
 }
 
 core::PatchPose carriedByRail(const core::PlacedRail& at_rest, core::Side side, const core::RailDeflection& from,

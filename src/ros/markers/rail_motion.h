@@ -11,8 +11,9 @@ namespace wheel_rail_contact
 /// Rails of the model without displacement; none without a model.
 std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model);
 
-/// Deflection with each component multiplied by `scale`.
-core::RailDeflection scaled(const core::RailDeflection& deflection, double scale);
+/// Displacement of a rail with a magnified deflection: only the part that was not given (RailResult::given) is
+/// multiplied by `scale`.
+core::RailDeflection magnified(const core::RailResult& rail, double scale);
 
 /// Pose of a patch that moves with the rail head from one deflection to another. Used for pictures with magnified
 /// deflections, in which the patches stay on the drawn rail.

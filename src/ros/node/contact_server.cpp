@@ -90,33 +90,21 @@ void ContactServer::advertise()
 
 void ContactServer::subscribe()
 {
-  using geometry_msgs::PoseStamped;
-  using geometry_msgs::WrenchStamped;
-  subscribeToInput<PoseStamped>("wheelset/pose", [this](const auto& pose) { return pairing_.addPose(pose); });
-  if (pairing_.usesLoad())
+  for (const InputTopic topic : inputTopics(config_))
   {
-    subscribeToInput<WrenchStamped>("wheelset/load", [this](const auto& load) { return pairing_.addLoad(load); });
-  }
-  if (pairing_.usesRailForces())
-  {
-    for (const core::Side side : {core::Side::left, core::Side::right})
-    {
-      subscribeToInput<WrenchStamped>(
-          side == core::Side::left ? "wheelset/left_rail_force" : "wheelset/right_rail_force",
-          [this, side](const auto& force) { return pairing_.addRailForce(side, force); });
-    }
+    withMessageType(topic, [this, topic](auto type) { subscribeToInput<typename decltype(type)::Message>(topic); });
   }
   subscribeToNeighbours();
 }
 
-template <typename Message, typename Take>
-void ContactServer::subscribeToInput(const std::string& topic, const Take& take)
+template <typename Message>
+void ContactServer::subscribeToInput(InputTopic topic)
 {
-  subscribeAtOnce<Message>(topic,
-                           [this, take](const boost::shared_ptr<const Message>& message)
+  subscribeAtOnce<Message>(nameOf(topic),
+                           [this, topic](const boost::shared_ptr<const Message>& message)
                            {
                              const std::lock_guard<std::mutex> lock(mutex_);
-                             if (auto input = take(message))
+                             if (auto input = pairing_.add(topic, message))
                              {
                                input->arrival = ros::WallTime::now();
                                inputs_.push(std::move(*input));

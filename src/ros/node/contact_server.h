@@ -46,9 +46,8 @@ class ContactServer
  private:
   void advertise();
   void subscribe();
-  /// @param take adds a message to the pairing
-  template <typename Message, typename Take>
-  void subscribeToInput(const std::string& topic, const Take& take);
+  template <typename Message>
+  void subscribeToInput(InputTopic topic);
   void subscribeToNeighbours();
   /// Calls `receive` at the arrival of each message; no message waits in a queue that could drop it.
   template <typename Message>

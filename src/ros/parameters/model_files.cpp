@@ -48,9 +48,48 @@ std::shared_ptr<const core::Profile> openProfile(const NamedFile& file, core::Pr
                   });
 }
 
-/// Opens the files of both sides, a common one only once.
-template <typename Open>
-auto openBoth(const core::Sides<NamedFile>& files, const Open& open)
+core::RailSeries openPart(const RailPartFiles& part, const std::string& directory)
+{
+  if (!part.slices.value.empty())
+  {
+    return openFile(part.slices,
+                    [&](const std::string& value) {
+                      return core::readRailSlices(resolveFile(value, directory), {std::nullopt, part.mirror});
+                    });
+  }
+  core::RailSeries series;
+  for (const auto& [x, file] : part.sections)
+  {
+    series.push_back({x, openProfile(file, core::ProfileKind::rail_section, directory), {}});
+  }
+  return series;
+}
+
+/// Rail of one side: its profile, or its sections.
+struct OpenRail
+{
+  std::shared_ptr<const core::Profile> profile;
+  std::shared_ptr<const core::RailSections> sections;
+};
+
+OpenRail openRail(const RailFiles& rail, const std::string& directory)
+{
+  if (rail.parts.empty())
+  {
+    return {openProfile(rail.profile, core::ProfileKind::rail, directory), nullptr};
+  }
+  std::vector<core::RailSeries> parts;
+  parts.reserve(rail.parts.size());
+  for (const RailPartFiles& part : rail.parts)
+  {
+    parts.push_back(openPart(part, directory));
+  }
+  return {nullptr, std::make_shared<core::RailSections>(std::move(parts), rail.placement)};
+}
+
+/// Opens the files of both sides, common ones only once.
+template <typename Files, typename Open>
+auto openBoth(const core::Sides<Files>& files, const Open& open)
 {
   auto left = open(files.left);
   auto right = files.left == files.right ? left : open(files.right);
@@ -80,10 +119,24 @@ void openTables(const core::Sides<NamedFile>& files, const std::string& director
 
 void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config)
 {
-  const auto opener = [&directory](core::ProfileKind kind)
-  { return [kind, &directory](const NamedFile& file) { return openProfile(file, kind, directory); }; };
-  config.model.wheel_profile = openBoth(files.wheel_profile, opener(core::ProfileKind::wheel));
-  config.model.rail_profile = openBoth(files.rail_profile, opener(core::ProfileKind::rail));
+  config.model.wheel_profile = openBoth(files.wheel_profile, [&](const NamedFile& file)
+                                        { return openProfile(file, core::ProfileKind::wheel, directory); });
+  const core::Sides<OpenRail> rails =
+      openBoth(files.rail, [&](const RailFiles& rail) { return openRail(rail, directory); });
+  for (const core::Side side : core::sides)
+  {
+    config.model.rail_profile[side] = rails[side].profile;
+    config.model.rail_sections[side] = rails[side].sections;
+  }
+  if (!files.line.value.empty())
+  {
+    config.model.track.line = openFile(files.line,
+                                       [&](const std::string& value)
+                                       {
+                                         return std::make_shared<core::TrackLine>(core::readTrackLine(
+                                             resolveFile(value, directory), config.model.track.gauge, files.line_axes));
+                                       });
+  }
   if (config.model.rail_bending.model == core::RailBendingConfig::Model::compliance)
   {
     openTables(files.table, directory, config);

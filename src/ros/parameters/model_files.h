@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "ros/parameters/parameters.h"
 
@@ -20,11 +22,40 @@ inline bool operator==(const NamedFile& a, const NamedFile& b)
   return a.value == b.value && a.mirror == b.mirror;
 }
 
+/// Files of one part of a rail: slices, or sections with their places.
+struct RailPartFiles
+{
+  NamedFile slices;                                    ///< empty: not given
+  std::vector<std::pair<double, NamedFile>> sections;  ///< place on the line [m] and file
+  bool mirror = false;                                 ///< of all of them
+};
+
+inline bool operator==(const RailPartFiles& a, const RailPartFiles& b)
+{
+  return a.slices == b.slices && a.sections == b.sections && a.mirror == b.mirror;
+}
+
+/// Files of a rail: one profile, or parts with sections.
+struct RailFiles
+{
+  NamedFile profile;                 ///< used without parts
+  std::vector<RailPartFiles> parts;  ///< the running rail first
+  core::RailSections::Placement placement = core::RailSections::Placement::gauge;
+};
+
+inline bool operator==(const RailFiles& a, const RailFiles& b)
+{
+  return a.profile == b.profile && a.parts == b.parts && a.placement == b.placement;
+}
+
 /// Files of the model. They are opened after all other values have been checked.
 struct ModelFiles
 {
-  core::Sides<NamedFile> wheel_profile, rail_profile;
+  core::Sides<NamedFile> wheel_profile;
+  core::Sides<RailFiles> rail;
   core::Sides<NamedFile> table;  ///< compliance tables
+  NamedFile line;                ///< irregularities; empty: the ideal track
+  core::LineAxes line_axes = core::LineAxes::rep103;
 };
 
 /// Opens the files of a configuration. `directory` is that of relative names.

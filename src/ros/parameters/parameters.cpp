@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ros/parameters/body_parameters.h"
 #include "ros/parameters/model_files.h"
 #include "ros/parameters/parameter_reader.h"
 
@@ -16,63 +17,42 @@ namespace
 {
 const NumberRule seconds{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= 60; }};
 
-/// Prefix of the parameters of one side: "rail/left/".
-std::string sideGroup(const std::string& body, core::Side side)
+void readLine(ParameterReader& reader, ModelFiles& files)
 {
-  return body + (side == core::Side::left ? "/left/" : "/right/");
+  using core::LineAxes;
+  const std::string name = "track/line", file = name + "/file", axes = name + "/axes";
+  if (reader.has(name) && (reader.has(file) || reader.has(axes)))
+  {
+    reader.refuse(name, "either a file or a group with file and axes");
+  }
+  if (reader.has(axes))
+  {
+    reader.require(file, "the file with these axes");
+  }
+  files.line.parameter = reader.has(file) ? file : name;
+  reader.read(name, files.line.value);
+  reader.read(file, files.line.value);
+  reader.read(axes, {{"rep103", LineAxes::rep103}, {"railway", LineAxes::railway}}, files.line_axes);
 }
 
-/// Reads the rail inclination [rad], given as an angle in radians or as a ratio such as 1:40, which is atan(1/40).
-///
-/// YAML 1.1 parsers (rosparam, roslaunch) read an unquoted 1:N, with N below 60, as the sexagesimal number 60 + N. No
-/// valid angle is in this range. A number between 60 and 120 is therefore read as the ratio 1:N.
-void readInclination(ParameterReader& reader, const std::string& name, double& inclination)
-{
-  constexpr double sexagesimal = 60;
-  constexpr const char* rule = "a finite number [rad] or a ratio 1:N with a finite N > 0";
-  double denominator = 0;
-  if (reader.readRatio(name, {rule, rules::positive.holds}, denominator))
-  {
-    inclination = std::atan(1 / denominator);
-    return;
-  }
-  reader.read(name, {rule, rules::finite.holds}, inclination);
-  if (inclination > sexagesimal && inclination < 2 * sexagesimal)
-  {
-    inclination = std::atan(1 / (inclination - sexagesimal));
-  }
-}
-
-void readTrack(ParameterReader& reader, NodeConfig& config)
+void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
 {
   core::TrackConfig& track = config.model.track;
   reader.read("track/gauge", rules::finite, track.gauge);
   reader.read("track/gauge_depth", rules::finite, track.gauge_depth);
-  if (reader.has("track/cant"))
-  {
-    reader.refuse("track/cant", "renamed to track/rail_inclination (cant is the superelevation of the track)");
-  }
-  readInclination(reader, "track/rail_inclination", track.rail_inclination.left);
-  track.rail_inclination.right = track.rail_inclination.left;
-  for (const core::Side side : core::sides)
-  {
-    readInclination(reader, sideGroup("rail", side) + "inclination", track.rail_inclination[side]);
-  }
   reader.read("track/frame", config.track_frame);
   if (config.track_frame.empty() || config.track_frame[0] == '/')
   {
     reader.refuse("track/frame", "the name of a tf frame, without a leading slash");
   }
+  readLine(reader, files);
+  using Choices = std::vector<std::pair<std::string, bool>>;
+  reader.read("track/displacement", Choices{{"none", false}, {"topic", true}}, config.displacement_topic);
+  reader.read("track/distance", Choices{{"pose", false}, {"topic", true}}, config.distance_topic);
 }
 
 void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
 {
-  reader.read("wheelset/rolling_radius", rules::finite, wheelset.rolling_radius.left);
-  wheelset.rolling_radius.right = wheelset.rolling_radius.left;
-  for (const core::Side side : core::sides)
-  {
-    reader.read(sideGroup("wheel", side) + "rolling_radius", rules::finite, wheelset.rolling_radius[side]);
-  }
   reader.read("wheelset/flange_back_distance", rules::finite, wheelset.flange_back_distance);
   reader.read("wheelset/tape_circle", rules::finite, wheelset.tape_circle);
   std::vector<std::string> free =
@@ -83,75 +63,6 @@ void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
   if (!free.empty() && free != std::vector<std::string>{"roll", "z"})
   {
     reader.refuse("wheelset/free", "[z, roll] or []");
-  }
-}
-
-void readMaterial(ParameterReader& reader, const std::string& group, core::Material& material)
-{
-  reader.read(group + "/young", rules::finite, material.young);
-  reader.read(group + "/poisson", rules::finite, material.poisson);
-}
-
-/// Materials of a body ("wheel" or "rail") on both sides.
-void readMaterials(ParameterReader& reader, const std::string& body, core::Sides<core::Material>& materials)
-{
-  readMaterial(reader, "material/" + body, materials.left);
-  materials.right = materials.left;
-  for (const core::Side side : core::sides)
-  {
-    readMaterial(reader, sideGroup(body, side) + "material", materials[side]);
-  }
-}
-
-/// Reads a profile: its name or file, or a group with `file` and `mirror`. Unchanged if it is not given.
-void readProfile(ParameterReader& reader, const std::string& name, NamedFile& profile)
-{
-  const std::string file = name + "/file", mirror = name + "/mirror";
-  if (reader.has(name) && (reader.has(file) || reader.has(mirror)))
-  {
-    reader.refuse(name, "either a name or a group with file and mirror");
-  }
-  if (reader.has(mirror))
-  {
-    reader.require(file, "the file to be mirrored");
-  }
-  if (reader.has(name) || reader.has(file))
-  {
-    profile = NamedFile{reader.has(file) ? file : name, "", false};
-  }
-  reader.read(name, profile.value);
-  reader.read(file, profile.value);
-  reader.read(mirror, {{"false", false}, {"true", true}}, profile.mirror);
-}
-
-/// Profiles of a body ("wheel" or "rail") on both sides.
-void readProfiles(ParameterReader& reader, const std::string& body, core::Sides<NamedFile>& profiles)
-{
-  readProfile(reader, body + "/profile", profiles.left);
-  profiles.right = profiles.left;
-  for (const core::Side side : core::sides)
-  {
-    readProfile(reader, sideGroup(body, side) + "profile", profiles[side]);
-  }
-}
-
-void readTables(ParameterReader& reader, bool required, core::Sides<NamedFile>& tables)
-{
-  tables = NamedFile{"rail_bending/table", "", false};
-  reader.read("rail_bending/table", tables.left.value);
-  tables.right = tables.left;
-  for (const core::Side side : core::sides)
-  {
-    const std::string name = sideGroup("rail", side) + "table";
-    if (reader.has(name))
-    {
-      tables[side].parameter = name;
-    }
-    reader.read(name, tables[side].value);
-  }
-  if (required && (tables.left.value.empty() || tables.right.value.empty()))
-  {
-    reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
   }
 }
 
@@ -214,7 +125,10 @@ void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, 
   reader.read("rail_bending/model",
               {{"none", Model::none}, {"prescribed", Model::prescribed}, {"compliance", Model::compliance}},
               bending.model);
-  readTables(reader, bending.model == Model::compliance, files.table);
+  if (bending.model == Model::compliance && (files.table.left.value.empty() || files.table.right.value.empty()))
+  {
+    reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
+  }
   readLateralForce(reader, bending);
   reader.read("rail_bending/prescribed/lateral", rules::finite, bending.prescribed.lateral);
   reader.read("rail_bending/prescribed/vertical", rules::finite, bending.prescribed.vertical);
@@ -258,12 +172,10 @@ void readMarkers(ParameterReader& reader, MarkerConfig& markers)
 /// Reads all parameters; the names that are not read here are unknown.
 void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
 {
-  readTrack(reader, config);
+  readTrack(reader, config, files);
   readWheelset(reader, config.model.wheelset);
-  readProfiles(reader, "wheel", files.wheel_profile);
-  readProfiles(reader, "rail", files.rail_profile);
-  readMaterials(reader, "wheel", config.model.wheel_material);
-  readMaterials(reader, "rail", config.model.rail_material);
+  readWheels(reader, config.model, files);
+  readRails(reader, config.model, files);
   readRailBending(reader, config.model.rail_bending, files);
   readNeighbours(reader, config);
   readContact(reader, config.model.contact);
@@ -271,15 +183,6 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   readMarkers(reader, config.markers);
 }
 
-/// Requires a value for both sides.
-void requireBoth(const ParameterReader& reader, const core::Sides<NamedFile>& files, const std::string& both,
-                 const std::string& why)
-{
-  if (files.left.value.empty() || files.right.value.empty())
-  {
-    reader.require(both, why);
-  }
-}
 }  // namespace
 
 NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const std::string& directory)
@@ -289,8 +192,7 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
   ModelFiles files;
   readAll(reader, config, files);
   reader.refuseUnknown();
-  requireBoth(reader, files.wheel_profile, "wheel/profile", "give the name of a profile or a file");
-  requireBoth(reader, files.rail_profile, "rail/profile", "give the name of a profile or a file");
+  requireProfiles(reader, files);
   try
   {
     openFiles(files, directory, config);

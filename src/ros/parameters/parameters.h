@@ -28,8 +28,10 @@ struct NodeConfig
   core::Sides<double> linear_range = std::numeric_limits<double>::infinity();
   std::vector<NeighbourConfig> neighbours;  ///< empty unless rail_bending/model is compliance
   std::string track_frame = "track";        ///< tf name of the track frame
-  double slop = 0;                          ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
-  MarkerConfig markers;                     ///< appearance of the markers
+  bool displacement_topic = false;          ///< the displacements of the rails are an input: wheelset/rail_displacement
+  bool distance_topic = false;  ///< the place along the line is an input: wheelset/distance; false: x of the pose
+  double slop = 0;              ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
+  MarkerConfig markers;         ///< appearance of the markers
 };
 
 /// Reads all parameters of the node. The defaults are those of the structs above; config/default.yaml lists all names.
@@ -41,6 +43,10 @@ struct NodeConfig
 ///                                               roslaunch) read an unquoted 1:N as the sexagesimal number 60 + N.
 ///                                               The former name track/cant is refused
 ///   track/frame                                 tf name
+///   track/line                                  file with the irregularities, or the group {file, axes}, axes: rep103
+///                                               or railway
+///   track/displacement                          none or topic
+///   track/distance                              pose or topic
 ///   wheelset/{rolling_radius, flange_back_distance, tape_circle}   [m]
 ///   wheelset/free                               [z, roll] (solved from the load) or [] (taken from the pose)
 ///   wheel/profile, rail/profile                 required: name of a shipped profile, or a file, or the group

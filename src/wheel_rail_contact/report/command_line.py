@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 
 from ..command import finish, pyplot, writing
-from . import figures, page
+from . import along_line, figures, page
 from .results import read, read_full
 
 WORST = 2  # number of instants with the highest pressures that are shown
@@ -59,6 +59,8 @@ def make_report(options):
 
 def _write(out, options, results, topic, other):
     pictures = [("Histories", [figures.histories(results, other, out / "histories.png")])]
+    if along_line.travels(results):
+        pictures.append(("Along the line", [along_line.figure(results, out / "along_line.png")]))
     if len(results.patches["result"]):
         pictures.append(("Contact positions on the profiles", [figures.bands(results, out / "bands.png")]))
         titles = chosen_results(results, options.at)

@@ -11,13 +11,13 @@ MAX_POINTS = 4000  # largest number of points drawn of a history; longer ones ar
 SMALLEST = 1e-12  # estimated errors below it are drawn as this value [-]
 
 
-def _save(figure, path):
+def save(figure, path):
     figure.savefig(path, dpi=110)
     pyplot().close(figure)
     return path
 
 
-def _thinned(x, y):
+def thinned(x, y):
     """A history with at most MAX_POINTS points: the lowest and the highest one of each piece."""
     if len(x) <= MAX_POINTS:
         return x, y
@@ -53,7 +53,7 @@ def _rows(results):
             ("largest contact\nangle [°]", highest("contact_angle", 180 / np.pi))]
 
 
-def _limit_zoom(axis):
+def limit_zoom(axis):
     """Gives the axis a minimum range: the rounding errors of a constant would otherwise fill its height."""
     low, high = axis.get_ylim()
     least = max(0.02 * max(abs(low), abs(high)), 1e-3)
@@ -69,13 +69,13 @@ def histories(results, other, path):
     figure, axes = pyplot().subplots(len(rows), 1, sharex=True, figsize=(10, 1.55 * len(rows)), constrained_layout=True)
     for axis, (label, lines), (_, other_lines) in zip(axes, rows, others):
         for values, name, colour in lines:
-            axis.plot(*_thinned(results.stamp, values), color=colour, label=name, linewidth=1.1)
+            axis.plot(*thinned(results.stamp, values), color=colour, label=name, linewidth=1.1)
         for values, name, colour in other_lines:
-            axis.plot(*_thinned(other.stamp, values), "--", color=colour, linewidth=0.9,
+            axis.plot(*thinned(other.stamp, values), "--", color=colour, linewidth=0.9,
                       label=f"{name}, other run" if name else "other run")
         axis.set_ylabel(label)
         axis.grid(alpha=0.3)
-        _limit_zoom(axis)
+        limit_zoom(axis)
     refused = ~np.isin(results.status, USABLE)
     axes[0].plot(results.stamp[refused], 1e3 * results.y[refused], ".", color="tab:red", label="refusal")
     if refused.any():
@@ -83,7 +83,7 @@ def histories(results, other, path):
     axes[2].legend(loc="upper right", fontsize="small", ncol=2)
     axes[-1].set_xlabel("time [s]")
     axes[-1].set_xlim(results.stamp[0], results.stamp[-1])
-    return _save(figure, path)
+    return save(figure, path)
 
 
 def contact_points(results, side):
@@ -128,7 +128,7 @@ def bands(results, path):
     for axis in axes.flat:
         axis.invert_xaxis()
     figure.colorbar(colours, ax=axes, label="highest pressure [MPa]", shrink=0.8)
-    return _save(figure, path)
+    return save(figure, path)
 
 
 def pressure_maps(message, title, path):
@@ -152,7 +152,7 @@ def pressure_maps(message, title, path):
                        f"{np.degrees(patch.contact_angle):.1f}°, {patch.method}", fontsize="small")
         figure.colorbar(colours, ax=axis, label="MPa", shrink=0.8)
     figure.suptitle(title)
-    return _save(figure, path)
+    return save(figure, path)
 
 
 def quality(results, path):
@@ -164,4 +164,4 @@ def quality(results, path):
         axis.hist(errors[results.patches["method"] == method], bins=edges, alpha=0.6, label=method)
     axis.set(xscale="log", xlabel="estimated relative error of a patch", ylabel="patches")
     axis.legend(fontsize="small")
-    return _save(figure, path)
+    return save(figure, path)

@@ -16,6 +16,7 @@ class Results:
     """SI units, track axes. Histories have one value per result, patches one value per patch of a usable result."""
     stamp: np.ndarray = None
     status: np.ndarray = None
+    x: np.ndarray = None
     y: np.ndarray = None
     z: np.ndarray = None
     roll: np.ndarray = None
@@ -30,7 +31,7 @@ class Results:
 
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
 OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
-RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force")
+RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "given_lateral", "given_vertical")
 
 
 def _message(raw):
@@ -77,7 +78,7 @@ def _collect(stream):
     results = Results()
     for index, message in enumerate(stream):
         p, q = message.wheelset.position, message.wheelset.orientation
-        histories.append((message.header.stamp.to_sec(), message.status, p.y, p.z, 2 * np.arctan2(q.x, q.w),
+        histories.append((message.header.stamp.to_sec(), message.status, p.x, p.y, p.z, 2 * np.arctan2(q.x, q.w),
                           2 * np.arctan2(q.z, q.w)))
         rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
         if message.status not in USABLE or message.status_text:
@@ -89,7 +90,7 @@ def _collect(stream):
             names.append(patch.method)
     if not histories:
         raise Failure("the bag contains no results")
-    results.stamp, status, results.y, results.z, results.roll, results.yaw = np.array(histories, float).T
+    results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw = np.array(histories, float).T
     results.status = status.astype(int)
     results.rail = np.array(rails, float)
     results.rail[~np.isin(results.status, USABLE)] = np.nan

@@ -2,6 +2,7 @@
 """Command line of contact_states."""
 import argparse
 import os
+import textwrap
 
 from ..command import Failure, finish, writing
 from .state import read_bag, write_bag
@@ -10,11 +11,12 @@ from .table import AXES, COLUMNS, UNITS, WHEEL_LOADS, read_table, write_table
 DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle simulation, to a bag, or a bag to a table."""
 EPILOG = f"""The table is CSV (comma, semicolon or tab). Its first line contains names and units, for example
   time [s], y [mm], yaw [mrad], Q_left [kN], Q_right [kN]
-Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')};
+{textwrap.fill(f"Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')}.", 110)}
 {' and '.join(WHEEL_LOADS)} may replace force_z and torque_x.
 Units: {'; '.join(', '.join(units) for units in UNITS.values())}.
 Lines that begin with # are ignored. force_z and torque_x are the force and moment of the vehicle on the axle centre, Q_left
-and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward).
+and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral (outward),
+rail_vertical and rail_roll (outward) are displacements of the rails. distance is the place along the line.
 Axes: rep103: x forward, y left, z up; railway: x forward, y right, z down (roll, yaw and forces accordingly)."""
 
 

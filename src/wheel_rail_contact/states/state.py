@@ -6,12 +6,14 @@ from typing import Optional
 
 import genpy
 import rosbag
-from geometry_msgs.msg import PoseStamped, WrenchStamped
+from geometry_msgs.msg import PointStamped, PoseStamped, WrenchStamped
+from wheel_rail_contact.msg import RailDisplacements
 
 from ..command import Failure
 from ..message_constants import SIDES
 
 FRAME = "track"
+DISPLACEMENT = ("lateral", "vertical", "roll")  # components of a displacement of a rail
 
 
 @dataclass
@@ -27,6 +29,15 @@ class State:
     torque_x: Optional[float] = None
     left_lateral_force: Optional[float] = None   # Y on the rail, outward positive on both sides
     right_lateral_force: Optional[float] = None
+    # Displacements of the rail heads from the ideal track, without the deflection under the wheel: lateral outward positive on
+    # both sides, vertical up positive, roll positive when the crown moves outward
+    left_rail_lateral: Optional[float] = None
+    left_rail_vertical: Optional[float] = None
+    left_rail_roll: Optional[float] = None
+    right_rail_lateral: Optional[float] = None
+    right_rail_vertical: Optional[float] = None
+    right_rail_roll: Optional[float] = None
+    distance: Optional[float] = None   # place along the line
 
 
 def stamp_of(time_ns):
@@ -55,6 +66,23 @@ def _wrench(state, force_y=0.0, force_z=0.0, torque_x=0.0):
     return message
 
 
+def _displacements(state):
+    """Displacements of both rails as a message, in which components that are not given are 0. None if none is given."""
+    given = {(side, name): getattr(state, f"{side}_rail_{name}") for side in SIDES for name in DISPLACEMENT}
+    if all(value is None for value in given.values()):
+        return None
+    message = _header(RailDisplacements(), state)
+    for (side, name), value in given.items():
+        setattr(getattr(message, side), name, value or 0.0)
+    return message
+
+
+def _distance(state):
+    message = _header(PointStamped(), state)
+    message.point.x = state.distance
+    return message
+
+
 def write_bag(path, states, wheelset=""):
     """Writes states to a bag for contact_node and contact_replay. The same states give the same bytes."""
     topics = f"{wheelset}/wheelset/"
@@ -68,10 +96,15 @@ def write_bag(path, states, wheelset=""):
                 force = getattr(state, f"{side}_lateral_force")
                 if force is not None:
                     bag.write(f"{topics}{side}_rail_force", _wrench(state, force_y=force), stamp)
+            displacements = _displacements(state)
+            if displacements is not None:
+                bag.write(topics + "rail_displacement", displacements, stamp)
+            if state.distance is not None:
+                bag.write(topics + "distance", _distance(state), stamp)
 
 
 def read_bag(path, wheelset=""):
-    """States of a bag in the order of their stamps. Loads and forces are assigned to the pose with the same stamp."""
+    """States of a bag in the order of their stamps. The other messages are assigned to the pose with the same stamp."""
     prefix = f"{wheelset}/wheelset/"
     states = {}
     others = []
@@ -86,7 +119,7 @@ def read_bag(path, wheelset=""):
     if not states:
         raise Failure(f"{path}: no messages on {prefix}pose")
     for kind, message in others:
-        _add(states.get(message.header.stamp.to_nsec()), kind, message.wrench)
+        _add(states.get(message.header.stamp.to_nsec()), kind, message)
     return [states[time] for time in sorted(states)]
 
 
@@ -106,12 +139,18 @@ def _state_of(message):
                  roll=math.asin(max(-1.0, min(1.0, axle[2]))), yaw=math.atan2(0.0 - axle[0], axle[1]))
 
 
-def _add(state, kind, wrench):
+def _add(state, kind, message):
     if state is None:
         return
     if kind == "load":
-        state.force_z, state.torque_x = wrench.force.z, wrench.torque.x
+        state.force_z, state.torque_x = message.wrench.force.z, message.wrench.torque.x
     elif kind == "left_rail_force":
-        state.left_lateral_force = wrench.force.y
+        state.left_lateral_force = message.wrench.force.y
     elif kind == "right_rail_force":
-        state.right_lateral_force = wrench.force.y
+        state.right_lateral_force = message.wrench.force.y
+    elif kind == "rail_displacement":
+        for side in SIDES:
+            for name in DISPLACEMENT:
+                setattr(state, f"{side}_rail_{name}", getattr(getattr(message, side), name))
+    elif kind == "distance":
+        state.distance = message.point.x

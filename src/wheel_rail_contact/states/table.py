@@ -22,6 +22,11 @@ COLUMNS = {
     "force_z": ("force_z", "force", -1), "torque_x": ("torque_x", "torque", 1),
     # On the rail, outward positive in both systems of axes.
     "Y_left": ("left_lateral_force", "force", 1), "Y_right": ("right_lateral_force", "force", 1),
+    # Of the rail: lateral and roll outward positive in both systems of axes.
+    "rail_lateral_left": ("left_rail_lateral", "length", 1), "rail_lateral_right": ("right_rail_lateral", "length", 1),
+    "rail_vertical_left": ("left_rail_vertical", "length", -1), "rail_vertical_right": ("right_rail_vertical", "length", -1),
+    "rail_roll_left": ("left_rail_roll", "angle", 1), "rail_roll_right": ("right_rail_roll", "angle", 1),
+    "distance": ("distance", "length", 1),
 }
 WHEEL_LOADS = {"Q_left": "force", "Q_right": "force"}  # down positive in both systems of axes
 REQUIRED = ("time", "y")

@@ -32,7 +32,7 @@ std::vector<double> simpleIteration(double y, int steps)
   const ContactModelConfig config = onPads(verySoftPads());
   const PlacedRail straight = restingRail(config, Side::left);
   ConjugateGradients solver;
-  WheelContact wheel(config, Side::left, solver);
+  WheelContact wheel(config, Side::left, restingRail(config, Side::left), solver);
   wheel.setGrid(0, {16, 64});
   const Eigen::Matrix3d compliance =
       supportCompliance(config.rail_bending.table.left, config.track.rail_inclination.left);

@@ -90,7 +90,7 @@ class OverlapGridsTest : public testing::Test
 
   ContactModelConfig config_ = manchesterScene();
   PlacedRail rail_ = restingRail(config_, Side::left);
-  OverlapGrids grids_{config_, Side::left};
+  OverlapGrids grids_{config_, Side::left, rail_};
   ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
   NormalProblem problem_;
 };

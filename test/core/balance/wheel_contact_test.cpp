@@ -101,7 +101,7 @@ class WheelContactTest : public testing::Test
   WheelsetContact wheelset_{config_};
   PlacedRail straight_ = restingRail(config_, Side::left);
   ConjugateGradients solver_ = strictSolver();
-  WheelContact contact_{config_, Side::left, solver_};
+  WheelContact contact_{config_, Side::left, straight_, solver_};
   WheelsetPose pose_;
 };
 
@@ -349,7 +349,7 @@ TEST_F(WheelContactTest, FirstTouchIsTheHeightWithoutOverlap)
 TEST_F(WheelContactTest, AFailedWarmStartIsFollowedByAColdOne)
 {
   ColdSolver solver;
-  WheelContact contact(config_, Side::left, solver);
+  WheelContact contact(config_, Side::left, straight_, solver);
   contact.setRail(straight_);
   contact.setGrid(0, coarse);
   balance(-2e-3);

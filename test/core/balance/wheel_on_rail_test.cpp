@@ -53,7 +53,7 @@ class WheelOnRailTest : public testing::Test
   /// Potential energy of contact, rail and load with the rail at `rail`, with the height in equilibrium [J].
   double potential(const Eigen::Vector3d& rail, WheelsetPose pose)
   {
-    WheelContact contact(config_, Side::left, solver_);
+    WheelContact contact(config_, Side::left, restingRail(config_, Side::left), solver_);
     contact.setGrid(0, size);
     contact.setRail(restingRail(config_, Side::left).deflected(toDeflection(rail)));
     for (int i = 0; i < 10; ++i)

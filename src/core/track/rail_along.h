@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/profile/changing_profile.h"
+#include "core/track/placement.h"
+
+namespace wheel_rail_contact::core
+{
+/// A rail in the ideal track, along the line: the same everywhere, or with sections that change. Side axes.
+class RailAlong
+{
+ public:
+  /// Rail with one profile.
+  RailAlong(std::shared_ptr<const Profile> profile, const TrackConfig& track, Side side);
+  /// Rail with sections. Keeps a reference to them.
+  /// @throw std::invalid_argument if a section to be placed by its gauge face does not reach the gauge depth.
+  RailAlong(const RailSections& sections, const TrackConfig& track, Side side);
+
+  /// Moves to x [m], which RailSections::contains(). @return true if the profile or its place is another one than
+  /// before
+  bool moveTo(double x);
+  /// Rail at the place of the last moveTo(); at first, at the first section.
+  const PlacedRail& rail() const { return rail_; }
+  /// Length of the longest profile, over all places [m].
+  double longest() const { return changing_ ? changing_->longest() : rail_.profile().length(); }
+
+ private:
+  std::optional<ChangingProfile> changing_;
+  std::vector<RailFrame> frames_;  ///< of the sections of the running rail; one for all with Placement::coordinates
+  PlacedRail rail_;
+};
+}  // namespace wheel_rail_contact::core

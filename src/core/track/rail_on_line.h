@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "core/track/placement.h"
+#include "wheel_rail_contact/core/track_line.h"
+
+namespace wheel_rail_contact::core
+{
+/// Displacement of the rail of each Side at a place of a line, from its place in the ideal track. Side axes.
+/// @param at_rest  reference points of the rails in the ideal track, side axes
+std::array<RailDeflection, 2> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest);
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/track_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "core/profile/monotone_cubic.h"
+#include "core/track/line_station.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double largest_value = 0.2;  ///< of a cross level or displacement [m], [rad]
+}  // namespace
+
+TrackLine::Quantities TrackLine::quantitiesOf(const LineStation& station)
+{
+  const RailDeflection &left = station.rail[0], &right = station.rail[1];
+  return {station.cross_level, left.lateral, left.vertical, left.roll, right.lateral, right.vertical, right.roll};
+}
+
+std::string_view fault(const LineStation& station)
+{
+  const auto valid = [](double value) { return std::abs(value) <= largest_value; };
+  const auto placed = [&valid](const RailDeflection& rail)
+  { return valid(rail.lateral) && valid(rail.vertical) && valid(rail.roll); };
+  const bool all = valid(station.cross_level) && placed(station.rail[0]) && placed(station.rail[1]);
+  return all ? std::string_view() : "a cross level or displacement is above 0.2 m or 0.2 rad";
+}
+
+TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations) : name_(std::move(name))
+{
+  const auto require = [this](std::size_t station, std::string_view reason)
+  {
+    if (!reason.empty())
+    {
+      throw std::invalid_argument(name_ + ": station " + std::to_string(station + 1) + ": " + std::string(reason));
+    }
+  };
+  if (stations.size() < 2)
+  {
+    throw std::invalid_argument(name_ + ": a line needs at least two stations");
+  }
+  for (std::size_t i = 0; i < stations.size(); ++i)
+  {
+    x_.push_back(stations[i].x);
+    values_.push_back(quantitiesOf(stations[i]));
+    require(i, std::isfinite(x_[i]) && (i == 0 || x_[i] > x_[i - 1]) ? "" : "x must increase");
+    require(i, fault(stations[i]));
+  }
+  slopes_.resize(x_.size());
+  for (std::size_t k = 0; k < quantities; ++k)
+  {
+    const auto rise = [&](std::size_t i) { return (values_[i + 1][k] - values_[i][k]) / (x_[i + 1] - x_[i]); };
+    const std::size_t last = x_.size() - 1;
+    slopes_.front()[k] = rise(0);
+    slopes_.back()[k] = rise(last - 1);
+    for (std::size_t i = 1; i < last; ++i)
+    {
+      slopes_[i][k] = monotoneSlope(rise(i - 1), rise(i), x_[i] - x_[i - 1], x_[i + 1] - x_[i]);
+    }
+  }
+}
+
+LineStation TrackLine::at(double x) const
+{
+  const auto after = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
+  const auto i = static_cast<std::size_t>(after - x_.begin());
+  const double width = x_[i] - x_[i - 1], t = (x - x_[i - 1]) / width;
+  // Cubic Hermite basis.
+  const double rise = t * t * (3 - 2 * t), start = t * (1 - t) * (1 - t) * width, finish = t * t * (t - 1) * width;
+  Quantities q;
+  for (std::size_t k = 0; k < quantities; ++k)
+  {
+    q[k] = values_[i - 1][k] + rise * (values_[i][k] - values_[i - 1][k]) + start * slopes_[i - 1][k] +
+           finish * slopes_[i][k];
+  }
+  return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}};
+}
+}  // namespace wheel_rail_contact::core

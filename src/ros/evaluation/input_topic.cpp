@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/evaluation/input_topic.h"
+
+namespace wheel_rail_contact
+{
+std::vector<InputTopic> inputTopics(const NodeConfig& config)
+{
+  using Bending = core::RailBendingConfig;
+  const Bending& bending = config.model.rail_bending;
+  std::vector<InputTopic> topics{InputTopic::pose};
+  if (config.model.wheelset.solve_height_and_roll)
+  {
+    topics.push_back(InputTopic::load);
+  }
+  if (bending.model == Bending::Model::compliance && bending.lateral_force == Bending::LateralForce::topic)
+  {
+    topics.insert(topics.end(), {InputTopic::left_rail_force, InputTopic::right_rail_force});
+  }
+  if (config.displacement_topic)
+  {
+    topics.push_back(InputTopic::rail_displacement);
+  }
+  if (config.distance_topic)
+  {
+    topics.push_back(InputTopic::distance);
+  }
+  return topics;
+}
+
+std::string nameOf(InputTopic topic)
+{
+  switch (topic)
+  {
+    case InputTopic::pose:
+      return "wheelset/pose";
+    case InputTopic::load:
+      return "wheelset/load";
+    case InputTopic::left_rail_force:
+      return "wheelset/left_rail_force";
+    case InputTopic::right_rail_force:
+      return "wheelset/right_rail_force";
+    case InputTopic::rail_displacement:
+      return "wheelset/rail_displacement";
+    default:
+      return "wheelset/distance";
+  }
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/body_parameters.h"
+
+#include <cmath>
+
+namespace wheel_rail_contact
+{
+namespace
+{
+/// Prefix of the parameters of one side: "rail/left/".
+std::string sideGroup(const std::string& body, core::Side side)
+{
+  return body + (side == core::Side::left ? "/left/" : "/right/");
+}
+
+/// Reads the rail inclination [rad], given as an angle in radians or as a ratio such as 1:40, which is atan(1/40).
+///
+/// YAML 1.1 parsers (rosparam, roslaunch) read an unquoted 1:N, with N below 60, as the sexagesimal number 60 + N. No
+/// valid angle is in this range. A number between 60 and 120 is therefore read as the ratio 1:N.
+void readInclination(ParameterReader& reader, const std::string& name, double& inclination)
+{
+  constexpr double sexagesimal = 60;
+  constexpr const char* rule = "a finite number [rad] or a ratio 1:N with a finite N > 0";
+  double denominator = 0;
+  if (reader.readRatio(name, {rule, rules::positive.holds}, denominator))
+  {
+    inclination = std::atan(1 / denominator);
+    return;
+  }
+  reader.read(name, {rule, rules::finite.holds}, inclination);
+  if (inclination > sexagesimal && inclination < 2 * sexagesimal)
+  {
+    inclination = std::atan(1 / (inclination - sexagesimal));
+  }
+}
+
+void readMaterial(ParameterReader& reader, const std::string& group, core::Material& material)
+{
+  reader.read(group + "/young", rules::finite, material.young);
+  reader.read(group + "/poisson", rules::finite, material.poisson);
+}
+
+/// Materials of a body ("wheel" or "rail") on both sides.
+void readMaterials(ParameterReader& reader, const std::string& body, core::Sides<core::Material>& materials)
+{
+  readMaterial(reader, "material/" + body, materials.left);
+  materials.right = materials.left;
+  for (const core::Side side : core::sides)
+  {
+    readMaterial(reader, sideGroup(body, side) + "material", materials[side]);
+  }
+}
+
+/// Reads a file: its name, or a group with `file` and `mirror`. Unchanged if it is not given.
+void readProfile(ParameterReader& reader, const std::string& name, NamedFile& profile)
+{
+  const std::string file = name + "/file", mirror = name + "/mirror";
+  if (reader.has(name) || reader.has(file))
+  {
+    profile = NamedFile{reader.has(file) ? file : name, "", false};
+  }
+  if (reader.has(name) && (reader.has(file) || reader.has(mirror)))
+  {
+    reader.refuse(name, "either a name or a group");
+  }
+  reader.read(name, profile.value);
+  reader.read(file, profile.value);
+  reader.read(mirror, {{"false", false}, {"true", true}}, profile.mirror);
+}
+
+/// Reads one part of a rail whose profile changes: `slices`, a list of `sections`, or one `file`.
+/// @param prefix  before the names: "" in a group of its own
+RailPartFiles readPart(ParameterReader& reader, const std::string& prefix)
+{
+  RailPartFiles part;
+  const std::string slices = prefix + "slices", sections = prefix + "sections", file = prefix + "file";
+  const int given = (reader.has(slices) ? 1 : 0) + (reader.has(sections) ? 1 : 0) + (reader.has(file) ? 1 : 0);
+  if (given != 1)
+  {
+    reader.refuse(reader.has(sections) ? sections : slices, "given, or else sections or file: one of the three");
+  }
+  reader.read(prefix + "mirror", {{"false", false}, {"true", true}}, part.mirror);
+  part.slices.parameter = slices;
+  reader.read(slices, part.slices.value);
+  NamedFile only{file, "", false};
+  reader.read(file, only.value);
+  if (!only.value.empty())
+  {
+    part.sections.emplace_back(0, only);
+  }
+  for (ParameterReader& group : reader.readGroups(sections))
+  {
+    group.require("x", "place of the section on the line [m]");
+    group.require("file", "profile of the section");
+    part.sections.emplace_back(0, NamedFile{sections + "/file", "", false});
+    group.read("x", rules::finite, part.sections.back().first);
+    group.read("file", part.sections.back().second.value);
+    group.refuseUnknown();
+  }
+  for (auto& section : part.sections)
+  {
+    section.second.mirror = part.mirror;
+  }
+  return part;
+}
+
+/// Reads the profile of a rail: as readProfile(), or a group with sections. Unchanged if it is not given.
+void readRail(ParameterReader& reader, const std::string& name, RailFiles& rail)
+{
+  using Placement = core::RailSections::Placement;
+  const std::string prefix = name + "/";
+  const bool slices = reader.has(prefix + "slices"), sections = reader.has(prefix + "sections");
+  const bool parts = reader.has(prefix + "parts");
+  if (reader.has(name) || reader.has(prefix + "file") || slices || sections)
+  {
+    rail = RailFiles{};
+  }
+  if (slices || sections || parts)
+  {
+    rail.placement = slices ? Placement::coordinates : Placement::gauge;
+    rail.parts.push_back(readPart(reader, prefix));
+  }
+  else
+  {
+    readProfile(reader, name, rail.profile);
+  }
+  reader.read(prefix + "placement", {{"gauge", Placement::gauge}, {"coordinates", Placement::coordinates}},
+              rail.placement);
+  for (ParameterReader& group : reader.readGroups(prefix + "parts"))
+  {
+    rail.parts.push_back(readPart(group, ""));
+    group.refuseUnknown();
+  }
+}
+
+void readTables(ParameterReader& reader, core::Sides<NamedFile>& tables)
+{
+  tables = NamedFile{"rail_bending/table", "", false};
+  reader.read("rail_bending/table", tables.left.value);
+  tables.right = tables.left;
+  for (const core::Side side : core::sides)
+  {
+    const std::string name = sideGroup("rail", side) + "table";
+    if (reader.has(name))
+    {
+      tables[side].parameter = name;
+    }
+    reader.read(name, tables[side].value);
+  }
+}
+
+bool isGiven(const RailFiles& rail)
+{
+  return !rail.parts.empty() || !rail.profile.value.empty();
+}
+}  // namespace
+
+void readWheels(ParameterReader& reader, core::ContactModelConfig& model, ModelFiles& files)
+{
+  readProfile(reader, "wheel/profile", files.wheel_profile.left);
+  files.wheel_profile.right = files.wheel_profile.left;
+  core::Sides<double>& radius = model.wheelset.rolling_radius;
+  reader.read("wheelset/rolling_radius", rules::finite, radius.left);
+  radius.right = radius.left;
+  for (const core::Side side : core::sides)
+  {
+    readProfile(reader, sideGroup("wheel", side) + "profile", files.wheel_profile[side]);
+    reader.read(sideGroup("wheel", side) + "rolling_radius", rules::finite, radius[side]);
+  }
+  readMaterials(reader, "wheel", model.wheel_material);
+}
+
+void readRails(ParameterReader& reader, core::ContactModelConfig& model, ModelFiles& files)
+{
+  if (reader.has("track/cant"))
+  {
+    reader.refuse("track/cant", "renamed to track/rail_inclination (cant is the superelevation of the track)");
+  }
+  core::Sides<double>& inclination = model.track.rail_inclination;
+  readInclination(reader, "track/rail_inclination", inclination.left);
+  inclination.right = inclination.left;
+  readRail(reader, "rail/profile", files.rail.left);
+  files.rail.right = files.rail.left;
+  for (const core::Side side : core::sides)
+  {
+    readRail(reader, sideGroup("rail", side) + "profile", files.rail[side]);
+    readInclination(reader, sideGroup("rail", side) + "inclination", inclination[side]);
+  }
+  readMaterials(reader, "rail", model.rail_material);
+  readTables(reader, files.table);
+}
+
+void requireProfiles(const ParameterReader& reader, const ModelFiles& files)
+{
+  constexpr const char* why = "give the name of a profile or a file";
+  if (files.wheel_profile.left.value.empty() || files.wheel_profile.right.value.empty())
+  {
+    reader.require("wheel/profile", why);
+  }
+  if (!isGiven(files.rail.left) || !isGiven(files.rail.right))
+  {
+    reader.require("rail/profile", why);
+  }
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/evaluation/input_pairing.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/make_shared.hpp>
+#include <set>
+#include <string>
+
+#include "message_bytes.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+void setValue(double value, geometry_msgs::PoseStamped& pose)
+{
+  pose.pose.position.y = value;
+}
+void setValue(double value, geometry_msgs::WrenchStamped& wrench)
+{
+  wrench.wrench.force.y = value;
+}
+void setValue(double value, RailDisplacements& displacements)
+{
+  displacements.left.lateral = value;
+}
+void setValue(double value, geometry_msgs::PointStamped& point)
+{
+  point.point.x = value;
+}
+
+/// Message of a topic with a stamp [s] and a value, which a complete input shows.
+InputMessage message(InputTopic topic, double stamp, double value = 0, const std::string& frame = "")
+{
+  return withMessageType(topic,
+                         [&](auto type)
+                         {
+                           const auto made = boost::make_shared<typename decltype(type)::Message>();
+                           made->header.stamp = ros::Time(stamp);
+                           made->header.frame_id = frame;
+                           setValue(value, *made);
+                           return InputMessage(made);
+                         });
+}
+
+NodeConfig allInputs()
+{
+  NodeConfig config;
+  config.model.rail_bending.model = core::RailBendingConfig::Model::compliance;
+  config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::topic;
+  config.displacement_topic = config.distance_topic = true;
+  return config;
+}
+
+std::set<std::string> namesOf(const NodeConfig& config)
+{
+  std::set<std::string> names;
+  for (const InputTopic topic : inputTopics(config))
+  {
+    names.insert(nameOf(topic));
+  }
+  return names;
+}
+}  // namespace
+
+TEST(InputPairing, ConfigurationDeterminesTheInputTopics)
+{
+  NodeConfig config;
+  EXPECT_EQ(namesOf(config), (std::set<std::string>{"wheelset/pose", "wheelset/load"}));
+  config.model.wheelset.solve_height_and_roll = false;
+  EXPECT_EQ(namesOf(config), std::set<std::string>{"wheelset/pose"});
+  config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::topic;
+  EXPECT_EQ(namesOf(config), std::set<std::string>{"wheelset/pose"}) << "rigid rails need no force";
+  config.displacement_topic = true;
+  EXPECT_EQ(namesOf(config), (std::set<std::string>{"wheelset/pose", "wheelset/rail_displacement"}));
+  config.displacement_topic = false;
+  config.distance_topic = true;
+  EXPECT_EQ(namesOf(config), (std::set<std::string>{"wheelset/pose", "wheelset/distance"}));
+  EXPECT_EQ(namesOf(allInputs()),
+            (std::set<std::string>{"wheelset/pose", "wheelset/load", "wheelset/left_rail_force",
+                                   "wheelset/right_rail_force", "wheelset/rail_displacement", "wheelset/distance"}));
+}
+
+TEST(InputPairing, InputHasTheMessageOfEachTopic)
+{
+  InputPairing pairing(allInputs());
+  double value = 0;
+  std::optional<ContactInput> input;
+  for (const InputTopic topic : {InputTopic::distance, InputTopic::right_rail_force, InputTopic::load, InputTopic::pose,
+                                 InputTopic::rail_displacement, InputTopic::left_rail_force})
+  {
+    EXPECT_FALSE(input) << "complete before " << nameOf(topic);
+    input = pairing.add(topic, message(topic, 10, ++value));
+  }
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->distance->point.x, 1);
+  EXPECT_EQ(input->rail_force[1]->wrench.force.y, 2);
+  EXPECT_EQ(input->load->wrench.force.y, 3);
+  EXPECT_EQ(input->pose->pose.position.y, 4);
+  EXPECT_EQ(input->rail_displacement->left.lateral, 5);
+  EXPECT_EQ(input->rail_force[0]->wrench.force.y, 6);
+  EXPECT_EQ(pairing.counts().paired, 6U);
+}
+
+TEST(InputPairing, MessagesOfOtherTopicsAreIgnored)
+{
+  InputPairing pairing{NodeConfig()};
+  for (const InputTopic topic : {InputTopic::left_rail_force, InputTopic::rail_displacement, InputTopic::distance})
+  {
+    EXPECT_FALSE(pairing.add(topic, message(topic, 10)));
+  }
+  EXPECT_EQ(pairing.counts().received, 0U);
+  EXPECT_FALSE(pairing.add(InputTopic::pose, message(InputTopic::pose, 10)));
+  const auto input = pairing.add(InputTopic::load, message(InputTopic::load, 10));
+  ASSERT_TRUE(input);
+  EXPECT_FALSE(input->rail_force[0] || input->rail_displacement || input->distance);
+}
+
+TEST(InputPairing, DisplacementAndDistanceArePairedWithinTheSlop)
+{
+  NodeConfig config = allInputs();
+  config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::contact;
+  config.slop = 0.004;
+  InputPairing pairing(config);
+  for (const double stamp : {10.0, 10.01, 10.02})
+  {
+    EXPECT_FALSE(pairing.add(InputTopic::pose, message(InputTopic::pose, stamp)));
+    EXPECT_FALSE(pairing.add(InputTopic::load, message(InputTopic::load, stamp)));
+    EXPECT_FALSE(pairing.add(InputTopic::distance, message(InputTopic::distance, stamp + 0.003, stamp)));
+  }
+  EXPECT_FALSE(pairing.add(InputTopic::rail_displacement, message(InputTopic::rail_displacement, 10.005)))
+      << "too far from both poses";
+  const auto input = pairing.add(InputTopic::rail_displacement, message(InputTopic::rail_displacement, 10.021));
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->pose->header.stamp, ros::Time(10.02));
+  EXPECT_EQ(input->distance->point.x, 10.02);
+  // The messages of the first two poses, and the first displacement.
+  EXPECT_EQ(pairing.counts().dropped[static_cast<std::size_t>(DropReason::unmatched)], 7U);
+  EXPECT_TRUE(pairing.isSettled());
+}
+
+TEST(InputPairing, LongFrameNamesOfWaitingMessagesAreCut)
+{
+  const std::string frame(1 << 20, 'x');
+  InputPairing pairing(allInputs());
+  std::optional<ContactInput> input;
+  for (const InputTopic topic : inputTopics(allInputs()))
+  {
+    input = pairing.add(topic, message(topic, 10, 0.3, frame));
+  }
+  ASSERT_TRUE(input);
+  const std::string::size_type longest = InputPairing::longest_frame_name;
+  for (const std_msgs::Header* header :
+       {&input->pose->header, &input->load->header, &input->rail_force[0]->header, &input->rail_force[1]->header,
+        &input->rail_displacement->header, &input->distance->header})
+  {
+    EXPECT_GT(header->frame_id.size(), longest) << "the cut name must not become a valid name";
+    EXPECT_LE(header->frame_id.capacity(), 2 * longest);
+  }
+  const auto whole = std::get<geometry_msgs::PoseStampedConstPtr>(message(InputTopic::pose, 10, 0.3));
+  EXPECT_EQ(bytesOf(input->pose->pose), bytesOf(whole->pose));
+}
