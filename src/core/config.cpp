@@ -17,6 +17,14 @@ void validate(const ContactModelConfig& config)
     {
       throw std::invalid_argument("wheel/profile or wheel/" + name + "/profile is not set");
     }
+    for (const auto& profile : {config.wheel_profile[side], config.rail_profile[side]})
+    {
+      if (profile && profile->parts().size() != 1)
+      {
+        throw std::invalid_argument("profile '" + profile->name() +
+                                    "' has several parts, which only rail_sections may have");
+      }
+    }
     if (config.rail_profile[side] == nullptr && config.rail_sections[side] == nullptr)
     {
       throw std::invalid_argument("rail/profile or rail/" + name + "/profile is not set");

@@ -23,9 +23,4 @@ void requireWithin(const std::string& option, double value, double limit, const 
 {
   require(std::abs(value) <= limit, option, value, text);
 }
-
-const char* nameOf(Side side)
-{
-  return side == Side::left ? "left" : "right";
-}
 }  // namespace wheel_rail_contact::core

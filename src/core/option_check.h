@@ -14,9 +14,6 @@ void requirePositive(const std::string& option, double value);
 /// Same unless the absolute value is at most `limit`.
 void requireWithin(const std::string& option, double value, double limit, const char* text);
 
-/// "left" or "right".
-const char* nameOf(Side side);
-
 /// True if both values are equal, or if neither of them is equal to itself (NaN).
 template <typename Value>
 bool areSame(const Value& a, const Value& b)

@@ -14,7 +14,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double angle_limit = 0.2;          ///< largest accepted yaw and given roll [rad]
-constexpr double lateral_limit = 0.1;        ///< largest accepted lateral position [m]
+constexpr double lateral_limit = 0.1;        ///< largest accepted lateral position from the track centre [m]
 constexpr double height_limit = 1.0;         ///< largest accepted axle height, if given [m]
 constexpr double force_limit = 1e8;          ///< largest accepted load [N], [N m]
 constexpr double stiffness_residual = 1e-3;  ///< of stiffness(), see ContactTangent
@@ -36,9 +36,9 @@ bool within(const RailDeflection& displacement)
 /// Reason why a state is rejected; empty if it is valid.
 std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
 {
-  if (!within(state.y, lateral_limit))
+  if (!std::isfinite(state.y))
   {
-    return "lateral position is not a number or beyond 0.1 m";
+    return "lateral position is not a number";
   }
   if (!within(state.yaw, angle_limit))
   {
@@ -90,11 +90,12 @@ class WheelsetContact::Chain
     result_.z = given ? state.z : config_.wheelset.meanRadius();
     result_.roll = given ? state.roll : 0;
     solve(state);
-    result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
+    result_.rail = {};
     result_.above_tolerance = result_.near_branch = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
     {
+      result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
       result_.z = balance_.height();
       result_.roll = balance_.roll();
       addPatches(Side::left);
@@ -140,8 +141,23 @@ class WheelsetContact::Chain
       result_.reason = reason;
       return;
     }
+    if (!within(state.y - trackCentre(state), lateral_limit))
+    {
+      result_.status = ContactStatus::invalid_input;
+      result_.reason = "lateral position is beyond 0.1 m from the track centre";
+      return;
+    }
     result_.status = balance_.solve(state);
     result_.reason = balance_.reason();
+  }
+
+  /// Lateral position of the track centre between the displaced rails, track frame [m].
+  double trackCentre(const WheelsetState& state) const
+  {
+    const auto middle = [](const std::array<RailDeflection, 2>& rail)
+    { return 0.5 * (rail[0].lateral - rail[1].lateral); };
+    const TrackLine* line = config_.track.line.get();
+    return middle(state.rail_displacement) + (line != nullptr ? middle(line->at(state.distance).rail) : 0);
   }
 
   /// Reason why a place is not on the line; empty if it is.

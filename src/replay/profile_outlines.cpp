@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/profile_outlines.h"
 
+#include <algorithm>
+#include <iomanip>
+#include <set>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "core/balance/rail_support.h"
 
@@ -11,6 +15,38 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr int points = 400;
+constexpr int section_points = 150;       ///< of each outline of a rail that changes
+constexpr std::size_t most_places = 200;  ///< at which a rail that changes is drawn
+
+/// Places of the sections of a rail, and places between them if there are few; of too many, equally spaced ones [m].
+std::vector<double> drawnPlaces(const core::RailSections& sections)
+{
+  std::set<double> of_sections;
+  for (const core::RailSeries& part : sections.parts())
+  {
+    for (const core::RailSection& section : part)
+    {
+      if (sections.contains(section.x))
+      {
+        of_sections.insert(section.x);
+      }
+    }
+  }
+  const std::vector<double> all(of_sections.begin(), of_sections.end());
+  const std::size_t pieces = std::max<std::size_t>(1, most_places / all.size());
+  const std::size_t step = (all.size() - 1) / most_places + 1;
+  std::vector<double> places;
+  for (std::size_t i = 0; i + 1 < all.size(); i += step)
+  {
+    for (std::size_t k = 0; k < pieces; ++k)
+    {
+      const double share = static_cast<double>(k) / static_cast<double>(pieces);
+      places.push_back(all[i] + share * (all[i + 1] - all[i]));
+    }
+  }
+  places.push_back(all.back());
+  return places;
+}
 
 void write(double y, double z, std::ostream& text)
 {
@@ -22,9 +58,10 @@ template <typename Place>
 std::string outline(const core::Profile& profile, const Place& place)
 {
   std::ostringstream text;
+  const core::ParameterRange part = profile.parts().front();
   for (int i = 0; i < points; ++i)
   {
-    const auto [y, z] = place(profile.length() * i / (points - 1));
+    const auto [y, z] = place(part.begin + (part.end - part.begin) * i / (points - 1));
     write(y, z, text);
   }
   return text.str();
@@ -40,6 +77,26 @@ std::string railOutlineText(const core::ContactModelConfig& config, core::Side s
                    const core::PlanePoint p = rail.at(u);
                    return std::make_pair(p.y, p.z);
                  });
+}
+
+std::string railSectionsText(const core::ContactModelConfig& config, core::Side side)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(6);
+  for (const double x : config.rail_sections[side] ? drawnPlaces(*config.rail_sections[side]) : std::vector<double>{})
+  {
+    const core::PlacedRail rail = core::restingRail(config, side, x);
+    for (const core::ParameterRange& part : rail.profile().parts())
+    {
+      text << "x " << x << '\n';
+      for (int i = 0; i < section_points; ++i)
+      {
+        const core::PlanePoint p = rail.at(part.begin + (part.end - part.begin) * i / (section_points - 1));
+        text << p.y << ' ' << p.z << '\n';
+      }
+    }
+  }
+  return text.str();
 }
 
 std::string railReferenceText(const core::ContactModelConfig& config, core::Side side)

@@ -31,7 +31,11 @@ BagConnection resultConnection(const std::string& wheelset, const std::string& d
       .set(description_field, description);
   for (const core::Side side : core::sides)
   {
-    const std::string name = side == core::Side::left ? "left_" : "right_";
+    const std::string name = nameOf(side) + std::string("_");
+    if (model.rail_sections[side])
+    {
+      connection.header.set(name + "rail_sections", railSectionsText(model, side));
+    }
     connection.header.set(name + "rail_outline", railOutlineText(model, side))
         .set(name + "rail_reference", railReferenceText(model, side))
         .set(name + "wheel_outline", wheelOutlineText(model, side));

@@ -284,12 +284,7 @@ void ReplaySource::emit(std::size_t wheelset)
   event.time = now_;
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
-  const NeighbourEffect effect = own.neighbours.effectAt(event.input.stamp);
-  for (const core::Side side : core::sides)
-  {
-    event.input.state.rail_displacement[index(side)] += effect.deflection[index(side)];
-  }
-  event.input.lacks_neighbour = !effect.complete;
+  apply(own.neighbours.effectAt(event.input.stamp), event.input);
   event.read = read_;
   event.warm_up = !in_span_;
   const bool is_evaluated = event.input.status == WheelsetContact::OK;

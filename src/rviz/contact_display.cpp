@@ -86,7 +86,7 @@ void ContactDisplay::extendTrail()
   const std::size_t length = properties_.trailLength();
   if (length > 0)
   {
-    trail_.add(*output_, restingRails(model()));
+    trail_.add(*output_, restingRails(model(), output_->state.distance));
   }
   trail_.limit(length);
 }

@@ -105,7 +105,7 @@ class Inputs(ReplayCase):
         out, printed = self.replay(self.write("in.bag", messages), "out.bag", "--config", self.config(TOPICS))
         results = self.results(out)
         self.assertEqual([result.header.stamp for result in results], [stamp(i) for i in range(PAIRS) if i not in (7, 8)])
-        for i, reason in (3, "right rail displacement is not finite"), (5, "distance: point is not finite"):
+        for i, reason in (3, "right rail displacement is not finite"), (5, "distance: point.x is not finite"):
             self.assertEqual((results[i].status, results[i].status_text), (WheelsetContact.INVALID_INPUT, reason))
         self.assertEqual({result.status for i, result in enumerate(results) if i not in (3, 5)}, {WheelsetContact.OK})
         self.assertIn("6 messages dropped: no message with a matching stamp", printed)

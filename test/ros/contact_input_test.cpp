@@ -251,5 +251,5 @@ TEST(ContactInput, DistanceIsThatOfTheMessageOrElseXInTheTrackFrame)
   place.point.x = not_a_number;
   in.distance = shared(place);
   EXPECT_EQ(refusal(in),
-            (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "distance: point is not finite")));
+            (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "distance: point.x is not finite")));
 }

@@ -184,7 +184,7 @@ TEST_F(Scene, TextContainsPressureAreaForceErrorAndMethod)
 
 TEST_F(Scene, TrailIsStoredOnTheRailAtRest)
 {
-  const auto at_rest = restingRails(&config.model);
+  const auto at_rest = restingRails(&config.model, 0);
   trail.add(output, at_rest);
   result.rail[1].deflection.lateral = 2e-3;
   result.patches[1].pose.y -= 2e-3;  // the rail has moved outward, and the patch with it

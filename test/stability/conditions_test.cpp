@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "../core/balance/crossing_scene.h"
 #include "../core/balance/wheelset_scene.h"
 #include "result_check.h"
 #include "wheel_rail_contact/core/standard_profiles.h"
@@ -44,6 +47,32 @@ TEST(ContactConditions, HoldForAFlangeOnACompliantRail)
     }
     EXPECT_LT(check.violation(), 3 * tolerance) << "y = " << y;
   }
+}
+
+/// A wheel that is carried by a wing rail and by the nose beside it. The limit is the same.
+TEST(ContactConditions, HoldForAWheelOnTwoPartsOfARail)
+{
+  constexpr double tolerance = 0.004;
+  ContactModelConfig config = crossing_scene::scene();
+  config.contact.tolerance = tolerance;
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = softPads();
+  WheelsetContact contact(config);
+  ResultCheck check(contact.config());
+  int on_both = 0;
+  for (double x = 0.3; x < 0.75; x += 0.002)
+  {
+    const WheelsetState state = crossing_scene::stateOn(x, 1e-3 * std::sin(20 * x), 8e4);
+    const WheelsetResult& result = contact.evaluate(state);
+    EXPECT_TRUE(isUsable(result.status)) << "x = " << x << ": " << result.reason;
+    for (const std::string& fault : check.faults(state, result))
+    {
+      ADD_FAILURE() << fault << ", x = " << x;
+    }
+    EXPECT_LT(check.violation(), 3 * tolerance) << "x = " << x;
+    on_both += wheelTotal(result, Side::left).patches > 1 ? 1 : 0;
+  }
+  EXPECT_GT(on_both, 5) << "the wheel must touch both";
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core::stability

@@ -88,9 +88,7 @@ double overlapOf(const std::vector<PressedSurface>& surfaces)
 }  // namespace
 
 ResultCheck::ResultCheck(const ContactModelConfig& config)
-    : config_(config),
-      undeflected_(restingRail(config, Side::left), restingRail(config, Side::right)),
-      displacement_(displacementOf(config, Side::left), displacementOf(config, Side::right))
+    : config_(config), displacement_(displacementOf(config, Side::left), displacementOf(config, Side::right))
 {
 }
 
@@ -236,7 +234,8 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
 /// Builds the surfaces under the patches of a wheel and checks what belongs to them.
 void ResultCheck::checkWheel(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
-  const PlacedRail rail = undeflected_[side].deflected(result.rail[static_cast<std::size_t>(side)].deflection);
+  const PlacedRail rail =
+      restingRail(config_, side, state.distance).deflected(result.rail[static_cast<std::size_t>(side)].deflection);
   const WheelsetPose pose = toSide(side, {result.y, result.z, result.yaw, result.roll});
   const PlacedWheel wheel(*config_.wheel_profile[side], config_.wheelset, side, pose);
   std::vector<PressedSurface> surfaces;

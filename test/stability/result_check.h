@@ -42,7 +42,6 @@ class ResultCheck
   void checkConditions(const std::vector<PressedSurface>& surfaces, Side side);
 
   const ContactModelConfig& config_;
-  Sides<PlacedRail> undeflected_;
   Sides<SurfaceDisplacement> displacement_;
   std::vector<std::string> faults_;
   double violation_ = 0;

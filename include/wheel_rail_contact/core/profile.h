@@ -80,7 +80,8 @@ struct ProfileSection
 /// Range of the parameter u of a profile [m].
 struct ParameterRange
 {
-  double begin, end;
+  double begin;  ///< first parameter [m]
+  double end;    ///< last parameter [m]
 };
 
 /// Wheel or rail profile: a plane curve of consecutive sections, from the gauge (flange) side to the field side. A rail
@@ -129,6 +130,7 @@ class Profile
   void addPart(const std::vector<ProfileSection>& sections);
   void add(const SectionLaw& law, double length);
   void beginPart();
+  static LineSection continuation(const SectionLaw& law, double length);
   void makeBuckets();
   std::size_t sectionAt(double u) const;
 

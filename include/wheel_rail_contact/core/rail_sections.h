@@ -28,8 +28,8 @@ using RailSeries = std::vector<RailSection>;
 /// such as stock rail and blade, wing rail and nose, running rail and check rail.
 ///
 /// Between two sections, the profile is the mean, weighted by distance, of points that correspond: points at the same
-/// share of the arc length between two corresponding places. At each place the rail is taken as a prism along x: the
-/// slope of its surface along x is not part of the contact search.
+/// share of the arc length between two corresponding places (doc/line.md). At each place the rail is taken as a prism
+/// along x: the slope of its surface along x is not part of the contact search.
 class RailSections
 {
  public:
@@ -46,7 +46,9 @@ class RailSections
   ///        increase, or two sections have no corresponding places.
   RailSections(std::vector<RailSeries> parts, Placement placement);
 
+  /// Where the sections lie across the track.
   Placement placement() const { return placement_; }
+  /// Series of the running rail, then those of further parts.
   const std::vector<RailSeries>& parts() const { return parts_; }
   /// True if the running rail has a section at x [m], or sections before and after it.
   bool contains(double x) const;
@@ -54,6 +56,8 @@ class RailSections
   const SectionBlend* between(std::size_t part, std::size_t index) const { return blends_[part][index].get(); }
 
  private:
+  void checkPlacement() const;
+
   std::vector<RailSeries> parts_;
   Placement placement_;
   std::vector<std::vector<std::shared_ptr<const SectionBlend>>> blends_;

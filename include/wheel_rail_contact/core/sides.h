@@ -24,6 +24,12 @@ constexpr std::size_t index(Side side)
   return static_cast<std::size_t>(side);
 }
 
+/// "left" or "right".
+constexpr const char* nameOf(Side side)
+{
+  return side == Side::left ? "left" : "right";
+}
+
 /// Option of each side. One value sets both sides: `option = value`; each side can be set alone: `option.left = value`.
 template <typename Value>
 struct Sides

@@ -19,7 +19,7 @@ enum class ContactStatus
   lift_off,       ///< at least one wheel carries no load, the other one is solved; usable
   off_profile,    ///< the contact would be beyond the end of a profile; not usable
   not_converged,  ///< normal solution, balance or coupling with the rails did not converge; not usable
-  outside_line,   ///< the place of the wheelset is not on the line (TrackConfig::line); not usable
+  outside_line,   ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
   invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
 };
 

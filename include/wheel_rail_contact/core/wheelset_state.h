@@ -14,7 +14,8 @@ namespace wheel_rail_contact::core
 /// ContactStatus::invalid_input.
 struct WheelsetState
 {
-  double y = 0;  ///< lateral displacement of the axle centre, to the left positive [m]; |y| <= 0.1
+  double y = 0;  ///< lateral displacement of the axle centre, to the left positive [m]; at most 0.1 m from the
+                 ///< middle of both displaced rails
   /// Height of the axle centre [m]; |z| <= 1. Used only if WheelsetConfig::solve_height_and_roll is false.
   double z = 0;
   double yaw = 0;  ///< rotation of the axle about z, positive to the left [rad]; |yaw| <= 0.2
@@ -34,6 +35,6 @@ struct WheelsetState
   /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
   std::array<RailDeflection, 2> rail_displacement{};
   double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
-  double distance = 0;  ///< place of the wheelset on TrackConfig::line [m]; not used without a line
+  double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
 };
 }  // namespace wheel_rail_contact::core

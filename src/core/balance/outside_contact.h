@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/track/contact_search.h"
 #include "core/track/gap.h"
+#include "core/track/rail_search.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
@@ -33,7 +33,7 @@ class OutsideContact
 {
  public:
   /// Keeps references to all of them.
-  OutsideContact(const ContactSearch& search, const std::vector<PlacedGrid>& grids,
+  OutsideContact(const RailSearch& search, const std::vector<PlacedGrid>& grids,
                  const std::vector<std::vector<SurfaceColumn>>& columns)
       : search_(search), grids_(grids), columns_(columns)
   {
@@ -51,7 +51,7 @@ class OutsideContact
   double displacementAt(const OverlapStation& station, const NormalProblem& problem,
                         const NormalSolution& solution) const;
 
-  const ContactSearch& search_;
+  const RailSearch& search_;
   const std::vector<PlacedGrid>& grids_;
   const std::vector<std::vector<SurfaceColumn>>& columns_;
   std::vector<OverlapStation> stations_;

@@ -39,12 +39,27 @@ bool isCutAcross(const PatchGap& patch)
 {
   return patch.gap.col(0).minCoeff() < 0 || patch.gap.col(patch.gap.cols() - 1).minCoeff() < 0;
 }
+
+/// True if an overlap is so deep, along the normal, that cells find it, unless a profile ends there.
+bool isDeep(const OverlapInterval& interval)
+{
+  constexpr double depth = 20e-6;  // [m]
+  const InitialContact& contact = interval.contact;
+  return -contact.separation > depth * std::hypot(1, contact.slope);
+}
+
+/// True if the rail may have several parts.
+bool severalParts(const ContactModelConfig& config, Side side)
+{
+  const auto& sections = config.rail_sections[side];
+  return sections && sections->parts().size() > 1;
+}
 }  // namespace
 
 OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side, const PlacedRail& rail, double longest_rail)
     : config_(config),
       side_(side),
-      search_(*config.wheel_profile[side], rail.profile(), longest_rail),
+      search_(*config.wheel_profile[side], rail.profile(), longest_rail, severalParts(config, side)),
       outside_(search_, placed_, columns_)
 {
   laid_.reserve(usual_grids);
@@ -79,6 +94,7 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
   join(choice != Choice::own);
   laid_.clear();
   placed_.clear();
+  misses_overlap_ = false;
   for (std::size_t k = problem.patches.size(); k > 0; --k)
   {
     removeLast(problem);
@@ -274,6 +290,7 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
   laid_.push_back(laid);
   if (!found)
   {
+    misses_overlap_ = misses_overlap_ || std::any_of(&intervals_[first], &intervals_[first] + (last - first), isDeep);
     removeLast(problem);
     return;
   }

@@ -8,8 +8,8 @@
 #include "core/balance/grid_layout.h"
 #include "core/balance/outside_contact.h"
 #include "core/balance/rail_part.h"
-#include "core/track/contact_search.h"
 #include "core/track/gap.h"
+#include "core/track/rail_search.h"
 #include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
@@ -55,6 +55,10 @@ class OverlapGrids
   OverlapGrids(const OverlapGrids&) = delete;  // outside_ refers to other members
   OverlapGrids& operator=(const OverlapGrids&) = delete;
 
+  /// Length of the wheel profile [m].
+  double wheelLength() const { return config_.wheel_profile[side_]->length(); }
+  /// True if bodies overlap where no cell of the last grids has points of both: beyond the end of a profile.
+  bool missesOverlap() const { return misses_overlap_; }
   /// Sets another profile of the rail. setRail() must follow.
   void setProfile(const Profile& rail) { search_.setProfile(rail); }
   /// Sets the position of the rail.
@@ -110,7 +114,7 @@ class OverlapGrids
   const ContactModelConfig& config_;
   Side side_;
   std::optional<PlacedRail> rail_;
-  ContactSearch search_;
+  RailSearch search_;
   InitialContact touch_;
   std::vector<OverlapInterval> intervals_, lower_intervals_;
   std::vector<std::vector<SurfaceColumn>> columns_;
@@ -120,6 +124,7 @@ class OverlapGrids
   std::vector<std::pair<double, double>> joined_;  ///< see join()
   OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
+  bool misses_overlap_ = false;
   std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
   std::vector<std::vector<SurfaceColumn>> spare_columns_;
   Eigen::ArrayXd spare_turn_;

@@ -97,7 +97,7 @@ RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const
   return {extent.least - along, extent.most + along, u_begin - across, u_end + across};
 }
 
-bool findContact(const ContactSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
+bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
                  RailPart& part)
 {
   if (!interval.has_one_minimum)

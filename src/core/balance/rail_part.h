@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/track/contact_search.h"
 #include "core/track/gap.h"
+#include "core/track/rail_search.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
@@ -21,7 +21,7 @@ RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const
 
 /// Finds the part that a Hertzian contact with the same overlap would need, with a margin.
 /// @return false unless the separation has one minimum
-bool findContact(const ContactSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
+bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
                  RailPart& part);
 
 /// Part of the rail under a pressure, and a cell more on each side.

@@ -9,9 +9,11 @@ RailAlong railAlong(const ContactModelConfig& config, Side side)
   return sections ? RailAlong(*sections, config.track, side) : RailAlong(config.rail_profile[side], config.track, side);
 }
 
-PlacedRail restingRail(const ContactModelConfig& config, Side side)
+PlacedRail restingRail(const ContactModelConfig& config, Side side, double x)
 {
-  return railAlong(config, side).rail();
+  const auto& sections = config.rail_sections[side];
+  return sections ? railAt(*sections, config.track, side, x)
+                  : PlacedRail(config.rail_profile[side], config.track, side);
 }
 
 Eigen::Vector3d toCoordinates(const RailDeflection& deflection)

@@ -10,8 +10,9 @@ namespace wheel_rail_contact::core
 {
 /// Rail of a side in the ideal track, along the line. Keeps a reference to its sections, if it has any.
 RailAlong railAlong(const ContactModelConfig& config, Side side);
-/// Rail of a side in the ideal track, at its first section. Side axes.
-PlacedRail restingRail(const ContactModelConfig& config, Side side);
+/// Rail of a side in the ideal track at the place x of the line [m]. For pictures: RailAlong is faster where the
+/// profile changes. Side axes.
+PlacedRail restingRail(const ContactModelConfig& config, Side side, double x = 0);
 
 /// Coordinates of the deflection of a rail head, side axes. They are lateral outward [m],
 /// vertical up [m] and outward roll about the reference point of the head [rad]. The forces along them are the outward

@@ -213,19 +213,25 @@ void WheelContact::evaluate()
 
 bool WheelContact::reachesEnd() const
 {
+  const double wheel_end = grids_.wheelLength();
   for (std::size_t k = 0; k < column_forces_.size(); ++k)
   {
     const Eigen::VectorXd& forces = column_forces_[k];
-    const auto is_end = [&](Eigen::Index j) { return !grids_.columns()[k][static_cast<std::size_t>(j)].has_bodies; };
-    for (Eigen::Index j = 1; j + 1 < forces.size(); ++j)
+    const std::vector<SurfaceColumn>& columns = grids_.columns()[k];
+    const double width = problem_.patches[k].grid.dy;
+    for (Eigen::Index j = 0; j < forces.size(); ++j)
     {
-      if (forces[j] > 0 && (is_end(j - 1) || is_end(j + 1)))
+      const auto here = static_cast<std::size_t>(j);
+      const bool beside_end = (j > 0 && !columns[here - 1].has_bodies) ||
+                              (here + 1 < columns.size() && !columns[here + 1].has_bodies) ||
+                              columns[here].wheel_u < width || columns[here].wheel_u > wheel_end - width;
+      if (forces[j] > 0 && beside_end)
       {
         return true;
       }
     }
   }
-  return false;
+  return grids_.missesOverlap();
 }
 
 double WheelContact::heightOverReference() const

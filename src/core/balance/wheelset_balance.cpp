@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/balance/tuning.h"
-#include "core/track/rail_on_line.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -81,22 +80,11 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   const int solved_before = count();
   const bool given = !config_.wheelset.solve_height_and_roll;
   const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
-  z_ = given ? state.z : warm_ ? z_ : config_.wheelset.meanRadius();
-  roll_ = given ? state.roll : warm_ ? roll_ : start_roll_;
   const WheelsetState before = state_;
   state_ = state;
-  for (WheelOnRail& wheel : wheels_)
-  {
-    wheel.moveTo(state.distance);
-  }
-  if (const TrackLine* line = config_.track.line.get())
-  {
-    const std::array<RailDeflection, 2> displaced =
-        displacementsAt(line->at(state.distance),
-                        {wheels_[0].restingRail().referencePoint(), wheels_[1].restingRail().referencePoint()});
-    state_.rail_displacement[0] += displaced[0];
-    state_.rail_displacement[1] += displaced[1];
-  }
+  placeOnLine();
+  z_ = given ? state.z : warm_ ? z_ : config_.wheelset.meanRadius();
+  roll_ = given ? state.roll : warm_ ? roll_ : start_roll_ + tilt(state_);
   reason_ = {};
   laid_ = false;
   heights_.fill(z_);
@@ -131,6 +119,23 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   return wheels_[0].loaded() && wheels_[1].loaded() ? ContactStatus::ok : ContactStatus::lift_off;
 }
 
+/// Moves both rails to the place of the state on the line. Adds the displacement by the line to that of the state.
+void WheelsetBalance::placeOnLine()
+{
+  for (WheelOnRail& wheel : wheels_)
+  {
+    wheel.moveTo(state_.distance);
+  }
+  if (const TrackLine* line = config_.track.line.get())
+  {
+    const std::array<RailDeflection, 2> displaced =
+        displacementsAt(line->at(state_.distance),
+                        {wheels_[0].restingRail().referencePoint(), wheels_[1].restingRail().referencePoint()});
+    state_.rail_displacement[0] += displaced[0];
+    state_.rail_displacement[1] += displaced[1];
+  }
+}
+
 /// Predicts heights and roll from the last contacts, after the movements of wheelset and rails since the state
 /// `before`.
 void WheelsetBalance::predict(const WheelsetState& before)
@@ -144,6 +149,8 @@ void WheelsetBalance::predict(const WheelsetState& before)
                    wheels_[k].heightPerRailRoll() * (rail.roll - rail_before.roll);
     wheels_[k].predict(outward, 0);
   }
+  updateSlopes();
+  turn(roll_ + tilt(state_) - tilt(before));
   const double step = -(heights_[0] - heights_[1]) / updateSlopes();
   turn(roll_ + std::clamp(step, -greatest_turn_, greatest_turn_));
 }

@@ -7,6 +7,7 @@
 #include "core/balance/grid_levels.h"
 #include "core/balance/islands.h"
 #include "core/balance/wheel_on_rail.h"
+#include "core/track/rail_on_line.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 #include "wheel_rail_contact/core/wheelset_state.h"
@@ -57,6 +58,8 @@ class WheelsetBalance
   WheelStatus search();
   WheelStatus pass(bool keep_grids);
   WheelStatus hold();
+  void placeOnLine();
+  double tilt(const WheelsetState& state) const { return tiltOf(state.rail_displacement, config_.wheelset.halfBase()); }
   void predict(const WheelsetState& before);
   bool isMoved(std::size_t k) const;
   double openedBy(std::size_t k, double roll) const;

@@ -2,26 +2,35 @@
 #include "core/profile/changing_profile.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace wheel_rail_contact::core
 {
 ChangingProfile::ChangingProfile(const RailSections& sections)
     : sections_(sections), composed_(new Profile("rail at its place on the line"))
 {
-  pieces_.reserve(sections.parts().size());
-  before_.reserve(sections.parts().size());
-  // Every combination of curves that occurs begins at one of these places: visits them once to take the memory.
-  for (const RailSeries& series : sections.parts())
+}
+
+void ChangingProfile::reserve()
+{
+  pieces_.reserve(sections_.parts().size());
+  before_.reserve(sections_.parts().size());
+  std::vector<double> places;
+  for (const RailSeries& series : sections_.parts())
   {
-    for (std::size_t i = 0; i < series.size(); ++i)
+    std::transform(series.begin(), series.end(), std::back_inserter(places),
+                   [](const RailSection& section) { return section.x; });
+  }
+  std::sort(places.begin(), places.end());
+  // Every combination of curves occurs at one of these places, or half way between two of them.
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    for (const double x : {places[i], 0.5 * (places[i] + places[std::min(i + 1, places.size() - 1)])})
     {
-      for (const double x : {series[i].x, 0.5 * (series[i].x + series[std::min(i + 1, series.size() - 1)].x)})
+      if (sections_.contains(x))
       {
-        if (sections.contains(x))
-        {
-          moveTo(x);
-          longest_ = std::max(longest_, profile_->length());
-        }
+        moveTo(x);
+        longest_ = std::max(longest_, profile_->length());
       }
     }
   }
@@ -32,7 +41,7 @@ bool ChangingProfile::moveTo(double x)
   std::swap(pieces_, before_);
   choose(x);
   const auto same_curves = [](const Piece& a, const Piece& b)
-  { return a.part == b.part && a.index == b.index && a.blend == b.blend; };
+  { return a.part == b.part && a.section == b.section && a.blend == b.blend; };
   const bool same = profile_ && std::equal(pieces_.begin(), pieces_.end(), before_.begin(), before_.end(), same_curves);
   const bool still = std::equal(pieces_.begin(), pieces_.end(), before_.begin(), before_.end(),
                                 [](const Piece& a, const Piece& b) { return !a.blend || a.share == b.share; });
@@ -56,12 +65,15 @@ bool ChangingProfile::moveTo(double x)
 void ChangingProfile::choose(double x)
 {
   pieces_.clear();
+  const auto add_section = [&](std::size_t part, std::size_t index) {
+    pieces_.push_back({part, index, sections_.parts()[part][index].profile.get(), nullptr, 0});
+  };
   for (std::size_t part = 0; part < sections_.parts().size(); ++part)
   {
     const RailSeries& series = sections_.parts()[part];
     if (series.size() == 1)
     {
-      pieces_.push_back({part, 0, nullptr, 0});
+      add_section(part, 0);
       continue;
     }
     if (!(x >= series.front().x && x <= series.back().x))
@@ -75,11 +87,11 @@ void ChangingProfile::choose(double x)
     const SectionBlend* blend = sections_.between(part, index);
     if (blend && share > 0 && share < 1)
     {
-      pieces_.push_back({part, index, blend, share});
+      pieces_.push_back({part, index, nullptr, blend, share});
     }
     else
     {
-      pieces_.push_back({part, share < 1 ? index : index + 1, nullptr, 0});
+      add_section(part, share < 1 ? index : index + 1);
     }
   }
 }
@@ -99,7 +111,7 @@ void ChangingProfile::compose()
       }
       continue;
     }
-    const Profile& section = *sections_.parts()[piece.part][piece.index].profile;
+    const Profile& section = *piece.section;
     for (std::size_t i = 0; i < section.law_.size(); ++i)
     {
       composed_->add(section.law_[i], section.start_[i + 1] - section.start_[i]);
@@ -109,22 +121,27 @@ void ChangingProfile::compose()
   profile_ = composed_;
 }
 
-/// Sets the curves between two sections.
+/// Sets the curves between two sections, and the lines between two parts.
 void ChangingProfile::update()
 {
-  auto law = composed_->law_.begin();
-  for (std::size_t k = 0; k < pieces_.size(); ++k)
+  std::vector<SectionLaw>& law = composed_->law_;
+  const std::vector<double>& start = composed_->start_;
+  std::size_t next = 0;
+  for (const Piece& piece : pieces_)
   {
-    law += k > 0 ? 1 : 0;  // the distance of two parts
-    const Piece& piece = pieces_[k];
+    if (next > 0)
+    {
+      law[next] = Profile::continuation(law[next - 1], start[next] - start[next - 1]);
+      ++next;
+    }
     if (!piece.blend)
     {
-      law += static_cast<long>(sections_.parts()[piece.part][piece.index].profile->law_.size());
+      next += piece.section->law_.size();
       continue;
     }
     for (std::size_t i = 0; i < piece.blend->size(); ++i)
     {
-      *law++ = piece.blend->at(i, piece.share);
+      law[next++] = piece.blend->at(i, piece.share);
     }
   }
 }

@@ -13,14 +13,21 @@ namespace wheel_rail_contact::core
 class ChangingProfile
 {
  public:
-  /// Prepares memory for all places. Keeps a reference to `sections`, which must outlive this.
+  /// Keeps a reference to `sections`, which must outlive this.
   explicit ChangingProfile(const RailSections& sections);
+  ChangingProfile(const ChangingProfile&) = delete;  // a copy would share the profile that changes
+  ChangingProfile& operator=(const ChangingProfile&) = delete;
+  ChangingProfile(ChangingProfile&&) = default;
+  ChangingProfile& operator=(ChangingProfile&&) = delete;
+  ~ChangingProfile() = default;
 
+  /// Takes the memory for all places: moveTo() then allocates none.
+  void reserve();
   /// Moves to x [m], which RailSections::contains(). @return true if the profile is another one than before
   bool moveTo(double x);
   /// Profile at the place of the last moveTo(). Its shape changes with the next one.
   const std::shared_ptr<const Profile>& profile() const { return profile_; }
-  /// Length of the longest profile, over all places [m].
+  /// Length of the longest profile, over all places since reserve() [m].
   double longest() const { return longest_; }
   /// Section of the running rail at or before the place, and the share of the next one.
   std::size_t section() const { return pieces_.front().index; }
@@ -31,7 +38,8 @@ class ChangingProfile
   struct Piece
   {
     std::size_t part = 0, index = 0;
-    const SectionBlend* blend = nullptr;  ///< null: section `index` itself
+    const Profile* section = nullptr;     ///< profile of section `index`; null with a blend
+    const SectionBlend* blend = nullptr;  ///< curves between section `index` and the next one; null: the section itself
     double share = 0;
   };
 

@@ -146,13 +146,20 @@ void Profile::clear()
   start_.assign(1, 0.0);
 }
 
-/// Begins the next part. A line without meaning fills the distance to the part before.
+/// Line that continues a section of the given length. It begins at the end of the section, which belongs to it.
+LineSection Profile::continuation(const SectionLaw& law, double length)
+{
+  const CurvePoint end = std::visit([length](const auto& l) { return evaluate(l, length).point; }, law);
+  return {end.y, end.z, end.dy, end.dz};
+}
+
+/// Begins the next part. A line that continues the part before fills the distance.
 void Profile::beginPart()
 {
   if (!parts_.empty())
   {
     const ParameterRange before = parts_.back();
-    add(LineSection{0, 0, 1, 0}, part_distance);
+    add(continuation(law_.back(), start_.back() - start_[start_.size() - 2]), part_distance);
     parts_.back() = before;
   }
   parts_.push_back({length(), length()});

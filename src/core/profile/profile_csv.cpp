@@ -79,7 +79,7 @@ FileProfile readTwoColumns(ProfileFile& file)
   double least = std::numeric_limits<double>::infinity(), most = -least;
   while (file.next())
   {
-    const std::vector<std::string> words = splitWords(file.line());
+    const std::vector<std::string> words = splitWords(file.line().substr(0, file.line().find('%')));
     if (words.empty())
     {
       continue;

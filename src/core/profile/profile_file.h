@@ -68,12 +68,18 @@ FileProfile readMiniProf(ProfileFile& file, ProfileKind kind);
 FileProfile readCsv(ProfileFile& file);
 
 /// Reads a file of two columns: y to the field side, z down; in metres if the curve is less than 1 wide, else in
-/// millimetres.
+/// millimetres. % begins a comment.
 /// @throw ProfileError if it is malformed.
 FileProfile readTwoColumns(ProfileFile& file);
+/// Slice of a rail from a file.
+struct FileSlice
+{
+  Profile profile;
+  bool reversed;  ///< true if the profile begins at the last point of the file
+};
 /// Reads a slice of a rail: a file of readProfile(), or of two columns.
 /// @throw ProfileError as readProfile().
-Profile readSlice(const std::string& path, const ProfileReading& reading);
+FileSlice readSlice(const std::string& path, const ProfileReading& reading);
 
 /// Checks that the content is a plausible profile of the given kind. Returns its points in order from the gauge
 /// (flange) side to the field side, without points too close to the preceding one.

@@ -206,6 +206,18 @@ void checkRail(const ProfileFile& file, const FilePoints& points)
   }
 }
 
+/// A section of a rail turned upside down is a bowl.
+void checkSection(const ProfileFile& file, const FilePoints& points)
+{
+  const Box box(points);
+  const auto is_end = [&](const SampledPoint& point)
+  { return point.z == points.front().point.z || point.z == points.back().point.z; };
+  if (is_end(box.highest) && !is_end(box.lowest))
+  {
+    file.refuse(0, "highest point is at an end, lowest point is not: z does not point as the format requires");
+  }
+}
+
 void checkWheel(const ProfileFile& file, const FilePoints& points)
 {
   const Box box(points);
@@ -243,7 +255,11 @@ std::vector<SampledPoint> orderedPoints(const ProfileFile& file, const FileProfi
   }
   checkSize(file, points);
   checkExtent(file, points);
-  if (kind != ProfileKind::rail_section)
+  if (kind == ProfileKind::rail_section)
+  {
+    checkSection(file, points);
+  }
+  else
   {
     (kind == ProfileKind::rail ? checkRail : checkWheel)(file, points);
     checkOrigin(file, points);

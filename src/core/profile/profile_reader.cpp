@@ -145,13 +145,14 @@ Profile readProfile(const std::string& path, ProfileKind kind, const ProfileRead
   return profileOf(path, file, readContent(file, extension, kind), kind, reading);
 }
 
-Profile readSlice(const std::string& path, const ProfileReading& reading)
+FileSlice readSlice(const std::string& path, const ProfileReading& reading)
 {
-  if (isKnownExtension(extensionOf(path)))
-  {
-    return readProfile(path, ProfileKind::rail_section, reading);
-  }
+  constexpr ProfileKind kind = ProfileKind::rail_section;
+  const bool known = isKnownExtension(extensionOf(path));
+  const std::string extension = known ? checkedExtension(path, kind) : "";
   ProfileFile file(path);
-  return profileOf(path, file, readTwoColumns(file), ProfileKind::rail_section, reading);
+  const FileProfile content = known ? readContent(file, extension, kind) : readTwoColumns(file);
+  const bool runs_outward = !content.points.empty() && content.points.front().point.y < content.points.back().point.y;
+  return {profileOf(path, file, content, kind, reading), runs_outward == reading.mirror};
 }
 }  // namespace wheel_rail_contact::core

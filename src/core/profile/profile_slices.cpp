@@ -28,7 +28,7 @@ class SlicesFile
   {
     while (file_.next())
     {
-      std::vector<std::string> words = splitWords(file_.line().substr(0, file_.line().find('%')));
+      std::vector<std::string> words = splitWords(text());
       if (words.empty())
       {
         continue;
@@ -62,6 +62,20 @@ class SlicesFile
     return static_cast<std::size_t>(value);
   }
 
+  /// Current line without its comment.
+  std::string text() const { return file_.line().substr(0, file_.line().find('%')); }
+  /// @throw ProfileError if another line has words.
+  void requireEnd()
+  {
+    while (file_.next())
+    {
+      if (!splitWords(file_.line().substr(0, file_.line().find('%'))).empty())
+      {
+        file_.refuse("more lines than the stated numbers of slices and features");
+      }
+    }
+  }
+
   const ProfileFile& file() const { return file_; }
 
  private:
@@ -73,51 +87,67 @@ struct Slice
 {
   double x;
   std::string name;
+  bool reversed;  ///< see FileSlice
 };
 
 Slice sliceOf(SlicesFile& file, double scale)
 {
   const std::vector<std::string> words = file.line(2, "a place and a file name in quotes");
-  const std::string& line = file.file().line();
+  const std::string line = file.text();
   const std::size_t open = line.find('\''), close = line.rfind('\'');
   if (open == close)
   {
     file.file().refuse("the name of a file must be in quotes");
   }
-  return {scale * file.number(words[0]), line.substr(open + 1, close - open - 1)};
+  return {scale * file.number(words[0]), line.substr(open + 1, close - open - 1), false};
 }
 
-/// Positions of the features of a slice along its curve [m]; NaN where it has none.
-std::vector<double> featuresOf(SlicesFile& file, std::size_t count, double x, double scale)
+std::vector<Slice> slicesOf(SlicesFile& file, std::size_t count, double scale)
+{
+  std::vector<Slice> slices;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    slices.push_back(sliceOf(file, scale));
+    if (i > 0 && !(slices[i].x > slices[i - 1].x))
+    {
+      file.file().refuse("the places of the slices must increase");
+    }
+  }
+  return slices;
+}
+
+/// Parameters of the features on the profile of a slice; NaN where it has none.
+std::vector<double> featuresOf(SlicesFile& file, std::size_t count, double scale, const Slice& slice, double length)
 {
   const std::vector<std::string> words = file.line(count + 1, "a place and the position of each feature");
-  if (std::abs(scale * file.number(words[0]) - x) > per_mm)
+  if (std::abs(scale * file.number(words[0]) - slice.x) > per_mm)
   {
     file.file().refuse("the places of the features must be those of the slices, in the same order");
   }
   std::vector<double> features;
+  double before = -1;
   for (std::size_t k = 1; k <= count; ++k)
   {
     const double position = per_mm * file.number(words[k]);
-    features.push_back(position >= 0 ? position : std::numeric_limits<double>::quiet_NaN());
+    if (position < 0)
+    {
+      features.push_back(std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    if (!(position > before) || position > length + per_mm)
+    {
+      file.file().refuse("'" + words[k] +
+                         "': the positions of the features must increase, up to the length of the curve");
+    }
+    before = position;
+    const double u = std::min(position, length);
+    features.push_back(slice.reversed ? length - u : u);
+  }
+  if (slice.reversed)
+  {
+    std::reverse(features.begin(), features.end());
   }
   return features;
-}
-
-/// Features as parameters of the profile that was read.
-std::vector<double> placesOn(const Profile& profile, const std::vector<double>& features, bool mirrored)
-{
-  std::vector<double> places;
-  for (const double feature : features)
-  {
-    const double u = std::isfinite(feature) ? std::min(feature, profile.length()) : feature;
-    places.push_back(mirrored ? profile.length() - u : u);
-  }
-  if (mirrored)
-  {
-    std::reverse(places.begin(), places.end());
-  }
-  return places;
 }
 
 bool isSame(const Profile& a, const Profile& b)
@@ -130,6 +160,41 @@ bool isSame(const Profile& a, const Profile& b)
   return a.discontinuities() == b.discontinuities() &&
          std::all_of(a.discontinuities().begin(), a.discontinuities().end(), at_same_points);
 }
+/// Reads the files of the slices. Equal slices share one profile: the rail does not change between them.
+RailSeries seriesOf(std::vector<Slice>& slices, const std::string& path, const ProfileReading& reading)
+{
+  RailSeries series;
+  std::map<std::string, std::pair<std::shared_ptr<const Profile>, bool>> read;
+  for (Slice& slice : slices)
+  {
+    auto& [profile, reversed] = read[slice.name];
+    if (!profile)
+    {
+      FileSlice own = readSlice((std::filesystem::path(path).parent_path() / slice.name).string(), reading);
+      profile = std::make_shared<const Profile>(std::move(own.profile));
+      reversed = own.reversed;
+    }
+    if (!series.empty() && isSame(*profile, *series.back().profile))
+    {
+      profile = series.back().profile;
+    }
+    slice.reversed = reversed;
+    series.push_back({slice.x, profile, {}});
+  }
+  return series;
+}
+
+/// Skips the part numbers of kinks and accelerations, which are not used.
+void skipParts(SlicesFile& file, const std::vector<std::string>& counts)
+{
+  for (std::size_t kind = 1; kind <= 2; ++kind)
+  {
+    if (const std::size_t count = file.count(counts[kind]); count > 0)
+    {
+      file.line(count, "part numbers");
+    }
+  }
+}
 }  // namespace
 
 RailSeries readRailSlices(const std::string& path, const ProfileReading& reading)
@@ -141,42 +206,26 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
     file.file().refuse("U_OFFSET = " + scaling[0] + ": must be 0; add it to the places");
   }
   const double scale = per_mm * file.number(scaling[1]);
+  if (!(scale > 0))
+  {
+    file.file().refuse("scale of the places = " + scaling[1] + ": must be positive");
+  }
   const std::size_t count = file.count(file.line(1, "the number of slices")[0]);
+  if (count == 0)
+  {
+    file.file().refuse("the number of slices must not be 0");
+  }
   const std::vector<std::string> counts = file.line(3, "the numbers of features, kinks and accelerations");
   const std::size_t features = file.count(counts[0]);
   file.line(1, "the method of interpolation");
-  std::vector<Slice> slices;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    slices.push_back(sliceOf(file, scale));
-  }
-  for (const std::size_t unused : {file.count(counts[1]), file.count(counts[2])})
-  {
-    if (unused > 0)
-    {
-      file.line(unused, "part numbers");
-    }
-  }
-  RailSeries series;
-  std::map<std::string, std::shared_ptr<const Profile>> read;
-  for (const Slice& slice : slices)
-  {
-    std::shared_ptr<const Profile>& profile = read[slice.name];
-    if (!profile)
-    {
-      const std::string own = (std::filesystem::path(path).parent_path() / slice.name).string();
-      profile = std::make_shared<const Profile>(readSlice(own, reading));
-    }
-    if (!series.empty() && isSame(*profile, *series.back().profile))
-    {
-      profile = series.back().profile;  // no change between equal slices
-    }
-    series.push_back({slice.x, profile, {}});
-  }
+  std::vector<Slice> slices = slicesOf(file, count, scale);
+  skipParts(file, counts);
+  RailSeries series = seriesOf(slices, path, reading);
   for (std::size_t i = 0; i < count && features > 0; ++i)
   {
-    series[i].places = placesOn(*series[i].profile, featuresOf(file, features, series[i].x, scale), reading.mirror);
+    series[i].places = featuresOf(file, features, scale, slices[i], series[i].profile->length());
   }
+  file.requireEnd();
   return series;
 }
 }  // namespace wheel_rail_contact::core

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,28 +13,64 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-void check(const RailSeries& series)
+/// Largest height of the crown over the origin of a running rail [m]. Wear is less.
+constexpr double origin_tolerance = 0.005;
+constexpr double crown_spacing = 1e-4;  ///< of the places at which the crown is searched for [m]
+
+/// @throw std::invalid_argument "PART, section N REASON", unless `rule` is true. Index of the section: from 0.
+void require(bool rule, const std::string& part, std::size_t section, const std::string& reason)
 {
-  for (std::size_t i = 0; i < series.size(); ++i)
+  if (!rule)
   {
-    const std::string name = "section " + std::to_string(i + 1) + " of a rail";
-    if (series[i].profile == nullptr || series[i].profile->parts().size() != 1)
-    {
-      throw std::invalid_argument(name + " must have a profile of one part");
-    }
-    if (!std::isfinite(series[i].x) || (i > 0 && !(series[i].x > series[i - 1].x)))
-    {
-      throw std::invalid_argument(name + ": x must increase");
-    }
-    if (series[i].places.size() != series.front().places.size())
-    {
-      throw std::invalid_argument(name + " must have as many places as the first one");
-    }
+    throw std::invalid_argument(part + ", section " + std::to_string(section + 1) + " " + reason);
   }
+}
+
+/// True if the places that a section has increase along its profile.
+bool areOnProfile(const RailSection& section)
+{
+  double before = 0;
+  for (const double place : section.places)
+  {
+    if (std::isfinite(place) && !(place >= before && place <= section.profile->length()))
+    {
+      return false;
+    }
+    before = std::isfinite(place) ? place : before;
+  }
+  return true;
+}
+
+void check(const RailSeries& series, const std::string& part)
+{
   if (series.empty())
   {
-    throw std::invalid_argument("a part of a rail has no sections");
+    throw std::invalid_argument(part + " has no sections");
   }
+  for (std::size_t i = 0; i < series.size(); ++i)
+  {
+    const RailSection& section = series[i];
+    require(section.profile && section.profile->parts().size() == 1, part, i, "must have a profile of one part");
+    require(std::isfinite(section.x) && (i == 0 || section.x > series[i - 1].x), part, i,
+            "must have a finite x above that of the section before");
+    require(section.places.size() == series.front().places.size(), part, i,
+            "must have as many places as the first one");
+    require(areOnProfile(section), part, i, "must have increasing places on its profile");
+  }
+}
+
+/// True if the origin of a section is on its crown.
+bool hasOriginOnCrown(const Profile& profile)
+{
+  for (double u = 0; u < profile.length(); u += crown_spacing)
+  {
+    const CurvePoint p = profile.at(u);
+    if (std::abs(p.y) <= crown_spacing && std::abs(p.z) <= origin_tolerance)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::vector<CorrespondingPlaces> placesOf(const RailSection& a, const RailSection& b)
@@ -54,6 +89,24 @@ std::vector<CorrespondingPlaces> placesOf(const RailSection& a, const RailSectio
   }
   return places;
 }
+/// Curves between a section and the next one; null if both are the same profile.
+std::shared_ptr<const SectionBlend> blendOf(const RailSeries& series, std::size_t index, const std::string& part)
+{
+  const RailSection &a = series[index], &b = series[index + 1];
+  if (a.profile == b.profile)
+  {
+    return nullptr;
+  }
+  try
+  {
+    return std::make_shared<const SectionBlend>(*a.profile, *b.profile, placesOf(a, b));
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(part + ", sections " + std::to_string(index + 1) + " and " + std::to_string(index + 2) +
+                                " " + error.what());
+  }
+}
 }  // namespace
 
 RailSections::RailSections(std::vector<RailSeries> parts, Placement placement)
@@ -63,17 +116,34 @@ RailSections::RailSections(std::vector<RailSeries> parts, Placement placement)
   {
     throw std::invalid_argument("a rail needs at least one part");
   }
-  for (const RailSeries& series : parts_)
+  for (std::size_t k = 0; k < parts_.size(); ++k)
   {
-    check(series);
+    const RailSeries& series = parts_[k];
+    const std::string part = "part " + std::to_string(k + 1) + " of a rail";
+    check(series, part);
     blends_.emplace_back();
-    for (std::size_t i = 1; i < series.size(); ++i)
+    for (std::size_t i = 0; i + 1 < series.size(); ++i)
     {
-      const RailSection &a = series[i - 1], &b = series[i];
-      blends_.back().push_back(a.profile == b.profile
-                                   ? nullptr
-                                   : std::make_shared<const SectionBlend>(*a.profile, *b.profile, placesOf(a, b)));
+      blends_.back().push_back(blendOf(series, i, part));
     }
+  }
+  checkPlacement();
+}
+
+/// The first section, and with Placement::gauge each one, places the rail and its reference point by its crown.
+void RailSections::checkPlacement() const
+{
+  const RailSeries& running = parts_.front();
+  const bool by_gauge = placement_ == Placement::gauge;
+  if (by_gauge && running.size() > 1 && parts_.size() > 1)
+  {
+    throw std::invalid_argument(
+        "further parts of a rail whose sections change must be placed by coordinates: the gauge places each section");
+  }
+  for (std::size_t i = 0; i < (by_gauge ? running.size() : 1); ++i)
+  {
+    require(hasOriginOnCrown(*running[i].profile), "the running rail", i,
+            "must have its origin on its crown, within 5 mm in height");
   }
 }
 

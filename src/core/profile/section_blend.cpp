@@ -12,6 +12,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double longest_section = 5e-4;  ///< of a blend [m]
+constexpr double least_length = 0.010;    ///< of a blend [m]
 
 /// Map of a common parameter to those of both sections, through corresponding places.
 class ParameterMap
@@ -24,7 +25,7 @@ class ParameterMap
       const double a = places[i].a - places[i - 1].a, b = places[i].b - places[i - 1].b;
       if (!(a > 0 && b > 0))
       {
-        throw std::invalid_argument("corresponding places of two sections must be in the same order");
+        throw std::invalid_argument("have corresponding places that are not in the same order");
       }
       common_.push_back(common_.back() + 0.5 * (a + b));
     }
@@ -55,13 +56,11 @@ class ParameterMap
   template <typename Value>
   void cubic(std::size_t i, double s, const Value& value, double& u, double& slope) const
   {
-    const double width = common_[i] - common_[i - 1], t = (s - common_[i - 1]) / width;
-    const double rise = value(i) - value(i - 1);
-    const double first = width * slopeAt(i - 1, value), last = width * slopeAt(i, value);
-    // Cubic Hermite polynomial.
-    const double third = first + last - 2 * rise, second = 3 * rise - 2 * first - last;
-    u = value(i - 1) + t * (first + t * (second + t * third));
-    slope = (first + t * (2 * second + t * 3 * third)) / width;
+    const double t = s - common_[i - 1];
+    double c[4];
+    setCubic(value(i - 1), value(i), slopeAt(i - 1, value), slopeAt(i, value), common_[i] - common_[i - 1], c);
+    u = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+    slope = c[1] + t * (2 * c[2] + t * 3 * c[3]);
   }
 
   template <typename Value>
@@ -94,20 +93,11 @@ struct Knot
   double y, z, dy, dz;
 };
 
-void setHermite(double begin, double end, double slope_begin, double slope_end, double length, double (&c)[4])
-{
-  const double chord = (end - begin) / length;
-  c[0] = begin;
-  c[1] = slope_begin;
-  c[2] = (3 * chord - 2 * slope_begin - slope_end) / length;
-  c[3] = (slope_begin + slope_end - 2 * chord) / (length * length);
-}
-
 CubicSection between(const Knot& begin, const Knot& end, double length)
 {
   CubicSection section{};
-  setHermite(begin.y, end.y, begin.dy, end.dy, length, section.y);
-  setHermite(begin.z, end.z, begin.dz, end.dz, length, section.z);
+  setCubic(begin.y, end.y, begin.dy, end.dy, length, section.y);
+  setCubic(begin.z, end.z, begin.dz, end.dz, length, section.z);
   return section;
 }
 }  // namespace
@@ -116,12 +106,16 @@ SectionBlend::SectionBlend(const Profile& a, const Profile& b, const std::vector
 {
   if (places.empty())
   {
-    throw std::invalid_argument("the sections have no corresponding places");
+    throw std::invalid_argument("have no corresponding places");
   }
   const ParameterMap map(places);
   const CorrespondingPlaces &first = places.front(), &last = places.back();
   const double end = map.common().back() + std::min(a.length() - last.a, b.length() - last.b);
   const double begin = -std::min(first.a, first.b);
+  if (!(end - begin >= least_length))
+  {
+    throw std::invalid_argument("have less than 10 mm in common");
+  }
   const auto count = std::max(2L, std::lround(std::ceil((end - begin) / longest_section)));
   length_ = (end - begin) / static_cast<double>(count);
   std::vector<Knot> on_a, on_b;

@@ -13,11 +13,13 @@ struct CorrespondingPlaces
   double a, b;
 };
 
-/// Corresponding places of two sections, in increasing order.
+/// Corresponding places of two sections, in increasing order; none if no heads correspond.
 ///
 /// A section is divided into heads: hills between valleys at least 3 mm deep. Heads of the two sections that overlap
 /// laterally correspond, and so do the places on their sides at the same depth below the top: 14 mm, or as deep as both
-/// reach. The rule is our own.
+/// reach, or less by tenths until both sides are steeper than 45 degrees there. Above them, the ends of the corners
+/// correspond, where the sides become flatter than 14 degrees, if both corners are equally long within 10 %. The rule
+/// is our own.
 std::vector<CorrespondingPlaces> correspondingPlaces(const Profile& a, const Profile& b);
 
 /// Curves between two sections of a rail: the weighted mean of points that correspond.
@@ -30,7 +32,7 @@ class SectionBlend
 {
  public:
   /// @param places  at least one, both parameters strictly increasing
-  /// @throw std::invalid_argument if there are none, or they do not increase.
+  /// @throw std::invalid_argument if there are none, they do not increase, or the sections share less than 10 mm.
   SectionBlend(const Profile& a, const Profile& b, const std::vector<CorrespondingPlaces>& places);
 
   /// Number of cubic sections.

@@ -11,6 +11,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_parts = 16;    ///< of a rail for which memory is taken
 constexpr std::size_t fine_stations = 8;  ///< intervals of fewer stations: their width follows from the curvature
 }  // namespace
 
@@ -25,7 +26,8 @@ void ContactSearch::sample(const ParameterRange& part, std::vector<double>& u)
   }
 }
 
-ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail)
+ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail, const SearchScope& scope)
+    : scope_(scope)
 {
   // The width of a rail never exceeds the length of its profile: memory for any position of the rail.
   const double longest = std::max(longest_rail, rail.length());
@@ -36,11 +38,13 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double l
   minima_.reserve(room.count);
   for (std::vector<double>* of_rail : {&rail_line_.u, &rail_line_.y, &rail_line_.z})
   {
-    of_rail->reserve(room.count + 2 * rail.parts().size());
+    of_rail->reserve(room.count + most_parts);
   }
-  rail_points_.reserve(room.count);
+  rail_points_.reserve(room.count + most_parts);
+  rail_outline_.reserve(room.count + most_parts);
+  part_ends_.reserve(most_parts);
   setProfile(rail);
-  sample({0, wheel.length()}, wheel_line_.u);
+  sample({0, std::min(wheel.length(), scope.wheel_end)}, wheel_line_.u);
   while (wheel_line_.u.size() % WheelPoints::together != 0)
   {
     wheel_line_.u.push_back(wheel_line_.u.back());
@@ -68,9 +72,9 @@ void ContactSearch::setProfile(const Profile& rail)
 {
   rail_line_.u.clear();
   part_ends_.clear();
-  for (const ParameterRange& part : rail.parts())
+  for (std::size_t part = scope_.first_part; part < rail.parts().size(); ++part)
   {
-    sample(part, rail_line_.u);
+    sample(rail.parts()[part], rail_line_.u);
     part_ends_.push_back(rail_line_.u.size());
   }
   rail_points_.clear();
@@ -88,7 +92,7 @@ void ContactSearch::setRail(const PlacedRail& rail)
   rail_line_.z.clear();
   for (const CurvePoint& point : rail_points_)
   {
-    const PlanePoint place = rail.place(point);
+    const PlanePoint place = turned(rail.place(point));
     rail_line_.y.push_back(place.y);
     rail_line_.z.push_back(place.z);
   }
@@ -131,8 +135,13 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
 {
   wheel_ = wheel;
   wheel_outline_.start(stations_);
-  const auto [first, end] = pointsOverRail(wheel);
+  const auto [first, end] =
+      scope_.axes.areTurned() ? std::make_pair(std::size_t{0}, wheel_points_.y.size()) : pointsOverRail(wheel);
   wheel.loci(wheel_points_, first, end, wheel_line_.y.data(), wheel_line_.z.data());
+  for (std::size_t i = first; scope_.axes.areTurned() && i < end; ++i)
+  {
+    scope_.axes.turn(wheel_line_.y[i], wheel_line_.z[i]);
+  }
   wheel_outline_.add(wheel_line_, first, end);
   wheel_outline_.above(rail_outline_, separation_);
   findMinima();
@@ -181,7 +190,8 @@ void ContactSearch::findMinima(std::size_t first, std::size_t last)
 /// stations, plus the error of straight segments on a steep flank.
 double ContactSearch::depthBelowStation(std::size_t k) const
 {
-  if (k == 0 || k + 1 >= stations_.count)
+  const auto [before, after] = neighbours(k);
+  if (before == k || after == k)
   {
     return infinity;
   }
@@ -200,7 +210,6 @@ OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t la
   const bool starts_open = first == 0 || !(separation_[first - 1] < infinity) || !areOnePart(first - 1, first);
   const bool ends_open =
       last + 1 == separation_.size() || !(separation_[last + 1] < infinity) || !areOnePart(last, last + 1);
-  interval.at_profile_end = starts_open || ends_open;
   interval.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
   interval.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
   return interval;
@@ -301,6 +310,11 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     {
       intervals.push_back(interval);
     }
+  }
+  if (part_ends_.size() > 1)
+  {
+    std::sort(intervals.begin(), intervals.end(),
+              [](const OverlapInterval& a, const OverlapInterval& b) { return a.contact.rail_u < b.contact.rail_u; });
   }
 }
 

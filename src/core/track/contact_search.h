@@ -23,14 +23,37 @@ struct InitialContact
   double rail_u = 0;      ///< parameter of the rail profile [m]
 };
 
+/// Axes in which outlines are heights: side axes, turned about x.
+struct SearchAxes
+{
+  double cosine = 1, sine = 0;  ///< of the angle by which the axes are turned, from y towards z
+
+  bool areTurned() const { return sine != 0; }
+  /// Converts the coordinates of a vector or point from side axes.
+  void turn(double& y, double& z) const
+  {
+    const double before = y;
+    y = cosine * before + sine * z;
+    z = cosine * z - sine * before;
+  }
+};
+
+/// What a search compares, and along which axes.
+struct SearchScope
+{
+  SearchAxes axes;                                             ///< of all results, stations and separations
+  double wheel_end = std::numeric_limits<double>::infinity();  ///< end of the wheel profile that is compared [m]
+  std::size_t first_part = 0;                                  ///< first part of the rail that is compared
+};
+
 /// Interval across the track in which the separation is below a given value.
 struct OverlapInterval
 {
-  double u_begin = 0;           ///< parameter of the rail profile at the end on the gauge side [m]
-  double u_end = 0;             ///< parameter of the rail profile at the end on the field side [m]
-  InitialContact contact;       ///< position of the smallest separation in it
-  bool at_profile_end = false;  ///< the interval is cut off by the end of a profile, or by another part of the rail
-  bool has_one_minimum = true;  ///< the separation has one minimum in it
+  double u_begin = 0;                  ///< parameter of the rail profile at the end on the gauge side [m]
+  double u_end = 0;                    ///< parameter of the rail profile at the end on the field side [m]
+  InitialContact contact;              ///< position of the smallest separation in it
+  bool has_one_minimum = true;         ///< the separation has one minimum in it
+  std::optional<InitialContact> seen;  ///< of the second search in RailSearch: the contact in its axes
 };
 
 /// Place in an overlap at which the outlines are compared. Side axes.
@@ -58,7 +81,7 @@ class ContactSearch
 
   /// Samples the profiles. Keeps no reference to them.
   /// @param longest_rail  length of the longest rail profile that setProfile() will get [m]
-  ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail = 0);
+  ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail = 0, const SearchScope& scope = {});
 
   /// Samples another profile of the rail. setRail() must follow.
   void setProfile(const Profile& rail);
@@ -72,7 +95,8 @@ class ContactSearch
   /// @return false if wheel and rail have no common station: the wheel is beside the rail.
   bool nearest(InitialContact& contact);
 
-  /// Finds all intervals in which the separation is below `separation` [m], from the gauge side to the field side.
+  /// Finds all intervals in which the separation is below `separation` [m], from the gauge side to the field side, part
+  /// by part.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const;
   /// Stations in an interval below the separation 0.
   void stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const;
@@ -94,6 +118,7 @@ class ContactSearch
   InitialContact refined(std::size_t k) const;
   bool findByNewton(std::size_t k, InitialContact& contact) const;
   bool isNear(const InitialContact& contact, std::size_t k) const;
+  PlanePoint turned(const PlanePoint& point) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
   OverlapInterval intervalBetween(std::size_t first, std::size_t last, double separation) const;
@@ -114,6 +139,7 @@ class ContactSearch
   std::vector<std::size_t> minima_;           ///< stations of the local minima of the separation, in increasing order
   std::size_t nearest_station_ = no_station;  ///< station of the last result of nearest()
   InitialContact nearest_;                    ///< last result of nearest()
+  SearchScope scope_;
   std::optional<PlacedRail> rail_;
   std::optional<PlacedWheel> wheel_;
 };

@@ -18,6 +18,18 @@ constexpr double root_tolerance = 1e-8;     ///< of the position of a contact al
 constexpr int most_place_steps = 5;         ///< of Newton's method for this position
 }  // namespace
 
+/// A point and its tangent in the axes of the search.
+PlanePoint ContactSearch::turned(const PlanePoint& point) const
+{
+  PlanePoint own = point;
+  if (scope_.axes.areTurned())
+  {
+    scope_.axes.turn(own.y, own.z);
+    scope_.axes.turn(own.dy, own.dz);
+  }
+  return own;
+}
+
 /// Finds the point of the wheel profile whose locus is at y.
 /// @param u  parameter of the profile: initial guess; the result on return
 bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const
@@ -31,13 +43,15 @@ bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& 
     {
       return false;
     }
+    scope_.axes.turn(locus.y, locus.z);
     const double miss = y - locus.y;
     if (std::abs(miss) < newton_tolerance)
     {
       return true;
     }
     // Secant method. The first step uses the derivative of the profile, which is close to that of the locus.
-    const double slope = i > 0 ? (miss_before - miss) / step : point.dy;
+    const double slope =
+        i > 0 ? (miss_before - miss) / step : scope_.axes.cosine * point.dy + scope_.axes.sine * point.dz;
     step = miss / slope;
     miss_before = miss;
     u += step;
@@ -50,7 +64,7 @@ bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& 
 bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_difference) const
 {
   const CurvePoint rail_point = rail_->profile().at(rail_u);
-  const PlanePoint rail = rail_->place(rail_point);
+  const PlanePoint rail = turned(rail_->place(rail_point));
   CurvePoint wheel_point{};
   SpacePoint locus{};
   PlanePoint wheel{};
@@ -59,6 +73,7 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   {
     return false;
   }
+  wheel = turned(wheel);
   contact.y = rail.y;
   contact.rail_u = rail_u;
   contact.separation = locus.z - rail.z;

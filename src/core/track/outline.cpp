@@ -9,7 +9,15 @@ void Outline::start(const Stations& stations)
 {
   stations_ = stations;
   height_.assign(stations.count, std::numeric_limits<double>::infinity());
-  u_.resize(stations.count);
+  u_.assign(stations.count, std::numeric_limits<double>::quiet_NaN());
+}
+
+void Outline::reserve(std::size_t points)
+{
+  for (std::vector<double>* of_points : {&place_, &dz_dy_, &du_dy_})
+  {
+    of_points->reserve(points);
+  }
 }
 
 /// Computes the positions of the points and the derivatives on the segments. Divisions are slow; loops without branches

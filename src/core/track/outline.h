@@ -41,6 +41,8 @@ class Outline
   /// Outline without segments.
   explicit Outline(Envelope envelope) : sign_(envelope == Envelope::lower ? 1 : -1) {}
 
+  /// Takes memory for so many points.
+  void reserve(std::size_t points);
   /// Removes all segments. Allocates memory only for more stations than before.
   void start(const Stations& stations);
   /// Adds the straight segments between the points `first_point` to `end_point` (exclusive). Allocates memory only for
@@ -52,7 +54,7 @@ class Outline
   /// Height above another outline at every station [m]; infinite where one of the bodies is missing. `distance` must
   /// have one element for each station.
   void above(const Outline& other, std::vector<double>& distance) const;
-  /// Parameter of the profile at a station [m]; undefined where there is no body.
+  /// Parameter of the profile at a station [m]; NaN where there is no body.
   double u(std::size_t k) const { return u_[k]; }
 
  private:

@@ -6,6 +6,18 @@
 
 namespace wheel_rail_contact::core
 {
+namespace
+{
+/// Mean of two positions of a rail with the same angle; share 0: the first one.
+RailFrame between(const RailFrame& one, const RailFrame& other, double share)
+{
+  RailFrame frame = one;
+  frame.y += share * (other.y - one.y);
+  frame.z += share * (other.z - one.z);
+  return frame;
+}
+}  // namespace
+
 RailAlong::RailAlong(std::shared_ptr<const Profile> profile, const TrackConfig& track, Side side)
     : rail_(std::move(profile), track, side)
 {
@@ -23,7 +35,9 @@ RailAlong::RailAlong(const RailSections& sections, const TrackConfig& track, Sid
                           : PlacedRail(running[i].profile, track, side).frame());
   }
   changing_.emplace(sections);
-  moveTo(running.front().x);
+  changing_->reserve();
+  changing_->moveTo(running.front().x);
+  rail_ = PlacedRail(changing_->profile(), frame());
 }
 
 bool RailAlong::moveTo(double x)
@@ -32,16 +46,26 @@ bool RailAlong::moveTo(double x)
   {
     return false;
   }
-  RailFrame frame = frames_.front();
-  if (frames_.size() > 1)
-  {
-    const std::size_t index = changing_->section();
-    const RailFrame& next = frames_[std::min(index + 1, frames_.size() - 1)];
-    const double share = changing_->share();
-    frame.y = frames_[index].y + share * (next.y - frames_[index].y);
-    frame.z = frames_[index].z + share * (next.z - frames_[index].z);
-  }
-  rail_ = PlacedRail(changing_->profile(), frame);
+  rail_ = PlacedRail(changing_->profile(), frame());
   return true;
+}
+
+RailFrame RailAlong::frame() const
+{
+  const std::size_t index = changing_->section();
+  return frames_.size() == 1
+             ? frames_.front()
+             : between(frames_[index], frames_[std::min(index + 1, frames_.size() - 1)], changing_->share());
+}
+
+PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side side, double x)
+{
+  const RailSeries& running = sections.parts().front();
+  ChangingProfile changing(sections);
+  changing.moveTo(running.size() == 1 ? x : std::clamp(x, running.front().x, running.back().x));
+  const bool by_gauge = sections.placement() == RailSections::Placement::gauge;
+  const auto frame = [&](std::size_t i) { return PlacedRail(running[i].profile, track, side).frame(); };
+  const std::size_t index = by_gauge ? changing.section() : 0, next = std::min(index + 1, running.size() - 1);
+  return {changing.profile(), between(frame(index), frame(by_gauge ? next : 0), changing.share())};
 }
 }  // namespace wheel_rail_contact::core

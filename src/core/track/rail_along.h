@@ -29,8 +29,14 @@ class RailAlong
   double longest() const { return changing_ ? changing_->longest() : rail_.profile().length(); }
 
  private:
+  RailFrame frame() const;
+
   std::optional<ChangingProfile> changing_;
   std::vector<RailFrame> frames_;  ///< of the sections of the running rail; one for all with Placement::coordinates
   PlacedRail rail_;
 };
+
+/// Rail with sections at a place of the line [m], or at the nearest one that it contains. For pictures: its profile is
+/// made for each call.
+PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side side, double x);
 }  // namespace wheel_rail_contact::core

@@ -21,4 +21,9 @@ std::array<RailDeflection, 2> displacementsAt(const LineStation& station, const 
   }
   return displaced;
 }
+
+double tiltOf(const std::array<RailDeflection, 2>& displaced, double half_base)
+{
+  return std::atan(0.5 * (displaced[0].vertical - displaced[1].vertical) / half_base);
+}
 }  // namespace wheel_rail_contact::core

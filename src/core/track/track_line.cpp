@@ -70,14 +70,13 @@ LineStation TrackLine::at(double x) const
 {
   const auto after = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
   const auto i = static_cast<std::size_t>(after - x_.begin());
-  const double width = x_[i] - x_[i - 1], t = (x - x_[i - 1]) / width;
-  // Cubic Hermite basis.
-  const double rise = t * t * (3 - 2 * t), start = t * (1 - t) * (1 - t) * width, finish = t * t * (t - 1) * width;
+  const double t = x - x_[i - 1];
   Quantities q;
   for (std::size_t k = 0; k < quantities; ++k)
   {
-    q[k] = values_[i - 1][k] + rise * (values_[i][k] - values_[i - 1][k]) + start * slopes_[i - 1][k] +
-           finish * slopes_[i][k];
+    double c[4];
+    setCubic(values_[i - 1][k], values_[i][k], slopes_[i - 1][k], slopes_[i][k], x_[i] - x_[i - 1], c);
+    q[k] = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
   }
   return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}};
 }

@@ -14,7 +14,7 @@ namespace
 std::string rangeWarning(core::Side side, const core::RailResult& rail, double linear_range)
 {
   return formatted("%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table is valid up to %g",
-                   sideName(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
+                   nameOf(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
                    std::abs(rail.lateral_force / rail.vertical_force), linear_range);
 }
 
@@ -86,6 +86,7 @@ WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double s
     message = toMessage(*output.result, output.x(), with_grids);
   }
   message.wheelset = toMessage(output.pose(), output.x());
+  message.distance = output.state.distance;
   message.header = output.header;
   message.status = output.status;
   message.status_text = output.reason;
@@ -101,6 +102,7 @@ ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetRe
   output.status = message.status;
   output.reason = message.status_text;
   output.state.x = result.x = message.wheelset.position.x;
+  output.state.distance = message.distance;
   output.state.y = result.y;
   output.state.z = result.z;
   output.state.yaw = result.yaw;

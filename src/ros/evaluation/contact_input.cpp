@@ -101,7 +101,7 @@ void setLoad(const geometry_msgs::WrenchStamped& load, const std::string& track_
 
 std::string railName(core::Side side)
 {
-  return std::string(sideName(side)) + " rail";
+  return std::string(nameOf(side)) + " rail";
 }
 
 void setRailForces(const ContactInput& input, core::WheelsetState& state)
@@ -154,8 +154,11 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   }
   if (input.distance)
   {
-    requireFinite(input.distance->point, "distance: point");
     state.distance = input.distance->point.x;
+    if (!std::isfinite(state.distance))
+    {
+      refuse("distance: point.x is not finite");
+    }
   }
   return state;
 }

@@ -31,6 +31,15 @@ bool isFinite(const core::RailForce& force)
 }
 }  // namespace
 
+void apply(const NeighbourEffect& effect, PreparedInput& input)
+{
+  for (const core::Side side : core::sides)
+  {
+    input.state.rail_displacement[index(side)] += effect.deflection[index(side)];
+  }
+  input.lacks_neighbour = !effect.complete;
+}
+
 NeighbourForces::NeighbourForces(const NodeConfig& config) : inclination_(config.model.track.rail_inclination)
 {
   for (const NeighbourConfig& neighbour : config.neighbours)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/rail/neighbours.h"
+#include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/neighbour_result.h"
 #include "ros/parameters/parameters.h"
 
@@ -18,6 +19,9 @@ struct NeighbourEffect
   std::array<core::RailDeflection, 2> deflection;  ///< of each rail by Side; side axes
   bool complete = true;                            ///< the forces of all neighbours are known
 };
+
+/// Adds the effect to the displacement of the rails of an input, and marks it if a neighbour is unknown.
+void apply(const NeighbourEffect& effect, PreparedInput& input);
 
 /// Rail forces of the neighbouring wheelsets (rail_bending/neighbours), from their results.
 ///

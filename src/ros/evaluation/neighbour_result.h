@@ -54,10 +54,12 @@ struct Serializer<wheel_rail_contact::NeighbourResult>
     std_msgs::Header header;
     std::string status_text;
     geometry_msgs::Pose wheelset;
+    double distance = 0;
     stream.next(header);
     stream.next(result.status);
     stream.next(status_text);
     stream.next(wheelset);
+    stream.next(distance);
     stream.next(result.left_rail);
     stream.next(result.right_rail);
     result.stamp = header.stamp;

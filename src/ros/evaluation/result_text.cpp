@@ -10,16 +10,16 @@ namespace
 {
 std::string railLine(core::Side side, const core::RailDeflection& deflection)
 {
-  return formatted("%-5s rail %+.2f mm outward, %+.2f mm up, %+.1f mrad", sideName(side), 1e3 * deflection.lateral,
+  return formatted("%-5s rail %+.2f mm outward, %+.2f mm up, %+.1f mrad", nameOf(side), 1e3 * deflection.lateral,
                    1e3 * deflection.vertical, 1e3 * deflection.roll);
 }
 
 std::string patchLine(const core::PatchResult& patch)
 {
   constexpr double degree = 3.14159265358979323846 / 180;
-  return formatted("%-5s %5.0f MPa %4.0f mm² %6.1f kN %5.1f° ±%.1f %% %s", sideName(patch.side),
-                   patch.max_pressure / 1e6, patch.area * 1e6, patch.normal_force / 1e3, patch.contact_angle / degree,
-                   100 * patch.error_estimate, std::string(patch.method).c_str());
+  return formatted("%-5s %5.0f MPa %4.0f mm² %6.1f kN %5.1f° ±%.1f %% %s", nameOf(patch.side), patch.max_pressure / 1e6,
+                   patch.area * 1e6, patch.normal_force / 1e3, patch.contact_angle / degree, 100 * patch.error_estimate,
+                   std::string(patch.method).c_str());
 }
 }  // namespace
 

@@ -18,10 +18,4 @@ std::string formatted(const char* format, Values... values)
   const int length = std::snprintf(text.data(), text.size(), format, values...);
   return {text.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), text.size() - 1)};
 }
-
-/// "left" or "right".
-inline const char* sideName(core::Side side)
-{
-  return side == core::Side::left ? "left" : "right";
-}
 }  // namespace wheel_rail_contact

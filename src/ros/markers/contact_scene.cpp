@@ -108,19 +108,21 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
 }
 
 void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult& drawn, const core::WheelsetPose& pose,
-              double x, const SceneOptions& options, const std_msgs::Header& header, MarkerArray& markers)
+              const DrawnPlace& place, const SceneOptions& options, const std_msgs::Header& header,
+              MarkerArray& markers)
 {
   if (options.rails)
   {
-    addRails(model, options.track, header, x, {drawn.rail[0].deflection, drawn.rail[1].deflection}, markers);
+    addRails(model, options.track, header, place, {drawn.rail[0].deflection, drawn.rail[1].deflection}, markers);
   }
   if (options.rails_at_rest)
   {
-    addRailsAtRest(model, options.track, header, x - 0.5 * options.track.rail_length, markers);
+    const double behind = 0.5 * options.track.rail_length;
+    addRailsAtRest(model, options.track, header, {place.x - behind, place.distance - behind}, markers);
   }
   if (options.wheels)
   {
-    addWheelset(model, options.track, header, x, pose, markers);
+    addWheelset(model, options.track, header, place.x, pose, markers);
   }
 }
 }  // namespace
@@ -154,7 +156,7 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
     return markers;
   }
   const double x = options.at_origin ? 0 : output.x();
-  const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model);
+  const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model, output.state.distance);
   std::optional<core::WheelsetResult> magnified_result;
   if (at_rest && options.deflection_scale != 1)
   {
@@ -163,7 +165,7 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
   const core::WheelsetResult& drawn = magnified_result ? *magnified_result : *output.result;
   if (model)
   {
-    addTrack(*model, drawn, output.pose(), x, options, output.header, markers);
+    addTrack(*model, drawn, output.pose(), {x, output.state.distance}, options, output.header, markers);
   }
   for (const core::Side side : options.track.sides)
   {

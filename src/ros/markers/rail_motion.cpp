@@ -7,14 +7,14 @@
 
 namespace wheel_rail_contact
 {
-std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model)
+std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model, double distance)
 {
   if (!model)
   {
     return std::nullopt;
   }
-  return core::Sides<core::PlacedRail>(core::restingRail(*model, core::Side::left),
-                                       core::restingRail(*model, core::Side::right));
+  return core::Sides<core::PlacedRail>(core::restingRail(*model, core::Side::left, distance),
+                                       core::restingRail(*model, core::Side::right, distance));
 }
 
 core::RailDeflection magnified(const core::RailResult& rail, double scale)

@@ -8,8 +8,8 @@
 
 namespace wheel_rail_contact
 {
-/// Rails of the model without displacement; none without a model.
-std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model);
+/// Rails of the model without displacement, at a place of the line [m]; none without a model.
+std::optional<core::Sides<core::PlacedRail>> restingRails(const core::ContactModelConfig* model, double distance);
 
 /// Displacement of a rail with a magnified deflection: only the part that was not given (RailResult::given) is
 /// multiplied by `scale`.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/balance/rail_support.h"
 #include "core/track/placement.h"
 #include "ros/markers/color_map.h"
 #include "ros/markers/marker_tools.h"
@@ -25,10 +24,6 @@ constexpr int circle_points = 96;
 constexpr double axle_radius = 0.008;  ///< much smaller than the true radius, so that the axle hides nothing [m]
 constexpr double pi = 3.14159265358979323846;
 
-std_msgs::ColorRGBA railColor(double alpha)
-{
-  return makeColor(0.62, 0.64, 0.67, alpha);
-}
 std_msgs::ColorRGBA wheelColor(double alpha)
 {
   return makeColor(0.50, 0.65, 0.85, alpha);
@@ -45,18 +40,6 @@ std_msgs::ColorRGBA profileColor()
 double parameterAt(const core::Profile& profile, int i)
 {
   return profile.length() * i / (profile_points - 1);
-}
-
-/// Section of a rail at x, track frame [m].
-std::vector<Vector3d> railOutline(const core::PlacedRail& rail, core::Side side, double x)
-{
-  std::vector<Vector3d> points;
-  for (int i = 0; i < profile_points; ++i)
-  {
-    const core::PlanePoint p = rail.at(parameterAt(rail.profile(), i));
-    points.emplace_back(x, core::sideSign(side) * p.y, p.z);
-  }
-  return points;
 }
 
 Eigen::Isometry3d toTrack(const core::WheelsetPose& pose, double x)
@@ -156,19 +139,6 @@ Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& heade
   return marker;
 }
 
-Marker railAtRest(const core::PlacedRail& rail, const TrackStyle& style, const std_msgs::Header& header,
-                  core::Side side, double x)
-{
-  Marker marker =
-      makeMarker(header, "rail_at_rest", static_cast<int>(side), Marker::LINE_STRIP, makeColor(0.95, 0.65, 0.2, 0.9));
-  marker.scale.x = style.line_width;
-  for (const Vector3d& p : railOutline(rail, side, x))
-  {
-    marker.points.push_back(toPoint(p));
-  }
-  return marker;
-}
-
 /// Colour scale of the pressure between the rails, with labels in MPa.
 void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& markers)
 {
@@ -194,30 +164,6 @@ void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& 
 }
 }  // namespace
 
-void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
-              const std::array<core::RailDeflection, 2>& deflection, MarkerArray& markers)
-{
-  const double half_length = 0.5 * style.rail_length;
-  for (const core::Side side : style.sides)
-  {
-    const core::PlacedRail rail = core::restingRail(model, side).deflected(deflection.at(index(side)));
-    Marker marker =
-        makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST, railColor(style.rail_alpha));
-    addSurface({railOutline(rail, side, x - half_length), railOutline(rail, side, x + half_length)},
-               side == core::Side::right, marker);
-    markers.markers.push_back(marker);
-  }
-}
-
-void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                    double x, MarkerArray& markers)
-{
-  for (const core::Side side : style.sides)
-  {
-    markers.markers.push_back(railAtRest(core::restingRail(model, side), style, header, side, x));
-  }
-}
-
 void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                  double x, const core::WheelsetPose& pose, MarkerArray& markers)
 {
@@ -236,7 +182,7 @@ MarkerArray profileMarkers(const NodeConfig& config)
   std_msgs::Header header;
   header.frame_id = config.track_frame;
   MarkerArray markers;
-  addRailsAtRest(config.model, TrackStyle(), header, -0.5 * config.markers.rail_length, markers);
+  addRailsAtRest(config.model, TrackStyle(), header, {-0.5 * config.markers.rail_length, 0}, markers);
   addScale(config.markers.max_pressure, header, markers);
   return markers;
 }

@@ -23,14 +23,22 @@ struct TrackStyle
   double line_width = 0.002;          ///< width of the circles of the wheels and of a rail at rest [m]
 };
 
-/// Rails as surfaces, centred at `x` [m] along the track: markers "rail".
-/// @param deflection of each rail by Side; side axes
-void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header, double x,
-              const std::array<core::RailDeflection, 2>& deflection, visualization_msgs::MarkerArray& markers);
+/// Place along the track.
+struct DrawnPlace
+{
+  double x = 0;         ///< in the picture, track frame [m]
+  double distance = 0;  ///< on the line [m], see core::WheelsetState::distance
+};
 
-/// Section of the undeflected rails at `x` [m] along the track, as lines: markers "rail_at_rest".
+/// Rails as surfaces, centred at `place`: markers "rail". Sections that change along the line are drawn every 0.05 m.
+/// @param deflection of each rail by Side; side axes
+void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
+              const DrawnPlace& place, const std::array<core::RailDeflection, 2>& deflection,
+              visualization_msgs::MarkerArray& markers);
+
+/// Section of the undeflected rails at `place`, as lines: markers "rail_at_rest".
 void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                    double x, visualization_msgs::MarkerArray& markers);
+                    const DrawnPlace& place, visualization_msgs::MarkerArray& markers);
 
 /// Wheelset: the lower part of each wheel as a surface ("wheel"); its profile at the rear end of the surface, as a line
 /// ("wheel_profile"); two circles of each wheel as lines, and the axle as a thin cylinder ("wheel_lines").
@@ -38,7 +46,8 @@ void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& sty
 void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                  double x, const core::WheelsetPose& pose, visualization_msgs::MarkerArray& markers);
 
-/// Markers that never change: both rails at rest as lines ("rail_at_rest"), and the colour scale of the pressure
+/// Markers that never change: both rails at rest as lines ("rail_at_rest", at the beginning of the line), and the
+/// colour scale of the pressure
 /// ("scale").
 visualization_msgs::MarkerArray profileMarkers(const NodeConfig& config);
 }  // namespace wheel_rail_contact

@@ -175,12 +175,7 @@ PreparedInput ContactServer::prepare(const ContactInput& input)
 {
   PreparedInput prepared = preparation_.prepare(input, transforms_);
   const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-  const NeighbourEffect effect = neighbours_.effectAt(prepared.stamp);
-  for (const core::Side side : core::sides)
-  {
-    prepared.state.rail_displacement[index(side)] += effect.deflection[index(side)];
-  }
-  prepared.lacks_neighbour = !effect.complete;
+  apply(neighbours_.effectAt(prepared.stamp), prepared);
   return prepared;
 }
 

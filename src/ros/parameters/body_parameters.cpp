@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/parameters/body_parameters.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace wheel_rail_contact
 {
@@ -10,7 +12,7 @@ namespace
 /// Prefix of the parameters of one side: "rail/left/".
 std::string sideGroup(const std::string& body, core::Side side)
 {
-  return body + (side == core::Side::left ? "/left/" : "/right/");
+  return body + "/" + nameOf(side) + "/";
 }
 
 /// Reads the rail inclination [rad], given as an angle in radians or as a ratio such as 1:40, which is atan(1/40).
@@ -63,74 +65,118 @@ void readProfile(ParameterReader& reader, const std::string& name, NamedFile& pr
   {
     reader.refuse(name, "either a name or a group");
   }
+  if (reader.has(mirror))
+  {
+    reader.require(file, "give the file to be mirrored");
+  }
   reader.read(name, profile.value);
   reader.read(file, profile.value);
   reader.read(mirror, {{"false", false}, {"true", true}}, profile.mirror);
 }
 
-/// Reads one part of a rail whose profile changes: `slices`, a list of `sections`, or one `file`.
-/// @param prefix  before the names: "" in a group of its own
-RailPartFiles readPart(ParameterReader& reader, const std::string& prefix)
+/// Reads a list of sections, each with its place and its file.
+/// @param group_of_part  its name in messages, with "/"; empty for the running rail
+void readSections(ParameterReader& reader, const std::string& group_of_part, const std::string& name,
+                  RailPartFiles& part)
 {
-  RailPartFiles part;
-  const std::string slices = prefix + "slices", sections = prefix + "sections", file = prefix + "file";
-  const int given = (reader.has(slices) ? 1 : 0) + (reader.has(sections) ? 1 : 0) + (reader.has(file) ? 1 : 0);
-  if (given != 1)
-  {
-    reader.refuse(reader.has(sections) ? sections : slices, "given, or else sections or file: one of the three");
-  }
-  reader.read(prefix + "mirror", {{"false", false}, {"true", true}}, part.mirror);
-  part.slices.parameter = slices;
-  reader.read(slices, part.slices.value);
-  NamedFile only{file, "", false};
-  reader.read(file, only.value);
-  if (!only.value.empty())
-  {
-    part.sections.emplace_back(0, only);
-  }
-  for (ParameterReader& group : reader.readGroups(sections))
+  for (ParameterReader& group : reader.readGroups(name))
   {
     group.require("x", "place of the section on the line [m]");
     group.require("file", "profile of the section");
-    part.sections.emplace_back(0, NamedFile{sections + "/file", "", false});
-    group.read("x", rules::finite, part.sections.back().first);
-    group.read("file", part.sections.back().second.value);
+    RailSectionFile section{0, {group_of_part + name + "/file", "", part.mirror}};
+    group.read("x", rules::finite, section.x);
+    group.read("file", section.file.value);
     group.refuseUnknown();
+    if (!part.sections.empty() && !(section.x > part.sections.back().x))
+    {
+      group.refuse("x", "greater than that of the section before");
+    }
+    part.sections.push_back(section);
   }
-  for (auto& section : part.sections)
+  if (reader.has(name) && part.sections.empty())
   {
-    section.second.mirror = part.mirror;
+    reader.refuse(name, "a list of at least one section");
+  }
+}
+
+/// Reads one part of a rail: `slices`, a list of `sections`, or one `file` that holds everywhere.
+/// @param group   name of the group of the part in messages, with "/"; empty for the running rail
+/// @param prefix  before the names: "" in a group of its own
+RailPartFiles readPart(ParameterReader& reader, const std::string& group, const std::string& prefix)
+{
+  const std::string slices = prefix + "slices", sections = prefix + "sections", file = prefix + "file";
+  RailPartFiles part;
+  reader.read(prefix + "mirror", {{"false", false}, {"true", true}}, part.mirror);
+  part.slices = {group + slices, "", part.mirror};
+  reader.read(slices, part.slices.value);
+  readSections(reader, group, sections, part);
+  NamedFile only{group + file, "", part.mirror};
+  reader.read(file, only.value);
+  const std::vector<std::string> names{slices, sections, file};
+  const auto given = std::find_if(names.begin(), names.end(), [&](const auto& name) { return reader.has(name); });
+  const auto other = std::find_if(names.rbegin(), names.rend(), [&](const auto& name) { return reader.has(name); });
+  if (given == names.end())
+  {
+    reader.require(slices, "give slices, sections or file");
+  }
+  if (*given != *other)
+  {
+    reader.refuse(*other, "omitted: of slices, sections and file, only one may be given");
+  }
+  if (reader.has(file))
+  {
+    part.sections.push_back({0, only});
   }
   return part;
+}
+
+/// Reads a rail of several parts, or with a profile that changes along the line.
+RailFiles readParts(ParameterReader& reader, const std::string& name)
+{
+  using Placement = core::RailSections::Placement;
+  const std::string prefix = name + "/", parts = prefix + "parts";
+  RailFiles rail;
+  rail.parameter = name;
+  rail.placement = reader.has(prefix + "slices") ? Placement::coordinates : Placement::gauge;
+  reader.read(prefix + "placement", {{"gauge", Placement::gauge}, {"coordinates", Placement::coordinates}},
+              rail.placement);
+  std::vector<ParameterReader> further = reader.readGroups(parts);
+  rail.parts.push_back(readPart(reader, "", prefix));
+  for (ParameterReader& group : further)
+  {
+    rail.parts.push_back(readPart(group, parts + "/", ""));
+    group.refuseUnknown();
+  }
+  return rail;
 }
 
 /// Reads the profile of a rail: as readProfile(), or a group with sections. Unchanged if it is not given.
 void readRail(ParameterReader& reader, const std::string& name, RailFiles& rail)
 {
-  using Placement = core::RailSections::Placement;
   const std::string prefix = name + "/";
-  const bool slices = reader.has(prefix + "slices"), sections = reader.has(prefix + "sections");
-  const bool parts = reader.has(prefix + "parts");
-  if (reader.has(name) || reader.has(prefix + "file") || slices || sections)
+  const auto has = [&](const char* member) { return reader.has(prefix + member); };
+  if (reader.has(name) && (has("slices") || has("sections") || has("parts") || has("placement")))
+  {
+    reader.refuse(name, "either a name or a group");
+  }
+  if (has("slices") || has("sections") || has("parts"))
+  {
+    rail = readParts(reader, name);
+    return;
+  }
+  for (const char* member : {"slices", "sections", "parts", "placement"})
+  {
+    reader.know(prefix + member);
+  }
+  if (has("placement"))
+  {
+    reader.refuse(prefix + "placement", "given together with slices, sections or parts");
+  }
+  if (reader.has(name) || has("file"))
   {
     rail = RailFiles{};
   }
-  if (slices || sections || parts)
-  {
-    rail.placement = slices ? Placement::coordinates : Placement::gauge;
-    rail.parts.push_back(readPart(reader, prefix));
-  }
-  else
-  {
-    readProfile(reader, name, rail.profile);
-  }
-  reader.read(prefix + "placement", {{"gauge", Placement::gauge}, {"coordinates", Placement::coordinates}},
-              rail.placement);
-  for (ParameterReader& group : reader.readGroups(prefix + "parts"))
-  {
-    rail.parts.push_back(readPart(group, ""));
-    group.refuseUnknown();
-  }
+  readProfile(reader, name, rail.profile);
 }
 
 void readTables(ParameterReader& reader, core::Sides<NamedFile>& tables)

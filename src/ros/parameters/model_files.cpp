@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/parameters/model_files.h"
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -58,9 +59,13 @@ core::RailSeries openPart(const RailPartFiles& part, const std::string& director
                     });
   }
   core::RailSeries series;
-  for (const auto& [x, file] : part.sections)
+  std::map<std::string, std::shared_ptr<const core::Profile>>
+      opened;  // the rail does not change between equal sections
+  for (const RailSectionFile& section : part.sections)
   {
-    series.push_back({x, openProfile(file, core::ProfileKind::rail_section, directory), {}});
+    std::shared_ptr<const core::Profile>& profile = opened[section.file.value];
+    profile = profile ? profile : openProfile(section.file, core::ProfileKind::rail_section, directory);
+    series.push_back({section.x, profile, {}});
   }
   return series;
 }
@@ -84,7 +89,14 @@ OpenRail openRail(const RailFiles& rail, const std::string& directory)
   {
     parts.push_back(openPart(part, directory));
   }
-  return {nullptr, std::make_shared<core::RailSections>(std::move(parts), rail.placement)};
+  try
+  {
+    return {nullptr, std::make_shared<core::RailSections>(std::move(parts), rail.placement)};
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(rail.parameter + ": " + error.what());
+  }
 }
 
 /// Opens the files of both sides, common ones only once.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ros/parameters/parameters.h"
@@ -22,12 +21,24 @@ inline bool operator==(const NamedFile& a, const NamedFile& b)
   return a.value == b.value && a.mirror == b.mirror;
 }
 
+/// File of a section of a rail.
+struct RailSectionFile
+{
+  double x = 0;  ///< place on the line [m]
+  NamedFile file;
+};
+
+inline bool operator==(const RailSectionFile& a, const RailSectionFile& b)
+{
+  return a.x == b.x && a.file == b.file;
+}
+
 /// Files of one part of a rail: slices, or sections with their places.
 struct RailPartFiles
 {
-  NamedFile slices;                                    ///< empty: not given
-  std::vector<std::pair<double, NamedFile>> sections;  ///< place on the line [m] and file
-  bool mirror = false;                                 ///< of all of them
+  NamedFile slices;                       ///< empty: not given
+  std::vector<RailSectionFile> sections;  ///< used without slices; one: the same everywhere
+  bool mirror = false;                    ///< of all of them
 };
 
 inline bool operator==(const RailPartFiles& a, const RailPartFiles& b)
@@ -38,6 +49,7 @@ inline bool operator==(const RailPartFiles& a, const RailPartFiles& b)
 /// Files of a rail: one profile, or parts with sections.
 struct RailFiles
 {
+  std::string parameter;             ///< name of the group with the parts
   NamedFile profile;                 ///< used without parts
   std::vector<RailPartFiles> parts;  ///< the running rail first
   core::RailSections::Placement placement = core::RailSections::Placement::gauge;

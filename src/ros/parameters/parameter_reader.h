@@ -34,6 +34,8 @@ class ParameterReader
   /// @param prefix text before every name in messages: the namespace of the node with '/', or a file and ": "
   ParameterReader(ParameterTree tree, std::string prefix);
 
+  /// Makes a name known without reading it.
+  void know(const std::string& name) { known_.insert(name); }
   /// True if the parameter is given.
   bool has(const std::string& name) const { return tree_.count(name) > 0; }
 

@@ -32,6 +32,7 @@ inline ContactModelConfig mirrored(ContactModelConfig config)
 {
   std::swap(config.wheel_profile.left, config.wheel_profile.right);
   std::swap(config.rail_profile.left, config.rail_profile.right);
+  std::swap(config.rail_sections.left, config.rail_sections.right);
   std::swap(config.wheel_material.left, config.wheel_material.right);
   std::swap(config.rail_material.left, config.rail_material.right);
   std::swap(config.track.rail_inclination.left, config.track.rail_inclination.right);

@@ -201,6 +201,29 @@ TEST(ProfileCursor, ThirdDerivativesAgreeWithDifferencesOfTheSecond)
   }
 }
 
+TEST(Profile, PartsAreSeparateCurvesThatIncludeTheirEnds)
+{
+  const std::vector<ProfileSection> first{{ArcSection{0, 0, 0.02, pi, -1}, 0.03}, {LineSection{0, 0.02, 1, 0}, 0.01}};
+  const std::vector<ProfileSection> second{{LineSection{0.05, 0.01, 0.8, 0.6}, 0.02}};
+  const Profile profile = Profile::ofParts("two", {first, second});
+  ASSERT_EQ(profile.parts().size(), 2U);
+  EXPECT_EQ(profile.parts()[0].begin, 0);
+  EXPECT_DOUBLE_EQ(profile.parts()[0].end, 0.04);
+  EXPECT_DOUBLE_EQ(profile.parts()[1].begin, 0.04 + Profile::part_distance);
+  EXPECT_DOUBLE_EQ(profile.parts()[1].end, profile.length());
+  ProfileCursor cursor(profile);
+  for (const CurvePoint& end : {profile.at(profile.parts()[0].end), cursor.at(profile.parts()[0].end)})
+  {
+    EXPECT_DOUBLE_EQ(end.y, 0.01);
+    EXPECT_DOUBLE_EQ(end.z, 0.02);
+    EXPECT_DOUBLE_EQ(end.dy, 1);
+  }
+  const CurvePoint begin = profile.at(profile.parts()[1].begin);
+  EXPECT_DOUBLE_EQ(begin.y, 0.05);
+  EXPECT_DOUBLE_EQ(begin.dz, 0.6);
+  EXPECT_DOUBLE_EQ(profile.at(profile.length()).y, 0.066);
+}
+
 TEST(Profile, InvalidSectionsAreRejected)
 {
   const LineSection line{0.0, 0.0, 1.0, 0.0};

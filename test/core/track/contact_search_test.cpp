@@ -322,17 +322,6 @@ TEST_F(ContactSearchTest, WheelBesideTheRailHasNoContact)
   }
 }
 
-// Only the field end of the wheel is above the rail. The interval is cut off there and must be marked.
-TEST_F(ContactSearchTest, IntervalCutOffByAProfileEndIsMarked)
-{
-  place({config_, Side::left, {-0.05, 0.46, 0, 0}, {}});
-  InitialContact contact;
-  ASSERT_TRUE(search_.nearest(contact));
-  const std::vector<OverlapInterval> found = intervals(contact.separation + 5e-3);
-  ASSERT_FALSE(found.empty());
-  EXPECT_TRUE(found.front().at_profile_end || found.back().at_profile_end);
-}
-
 // At 60 mrad of yaw the outline of the flange root is folded. The search must find the lower branch.
 TEST_F(ContactSearchTest, LowerBranchOfAFoldedOutlineIsFoundAtLargeYaw)
 {

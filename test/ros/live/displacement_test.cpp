@@ -95,7 +95,7 @@ TEST(LiveNode, NonFiniteDisplacementOrDistanceIsRefused)
   EXPECT_EQ(displaced.status_text, "right rail displacement is not finite");
   const auto nowhere = track.request(0, RailDisplacements(), not_a_number);
   EXPECT_EQ(nowhere.status, WheelsetContact::INVALID_INPUT);
-  EXPECT_EQ(nowhere.status_text, "distance: point is not finite");
+  EXPECT_EQ(nowhere.status_text, "distance: point.x is not finite");
   const auto far = track.request(0, shifted(0.11, 0, 0));
   EXPECT_EQ(far.status, WheelsetContact::INVALID_INPUT);
   EXPECT_NE(far.status_text.find("displacement of a rail"), std::string::npos) << far.status_text;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Requirement of a co-simulation at 1 kHz: a rail whose profile changes along the line allocates no memory.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/profile/changing_profile.h"
+#include "section_scenes.h"
+
+#ifdef __GLIBC__
+namespace
+{
+long allocations = 0;
+bool counting = false;
+}  // namespace
+
+extern "C" void* __libc_malloc(std::size_t size);
+
+// Counts every allocation of the program, including operator new.
+extern "C" void* malloc(std::size_t size)
+{
+  allocations += counting ? 1 : 0;
+  return __libc_malloc(size);
+}
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using section_scenes::profileOf;
+using section_scenes::shared;
+
+TEST(HotPath, CounterSeesAnAllocation)
+{
+  allocations = 0;
+  counting = true;
+  void* volatile memory = std::malloc(16);  // volatile: an optimizer may remove the unused allocation
+  std::free(memory);
+  counting = false;
+  EXPECT_EQ(allocations, 1);
+}
+
+// The parts begin and end between sections of one another, and their profiles have different numbers of curves.
+TEST(HotPath, ChangingProfileAllocatesNothingAfterReserve)
+{
+  const auto a = shared(profileOf({})), b = shared(profileOf({0.01, 0, 0.03})), nose = shared(profileOf({0.1}));
+  const auto later = shared(profileOf({0.12, 0.002, 0.05}));
+  const RailSections rail({{{0, a, {}}, {2, b, {}}, {4, b, {}}, {6, a, {}}},
+                           {{0.7, nose, {}}, {3, later, {}}, {3.5, nose, {}}},
+                           {{1.1, nose, {}}, {1.3, later, {}}}},
+                          RailSections::Placement::coordinates);
+  ChangingProfile changing(rail);
+  changing.reserve();
+  allocations = 0;
+  counting = true;
+  for (int round = 0; round < 2; ++round)
+  {
+    for (int i = 0; i <= 600; ++i)
+    {
+      changing.moveTo(0.01 * (round == 0 ? i : 600 - i));
+    }
+  }
+  counting = false;
+  EXPECT_EQ(allocations, 0);
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core
+#endif
