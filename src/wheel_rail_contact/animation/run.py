@@ -6,7 +6,7 @@ import numpy as np
 
 from ..command import Failure
 from ..message_constants import SIDES, STATUSES, USABLE
-from ..report.results import RAIL_FIELDS, per_result, read, read_full
+from ..report.results import RAIL_FIELDS, per_result, rail_outline, read, read_full
 from .section import MM, MPA, section
 
 
@@ -58,6 +58,7 @@ def read_run(path, label, side, frames, wheelset):
     force = 1e-3 * results.rail[chosen, side, RAIL_FIELDS.index("lateral_force")]
     return Run(label=label, stamp=results.stamp[chosen], status=results.status[chosen],
                outward=MM * (1, -1)[side] * results.y[chosen], lateral=lateral, force=force, pressure=pressure,
-               sections=[section(messages[i], side, outlines) for i in chosen],
+               sections=[section(messages[i], side, {**outlines, "rail": rail_outline(results, side, results.distance[i])})
+                         for i in chosen],
                texts=[_text(messages[i], side, *row) for i, *row in zip(chosen, lateral, force, pressure)],
                rest=MM * outlines["rail"], reference=MM * outlines["reference"][0])

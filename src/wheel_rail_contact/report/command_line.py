@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 
 from ..command import finish, pyplot, writing
-from . import along_line, figures, page
+from . import along_line, figures, page, running_band
 from .results import read, read_full
 
 WORST = 2  # number of instants with the highest pressures that are shown
@@ -62,6 +62,10 @@ def _write(out, options, results, topic, other):
     if along_line.travels(results):
         pictures.append(("Along the line", [along_line.figure(results, out / "along_line.png")]))
     if len(results.patches["result"]):
+        sides = [side for side in (0, 1) if running_band.can_draw(results, side)]
+        if sides:
+            pictures.append(("Running band from above", [running_band.figure(results, side, out / f"running_band_{side}.png")
+                                                         for side in sides]))
         pictures.append(("Contact positions on the profiles", [figures.bands(results, out / "bands.png")]))
         titles = chosen_results(results, options.at)
         shown = [figures.pressure_maps(message, titles[index], out / f"pressure_{index}.png")

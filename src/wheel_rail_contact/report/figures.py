@@ -7,6 +7,7 @@ from ..message_constants import SIDES, USABLE
 from .results import RAIL_FIELDS, per_result
 
 COLOURS = ("tab:blue", "tab:orange")
+MAX_OUTLINES = 8   # largest number of places at which a rail that changes is drawn
 MAX_POINTS = 4000  # largest number of points drawn of a history; longer ones are thinned
 SMALLEST = 1e-12  # estimated errors below it are drawn as this value [-]
 
@@ -108,6 +109,16 @@ def contact_points(results, side):
     return on_rail, on_wheel
 
 
+def _drawn_outlines(results, side, kind):
+    """Outlines of a wheel or rail; of a rail that changes, some along the way of the wheelset."""
+    if kind == "rail" and results.sections[side]:
+        places = np.array([x for x, _ in results.sections[side]])
+        way = np.linspace(results.distance.min(), results.distance.max(), MAX_OUTLINES)
+        drawn = {places[np.argmin(np.abs(places - x))] for x in way}
+        return [outline for x, outline in results.sections[side] if x in drawn]
+    return [results.outlines[side][kind]] if kind in results.outlines[side] else []
+
+
 def bands(results, path):
     """Contact positions on both profiles, coloured by the highest pressure."""
     figure, axes = pyplot().subplots(2, 2, figsize=(11, 6.2), constrained_layout=True)
@@ -117,9 +128,9 @@ def bands(results, path):
         chosen = results.patches["side"] == side
         for row, (kind, points) in enumerate(zip(("wheel", "rail"), contact_points(results, side)[::-1])):
             axis, sign = axes[row][side], (1, -1)[side]
-            if kind in results.outlines[side]:
-                outline = 1e3 * results.outlines[side][kind]
-                axis.plot(sign * outline[:, 0], outline[:, 1], color="0.4")
+            outlines = _drawn_outlines(results, side, kind)
+            for outline in outlines:
+                axis.plot(sign * 1e3 * outline[:, 0], 1e3 * outline[:, 1], color="0.4", linewidth=1.5 if len(outlines) == 1 else 0.7)
             colours = axis.scatter(sign * 1e3 * points[:, 0], 1e3 * points[:, 1], c=pressure[chosen], s=14, norm=scale,
                                    cmap="viridis", zorder=3)
             axis.set(title=f"{SIDES[side]} {kind}", aspect="equal", xlabel="y [mm]", ylabel="z [mm]")

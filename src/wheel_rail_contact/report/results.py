@@ -21,14 +21,18 @@ class Results:
     z: np.ndarray = None
     roll: np.ndarray = None
     yaw: np.ndarray = None
+    distance: np.ndarray = None    # place on the line
     rail: np.ndarray = None        # (result, side, RAIL_FIELDS)
     patches: dict = None           # name -> array; `result` is the index of the result to which the patch belongs
     reasons: dict = field(default_factory=dict)    # (status, text without numbers) -> [count, first text]
     outlines: list = field(default_factory=lambda: [{}, {}])   # left, right: "rail", "wheel", "reference" -> (n, 2) outward y,
                                                                # z; may be empty
+    sections: list = field(default_factory=lambda: [[], []])   # left, right: (place on the line, (n, 2) outward y, z) of the
+                                                               # outlines of a rail that changes, else empty
     parameters: str = ""
 
 
+FAR_BELOW = -0.1  # [m] height below all pictures
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
 OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "given_lateral", "given_vertical")
@@ -64,6 +68,7 @@ def read(path, wheelset=None):
         raise Failure(f"{path}: {error}") from None
     results.outlines = [{kind: np.array(_text(header[side + name]).split(), float).reshape(-1, 2)
                          for kind, name in OUTLINES.items() if side + name in header} for side in ("left_", "right_")]
+    results.sections = [_sections(_text(header.get(side + "rail_sections", ""))) for side in ("left_", "right_")]
     results.parameters = _text(header.get("contact_replay", ""))
     return results, topic
 
@@ -73,13 +78,19 @@ def _text(value):
     return value.decode() if isinstance(value, bytes) else value
 
 
+def _sections(text):
+    """Outlines of a rail that changes along the line: a line "x PLACE" comes before the points of each one."""
+    blocks = [block.split() for block in text.split("x ")[1:]]
+    return [(float(block[0]), np.array(block[1:], float).reshape(-1, 2)) for block in blocks]
+
+
 def _collect(stream):
     histories, rails, patches, names = [], [], [], []
     results = Results()
     for index, message in enumerate(stream):
         p, q = message.wheelset.position, message.wheelset.orientation
         histories.append((message.header.stamp.to_sec(), message.status, p.x, p.y, p.z, 2 * np.arctan2(q.x, q.w),
-                          2 * np.arctan2(q.z, q.w)))
+                          2 * np.arctan2(q.z, q.w), message.distance))
         rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
         if message.status not in USABLE or message.status_text:
             key = (message.status, re.sub(r"\d+(\.\d+)?", "", message.status_text).replace("-", ""))
@@ -90,7 +101,8 @@ def _collect(stream):
             names.append(patch.method)
     if not histories:
         raise Failure("the bag contains no results")
-    results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw = np.array(histories, float).T
+    results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw, results.distance = np.array(
+        histories, float).T
     results.status = status.astype(int)
     results.rail = np.array(rails, float)
     results.rail[~np.isin(results.status, USABLE)] = np.nan
@@ -100,6 +112,16 @@ def _collect(stream):
         results.patches[name] = results.patches[name].astype(int)
     results.patches["method"] = np.array(names, dtype=object)
     return results
+
+
+def rail_outline(results, side, distance):
+    """Outline of the undeflected rail at a place of the line (n, 2), outward y and z [m]. Parts are joined far below."""
+    places = np.array([x for x, _ in results.sections[side]])
+    if not len(places):
+        return results.outlines[side]["rail"]
+    nearest = places[np.argmin(np.abs(places - distance))]
+    parts = sorted((outline for x, outline in results.sections[side] if x == nearest), key=lambda part: part[:, 0].mean())
+    return np.vstack([np.vstack([(part[0, 0], FAR_BELOW), part, (part[-1, 0], FAR_BELOW)]) for part in parts])
 
 
 def per_result(values, results, index, reduce):
