@@ -11,6 +11,8 @@ namespace wheel_rail_contact::core
 namespace
 {
 /// Overlap of a wheel on a rail under a load, over load^(2/3); a start [m/N^(2/3)].
+constexpr double touch_accuracy = 1e-8;  ///< of the height of first touch on a steep surface [m]
+constexpr double steep_touch = -1.7;     ///< slope of a surface that faces the field side at 60°
 constexpr double typical_overlap = 2.8e-8;
 
 /// Movements whose openings are not multiples of one another.
@@ -87,11 +89,21 @@ void WheelContact::forget()
 WheelStatus WheelContact::touch(const WheelsetPose& pose)
 {
   pose_ = pose;
-  if (build(first_reach_) == OverlapGrids::Overlap::beside)
+  double separation = 0;
+  for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    return none(WheelStatus::beside_rail);
+    if (build(first_reach_) == OverlapGrids::Overlap::beside)
+    {
+      return none(WheelStatus::beside_rail);
+    }
+    separation = grids_.touch().separation;
+    pose_.z -= separation;
+    // The separation falls with the height as it does itself, unless the flange back touches a check rail.
+    if (std::abs(separation) < touch_accuracy || grids_.touch().slope > steep_touch)
+    {
+      break;
+    }
   }
-  pose_.z -= grids_.touch().separation;
   return none(WheelStatus::no_contact);
 }
 

@@ -83,18 +83,17 @@ bool RailSearch::nearest(InitialContact& contact)
 {
   const bool found = from_above_.nearest(contact);
   InitialContact seen;
-  if (!uses_turned_ || (found && contact.separation < 0) || !turned_->nearest(seen) ||
-      (found && !(seen.separation < 0)))
+  if (!uses_turned_ || !turned_->nearest(seen))
   {
     return found;
   }
   const InitialContact steep = inSideAxes(seen);
-  if (!(steep.slope < steep_slope))
+  if (steep.slope < steep_slope && (!found || steep.separation < contact.separation))
   {
-    return found;
+    contact = steep;
+    return true;
   }
-  contact = steep;
-  return true;
+  return found;
 }
 
 void RailSearch::overlapIntervals(double separation, std::vector<OverlapInterval>& intervals)

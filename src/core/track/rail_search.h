@@ -26,7 +26,7 @@ class RailSearch
   void setRail(const PlacedRail& rail);
   void setWheel(const PlacedWheel& wheel);
 
-  /// Finds the position of the smallest separation. If only the flange back and a check rail overlap, theirs.
+  /// Finds the position of the smallest separation.
   bool nearest(InitialContact& contact);
   /// As ContactSearch. A change of the height does not change a contact that only the second search finds.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals);
