@@ -234,7 +234,6 @@ class WheelsetContact::Chain
   GridLevels levels_;
   WheelsetBalance balance_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
-  WheelsetState state_;                   ///< the last one, with the displacement by the line
   WheelsetResult result_;
   std::size_t patch_count_ = 0;
 };

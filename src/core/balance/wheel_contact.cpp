@@ -10,9 +10,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Overlap of a wheel on a rail under a load, over load^(2/3); a start [m/N^(2/3)].
 constexpr double touch_accuracy = 1e-8;  ///< of the height of first touch on a steep surface [m]
-constexpr double steep_touch = -1.7;     ///< slope of a surface that faces the field side at 60°
+/// Overlap of a wheel on a rail under a load, over load^(2/3); a start [m/N^(2/3)].
 constexpr double typical_overlap = 2.8e-8;
 
 /// Movements whose openings are not multiples of one another.
@@ -99,7 +98,7 @@ WheelStatus WheelContact::touch(const WheelsetPose& pose)
     separation = grids_.touch().separation;
     pose_.z -= separation;
     // The separation falls with the height as it does itself, unless the flange back touches a check rail.
-    if (std::abs(separation) < touch_accuracy || grids_.touch().slope > steep_touch)
+    if (std::abs(separation) < touch_accuracy || !RailSearch::isSteep(grids_.touch()))
     {
       break;
     }

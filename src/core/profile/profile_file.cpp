@@ -131,14 +131,14 @@ std::vector<std::string> splitWords(const std::string& line)
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
-std::vector<std::string> splitFields(const std::string& line)
+std::vector<std::string> splitFields(const std::string& line, char separator)
 {
   std::vector<std::string> fields;
   std::size_t begin = 0;
-  for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1)
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
   {
-    comma = line.find(',', begin);
-    fields.push_back(trim(line.substr(begin, comma - begin)));
+    end = line.find(separator, begin);
+    fields.push_back(trim(line.substr(begin, end - begin)));
   }
   return fields;
 }

@@ -94,8 +94,8 @@ void addPoint(const ProfileFile& file, FileProfile& content, const SampledPoint&
 std::optional<double> parseNumber(const std::string& word);
 /// Words of a line, separated by white space.
 std::vector<std::string> splitWords(const std::string& line);
-/// Fields of a line, separated by commas, without white space at their ends.
-std::vector<std::string> splitFields(const std::string& line);
+/// Fields of a line, without white space at their ends.
+std::vector<std::string> splitFields(const std::string& line, char separator = ',');
 /// Text without white space at its ends.
 std::string trim(const std::string& text);
 /// Text with the letters A to Z in lower case.

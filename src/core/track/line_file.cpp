@@ -69,18 +69,6 @@ const std::map<std::string, double> angles{{"rad", 1}, {"mrad", 1e-3}, {"deg", 3
 /// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
 using Row = std::array<std::optional<double>, columns>;
 
-std::vector<std::string> split(const std::string& line, char separator)
-{
-  std::vector<std::string> fields;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
-  {
-    end = line.find(separator, begin);
-    fields.push_back(trim(line.substr(begin, end - begin)));
-  }
-  return fields;
-}
-
 /// Table of a file, read line by line.
 class LineFile
 {
@@ -97,7 +85,7 @@ class LineFile
     }
     separator_ = *std::max_element(separators.begin(), separators.end(),
                                    [this](char one, char other) { return count(one) < count(other); });
-    for (const std::string& title : split(line_, separator_))
+    for (const std::string& title : splitFields(line_, separator_))
     {
       addColumn(title);
     }
@@ -111,7 +99,7 @@ class LineFile
     {
       return false;
     }
-    const std::vector<std::string> fields = split(line_, separator_);
+    const std::vector<std::string> fields = splitFields(line_, separator_);
     if (fields.size() != column_.size())
     {
       refuse("has " + std::to_string(fields.size()) + " values, must have " + std::to_string(column_.size()));

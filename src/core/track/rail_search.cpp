@@ -36,6 +36,11 @@ RailSearch::RailSearch(const Profile& wheel, const Profile& rail, double longest
   }
 }
 
+bool RailSearch::isSteep(const InitialContact& contact)
+{
+  return contact.slope < steep_slope;
+}
+
 void RailSearch::setProfile(const Profile& rail)
 {
   from_above_.setProfile(rail);
@@ -88,7 +93,7 @@ bool RailSearch::nearest(InitialContact& contact)
     return found;
   }
   const InitialContact steep = inSideAxes(seen);
-  if (steep.slope < steep_slope && (!found || steep.separation < contact.separation))
+  if (isSteep(steep) && (!found || steep.separation < contact.separation))
   {
     contact = steep;
     return true;
@@ -110,13 +115,13 @@ void RailSearch::overlapIntervals(double separation, std::vector<OverlapInterval
     interval.contact = inSideAxes(interval.contact);
   }
   // In these axes the flange tip is below the gauge corner of a part, too.
-  const auto is_flat = [](const OverlapInterval& one) { return !(one.contact.slope < steep_slope); };
+  const auto is_flat = [](const OverlapInterval& one) { return !isSteep(one.contact); };
   steep_.erase(std::remove_if(steep_.begin(), steep_.end(), is_flat), steep_.end());
   const auto cover = [](const OverlapInterval& one, const OverlapInterval& other)
   { return one.u_begin < other.u_end && other.u_begin < one.u_end; };
   const auto is_replaced = [&](const OverlapInterval& own)
   {
-    return own.contact.slope < steep_slope &&
+    return isSteep(own.contact) &&
            std::any_of(steep_.begin(), steep_.end(), [&](const OverlapInterval& one) { return cover(own, one); });
   };
   intervals.erase(std::remove_if(intervals.begin(), intervals.end(), is_replaced), intervals.end());

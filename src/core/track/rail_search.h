@@ -21,6 +21,9 @@ class RailSearch
   /// @param several_parts  true: a profile of the rail may have several parts
   RailSearch(const Profile& wheel, const Profile& rail, double longest_rail, bool several_parts);
 
+  /// True for a contact on a surface that faces the field side and is steeper than 60°.
+  static bool isSteep(const InitialContact& contact);
+
   /// As ContactSearch.
   void setProfile(const Profile& rail);
   void setRail(const PlacedRail& rail);

@@ -6,24 +6,10 @@
 #include <cstdlib>
 
 #include "../../manchester_scene.h"
+#include "../allocation_counter.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 #ifdef __GLIBC__
-namespace
-{
-long allocations = 0;
-bool counting = false;
-}  // namespace
-
-extern "C" void* __libc_malloc(std::size_t size);
-
-// Counts every allocation of the program, including those of Eigen and operator new.
-extern "C" void* malloc(std::size_t size)
-{
-  allocations += counting ? 1 : 0;
-  return __libc_malloc(size);
-}
-
 namespace wheel_rail_contact::core
 {
 namespace

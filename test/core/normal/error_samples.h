@@ -17,8 +17,7 @@
 #include "pressure_extent.h"
 #include "wheel_rail_contact/core/standard_profiles.h"
 
-/// Solutions of random scenes with their true errors. The reference is the same scene on a grid four times finer in
-/// each direction.
+/// Solutions of random scenes. Their true errors are from the same scene on a grid four times finer in each direction.
 namespace wheel_rail_contact::core::scenes
 {
 enum class Method

@@ -4,25 +4,11 @@
 
 #include <cstdlib>
 
+#include "../allocation_counter.h"
 #include "core/profile/changing_profile.h"
 #include "section_scenes.h"
 
 #ifdef __GLIBC__
-namespace
-{
-long allocations = 0;
-bool counting = false;
-}  // namespace
-
-extern "C" void* __libc_malloc(std::size_t size);
-
-// Counts every allocation of the program, including operator new.
-extern "C" void* malloc(std::size_t size)
-{
-  allocations += counting ? 1 : 0;
-  return __libc_malloc(size);
-}
-
 namespace wheel_rail_contact::core
 {
 namespace
