@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "wheel_rail_contact/core/profile.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {
+/// Names of the standard profiles of a kind, as loadProfile() takes them. rail_section gives the names of rails.
+std::vector<std::string> standardProfileNames(ProfileKind kind);
+
 /// Wheel profile S1002 (EN 13715, UIC 510-2), flange height 28 mm, flange thickness 32.5 mm.
 ///
 /// It consists of the eight sections H G F E D C B A of the standard, with the numbers of the standard, from the flange

@@ -8,23 +8,12 @@
 
 #include "core/profile/profile_file.h"
 #include "core/profile/smoothing_spline.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "core/profile/standard_profile_table.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-struct StandardProfile
-{
-  const char* name;
-  ProfileKind kind;
-  Profile (*make)();
-};
-
-constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s1002Wheel},
-                                                 {"60E1", ProfileKind::rail, rail60E1},
-                                                 {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
-
 bool fits(ProfileKind standard, ProfileKind kind)
 {
   return (standard == ProfileKind::wheel) == (kind == ProfileKind::wheel);
@@ -57,8 +46,8 @@ std::string checkedExtension(const std::string& path, ProfileKind kind)
   if (!isKnownExtension(extension))
   {
     throw ProfileError(path, 0,
-                       "neither the name of a standard profile (S1002, 60E1, UIC60_manchester) nor a .prw, .prr, .whl, "
-                       ".ban or .csv file");
+                       "neither the name of a standard profile (" + listOfStandardProfiles() +
+                           ") nor a .prw, .prr, .whl, .ban or .csv file");
   }
   if (kind == ProfileKind::wheel ? of_rail : of_wheel)
   {
@@ -97,24 +86,21 @@ void setHeightFromTape(std::vector<ProfileSection>& sections)
 
 Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const ProfileReading& reading)
 {
-  for (const StandardProfile& standard : standard_profiles)
+  const StandardProfile* standard = findStandardProfile(name_or_path);
+  if (standard == nullptr)
   {
-    if (name_or_path != standard.name)
-    {
-      continue;
-    }
-    if (!fits(standard.kind, kind))
-    {
-      throw std::invalid_argument("profile '" + name_or_path + "' belongs to a " + nameOf(standard.kind) + "; a " +
-                                  nameOf(kind) + " profile is required");
-    }
-    if (reading.mirror)
-    {
-      throw std::invalid_argument("mirror = true applies to files, not to the standard profile '" + name_or_path + "'");
-    }
-    return standard.make();
+    return readProfile(name_or_path, kind, reading);
   }
-  return readProfile(name_or_path, kind, reading);
+  if (!fits(standard->kind, kind))
+  {
+    throw std::invalid_argument("profile '" + name_or_path + "' belongs to a " + nameOf(standard->kind) + "; a " +
+                                nameOf(kind) + " profile is required");
+  }
+  if (reading.mirror)
+  {
+    throw std::invalid_argument("mirror = true applies to files, not to the standard profile '" + name_or_path + "'");
+  }
+  return standard->make();
 }
 
 namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "profile_helpers.h"
@@ -178,6 +179,39 @@ TEST(S1002, ProfilePassesThroughThePointsOfTheManchesterBenchmark)
   for (const auto& point : points)
   {
     EXPECT_NEAR(atY(wheel, point[0] * mm).z, -point[1] * mm, 2e-6 * mm) << point[0];
+  }
+}
+
+TEST(StandardProfiles, EachNameOfTheListsOpensTheProfileOfThatName)
+{
+  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail})
+  {
+    const std::vector<std::string> names = standardProfileNames(kind);
+    EXPECT_GE(names.size(), kind == ProfileKind::wheel ? 1U : 2U);
+    for (const std::string& name : names)
+    {
+      EXPECT_EQ(loadProfile(name, kind).name(), name);
+    }
+  }
+  EXPECT_EQ(standardProfileNames(ProfileKind::rail_section), standardProfileNames(ProfileKind::rail));
+}
+
+TEST(StandardProfiles, MessageOnAnUnknownNameListsAllOfThem)
+{
+  try
+  {
+    loadProfile("61E1", ProfileKind::rail);
+    FAIL();
+  }
+  catch (const ProfileError& error)
+  {
+    for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail})
+    {
+      for (const std::string& name : standardProfileNames(kind))
+      {
+        EXPECT_NE(error.reason().find(name), std::string::npos) << name;
+      }
+    }
   }
 }
 

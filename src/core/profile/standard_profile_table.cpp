@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/profile/standard_profile_table.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s1002Wheel},
+                                                 {"60E1", ProfileKind::rail, rail60E1},
+                                                 {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
+}  // namespace
+
+const StandardProfile* findStandardProfile(const std::string& name)
+{
+  const StandardProfile* found = std::find_if(std::begin(standard_profiles), std::end(standard_profiles),
+                                              [&](const StandardProfile& standard) { return name == standard.name; });
+  return found == std::end(standard_profiles) ? nullptr : found;
+}
+
+std::string listOfStandardProfiles()
+{
+  std::string list;
+  for (const StandardProfile& standard : standard_profiles)
+  {
+    list += (list.empty() ? "" : ", ") + std::string(standard.name);
+  }
+  return list;
+}
+
+std::vector<std::string> standardProfileNames(ProfileKind kind)
+{
+  std::vector<std::string> names;
+  for (const StandardProfile& standard : standard_profiles)
+  {
+    if ((standard.kind == ProfileKind::wheel) == (kind == ProfileKind::wheel))
+    {
+      names.emplace_back(standard.name);
+    }
+  }
+  return names;
+}
+}  // namespace wheel_rail_contact::core
