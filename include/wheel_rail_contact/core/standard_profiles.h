@@ -20,11 +20,43 @@ std::vector<std::string> standardProfileNames(ProfileKind kind);
 /// are kept.
 Profile s1002Wheel();
 
-/// Upright rail profile 60E1 (EN 13674-1): arcs R300, R80 and R13 and the sides 1:20, symmetric about y = 0.
+/// Upright rail profile 54E1 (EN 13674-1:2017; earlier UIC 54): arcs R300, R80 and R13 and the sides 1:20, symmetric
+/// about y = 0.
 ///
-/// The R300 arc is 20.456 mm wide, and the outer ends of the R80 arcs are 52.053 mm apart. The centres of the arcs and
-/// the other section boundaries follow from tangency. The sides end where the lower corners of the head begin.
+/// The R300 arc is 20.024 mm wide, and the outer ends of the R80 arcs are 49.727 mm apart (drawing of the standard, as
+/// in package EN13674 by A. Rohrbeck). In all profiles of EN 13674-1 here, the centres of the arcs and the other
+/// section boundaries follow from tangency, and the sides end where the lower corners of the head begin. The side
+/// begins 70.000 mm wide, 14.100 mm below the crown. The points of rolland (mantelmax), from a drawing on GrabCAD,
+/// deviate by up to 0.11 um.
+Profile rail54E1();
+
+/// Upright rail profile 54E3 (EN 13674-1:2017; earlier DIN S 54): as rail54E1(), but the R300 arc is 15.267 mm wide,
+/// the outer ends of the R80 arcs are 46.835 mm apart, and the sides have the slope 1:17.2.
+///
+/// The side begins 67.000 mm wide, 14.000 mm below the crown. The points of rolland deviate by up to 9 um if their
+/// height is fitted, and by 18 um if their crown is placed at the origin.
+Profile rail54E3();
+
+/// Upright rail profile 56E1 (EN 13674-1:2017; earlier BS 113 A): arcs R305, R80 and R12.7 and the sides 1:20.
+///
+/// The R305 arc is 11.787 mm wide, and the outer ends of the R80 arcs are 51.235 mm apart (source as in rail54E1()).
+/// The side begins 69.850 mm wide, 14.530 mm below the crown. The stock rail of the UK crossing of the S&C benchmark
+/// (Bezin and others, 2021), as it comes with CONTACT, deviates by up to 1.9 um down to 10 mm below the crown, once it
+/// is placed by a fit. Further down its points smooth the corner, by up to 31 um.
+Profile rail56E1();
+
+/// Upright rail profile 60E1 (EN 13674-1; earlier UIC 60): arcs R300, R80 and R13 and the sides 1:20, symmetric about
+/// y = 0.
+///
+/// The R300 arc is 20.456 mm wide, and the outer ends of the R80 arcs are 52.053 mm apart.
 Profile rail60E1();
+
+/// Upright rail profile 60E2 (EN 13674-1:2017): arcs R200, R70, R16 and R8 and the sides 1:20.
+///
+/// The arcs end where the head is 23.778, 48.913 and 70.774 mm wide (source as in rail54E1()). The side begins 72.000
+/// mm wide, 14.300 mm below the crown, as that of rail60E1(). The points of rolland deviate by up to 27 um, or by 15 um
+/// if their height is fitted. In that drawing the centres of the R200 arcs are 0.22 mm beside the axis of symmetry.
+Profile rail60E2();
 
 /// Upright rail profile UIC60 as sampled for the Manchester contact benchmark (Shackleton and Iwnicki, 2006).
 ///

@@ -11,7 +11,11 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s1002Wheel},
+                                                 {"54E1", ProfileKind::rail, rail54E1},
+                                                 {"54E3", ProfileKind::rail, rail54E3},
+                                                 {"56E1", ProfileKind::rail, rail56E1},
                                                  {"60E1", ProfileKind::rail, rail60E1},
+                                                 {"60E2", ProfileKind::rail, rail60E2},
                                                  {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
 }  // namespace
 

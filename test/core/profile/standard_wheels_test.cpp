@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "standard_helpers.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using test::atY;
+using test::mm;
+using test::secondDerivative;
+
+/// Boundary of two sections, in the direction from the flange back to the field side.
+struct Discontinuity
+{
+  double y;            ///< [mm]
+  double step;         ///< step of z [mm]
+  double bend_before;  ///< d²z/dy² of the section before [1/mm]
+  double bend_after;   ///< d²z/dy² of the section after [1/mm]
+};
+
+TEST(S1002, ProfileRunsFromFlangeBackThroughRunningCircleToFieldSide)
+{
+  const Profile wheel = s1002Wheel();
+  EXPECT_EQ(wheel.name(), "S1002");
+  EXPECT_DOUBLE_EQ(wheel.at(0.0).y, -70.0 * mm);
+  EXPECT_NEAR(wheel.at(wheel.length()).y, 60.0 * mm, 1e-16);
+  EXPECT_NEAR(atY(wheel, 0.0).z, 0.0, 1e-17);
+  EXPECT_EQ(wheel.discontinuities().size(), 9U);
+}
+
+TEST(S1002, FlangeHasTheDimensionsOfEn13715)
+{
+  const Profile wheel = s1002Wheel();
+  // Flange height 28 mm: flange tip at y = -55 mm, where its arc is horizontal.
+  EXPECT_NEAR(atY(wheel, -55.0 * mm).z, -28.0 * mm, 1e-16);
+  // Flange thickness 32.5 mm: from the flange back at -70 mm, measured 10 mm below the running circle.
+  EXPECT_NEAR(atY(wheel, -37.5 * mm).z, -10.0 * mm, 0.0005 * mm);
+  // qR 10.794 mm: lateral distance between the point 2 mm above the tip and the point 10 mm below the running circle.
+  double low = -55.0 * mm;
+  double high = -40.0 * mm;
+  for (int halving = 0; halving < 60; ++halving)
+  {
+    const double middle = 0.5 * (low + high);
+    (atY(wheel, middle).z < -26.0 * mm ? low : high) = middle;
+  }
+  EXPECT_NEAR(-37.5 * mm - low, 10.794 * mm, 0.0006 * mm);
+  // Flank angle 70 degrees.
+  EXPECT_NEAR(std::atan(atY(wheel, -39.0 * mm).slope()) * 180.0 / 3.14159265358979323846, 70.0, 1e-6);
+}
+
+TEST(S1002, TreadHasThePolynomialsOfTheStandard)
+{
+  const Profile wheel = s1002Wheel();
+  EXPECT_NEAR(atY(wheel, 0.0).slope(), 3.358537058e-2, 1e-15);
+  EXPECT_NEAR(secondDerivative(atY(wheel, 0.0)), -2.0 * 1.565681624e-3 * 1e3, 1e-10);
+  const double y = 20.0;
+  const double down = -3.358537058e-2 * y + 1.565681624e-3 * y * y - 2.810427944e-5 * std::pow(y, 3) +
+                      5.844240864e-8 * std::pow(y, 4) - 1.562379023e-8 * std::pow(y, 5) +
+                      5.309217349e-15 * std::pow(y, 6) - 5.957839843e-12 * std::pow(y, 7) +
+                      2.646656573e-13 * std::pow(y, 8);
+  EXPECT_NEAR(atY(wheel, y * mm).z, -down * mm, 1e-17);
+  EXPECT_NEAR(atY(wheel, 50.0 * mm).z, -(1.364323640 - 0.066666667 * 50.0) * mm, 1e-17);
+}
+
+TEST(S1002, SectionBoundariesHaveTheStepsAndCurvaturesOfTheStandard)
+{
+  // The values follow from the numbers of the standard alone. They were computed in rational arithmetic for the
+  // polynomials, and as R² / (R² - (y - yc)²)^(3/2) for the arcs.
+  const Discontinuity discontinuities[] = {{-62.764705882, 4.08e-10, 0.110060, 0.188019},
+                                           {-49.662510381, -6.39e-8, 0.115992, 0.069595},
+                                           {-39.764473993, 2.96e-8, 1.249726, 0.0},
+                                           {-38.426669071, 2.04e-9, 0.0, -1.922656},
+                                           {-35.0, 1.1833e-4, -0.1923071, -0.1923058},
+                                           {-26.0, -3.6548e-5, -0.0210329, -0.0210335},
+                                           {32.15796, 2.84e-10, 0.004172, 0.0}};
+  const Profile wheel = s1002Wheel();
+  for (std::size_t k = 0; k < 7; ++k)
+  {
+    SCOPED_TRACE(discontinuities[k].y);
+    const double u = wheel.discontinuities()[k + 1];
+    const CurvePoint before = wheel.at(std::nextafter(u, 0.0));
+    const CurvePoint after = wheel.at(u);
+    EXPECT_NEAR(after.y, discontinuities[k].y * mm, 1e-16);
+    EXPECT_NEAR(before.y, discontinuities[k].y * mm, 1e-16);
+    // The terms of the polynomials are up to 160 mm; their rounding error is 1e-16 m.
+    EXPECT_NEAR(after.z - before.z, discontinuities[k].step * mm,
+                0.005 * std::abs(discontinuities[k].step) * mm + 1e-15);
+    EXPECT_NEAR(std::atan(after.slope()), std::atan(before.slope()), 5e-6);
+    EXPECT_NEAR(secondDerivative(before), discontinuities[k].bend_before / mm, 6e-4);
+    EXPECT_NEAR(secondDerivative(after), discontinuities[k].bend_after / mm, 6e-4);
+  }
+}
+
+TEST(S1002, DerivativesAgreeWithDifferences)
+{
+  test::expectDerivativesByDifferences(s1002Wheel());
+}
+
+TEST(S1002, ProfilePassesThroughThePointsOfTheManchesterBenchmark)
+{
+  // Points of MBench_S1002_v3.prw (Manchester contact benchmark, Simpack format; y mirrored, z down), in mm. Near the
+  // flange they are given to 1e-6 mm. The tolerance of 2e-6 mm is the rounding of the points and of the standard.
+  const double points[][2] = {{-67.288396, 19.708615},  {-54.505121, 27.989791},   {-42.304446, 20.488738},
+                              {-40.409365, 17.238210},  {-35.169732, 7.0260678},   {-26.211283, 2.7925449},
+                              {-14.716500, 0.93792104}, {-1.2167753, 0.043234705}, {13.366072, -0.24128622},
+                              {26.796290, -0.49095763}, {38.384643, -1.1946526},   {49.889591, -1.9616491},
+                              {60.000000, -2.6356764}};
+  const Profile wheel = s1002Wheel();
+  for (const auto& point : points)
+  {
+    EXPECT_NEAR(atY(wheel, point[0] * mm).z, -point[1] * mm, 2e-6 * mm) << point[0];
+  }
+}
+}  // namespace
+}  // namespace wheel_rail_contact::core
