@@ -20,6 +20,26 @@ std::vector<std::string> standardProfileNames(ProfileKind kind);
 /// are kept.
 Profile s1002Wheel();
 
+/// Wheel profile LMA of Chinese high-speed trains (named in TB/T 449-2016), flange height 28 mm.
+///
+/// Arcs that meet without a kink: R25, R12 and R15 from the flange back (y = -70 mm), a flank of 70 degrees, R14, R90,
+/// and R450 through the running circle; then a cone 1:40, and from y = 30 mm one of 1:15, with a kink between them, to
+/// y = +60 mm. The text of the standard was not available. Radii and centres are those of the points in LMA.txt of the
+/// Wheel-Rail-Interaction-Dataset (Legend19960404), from which the arcs deviate by up to 0.001 um. The points in
+/// LMA.prw of JBG_SDITT (zzh158shallow-tech), given to 1 um, deviate by up to 3 um between y = -31 and +58 mm; their
+/// flank lies 24 um closer to the field side.
+Profile lmaWheel();
+
+/// Conical wheel with the flange of EN 13715 (sections H, G, F and E of S1002, flange height 28 mm). It is not a
+/// profile of a standard.
+///
+/// The tread is straight, with this slope, from the root of the flange to y = +60 mm. An arc R13 joins tread and flank
+/// without a kink. The flange is therefore 32.30 mm thick, 10 mm below the running circle.
+/// @param slope  decrease of the radius over the width, to the field side [-], from 0.01 to 0.1: 1/20 and 1/40 for the
+/// named profiles cone_1_20 and cone_1_40
+/// @throw std::invalid_argument if the slope is out of range.
+Profile coneWheel(double slope);
+
 /// Upright rail profile 54E1 (EN 13674-1:2017; earlier UIC 54): arcs R300, R80 and R13 and the sides 1:20, symmetric
 /// about y = 0.
 ///
