@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parameter_helpers.h"
@@ -142,12 +143,26 @@ TEST(Parameters, NumbersMayBeWrittenAsStrings)
   }
 }
 
-TEST(Parameters, RailName60E1IsFoundWhenRosReadsItAsANumber)
+// On a command line ROS reads 60E1 as the number 60e1. No two names may be the same number.
+TEST(Parameters, RailNamesAreFoundWhenRosReadsThemAsNumbers)
 {
+  const std::pair<const char*, double> rails[] = {
+      {"54E1", 54E1}, {"54E3", 54E3}, {"56E1", 56E1}, {"60E1", 60E1}, {"60E2", 60E2}};
+  for (const auto& [name, number] : rails)
+  {
+    XmlRpc::XmlRpcValue server;
+    server["wheel"]["profile"] = "S1002";
+    server["rail"]["profile"] = number;
+    EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), name);
+    server["rail"]["profile"] = static_cast<int>(number);
+    EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), name);
+    server["rail"]["profile"] = name;
+    EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), name);
+  }
   XmlRpc::XmlRpcValue server;
   server["wheel"]["profile"] = "S1002";
-  server["rail"]["profile"] = 60E1;
-  EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), "60E1");
+  server["rail"]["profile"] = 61E1;
+  EXPECT_TRUE(contains(refusal(parameterTree(toYaml(server))), "rail/profile = 610: neither the name of a standard"));
 }
 
 TEST(Parameters, EachInvalidValueIsRefusedWithItsName)

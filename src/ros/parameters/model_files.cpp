@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/parameters/model_files.h"
 
+#include <yaml-cpp/yaml.h>
+
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "ros/parameters/compliance_table_file.h"
 #include "ros/parameters/file_names.h"
 #include "wheel_rail_contact/core/profile_reader.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
 
 namespace wheel_rail_contact
 {
@@ -31,9 +35,30 @@ auto openFile(const NamedFile& file, const Open& open)
   }
 }
 
-/// ROS reads the name 60E1 as the number 60e1 in `_rail/profile:=60E1` on a command line, and in a <param> without a
-/// type in a launch file.
-const std::string rail_60e1_as_number = "600";
+/// Number that YAML reads in the whole text, or nothing.
+std::optional<double> numberIn(const std::string& text)
+{
+  double number = 0.0;
+  return YAML::convert<double>::decode(YAML::Node(text), number) ? std::optional<double>(number) : std::nullopt;
+}
+
+/// Name of the standard profile that ROS has read as the number `value`, or `value` itself. On a command line, and in a
+/// <param> without a type in a launch file, ROS reads `_rail/profile:=60E1` as 60e1: 600.
+std::string nameFromNumber(const std::string& value)
+{
+  const std::optional<double> number = numberIn(value);
+  for (const core::ProfileKind kind : {core::ProfileKind::wheel, core::ProfileKind::rail})
+  {
+    for (const std::string& name : core::standardProfileNames(kind))
+    {
+      if (number && numberIn(name) == number)
+      {
+        return name;
+      }
+    }
+  }
+  return value;
+}
 
 /// Opens a shipped profile, or a file if the value contains a dot or a slash.
 std::shared_ptr<const core::Profile> openProfile(const NamedFile& file, core::ProfileKind kind,
@@ -42,8 +67,8 @@ std::shared_ptr<const core::Profile> openProfile(const NamedFile& file, core::Pr
   return openFile(file,
                   [&](const std::string& value)
                   {
-                    const bool is_file = value.find_first_of("./") != std::string::npos;
-                    const std::string name = value == rail_60e1_as_number ? "60E1" : value;
+                    const std::string name = nameFromNumber(value);
+                    const bool is_file = name.find_first_of("./") != std::string::npos;
                     return std::make_shared<core::Profile>(core::loadProfile(
                         is_file ? resolveFile(name, directory) : name, kind, {std::nullopt, file.mirror}));
                   });
