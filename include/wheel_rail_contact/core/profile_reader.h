@@ -56,8 +56,8 @@ struct ProfileReading
 
 /// Returns a standard profile by its name, or a profile from a file by its path.
 ///
-/// Names: `S1002` (wheel), `60E1` and `UIC60_manchester` (rails). Any other text is the path of a file for
-/// readProfile(); `reading` applies to files.
+/// Names: standardProfileNames(), in standard_profiles.h. Any other text is the path of a file for readProfile();
+/// `reading` applies to files.
 /// @throw std::invalid_argument if the named standard profile is of the other kind, or is to be mirrored.
 /// @throw ProfileError in the cases of readProfile().
 Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const ProfileReading& reading = {});

@@ -26,7 +26,7 @@ Profile s1002Wheel();
 /// and R450 through the running circle; then a cone 1:40, and from y = 30 mm one of 1:15, with a kink between them, to
 /// y = +60 mm. The text of the standard was not available. Radii and centres are those of the points in LMA.txt of the
 /// Wheel-Rail-Interaction-Dataset (Legend19960404), from which the arcs deviate by up to 0.001 um. The points in
-/// LMA.prw of JBG_SDITT (zzh158shallow-tech), given to 1 um, deviate by up to 3 um between y = -31 and +58 mm; their
+/// LMA.prw of JBG_SDITT (zzh158shallow-tech), given to 1 um, deviate by up to 3 um between y = -30 and +58 mm; their
 /// flank lies 24 um closer to the field side.
 Profile lmaWheel();
 
@@ -54,7 +54,7 @@ Profile rail54E1();
 /// the outer ends of the R80 arcs are 46.835 mm apart, and the sides have the slope 1:17.2.
 ///
 /// The side begins 67.000 mm wide, 14.000 mm below the crown. The points of rolland deviate by up to 9 um if their
-/// height is fitted, and by 18 um if their crown is placed at the origin.
+/// height is fitted, and by 16 um if their crown is placed at the origin.
 Profile rail54E3();
 
 /// Upright rail profile 56E1 (EN 13674-1:2017; earlier BS 113 A): arcs R305, R80 and R12.7 and the sides 1:20.

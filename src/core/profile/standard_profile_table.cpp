@@ -11,15 +11,15 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s1002Wheel},
-                                             {"LMA", ProfileKind::wheel, lmaWheel},
-                                             {"cone_1_20", ProfileKind::wheel, [] { return coneWheel(1.0 / 20); }},
-                                             {"cone_1_40", ProfileKind::wheel, [] { return coneWheel(1.0 / 40); }},
-                                             {"54E1", ProfileKind::rail, rail54E1},
-                                             {"54E3", ProfileKind::rail, rail54E3},
-                                             {"56E1", ProfileKind::rail, rail56E1},
-                                             {"60E1", ProfileKind::rail, rail60E1},
-                                             {"60E2", ProfileKind::rail, rail60E2},
-                                             {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
+                                                 {"LMA", ProfileKind::wheel, lmaWheel},
+                                                 {"cone_1_20", ProfileKind::wheel, [] { return coneWheel(1.0 / 20); }},
+                                                 {"cone_1_40", ProfileKind::wheel, [] { return coneWheel(1.0 / 40); }},
+                                                 {"54E1", ProfileKind::rail, rail54E1},
+                                                 {"54E3", ProfileKind::rail, rail54E3},
+                                                 {"56E1", ProfileKind::rail, rail56E1},
+                                                 {"60E1", ProfileKind::rail, rail60E1},
+                                                 {"60E2", ProfileKind::rail, rail60E2},
+                                                 {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
 }  // namespace
 
 const StandardProfile* findStandardProfile(const std::string& name)

@@ -27,7 +27,7 @@ struct HeadArc
 /// Straight side of a rail head, tangent to its last arc.
 struct HeadSide
 {
-  double slope;  ///< descent over width [-]: 20 for a side 1:20
+  double slope;  ///< height over width [-]: 20 for a side 1:20
   double depth;  ///< depth of its lower end below the crown [mm]
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,32 @@ TEST(StandardProfiles, MessageOnAnUnknownNameListsAllOfThem)
       }
     }
   }
+}
+
+/// Names in the first column of the tables of a page, in order: `NAME`, or several of them.
+std::vector<std::string> namesInTables(const std::string& page)
+{
+  std::ifstream lines(page);
+  std::vector<std::string> names;
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    std::istringstream column(line.rfind("| `", 0) == 0 ? line.substr(2, line.find('|', 2) - 2) : "");
+    std::string name;
+    while (std::getline(column, name, '`') && std::getline(column, name, '`'))
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+TEST(StandardProfiles, PageOfTheDocumentationListsEachOfThemOnce)
+{
+  std::vector<std::string> names = standardProfileNames(ProfileKind::wheel);
+  const std::vector<std::string> rails = standardProfileNames(ProfileKind::rail);
+  names.insert(names.end(), rails.begin(), rails.end());
+  EXPECT_EQ(namesInTables("../doc/standard_profiles.md"), names);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core
