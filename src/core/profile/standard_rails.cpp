@@ -25,7 +25,7 @@ struct HeadArc
 };
 
 /// Straight side of a rail head, tangent to its last arc.
-struct HeadSide
+struct StraightSide
 {
   double slope;  ///< height over width [-]: 20 for a side 1:20
   double depth;  ///< depth of its lower end below the crown [mm]
@@ -38,7 +38,7 @@ double sineOf(double slope)
 }
 
 /// Sections of a rail head: the field half, and its mirror image. The arcs run from the crown outward.
-std::vector<ProfileSection> headSections(const std::vector<HeadArc>& arcs, const HeadSide& side)
+std::vector<ProfileSection> headSections(const std::vector<HeadArc>& arcs, const StraightSide& side)
 {
   const HeadArc& crown = arcs.front();
   const HeadArc& corner = arcs.back();
@@ -69,7 +69,7 @@ struct DrawnArc
 /// one line. The last arc ends where it has the slope of the side.
 /// @param arcs    from the crown outward; the first one is on the axis of symmetry
 /// @param radius  radius of the last arc [mm]
-Profile railHead(std::string name, const std::vector<DrawnArc>& arcs, double radius, const HeadSide& side)
+Profile railHead(std::string name, const std::vector<DrawnArc>& arcs, double radius, const StraightSide& side)
 {
   std::vector<HeadArc> placed;
   HeadArc next{0.0, -arcs.front().radius, arcs.front().radius, 0.0, 0.0};
@@ -117,7 +117,7 @@ Profile railUic60Manchester()
 {
   constexpr double crown_half_width = 10.5;
   constexpr double side_half_width = 36.0;
-  constexpr HeadSide side{20.0, 37.5};
+  constexpr StraightSide side{20.0, 37.5};
   constexpr HeadArc crown{0.0, -300.0, 300.0, 0.0, crown_half_width};
   const double to_shoulder = (crown.radius - 80.0) / crown.radius;
   HeadArc shoulder{
