@@ -1,62 +1,108 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of contact_states."""
 import argparse
+import math
 import os
+import sys
 import textwrap
 
 from ..command import Failure, finish, writing
+from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
+from .running_circles import RunningCircles
 from .state import read_bag, write_bag
-from .table import AXES, COLUMNS, UNITS, WHEEL_LOADS, read_table, write_table
+from .table import AXES, Reading, read_table, write_table
+from .units import UNITS
 
 DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle simulation, to a bag, or a bag to a table."""
-EPILOG = f"""The table is CSV (comma, semicolon or tab). Its first line contains names and units, for example
+EPILOG = f"""The table is a text file (comma, semicolon, tab or blanks; decimal point or comma). Names and units come first:
   time [s], y [mm], yaw [mrad], Q_left [kN], Q_right [kN]
+Units may also be written as y (mm), y / mm, y_mm, or in the second line. Case does not matter.
 {textwrap.fill(f"Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')}.", 110)}
-{' and '.join(WHEEL_LOADS)} may replace force_z and torque_x.
-Units: {'; '.join(', '.join(units) for units in UNITS.values())}.
-Lines that begin with # are ignored. force_z and torque_x are the force and moment of the vehicle on the axle centre, Q_left
-and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral (outward),
-rail_vertical and rail_roll (outward) are displacements of the rails. distance is the place along the line.
-Axes: rep103: x forward, y left, z up; railway: x forward, y right, z down (roll, yaw and forces accordingly)."""
+{' and '.join(WHEEL_LOADS)} may replace force_z and torque_x. Other columns are ignored, and listed.
+Other titles: --column y='Wset.Y [mm]' for the title in the file, or y='Wset.Y' and its unit if the file has no unit.
+{textwrap.fill(f"Units: {'; '.join(', '.join(units) for units in UNITS.values())}.", 110)}
+Lines that begin with #, %, ! or // are ignored. force_z and torque_x are the force and moment of the vehicle on the axle
+centre, Q_left and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral
+(outward), rail_vertical and rail_roll (outward) are displacements of the rails. distance is the place along the line.
+Axes: rep103: x forward, y left, z up; railway: x forward, y right, z down (roll, yaw and forces accordingly).
+Rows with missing values (empty, NaN) are dropped, and of rows with equal times all but the last; their number is printed."""
 
 
 def _parser():
     parser = argparse.ArgumentParser(description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("source", metavar="IN", help="table (.csv) or bag (.bag)")
-    parser.add_argument("target", metavar="OUT", help="bag (.bag) or table (.csv); must not exist")
-    parser.add_argument("--axes", choices=AXES, default="rep103", help="axes of the table (default: %(default)s)")
-    parser.add_argument("--wheelset", default="", metavar="NAME", help="namespace of the topics (default: /)")
-    parser.add_argument("--running-circles", type=float, default=1.5, metavar="M",
-                        help="distance of the running circles, for Q_left and Q_right [m] (default: %(default)s)")
-    parser.add_argument("--start", type=float, default=0.0, metavar="S",
-                        help="added to the times of the table [s] (default: 0)")
+    add = parser.add_argument
+    add("source", metavar="IN", help="table (any ending, for example .csv or .txt), or bag (.bag)")
+    add("target", metavar="OUT", help="bag (.bag), or table (.csv); must not exist")
+    add("--axes", choices=AXES, help="axes of the table (default: those in its line '# axes: ...', otherwise rep103)")
+    add("--wheelset", default="", metavar="NAME", help="namespace of the topics (default: /)")
+    add("--column", action="append", default=[], metavar="NAME='TITLE [UNIT]'",
+        help="title of a column in the file, repeatable; with an empty title, the column NAME is ignored")
+    add("--config", action="append", default=[], metavar="F.yaml",
+        help="parameters as for contact_replay, repeatable; they give the distance of the running circles "
+             "(default: config/default.yaml)")
+    add("--running-circles", type=float, metavar="M", help="distance of the running circles, for Q_left and Q_right [m]")
+    add("--start", type=float, metavar="S",
+        help="added to the times of the table [s] (default: whole seconds if the first time is not above 0, otherwise 0)")
+    add("--speed", type=float, metavar="V", help="for a table without time: time = distance / V [m/s]")
+    add("--decimal-comma", action="store_true",
+        help="the numbers have a decimal comma; required only if it could also separate thousands")
     return parser
+
+
+def _named(parser, options):
+    """Titles given with --column: quantity -> title."""
+    named = {}
+    for text in options.column:
+        quantity, equals, title = text.partition("=")
+        if not equals or quantity not in QUANTITIES:
+            parser.error(f"--column {text}: must be NAME='TITLE [UNIT]' with one of the names {', '.join(QUANTITIES)}")
+        if quantity in named:
+            parser.error(f"--column {quantity} is given twice")
+        named[quantity] = title.strip()
+    return named
+
+
+def _reading(parser, options):
+    """Reading of the options, after a check of their values."""
+    circles, speed = options.running_circles, options.speed
+    if circles is not None and not (math.isfinite(circles) and circles > 0):
+        parser.error(f"--running-circles {circles}: must be above 0")
+    if circles is not None and options.config:
+        parser.error("--running-circles and --config exclude one another")
+    if speed is not None and (not math.isfinite(speed) or speed == 0):
+        parser.error(f"--speed {speed}: must be a finite number other than 0")
+    if options.start is not None and not math.isfinite(options.start):
+        parser.error(f"--start {options.start}: must be a finite number")
+    return Reading(options.axes, _named(parser, options), options.decimal_comma, options.start, speed,
+                   RunningCircles(circles, tuple(options.config)))
 
 
 def main(arguments=None):
     """Runs the command and returns its exit status."""
     parser = _parser()
     options = parser.parse_args(arguments)
-    kinds = tuple(os.path.splitext(name)[1] for name in (options.source, options.target))
-    if sorted(kinds) != [".bag", ".csv"]:
-        parser.error("one of IN and OUT must be a .csv, the other a .bag")
-    if not options.running_circles > 0:
-        parser.error(f"--running-circles {options.running_circles}: must be above 0")
-    return finish("contact_states", _convert, options, kinds[0] == ".csv")
+    ends = tuple(os.path.splitext(name)[1].lower() for name in (options.source, options.target))
+    if ends.count(".bag") != 1 or (ends[0] == ".bag" and ends[1] != ".csv"):
+        parser.error("one of IN and OUT must be a bag (.bag), the other a table (OUT: .csv)")
+    return finish("contact_states", _convert, options, _reading(parser, options), ends[1] == ".bag")
 
 
-def _convert(options, from_table):
+def _convert(options, reading, from_table):
     wheelset = "/" + options.wheelset.strip("/") if options.wheelset.strip("/") else ""
     if os.path.exists(options.target):
         raise Failure(f"{options.target}: already exists and is not overwritten")
+    dropped = 0
     if from_table:
-        states = read_table(options.source, options.axes, options.running_circles, round(options.start * 1e9))
+        states, remarks, dropped = read_table(options.source, reading)
+        for remark in remarks:
+            print(f"{options.source}: {remark}", file=sys.stderr)
         _write(options.target, write_bag, states, wheelset)
     else:
         states = read_bag(options.source, wheelset)
-        _write(options.target, write_table, states, options.axes)
-    print(f"{len(states)} states")
+        _write(options.target, write_table, states, options.axes or AXES[0])
+    rest = f"; {dropped} of {len(states) + dropped} rows were dropped" if dropped else ""
+    print(f"{len(states)} state{'' if len(states) == 1 else 's'}{rest}")
 
 
 def _write(target, write, *arguments):
