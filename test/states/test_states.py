@@ -8,10 +8,11 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
+from unittest import mock
 
 import rosbag
+from states_case import StatesCase
 from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import State, read_bag, write_bag
 
@@ -21,31 +22,7 @@ from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 
 
-class States(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def run_states(self, source, target, *options, status=0):
-        printed = io.StringIO()
-        with contextlib.redirect_stderr(printed), contextlib.redirect_stdout(printed):
-            result = main([str(self.folder / source), str(self.folder / target), *options])
-        self.assertEqual(result, status, printed.getvalue())
-        return printed.getvalue()
-
-    def states_of(self, table, *options):
-        (self.folder / "in.csv").write_text(table)
-        (self.folder / "out.bag").unlink(missing_ok=True)
-        self.run_states("in.csv", "out.bag", *options)
-        return read_bag(self.folder / "out.bag")
-
-    def error_of(self, table, *options):
-        (self.folder / "in.csv").write_text(table)
-        printed = self.run_states("in.csv", "out.bag", *options, status=1)
-        self.assertFalse((self.folder / "out.bag").exists())
-        return printed
-
+class States(StatesCase):
     def test_units_are_converted_to_si(self):
         state, = self.states_of("time [ms];y [mm];yaw [deg];force_z [kN];torque_x [kN m];Y_left [kN]\n"
                                 "1500.25; -2.5; 0.5; -200; 3; 4.5\n")
@@ -108,19 +85,21 @@ class States(unittest.TestCase):
             self.assertAlmostEqual(state.roll, roll, delta=1e-15)
             self.assertAlmostEqual(state.yaw, yaw, delta=1e-15)
 
-    def test_invalid_tables_are_refused_with_line_and_reason(self):
-        title = "time [s],y [mm]\n"
-        for table, reason in (
-                ("", "empty"), ("time [s],y\n", "must be a name with its unit"), ("time [s],y [inch]\n", "'inch'"),
-                ("time [s],w [m]\n", "unknown quantity"), ("time [s]\n1\n", "column 'y' is missing"),
-                ("time [s],y [m],y [mm]\n", "given twice"), ("time [s],y [m],Q_left [N]\n", "must be given together"),
-                ("time [s],y [m],Q_left [N],Q_right [N],force_z [N]\n", "the load must be given either"),
-                ("time [s],y [m],torque_x [N m]\n", "torque_x requires force_z"),
-                ("# remark\n" + title + "1,2\n2,nan\n", "in.csv:4: column 'y': 'nan'"), (title + "1\n", ":2: column 'y'"),
-                (title + "0,1\n", "--start 1"), (title + "2,1\n2,1\n", ":3: time must increase")):
-            with self.subTest(table=table):
-                self.assertIn(reason, self.error_of(table))
-        self.assertEqual(self.states_of(title + "0,1\n", "--start", "1")[0].time_ns, 10**9)
+    def test_axes_of_a_table_from_a_bag_are_those_of_its_first_line(self):
+        write_bag(self.folder / "a.bag", [State(10**9, y=0.003, yaw=0.25)])
+        self.run_states("a.bag", "a.csv", "--axes", "railway")
+        self.run_states("a.csv", "b.bag")
+        self.assertEqual(read_bag(self.folder / "b.bag")[0].y, 0.003)
+        self.assertIn("'# axes: railway' contradicts --axes rep103",
+                      self.run_states("a.csv", "c.bag", "--axes", "rep103", status=1))
+        self.assertIn("contradicts --axes rep103 or railway", self.error_of("# axes: z up\ntime [s],y [m]\n1,0\n"))
+
+    def test_one_of_the_files_must_be_a_bag(self):
+        for names in (("a.csv", "b.csv"), ("a.bag", "b.bag"), ("a.bag", "b.txt"), ("a", "b")):
+            with self.subTest(names=names), contextlib.redirect_stderr(io.StringIO()) as printed:
+                with self.assertRaises(SystemExit):
+                    main([str(self.folder / name) for name in names])
+                self.assertIn("one of IN and OUT must be a bag", printed.getvalue())
 
     def test_existing_file_is_not_overwritten(self):
         (self.folder / "in.csv").write_text("time [s],y [mm]\n1,0\n")
@@ -129,18 +108,35 @@ class States(unittest.TestCase):
         self.assertEqual((self.folder / "out.bag").read_text(), "precious")
 
     def test_full_disk_is_reported_with_the_name_of_the_file_and_leaves_no_file(self):
-        write_bag(self.folder / "in.bag", [State(10**9 + i, y=1e-3 / (i + 1)) for i in range(5000)])
-        self.run_states("in.bag", "in.csv")
-        for source, target in (("in.bag", "out.csv"), ("in.csv", "out.bag")):
-            run = subprocess.run([sys.executable, SCRIPTS / "contact_states", self.folder / source, self.folder / target],
-                                 capture_output=True, text=True, check=False,
-                                 preexec_fn=no_file_larger_than(2**16))
-            self.assertEqual(run.returncode, 1, run.stderr)
-            self.assertEqual(run.stderr, f"contact_states: {self.folder / target}: File too large\n")
-            self.assertFalse((self.folder / target).exists())
+        # The disk is full at the end of a bag with poses, and in the middle of a larger one with loads.
+        for force in (None, -2e5):
+            states = [State(10**9 + i, y=1e-3 / (i + 1), force_z=force and force - i) for i in range(5000)]
+            for name in ("in.bag", "in.csv"):
+                (self.folder / name).unlink(missing_ok=True)
+            write_bag(self.folder / "in.bag", states)
+            self.run_states("in.bag", "in.csv")
+            for source, target in (("in.bag", "out.csv"), ("in.csv", "out.bag")):
+                with self.subTest(force=force, target=target):
+                    run = subprocess.run([sys.executable, SCRIPTS / "contact_states", self.folder / source,
+                                          self.folder / target], capture_output=True, text=True, check=False,
+                                         preexec_fn=no_file_larger_than(2**16))
+                    self.assertEqual(run.returncode, 1, run.stderr)
+                    self.assertEqual(run.stderr.splitlines()[-1], f"contact_states: {self.folder / target}: File too large")
+                    self.assertNotIn("Traceback", run.stderr)
+                    self.assertFalse((self.folder / target).exists())
+
+    def test_interruption_leaves_no_file(self):
+        self.write("time [s],y [mm],force_z [N]\n1,0,-1\n")
+
+        def interrupted(path, *_):
+            pathlib.Path(path).write_text("a part")
+            raise KeyboardInterrupt
+        with mock.patch("wheel_rail_contact.states.command_line.write_bag", interrupted):
+            self.run_states("in.csv", "out.bag", status=130)
+        self.assertFalse((self.folder / "out.bag").exists())
 
     def test_paths_that_cannot_be_written_are_reported(self):
-        (self.folder / "in.csv").write_text("time [s],y [mm]\n1,0\n")
+        (self.folder / "in.csv").write_text("time [s],y [mm],force_z [N]\n1,0,-1\n")
         for target in ("/sys/out.bag", self.folder / "nowhere" / "out.bag"):  # not even root can create files in /sys
             printed = self.run_states("in.csv", target, status=1)
             self.assertIn(f"contact_states: {target}: ", printed)

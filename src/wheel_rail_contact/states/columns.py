@@ -131,7 +131,7 @@ def columns_of(titles, named):
         raise Failure(f"columns without a unit: {', '.join(title.shown for title in bare.values())}. Give the units in the "
                       f"titles, for example 'y [mm]', or with {_example(bare)}")
     used = {title.index for title in chosen.values()}
-    ignored = [title for title in titles if title.index not in used and title.text]
+    ignored = [title for title in titles if title.index not in used]
     return {quantity: _column(quantity, title) for quantity, title in chosen.items()}, ignored
 
 

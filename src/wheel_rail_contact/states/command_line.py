@@ -106,11 +106,11 @@ def _convert(options, reading, from_table):
 
 
 def _write(target, write, *arguments):
-    """Writes a file. After a failure, no part of it is left."""
+    """Writes a file. After a failure or Ctrl-C, no part of it is left."""
     try:
         with writing(target):
             write(target, *arguments)
-    except Failure:
+    except (Failure, KeyboardInterrupt):
         if os.path.exists(target):
             os.remove(target)
         raise

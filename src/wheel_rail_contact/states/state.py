@@ -85,22 +85,26 @@ def _distance(state):
 
 def write_bag(path, states, wheelset=""):
     """Writes states to a bag for contact_node and contact_replay. The same states give the same bytes."""
-    topics = f"{wheelset}/wheelset/"
-    with rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2) as bag:
-        for state in states:
-            stamp = stamp_of(state.time_ns)
-            bag.write(topics + "pose", _pose(state), stamp)
-            if state.force_z is not None:
-                bag.write(topics + "load", _wrench(state, 0.0, state.force_z, state.torque_x or 0.0), stamp)
-            for side in SIDES:
-                force = getattr(state, f"{side}_lateral_force")
-                if force is not None:
-                    bag.write(f"{topics}{side}_rail_force", _wrench(state, force_y=force), stamp)
-            displacements = _displacements(state)
-            if displacements is not None:
-                bag.write(topics + "rail_displacement", displacements, stamp)
-            if state.distance is not None:
-                bag.write(topics + "distance", _distance(state), stamp)
+    bag = rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2)
+    for state in states:
+        _write_state(bag, state, f"{wheelset}/wheelset/")
+    bag.close()  # not after an error: on a full disk, close() raises another error, which would hide the first one
+
+
+def _write_state(bag, state, topics):
+    stamp = stamp_of(state.time_ns)
+    bag.write(topics + "pose", _pose(state), stamp)
+    if state.force_z is not None:
+        bag.write(topics + "load", _wrench(state, 0.0, state.force_z, state.torque_x or 0.0), stamp)
+    for side in SIDES:
+        force = getattr(state, f"{side}_lateral_force")
+        if force is not None:
+            bag.write(f"{topics}{side}_rail_force", _wrench(state, force_y=force), stamp)
+    displacements = _displacements(state)
+    if displacements is not None:
+        bag.write(topics + "rail_displacement", displacements, stamp)
+    if state.distance is not None:
+        bag.write(topics + "distance", _distance(state), stamp)
 
 
 def read_bag(path, wheelset=""):

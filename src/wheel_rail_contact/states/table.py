@@ -14,7 +14,7 @@ from .titles import titles_of
 from .units import UNITS
 
 AXES = ("rep103", "railway")
-AXES_COMMENT = re.compile(r"\s*axes:\s*(\w+)\s*")
+AXES_COMMENT = re.compile(r"\s*axes:\s*(.*?)\s*")
 
 
 @dataclass
@@ -59,9 +59,11 @@ def read_table(path, reading):
     table = TextTable(path)
     axes = _axes_of(table, reading.axes)
     titles, above = titles_of(table)
+    _, first = next(table.rows(), (0, [""] * len(titles)))
+    titles = [title for title in titles if title.text or first[title.index]]
     try:
         columns, ignored = columns_of(titles, reading.named)
-        check_columns(columns, [title for title in titles if title.text], reading.speed is not None)
+        check_columns(columns, titles, reading.speed is not None)
     except Failure as error:
         raise Failure(f"{path}: {error}") from None
     remarks = list(_remarks(table, above, ignored, columns))

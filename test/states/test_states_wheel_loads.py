@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_states: wheel loads act at the running circles of the parameters, as in contact_replay."""
+import os
+import subprocess
+import unittest
+
+import rosbag
+from states_case import StatesCase
+
+TABLE = "time [s],y [mm],Q_left [kN],Q_right [kN]\n1,0,40,30\n"
+METRE_GAUGE = ("track: {gauge: 1.000}\nwheelset: {flange_back_distance: 0.925, rolling_radius: 0.30}\n"
+               "wheel: {profile: S1002}\nrail: {profile: 60E1}\n")
+
+
+class WheelLoads(StatesCase):
+    def config(self, text, name="my.yaml"):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def assert_distance(self, distance, source, *options):
+        """The wheel loads act at this distance [m], which is printed with its source."""
+        (state,), printed = self.convert(TABLE, *options)
+        self.assertEqual(state.force_z, -70e3)
+        self.assertAlmostEqual(state.torque_x, -10e3 * distance / 2, delta=1e-9)
+        self.assertIn(f"distance of the running circles: {distance} m ({source}", printed)
+
+    def test_distance_is_that_of_the_parameters(self):
+        # From flange back to flange back, and from each flange back to its running circle.
+        self.assert_distance(1.5, "config/default.yaml; --config or --running-circles")
+        metre = self.config(METRE_GAUGE)
+        self.assert_distance(1.065, metre, "--config", metre)
+        flat = self.config("wheelset/tape_circle: '8e-2'\n", "b.yaml")
+        self.assert_distance(1.085, f"{metre}, {flat}", "--config", metre, "--config", flat)
+        self.assert_distance(1.52, flat, "--config", flat)
+        self.assert_distance(1.067, "--running-circles", "--running-circles", 1.067)
+
+    def test_parameter_files_are_found_as_those_of_a_replay(self):
+        for name in ("config/paper.yaml", "package://wheel_rail_contact/config/paper.yaml"):
+            self.assert_distance(1.5, name, "--config", name)
+
+    def test_evaluation_has_the_wheel_loads_of_the_table_on_each_gauge(self):
+        self.write(TABLE)
+        for name, text in (("metre", METRE_GAUGE), ("standard", "wheel: {profile: S1002}\nrail: {profile: 60E1}\n")):
+            with self.subTest(gauge=name):
+                config = self.config(text, f"{name}.yaml")
+                self.run_states("in.csv", f"{name}.bag", "--config", config)
+                out = self.folder / f"{name}_results.bag"
+                subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / f"{name}.bag", out, "--config", config],
+                               check=True, capture_output=True)
+                with rosbag.Bag(str(out)) as bag:
+                    (_, result, _), = bag.read_messages()
+                self.assertEqual(result.status, 0, result.status_text)
+                # The balance meets the loads to a tenth of the tolerance of 1 %.
+                self.assertAlmostEqual(result.left_rail.vertical_force, 40e3, delta=40)
+                self.assertAlmostEqual(result.right_rail.vertical_force, 30e3, delta=30)
+
+    def test_tables_without_wheel_loads_need_no_parameters(self):
+        printed = self.convert("time [s],y [mm],force_z [N]\n1,0,-9\n", "--config", self.folder / "none.yaml")[1]
+        self.assertNotIn("running circles", printed)
+
+    def test_invalid_parameters_are_refused_by_name(self):
+        for text, reason in (("wheelset: {flange_back_distance: 0}\n", "/flange_back_distance = 0 must be a finite number > 0"),
+                             ("wheelset: {tape_circle: wide}\n", "wheelset/tape_circle = wide must be"),
+                             ("wheelset: {tape_circle: true}\n", "wheelset/tape_circle = True must be"),
+                             ("wheelset: {flange_back: 0.925}\n", "my.yaml: parameter wheelset/flange_back is unknown"),
+                             ("wheelset: 1\n", "my.yaml: parameter wheelset is unknown"),
+                             ("[]\n", "my.yaml: must be a map"), ("a: [\n", "my.yaml: ")):
+            with self.subTest(text=text):
+                printed = self.error_of(TABLE, "--config", self.config(text))
+                self.assertIn(reason, printed)
+                self.assertEqual(printed.count("\n"), 1, printed)
+        self.assertIn("no such file: none.yaml", self.error_of(TABLE, "--config", "none.yaml"))
+        self.assertIn("there is no ROS package 'none'", self.error_of(TABLE, "--config", "package://none/a.yaml"))
+
+    def test_invalid_options_are_refused(self):
+        for value in ("0", "-1.5", "nan", "inf"):
+            self.assertIn(f"--running-circles {float(value)}: must be", self.misuse_of("--running-circles", value))
+        self.assertIn("exclude one another", self.misuse_of("--running-circles", "1.5", "--config", "a.yaml"))
+
+
+if __name__ == "__main__":
+    unittest.main()
