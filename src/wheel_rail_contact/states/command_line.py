@@ -16,10 +16,10 @@ from .units import UNITS
 DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle simulation, to a bag, or a bag to a table."""
 EPILOG = f"""The table is a text file (comma, semicolon, tab or blanks; decimal point or comma). Names and units come first:
   time [s], y [mm], yaw [mrad], Q_left [kN], Q_right [kN]
-Units may also be written as y (mm), y / mm, y_mm, or in the second line. Case does not matter.
+Units may also be written as y (mm), y / mm, y_mm, or in the second line. Case does not matter in names and units.
 {textwrap.fill(f"Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')}.", 110)}
 {' and '.join(WHEEL_LOADS)} may replace force_z and torque_x. Other columns are ignored, and listed.
-Other titles: --column y='Wset.Y [mm]' for the title in the file, or y='Wset.Y' and its unit if the file has no unit.
+--column y='Wset.Y [mm]' names another title in the file. If the file has no units, this option also gives the unit.
 {textwrap.fill(f"Units: {'; '.join(', '.join(units) for units in UNITS.values())}.", 110)}
 Lines that begin with #, %, ! or // are ignored. force_z and torque_x are the force and moment of the vehicle on the axle
 centre, Q_left and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral
