@@ -117,34 +117,37 @@ class TextTable:
 
     def _best_layout(self, separators, above):
         """Layout with the first separator that divides head and first row into as many cells, or else occurs in the head."""
-        found = []
+        found, failure = [], None
         for separator in separators:
-            layout = self._layout(separator, above)
-            if layout and layout.fits:
+            occurs = separator is BLANKS or separator in self._lines[0][1]
+            try:
+                layout = self._layout(separator, above)
+            except Failure as error:
+                failure = failure or (error if occurs else None)
+                continue
+            if layout.fits:
                 return layout
-            if layout and (separator is BLANKS or separator in self._lines[0][1]):
+            if occurs:
                 found.append(layout)
-        if not found:
-            raise Failure(f"{self.path}: no separator (comma, semicolon, tab, blanks) divides its lines into cells")
+        if failure or not found:
+            raise failure or Failure(f"{self.path}: none of its separators (comma, semicolon, tab, blanks) divides its lines")
         return found[0]
 
     def _layout(self, separator, above):
-        """Layout with this separator; None if the lines cannot be divided by it.
+        """Layout with this separator.
 
         @param above comments above the first line: the head, if the first line has numbers
+        @throw Failure if the lines cannot be divided by it
         """
         head, first = [], None
-        try:
-            for number, cells in self._cells(self._lines[:HEAD], separator):
-                if any(NUMBER.fullmatch(cell) for cell in cells):
-                    first = cells
-                    break
-                head.append((number, cells))
-            begin = len(head)
-            if not head:
-                head = [row for row in self._cells(above, separator, True) if len(row[1]) == len(first)][-2:]
-        except Failure:
-            return None
+        for number, cells in self._cells(self._lines[:HEAD], separator):
+            if any(NUMBER.fullmatch(cell) for cell in cells):
+                first = cells
+                break
+            head.append((number, cells))
+        begin = len(head)
+        if not head:
+            head = [row for row in self._cells(above, separator, True) if len(row[1]) == len(first)][-2:]
         return _Layout(separator, head, begin, bool(first and head) and _fit(head[-1][1], first, separator))
 
     def _cells(self, lines, separator, is_head=False):

@@ -35,6 +35,10 @@ class Tables(StatesCase):
             with self.subTest(separator=separator, decimal=","):
                 self.assert_is_read(table(separator, ","))
 
+    def test_comma_in_titles_and_numbers_is_no_separator_beside_semicolons(self):
+        state, = self.states_of("time [s];y [mm];gap, left [-]\n1;2;0,5\n")
+        self.assertEqual((state.time_ns, state.y), (10**9, 0.002))
+
     def test_encodings(self):
         text = table(";", ",")
         for encoding in ("utf-8", "utf-8-sig", "utf-16", "latin-1"):
@@ -135,7 +139,8 @@ class Tables(StatesCase):
                 (table(",").replace("61.5", "61.5,1"), ":3: the number of cells is 5, must be 4"),
                 (table(" ").replace("61.5", ""), ":3: the number of cells is 3, must be 4"),
                 (table(",") + "end\n", ":4: column 'time [s]': 'end' is not a number"),
-                (table(",") + '"0.015,1,2,3\n', ":4: ")):
+                (table(",") + '"0.015,1,2,3\n', ":4: unexpected end of data"),
+                ('time [s],y [mm]\n"0.015,1\n', ":2: unexpected end of data")):
             with self.subTest(text=text):
                 self.assertIn(reason, self.error_of(text))
 
