@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of contact_geometry."""
+import argparse
+import math
+import subprocess
+from pathlib import Path
+
+from ..command import Failure, finish, pyplot, runner, shipped
+from . import picture
+from .tables import CONICITY, GEOMETRY, MM, Table
+
+RUNNER = "contact_geometry_runner"
+PICTURE = "contact_geometry.png"
+FARTHEST = 100.0  # largest lateral displacement from the track centre [mm]
+
+
+def main(arguments=None):
+    """Runs the command and returns its exit status."""
+    return finish("contact_geometry", _run, _parser().parse_args(arguments))
+
+
+def _run(options):
+    _check(options)
+    program, default = runner(RUNNER), shipped("config/default.yaml")
+    plot = pyplot()
+    options.out.mkdir(parents=True, exist_ok=True)
+    lengths = [*options.y, options.step]
+    numbers = [repr(value / MM) for value in lengths]
+    amplitudes = [repr(value / MM) for value in options.amplitudes]
+    done = subprocess.run([program, options.out, *numbers, options.roll, repr(options.distance), *amplitudes, default,
+                           *options.config], check=False)
+    if done.returncode != 0:
+        raise Failure(f"the calculation failed with exit status {done.returncode}")
+    points, conicity = Table(options.out / GEOMETRY), Table(options.out / CONICITY)
+    picture.draw(plot, points, conicity, options.title or ", ".join(options.config) or "config/default.yaml",
+                 options.out / PICTURE)
+    _report(points, conicity)
+    print(f"wrote {GEOMETRY}, {CONICITY} and {PICTURE} to {options.out}")
+
+
+def _check(options):
+    for name, values in (("y", options.y), ("amplitudes", options.amplitudes), ("step", [options.step]),
+                         ("distance", [options.distance])):
+        if not all(math.isfinite(value) for value in values):
+            raise Failure(f"--{name} {_text(values)}: must be a number")
+    first, last = options.y
+    if not -FARTHEST <= first < last <= FARTHEST:
+        raise Failure(f"--y {_text(options.y)}: must increase, within ±{FARTHEST:g} mm")
+    if not options.step > 0:
+        raise Failure(f"--step {options.step:g}: must be above 0")
+    if not 0 < options.amplitudes[0] <= options.amplitudes[1]:
+        raise Failure(f"--amplitudes {_text(options.amplitudes)}: must be above 0, and not decrease")
+
+
+def _text(values):
+    return " ".join(f"{value:g}" for value in values)
+
+
+def _report(points, conicity):
+    """Prints the conicity of the amplitudes in whole millimetres, and the reasons of all missing results."""
+    print("amplitude [mm]  equivalent conicity  wavelength [m]  centre of the wave [mm]")
+    for i, amplitude in enumerate(MM * conicity["amplitude"]):
+        if abs(amplitude - round(amplitude)) > 1e-6:
+            continue
+        if conicity.reasons[i]:
+            print(f"{amplitude:14.0f}  none: {conicity.reasons[i]}")
+        else:
+            centre = MM * conicity["centre"][i]
+            print(f"{amplitude:14.0f}  {conicity['equivalent_conicity'][i]:19.4f}  {conicity['wavelength'][i]:14.2f}  "
+                  f"{centre + 0.0 if abs(centre) > 5e-4 else 0.0:23.3f}")
+    for name, table, column in (("y", points, "y"), ("amplitude", conicity, "amplitude")):
+        for reason in sorted(set(filter(None, table.reasons))):
+            values = [MM * value for value, found in zip(table[column], table.reasons) if found == reason]
+            print(f"no result for {len(values)} of {len(table.reasons)} values of the {name}, {min(values):.4g} mm to "
+                  f"{max(values):.4g} mm: {reason}")
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="contact_geometry", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
+        description="Computes where the wheels of a rigid wheelset touch the rails over its lateral displacement: contact "
+        "positions and angles, rolling radii and their difference, roll, and the equivalent conicity after EN 15302 over "
+        "the amplitude. Writes two tables (CSV, SI units) and a picture.")
+    parser.add_argument("--config", action="append", default=[], metavar="F.yaml",
+                        help="parameters of the node, applied over config/default.yaml and the files given before")
+    parser.add_argument("--out", type=Path, default=Path("contact_geometry"), metavar="DIR", help="folder for the files")
+    parser.add_argument("--y", type=float, nargs=2, default=(-10.0, 10.0), metavar=("FIRST", "LAST"),
+                        help="range of the lateral displacement, to the left positive [mm]")
+    parser.add_argument("--step", type=float, default=0.1, metavar="MM",
+                        help="step of the lateral displacement and of the amplitude [mm]")
+    parser.add_argument("--amplitudes", type=float, nargs=2, default=(1.0, 8.0), metavar=("FIRST", "LAST"),
+                        help="range of the amplitude of the wave [mm]")
+    parser.add_argument("--roll", choices=("solved", "none"), default="solved",
+                        help="solved: both wheels touch; none: roll is neglected, as in the reference results of EN 15302")
+    parser.add_argument("--distance", type=float, default=0.0, metavar="M",
+                        help="place on the line, for rails whose profile changes [m]")
+    parser.add_argument("--title", metavar="TEXT", help="title of the picture, instead of the names of the files")
+    return parser
