@@ -44,7 +44,7 @@ def _positions(axis, y, points):
         axis.plot(y, MM * points[f"{side}_rail_y"], "x", color=colour, markersize=3.2, markeredgewidth=0.7,
                   label=f"{side}, on the rail")
     _over_y(axis, y, "Contact position on the profiles", "from the origin to the field side [mm]")
-    axis.legend(fontsize=8, loc="lower center", ncol=2)
+    axis.legend(fontsize=7, loc="lower center")
 
 
 def _roll(axis, y, points):

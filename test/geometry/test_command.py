@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import contextlib
+import io
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+
+from wheel_rail_contact.geometry.command_line import main
+from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY, Table
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
+from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+CONE = 0.05  # slope of the conical wheels [-]
+
+
+def run(*arguments):
+    """Runs the command. @return exit status, standard output, and standard error with that of the program"""
+    with tempfile.TemporaryFile("w+") as stream:
+        out, err = io.StringIO(), io.StringIO()
+        kept = os.dup(2)
+        os.dup2(stream.fileno(), 2)
+        try:
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+                status = main([str(argument) for argument in arguments])
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
+        stream.seek(0)
+        return status, out.getvalue(), err.getvalue() + stream.read()
+
+
+def write_cones(folder):
+    """Writes a wheel with a conical tread and a short flange, and parameters with different wheels left and right."""
+    y = np.arange(-45, 61, 0.5)
+    z = CONE * y - np.maximum(-35 - y, 0) ** 2 / 5
+    table = "\n".join(f"{a:.4f},{b:.6f}" for a, b in zip(y, z))
+    Path(folder, "cone.csv").write_text(f"y_mm,z_mm\n{table}\n", encoding="ascii")
+    config = Path(folder, "cones.yaml")
+    config.write_text(f"wheel: {{profile: {folder}/cone.csv, left: {{rolling_radius: 0.4601}}, "
+                      "right: {rolling_radius: 0.4600}}\n", encoding="ascii")
+    return config
+
+
+class Command(unittest.TestCase):
+    def test_conicity_of_cones_with_unequal_radii_is_their_slope_about_a_shifted_centre(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, out, err = run("--config", write_cones(folder), "--out", Path(folder, "new"), "--roll", "none",
+                                   "--y", -5, 5, "--amplitudes", 1, 3)
+            self.assertEqual((status, err), (0, ""))
+            points, conicity = (Table(Path(folder, "new", name)) for name in (GEOMETRY, CONICITY))
+        np.testing.assert_allclose(points["y"], np.linspace(-5e-3, 5e-3, 101), atol=1e-12)
+        np.testing.assert_allclose(points["rolling_radius_difference"], 2 * CONE * points["y"] + 1e-4, atol=1e-7)
+        np.testing.assert_allclose(points["left_rolling_radius"] - points["right_rolling_radius"],
+                                   points["rolling_radius_difference"], atol=1e-8)
+        np.testing.assert_allclose(conicity["amplitude"], np.linspace(1e-3, 3e-3, 21), atol=1e-12)
+        np.testing.assert_allclose(conicity["equivalent_conicity"], CONE, atol=1e-4)
+        np.testing.assert_allclose(conicity["centre"], -1e-3, atol=1e-5)
+        np.testing.assert_allclose(conicity["wavelength"], 2 * math.pi * math.sqrt(1.5 * 0.46005 / (2 * CONE)), rtol=1e-3)
+        self.assertIn("             2               0.0500           16.51                   -1.000\n", out)
+
+    def test_picture_is_drawn(self):
+        from matplotlib import image
+        with tempfile.TemporaryDirectory() as folder:
+            status, _, err = run("--out", folder, "--step", 0.5, "--title", "S1002 on 60E1")
+            self.assertEqual((status, err), (0, ""))
+            pixels = image.imread(str(Path(folder, "contact_geometry.png")))[:, :, :3]
+        # The standard deviation of a blank picture is 0, of thin lines on white 0.1.
+        self.assertGreater(pixels.std(), 0.05)
+
+    def test_missing_results_have_an_empty_cell_and_a_printed_reason(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, out, _ = run("--out", folder, "--y", -4.2, 90, "--step", 1, "--amplitudes", 3, 5)
+            self.assertEqual(status, 0)
+            points, conicity = (Table(Path(folder, name)) for name in (GEOMETRY, CONICITY))
+        self.assertNotEqual(points.reasons[-1], "")
+        self.assertTrue(math.isnan(points["rolling_radius_difference"][-1]))
+        self.assertEqual(points.reasons[0], "")
+        self.assertEqual(conicity.reasons, ["", "", "the wave leaves the computed range of y"])
+        np.testing.assert_array_equal(np.isnan(conicity["equivalent_conicity"]), [False, False, True])
+        self.assertIn("5  none: the wave leaves the computed range of y", out)
+        self.assertRegex(out, r"no result for \d+ of 95 values of the y, .*: (off_profile|beside_rail)")
+
+    def test_rails_that_deflect_are_reported_as_rigid(self):
+        with tempfile.TemporaryDirectory() as folder:
+            config = Path(folder, "bending.yaml")
+            config.write_text("rail_bending: {model: compliance, table: config/rails/paper.yaml}\n", encoding="ascii")
+            status, _, err = run("--config", config, "--out", folder, "--step", 1)
+        self.assertEqual(status, 0, err)
+        self.assertIn("rail_bending/model is not used", err)
+
+    def test_wrong_options_are_refused_with_name_and_value(self):
+        for arguments, message in ((("--y", 5, -5), "--y 5 -5: must increase, within ±100 mm"),
+                                   (("--y", 0, 101), "--y 0 101: must increase"),
+                                   (("--y", "nan", 1), "--y nan 1: must be a number"),
+                                   (("--step", 0), "--step 0: must be above 0"),
+                                   (("--step", 1e-6), "y_step = "),
+                                   (("--amplitudes", 0, 5), "--amplitudes 0 5: must be above 0"),
+                                   (("--amplitudes", 5, 4), "--amplitudes 5 4: must be above 0, and not decrease"),
+                                   (("--config", "missing.yaml"), "missing.yaml")):
+            with tempfile.TemporaryDirectory() as folder:
+                status, out, err = run("--out", folder, *arguments)
+            self.assertEqual((status, out), (1, ""), arguments)
+            self.assertIn(message, err)
+
+    def test_full_disk_is_reported_with_the_name_of_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, SCRIPTS / "contact_geometry", "--out", folder], capture_output=True,
+                                  text=True, check=False, preexec_fn=no_file_larger_than(2**10))
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("contact_geometry.csv: cannot be written", done.stderr)
+
+    def test_missing_program_is_reported_in_one_sentence(self):
+        with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=""):
+            status, out, err = run("--out", "never_made")
+        self.assertEqual((status, out), (1, ""))
+        self.assertEqual(err, "contact_geometry: contact_geometry_runner was not found; "
+                              "source the workspace's setup.bash first\n")
+        self.assertFalse(Path("never_made").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
