@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/option_check.h"
 
@@ -62,7 +63,7 @@ double leastBetween(const RadiusDifference& a, const RadiusDifference& b, double
 }
 }  // namespace
 
-RadiusIntegral::RadiusIntegral(const std::vector<RadiusDifference>& curve) : curve_(curve)
+RadiusIntegral::RadiusIntegral(std::vector<RadiusDifference> curve) : curve_(std::move(curve))
 {
   sum_.assign(curve_.size(), 0);
   for (std::size_t i = 1; i < curve_.size(); ++i)

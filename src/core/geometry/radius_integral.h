@@ -23,7 +23,7 @@ class RadiusIntegral
 {
  public:
   /// @throw std::invalid_argument if y decreases.
-  explicit RadiusIntegral(const std::vector<RadiusDifference>& curve);
+  explicit RadiusIntegral(std::vector<RadiusDifference> curve);
 
   /// Range of the curve; empty if it has fewer than two points.
   DisplacementRange range() const;

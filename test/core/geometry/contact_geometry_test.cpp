@@ -160,8 +160,8 @@ TEST(ContactGeometry, WheelsTouchTheRailsAtTheirPoints)
   EXPECT_GT(flange_contacts, 4);
 }
 
-// Under 10 N on each wheel, the pose of the elastic contact is that of rigid bodies up to the approach: below 0.5 um along
-// the normal, and thus below 1.5 um along z on a flange of 70°.
+// Under 10 N on each wheel, the pose of the elastic contact is that of rigid bodies up to the approach: below 0.5 um
+// along the normal, and thus below 1.5 um along z on a flange of 70°.
 TEST(ContactGeometry, IsThatOfTheElasticContactWithoutLoad)
 {
   const ContactModelConfig config = standard();
