@@ -46,13 +46,15 @@ void addChunkInfo(const BagFields& header, std::string_view data, const TopicFil
   }
   if (holds_wanted)
   {
-    contents.chunks.push_back({header.number<std::uint64_t>("chunk_pos"), header.time("start_time"), false});
+    contents.chunks.push_back({header.number<std::uint64_t>("chunk_pos"), header.time("start_time"), 0});
   }
 }
 
 /// Reads the index section.
+/// @param last_chunk set to the position of the last chunk in it [B]; unchanged if it has none
 /// @throw BagError if it is missing or incomplete.
-BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, const BagSpan& span)
+BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, const BagSpan& span,
+                             std::uint64_t& last_chunk)
 {
   if (file.indexSection() == 0)
   {
@@ -70,6 +72,7 @@ BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, con
     else if (record.header.op() == BagOp::chunk_info)
     {
       addChunkInfo(record.header, data, wanted, span, contents);
+      last_chunk = std::max(last_chunk, record.header.number<std::uint64_t>("chunk_pos"));
     }
     position = record.end();
   }
@@ -83,19 +86,50 @@ BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, con
   return contents;
 }
 
-/// Reads a bag without index from beginning to end.
+/// Position of the first chunk or loose record after the last chunk in the index; the end of the chunks if there is
+/// none.
+/// @param last_chunk position of this last chunk; 0: the index has no chunk
+std::uint64_t firstUnlisted(const BagFile& file, std::uint64_t last_chunk)
+{
+  const std::uint64_t end = std::min(file.indexSection(), file.size());
+  try
+  {
+    std::uint64_t position = last_chunk > 0 ? file.recordAt(last_chunk).end() : file.firstRecord();
+    while (position < end)
+    {
+      const BagFile::Place record = file.recordAt(position);
+      const BagOp op = record.header.op();
+      if (op == BagOp::chunk || op == BagOp::message || op == BagOp::connection)
+      {
+        return position;
+      }
+      position = record.end();
+    }
+  }
+  catch (const BagError&)  // the last chunk is damaged; this is reported when it is read
+  {
+  }
+  return end;
+}
+
+/// Reads the records of a bag that no index lists.
 class Scan
 {
  public:
-  Scan(const BagFile& file, const TopicFilter& wanted) : file_(file), wanted_(wanted) {}
+  /// @param end position at which the records end [B]
+  /// @param contents of the index
+  Scan(const BagFile& file, const TopicFilter& wanted, std::uint64_t end, BagContents contents = {})
+      : file_(file), wanted_(wanted), end_(end), contents_(std::move(contents))
+  {
+  }
 
-  BagContents run(const std::string& fault)
+  /// Reads from a position [B] on. @return the contents, with the fault and what could not be read
+  BagContents run(std::uint64_t position, const std::string& fault)
   {
     contents_.fault = fault;
-    std::uint64_t position = file_.firstRecord();
     try
     {
-      while (position < file_.size())
+      while (position < end_)
       {
         position = take(position);
       }
@@ -134,10 +168,10 @@ class Scan
   std::uint64_t takeChunk(std::uint64_t position, const BagFile::Place& record)
   {
     finishChunk();
-    const bool unfinished = record.length == 0 || record.end() > file_.size();
+    const bool unfinished = record.length == 0 || record.end() > end_;
     if (!unfinished)
     {
-      chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), false};
+      chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), 0};
       in_chunk_ = true;
       return record.end();
     }
@@ -168,17 +202,17 @@ class Scan
     indexed_ = indexed_ || count > 0;
   }
 
-  /// Takes all records from a position to the end of the file as an unclosed chunk. @return the end of the file
+  /// Takes all records from a position to the end as an unclosed chunk. @return the end
   std::uint64_t takeLoose(std::uint64_t position)
   {
-    if (file_.size() - position > largest_record)
+    if (end_ - position > largest_record)
     {
       contents_.fault += "; only the first 256 MiB are read of the chunk that was not closed";
     }
-    chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), true};
+    chunk_ = {position, std::numeric_limits<std::uint64_t>::max(), end_};
     in_chunk_ = true;
     finishChunk();
-    return file_.size();
+    return end_;
   }
 
   void finishChunk()
@@ -231,6 +265,7 @@ class Scan
 
   const BagFile& file_;
   const TopicFilter& wanted_;
+  std::uint64_t end_;  ///< of the records [B]
   BagContents contents_;
   BagChunk chunk_;             ///< chunk to which the current index records belong
   bool in_chunk_ = false;      ///< `chunk_` is valid
@@ -265,21 +300,31 @@ std::string wholeRecords(std::string bytes)
 
 BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span)
 {
+  BagContents contents;
+  std::uint64_t last_chunk = 0;
   try
   {
-    return readIndexSection(file, wanted, span);
+    contents = readIndexSection(file, wanted, span, last_chunk);
   }
   catch (const BagError& error)
   {
-    return Scan(file, wanted).run(std::string("the bag has no usable index: ") + error.what());
+    return Scan(file, wanted, file.size())
+        .run(file.firstRecord(), std::string("the bag has no usable index: ") + error.what());
   }
+  const std::uint64_t unlisted = firstUnlisted(file, last_chunk), end = std::min(file.indexSection(), file.size());
+  if (unlisted == end)
+  {
+    return contents;
+  }
+  return Scan(file, wanted, end, std::move(contents))
+      .run(unlisted, "the index of the bag does not list the records from byte " + std::to_string(unlisted) + " on");
 }
 
 std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
 {
-  if (chunk.loose)
+  if (chunk.loose_end > 0)
   {
-    return wholeRecords(file.bytes(chunk.position, std::min(file.size() - chunk.position, largest_record)));
+    return wholeRecords(file.bytes(chunk.position, std::min(chunk.loose_end - chunk.position, largest_record)));
   }
   const BagFile::Place record = file.recordAt(chunk.position);
   if (record.header.op() != BagOp::chunk)

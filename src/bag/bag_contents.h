@@ -34,9 +34,9 @@ struct BagSpan
 /// Part of a bag that is read at once: a chunk, or the loose records of an unclosed chunk.
 struct BagChunk
 {
-  std::uint64_t position = 0;  ///< of the chunk record, or of the first loose record [B]
-  std::uint64_t start = 0;     ///< earliest recording time of its messages [ns]
-  bool loose = false;          ///< true: loose records, up to the end of the file
+  std::uint64_t position = 0;   ///< of the chunk record, or of the first loose record [B]
+  std::uint64_t start = 0;      ///< earliest recording time of its messages [ns]
+  std::uint64_t loose_end = 0;  ///< of loose records: where they end at the latest [B]; 0: a chunk
 };
 
 /// Contents of a bag without the messages.
@@ -54,8 +54,9 @@ struct BagContents
 /// Predicate: true for the topics whose messages are wanted.
 using TopicFilter = std::function<bool(const std::string& topic)>;
 
-/// Reads the index of a bag. If there is none (crashed recorder, truncated file), reads the whole file.
-/// Memory: 24 B per chunk.
+/// Reads the index of a bag. If there is none (crashed recorder, truncated file), reads the whole file. If chunks
+/// follow the last one that the index lists (`rosbag reindex` of a truncated file), reads them, too, and reports a
+/// fault. Memory: 24 B per chunk.
 BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span = {});
 
 /// Bytes of the records in a chunk, decompressed. Of loose records only the complete ones are returned.

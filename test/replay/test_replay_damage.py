@@ -73,6 +73,39 @@ class DamagedBags(ReplayCase):
             self.assertTrue(80 < len(results) < 250, len(results))
             self.assertEqual(results, self.expected[:len(results)])
 
+    def reindexed(self, cut):
+        """Copy of a bag with a new index, as `rosbag reindex` writes it."""
+        path = cut.with_name("reindexed.bag")
+        shutil.copy(cut, path)
+        with rosbag.Bag(str(path), "a", allow_unindexed=True) as bag:
+            for _ in bag.reindex():
+                pass
+        return path
+
+    def test_truncated_chunk_of_a_reindexed_bag_is_read_although_its_index_is_empty(self):
+        cut = self.make_bag(250, "cut.bag", chunk_threshold=10**7)
+        with open(cut, "r+b") as file:
+            file.truncate(int(0.6 * cut.stat().st_size))
+        results = self.results_of_damaged(self.reindexed(cut), "the index of the bag does not list the records from byte")
+        self.assertTrue(150 < len(results) < 250, len(results))
+        self.assertEqual(results, self.expected[:len(results)])
+        self.assertEqual(results, self.results(self.replay(cut, "cut_out.bag", "--no-grids", status=DAMAGED)[0]))
+
+    def test_truncated_chunk_before_the_index_is_read_up_to_the_index(self):
+        cut = self.make_bag(250, "cut.bag", chunk_threshold=CHUNK)
+        with open(cut, "r+b") as file:
+            file.truncate(int(0.6 * cut.stat().st_size))
+        content = self.reindexed(cut).read_bytes()  # without the truncated chunk, which is inserted again
+        field = content.index(b"index_pos=") + len(b"index_pos=")
+        end, = struct.unpack("<Q", content[field:field + 8])
+        rest = cut.read_bytes()[end:]
+        self.assertGreater(len(rest), 2000)
+        bag = self.folder / "inserted.bag"
+        bag.write_bytes(content[:field] + struct.pack("<Q", end + len(rest)) + content[field + 8:end] + rest + content[end:])
+        results = self.results_of_damaged(bag, f"the index of the bag does not list the records from byte {end} on")
+        self.assertEqual(results, self.expected[:len(results)])
+        self.assertEqual(results, self.results(self.replay(cut, "cut_out.bag", "--no-grids", status=DAMAGED)[0]))
+
     def test_damaged_chunk_is_skipped(self):
         for compression in ("bz2", "lz4"):
             bag = self.make_bag(250, f"{compression}.bag", chunk_threshold=CHUNK, compression=compression)
