@@ -2,6 +2,7 @@
 #include "core/option_check.h"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace wheel_rail_contact::core
@@ -22,5 +23,12 @@ void requirePositive(const std::string& option, double value)
 void requireWithin(const std::string& option, double value, double limit, const char* text)
 {
   require(std::abs(value) <= limit, option, value, text);
+}
+
+void requireLength(const std::string& option, double value, const LengthRange& range)
+{
+  std::ostringstream rule;
+  rule << "must be from " << range.least << " to " << range.most << ", in metres";
+  require(value >= range.least && value <= range.most, option, value, rule.str().c_str());
 }
 }  // namespace wheel_rail_contact::core

@@ -14,6 +14,14 @@ void requirePositive(const std::string& option, double value);
 /// Same unless the absolute value is at most `limit`.
 void requireWithin(const std::string& option, double value, double limit, const char* text);
 
+/// Range of a length [m].
+struct LengthRange
+{
+  double least, most;
+};
+/// Same unless `value` is in the range. The message gives the unit, because lengths are often given in millimetres.
+void requireLength(const std::string& option, double value, const LengthRange& range);
+
 /// True if both values are equal, or if neither of them is equal to itself (NaN).
 template <typename Value>
 bool areSame(const Value& a, const Value& b)

@@ -2,8 +2,12 @@
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <optional>
+#include <string>
 
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
@@ -67,6 +71,21 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   return {};
 }
 
+/// Places along the line for which a rail is known.
+struct PlaceRange
+{
+  const char* name;
+  double begin, end;  ///< [m]
+
+  /// Reason why a place [m] is rejected.
+  std::string reason(double x) const
+  {
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(), "the wheelset at %.10g m is outside %s, from %.10g to %.10g m", x, name,
+                  begin, end);
+    return text.data();
+  }
+};
 }  // namespace
 
 class WheelsetContact::Chain
@@ -135,10 +154,10 @@ class WheelsetContact::Chain
       result_.reason = reason;
       return;
     }
-    if (const std::string_view reason = outside(state.distance); !reason.empty())
+    if (const std::optional<PlaceRange> range = leftRange(state.distance))
     {
       result_.status = ContactStatus::outside_line;
-      result_.reason = reason;
+      result_.reason = range->reason(state.distance);
       return;
     }
     if (!within(state.y - trackCentre(state), lateral_limit))
@@ -160,17 +179,27 @@ class WheelsetContact::Chain
     return middle(state.rail_displacement) + (line != nullptr ? middle(line->at(state.distance).rail) : 0);
   }
 
-  /// Reason why a place is not on the line; empty if it is.
-  std::string_view outside(double x) const
+  /// The range that a place [m] is outside of; empty if it is on the line.
+  std::optional<PlaceRange> leftRange(double x) const
   {
-    if (config_.track.line && !config_.track.line->contains(x))
+    const TrackLine* line = config_.track.line.get();
+    if (line != nullptr && !line->contains(x))
     {
-      return "the wheelset is outside track/line";
+      return PlaceRange{"track/line", line->begin(), line->end()};
     }
-    const auto& sections = config_.rail_sections;
-    return (sections.left && !sections.left->contains(x)) || (sections.right && !sections.right->contains(x))
-               ? "the wheelset is outside the sections of a rail"
-               : "";
+    for (const Side side : sides)
+    {
+      const RailSections* sections = config_.rail_sections[side].get();
+      if (sections != nullptr && !sections->contains(x))
+      {
+        const RailSeries& running = sections->parts().front();
+        const bool everywhere = running.size() == 1;  // the place is not a number, or infinite
+        const double infinity = std::numeric_limits<double>::infinity();
+        return PlaceRange{side == Side::left ? "the sections of the left rail" : "the sections of the right rail",
+                          everywhere ? -infinity : running.front().x, everywhere ? infinity : running.back().x};
+      }
+    }
+    return std::nullopt;
   }
 
   static ContactModelConfig checked(ContactModelConfig config)

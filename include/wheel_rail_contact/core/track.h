@@ -16,8 +16,8 @@ namespace wheel_rail_contact::core
 /// Position and inclination of the undeflected rails.
 struct TrackConfig
 {
-  double gauge = 1.435;        ///< distance between the gauge faces of both rails [m], > 0
-  double gauge_depth = 0.014;  ///< depth below the tops of the rails at which the gauge is measured [m], > 0
+  double gauge = 1.435;        ///< distance between the gauge faces of both rails [m], 0.2 to 3
+  double gauge_depth = 0.014;  ///< depth below the tops of the rails at which the gauge is measured [m], 0.001 to 0.1
   /// Inclination of each rail, top towards the track centre [rad]; at most 0.2. 1:40 is atan(1/40). This is not the
   /// cant (superelevation) of the track.
   Sides<double> rail_inclination = 0.025;
@@ -28,9 +28,9 @@ struct TrackConfig
 /// Dimensions of the wheelset, and the part of its pose that is solved.
 struct WheelsetConfig
 {
-  Sides<double> rolling_radius = 0.460;  ///< radius of each wheel at its running circle [m], > 0
-  double flange_back_distance = 1.360;   ///< back-to-back distance: between the backs of both flanges [m], > 0
-  double tape_circle = 0.070;            ///< distance from the flange back to the running circle [m], > 0
+  Sides<double> rolling_radius = 0.460;  ///< radius of each wheel at its running circle [m], 0.05 to 2
+  double flange_back_distance = 1.360;   ///< back-to-back distance: between the backs of both flanges [m], 0.2 to 3
+  double tape_circle = 0.070;            ///< distance from the flange back to the running circle [m], 0.005 to 0.5
   /// True: height and roll of the axle are solved from the load. False: they are given in each WheelsetState, and the
   /// forces follow from them.
   bool solve_height_and_roll = true;

@@ -128,7 +128,7 @@ TEST_F(WheelsetInputTest, InvalidOptionsAreRejectedByName)
   config = scene_;
   config.rail_profile = nullptr;
   expectRefused(config, "rail/profile");
-  for (const double bad : {nan, 0.0, -1.0})
+  for (const double bad : {nan, 0.0, -1.0, 1e3})  // the last one is in millimetres
   {
     config = scene_;
     config.track.gauge = bad;
@@ -146,7 +146,7 @@ TEST_F(WheelsetInputTest, InvalidOptionsAreRejectedByName)
     config.wheelset.tape_circle = bad;
     expectRefused(config, "wheelset/tape_circle");
     config = scene_;
-    config.wheel_material = Material{bad, 0.28};
+    config.wheel_material = Material{bad < 1 ? bad : nan, 0.28};
     expectRefused(config, "material/wheel/young");
     config = scene_;
     config.contact.tolerance = bad;
