@@ -81,12 +81,12 @@ void readSections(ParameterReader& reader, const std::string& group_of_part, con
 {
   for (ParameterReader& group : reader.readGroups(name))
   {
-    group.require("x", "place of the section on the line [m]");
-    group.require("file", "profile of the section");
     RailSectionFile section{0, {group_of_part + name + "/file", "", part.mirror}};
     group.read("x", rules::finite, section.x);
     group.read("file", section.file.value);
     group.refuseUnknown();
+    group.require("x", "place of the section on the line [m]");
+    group.require("file", "profile of the section");
     if (!part.sections.empty() && !(section.x > part.sections.back().x))
     {
       group.refuse("x", "greater than that of the section before");
@@ -112,6 +112,10 @@ RailPartFiles readPart(ParameterReader& reader, const std::string& group, const 
   readSections(reader, group, sections, part);
   NamedFile only{group + file, "", part.mirror};
   reader.read(file, only.value);
+  if (prefix.empty())
+  {
+    reader.refuseUnknown();
+  }
   const std::vector<std::string> names{slices, sections, file};
   const auto given = std::find_if(names.begin(), names.end(), [&](const auto& name) { return reader.has(name); });
   const auto other = std::find_if(names.rbegin(), names.rend(), [&](const auto& name) { return reader.has(name); });
@@ -145,7 +149,6 @@ RailFiles readParts(ParameterReader& reader, const std::string& name)
   for (ParameterReader& group : further)
   {
     rail.parts.push_back(readPart(group, parts + "/", ""));
-    group.refuseUnknown();
   }
   return rail;
 }
