@@ -252,12 +252,12 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
     return;
   }
   Wheelset& wheelset = wheelsets_[use.wheelset];
-  auto input = withMessageType(
+  auto inputs = withMessageType(
       use.topic, [&](auto type)
       { return wheelset.pairing.add(use.topic, parse<typename decltype(type)::Message>(message.data)); });
-  if (input)
+  for (ContactInput& input : inputs)
   {
-    wheelset.waiting.push_back({std::move(*input), now_ + transform_timeout_ns});
+    wheelset.waiting.push_back({std::move(input), now_ + transform_timeout_ns});
   }
 }
 

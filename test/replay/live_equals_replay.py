@@ -22,6 +22,8 @@ PACKAGE = pathlib.Path(rospkg.RosPack().get_path("wheel_rail_contact"))
 BAG = PACKAGE / "bags" / "manchester_sweep.bag"
 CONFIG = PACKAGE / "config" / "manchester.yaml"
 ALL_INPUTS = PACKAGE / "test" / "replay" / "inputs.yaml"
+SLOW_LOADS = PACKAGE / "test" / "replay" / "slow_loads.yaml"
+SHIFT = rospy.Duration(0, 3_000_000)  # of the stamps of the loads
 TIMEOUT = 60    # [s] of wall time
 SOLVE_TIME = 8  # size of solve_time at the end of a result [B]: wall time, 0 in a replay
 
@@ -56,6 +58,18 @@ def additional_inputs(number, header):
     return (("rail_displacement", displacements), ("distance", distance), ("left_rail_force", left), ("right_rail_force", right))
 
 
+def write_slow_loads(path):
+    """Writes the poses of the sweep, and loads at a third of their rate whose stamps are between those of the poses."""
+    with rosbag.Bag(str(BAG)) as source, rosbag.Bag(str(path), "w") as bag:
+        for _, pose, at in source.read_messages(topics="wheelset/pose"):
+            bag.write("/slow_loads/wheelset/pose", pose, at)
+        for number, (_, load, at) in enumerate(source.read_messages(topics="wheelset/load")):
+            if number % 3 == 0:
+                load.header.stamp += SHIFT
+                load.wrench.force.z *= 1 + 0.2 * math.sin(0.3 * number)
+                bag.write("/slow_loads/wheelset/load", load, at + SHIFT)
+
+
 def write_all_inputs(path):
     """Writes the sweep with all input topics, each in turn as the last of its pair."""
     with rosbag.Bag(str(BAG)) as source, rosbag.Bag(str(path), "w") as bag:
@@ -87,6 +101,14 @@ class LiveEqualsReplay(unittest.TestCase):
 
     def test_live_node_and_replay_give_the_same_bytes_in_the_same_order(self):
         self.compare(BAG, CONFIG)
+
+    def test_same_with_loads_of_a_lower_rate_that_are_interpolated(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bag = pathlib.Path(folder) / "slow_loads.bag"
+            write_slow_loads(bag)
+            results = self.compare(bag, SLOW_LOADS, "/slow_loads")
+        self.assertGreater(len(results), 190)
+        self.assertEqual({result.status for result in results}, {WheelsetContact.OK})
 
     def test_same_with_displacements_distances_and_forces_of_the_rails(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -81,6 +81,29 @@ TEST(ContactStatistics, DroppedInputsWarnAndAreCountedByReason)
   EXPECT_EQ(valueOf(report, "inputs dropped: overload"), "2");
 }
 
+TEST(ContactStatistics, MessagesWithoutAStampAreNamedInTheWarning)
+{
+  ContactStatistics now;
+  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.pairing.dropped[static_cast<std::size_t>(DropReason::duplicate)] = 1;
+  now.pairing.dropped[static_cast<std::size_t>(DropReason::unstamped)] = 4;
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(report.message, "4 messages dropped: their stamp is 0, which means unknown");
+  EXPECT_EQ(valueOf(report, "messages dropped: stamp 0, which means that the stamp is unknown"), "4");
+}
+
+TEST(ContactStatistics, LoadsThatTheInterpolationDoesNotNeedAreCountedWithoutAWarning)
+{
+  ContactStatistics now;
+  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.pairing.dropped[static_cast<std::size_t>(DropReason::unneeded)] = 9;
+  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::OK);
+  EXPECT_EQ(valueOf(reportOf(now, {}), "messages dropped: load not needed, because no pose is next to it"), "9");
+  now.pairing.dropped[static_cast<std::size_t>(DropReason::not_enclosed)] = 1;
+  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::WARN);
+}
+
 TEST(ContactStatistics, UnmatchedInputWarns)
 {
   ContactStatistics now;

@@ -86,20 +86,21 @@ TEST(InputPairing, InputHasTheMessageOfEachTopic)
 {
   InputPairing pairing(allInputs());
   double value = 0;
-  std::optional<ContactInput> input;
+  std::vector<ContactInput> inputs;
   for (const InputTopic topic : {InputTopic::distance, InputTopic::right_rail_force, InputTopic::load, InputTopic::pose,
                                  InputTopic::rail_displacement, InputTopic::left_rail_force})
   {
-    EXPECT_FALSE(input) << "complete before " << nameOf(topic);
-    input = pairing.add(topic, message(topic, 10, ++value));
+    EXPECT_TRUE(inputs.empty()) << "complete before " << nameOf(topic);
+    inputs = pairing.add(topic, message(topic, 10, ++value));
   }
-  ASSERT_TRUE(input);
-  EXPECT_EQ(input->distance->point.x, 1);
-  EXPECT_EQ(input->rail_force[1]->wrench.force.y, 2);
-  EXPECT_EQ(input->load->wrench.force.y, 3);
-  EXPECT_EQ(input->pose->pose.position.y, 4);
-  EXPECT_EQ(input->rail_displacement->left.lateral, 5);
-  EXPECT_EQ(input->rail_force[0]->wrench.force.y, 6);
+  ASSERT_EQ(inputs.size(), 1U);
+  const ContactInput& input = inputs.front();
+  EXPECT_EQ(input.distance->point.x, 1);
+  EXPECT_EQ(input.rail_force[1]->wrench.force.y, 2);
+  EXPECT_EQ(input.load->wrench.force.y, 3);
+  EXPECT_EQ(input.pose->pose.position.y, 4);
+  EXPECT_EQ(input.rail_displacement->left.lateral, 5);
+  EXPECT_EQ(input.rail_force[0]->wrench.force.y, 6);
   EXPECT_EQ(pairing.counts().paired, 6U);
 }
 
@@ -108,13 +109,14 @@ TEST(InputPairing, MessagesOfOtherTopicsAreIgnored)
   InputPairing pairing{NodeConfig()};
   for (const InputTopic topic : {InputTopic::left_rail_force, InputTopic::rail_displacement, InputTopic::distance})
   {
-    EXPECT_FALSE(pairing.add(topic, message(topic, 10)));
+    EXPECT_TRUE(pairing.add(topic, message(topic, 10)).empty());
   }
   EXPECT_EQ(pairing.counts().received, 0U);
-  EXPECT_FALSE(pairing.add(InputTopic::pose, message(InputTopic::pose, 10)));
-  const auto input = pairing.add(InputTopic::load, message(InputTopic::load, 10));
-  ASSERT_TRUE(input);
-  EXPECT_FALSE(input->rail_force[0] || input->rail_displacement || input->distance);
+  EXPECT_TRUE(pairing.add(InputTopic::pose, message(InputTopic::pose, 10)).empty());
+  const auto inputs = pairing.add(InputTopic::load, message(InputTopic::load, 10));
+  ASSERT_EQ(inputs.size(), 1U);
+  const ContactInput& input = inputs.front();
+  EXPECT_FALSE(input.rail_force[0] || input.rail_displacement || input.distance);
 }
 
 TEST(InputPairing, DisplacementAndDistanceArePairedWithinTheSlop)
@@ -125,18 +127,19 @@ TEST(InputPairing, DisplacementAndDistanceArePairedWithinTheSlop)
   InputPairing pairing(config);
   for (const double stamp : {10.0, 10.01, 10.02})
   {
-    EXPECT_FALSE(pairing.add(InputTopic::pose, message(InputTopic::pose, stamp)));
-    EXPECT_FALSE(pairing.add(InputTopic::load, message(InputTopic::load, stamp)));
-    EXPECT_FALSE(pairing.add(InputTopic::distance, message(InputTopic::distance, stamp + 0.003, stamp)));
+    EXPECT_TRUE(pairing.add(InputTopic::pose, message(InputTopic::pose, stamp)).empty());
+    EXPECT_TRUE(pairing.add(InputTopic::load, message(InputTopic::load, stamp)).empty());
+    EXPECT_TRUE(pairing.add(InputTopic::distance, message(InputTopic::distance, stamp + 0.003, stamp)).empty());
   }
-  EXPECT_FALSE(pairing.add(InputTopic::rail_displacement, message(InputTopic::rail_displacement, 10.005)))
+  EXPECT_TRUE(pairing.add(InputTopic::rail_displacement, message(InputTopic::rail_displacement, 10.005)).empty())
       << "too far from both poses";
-  const auto input = pairing.add(InputTopic::rail_displacement, message(InputTopic::rail_displacement, 10.021));
-  ASSERT_TRUE(input);
-  EXPECT_EQ(input->pose->header.stamp, ros::Time(10.02));
-  EXPECT_EQ(input->distance->point.x, 10.02);
+  const auto inputs = pairing.add(InputTopic::rail_displacement, message(InputTopic::rail_displacement, 10.021));
+  ASSERT_EQ(inputs.size(), 1U);
+  const ContactInput& input = inputs.front();
+  EXPECT_EQ(input.pose->header.stamp, ros::Time(10.02));
+  EXPECT_EQ(input.distance->point.x, 10.02);
   // The messages of the first two poses, and the first displacement.
-  EXPECT_EQ(pairing.counts().dropped[static_cast<std::size_t>(DropReason::unmatched)], 7U);
+  EXPECT_EQ(pairing.counts()[DropReason::unmatched], 7U);
   EXPECT_TRUE(pairing.isSettled());
 }
 
@@ -144,20 +147,21 @@ TEST(InputPairing, LongFrameNamesOfWaitingMessagesAreCut)
 {
   const std::string frame(1 << 20, 'x');
   InputPairing pairing(allInputs());
-  std::optional<ContactInput> input;
+  std::vector<ContactInput> inputs;
   for (const InputTopic topic : inputTopics(allInputs()))
   {
-    input = pairing.add(topic, message(topic, 10, 0.3, frame));
+    inputs = pairing.add(topic, message(topic, 10, 0.3, frame));
   }
-  ASSERT_TRUE(input);
+  ASSERT_EQ(inputs.size(), 1U);
+  const ContactInput& input = inputs.front();
   const std::string::size_type longest = InputPairing::longest_frame_name;
   for (const std_msgs::Header* header :
-       {&input->pose->header, &input->load->header, &input->rail_force[0]->header, &input->rail_force[1]->header,
-        &input->rail_displacement->header, &input->distance->header})
+       {&input.pose->header, &input.load->header, &input.rail_force[0]->header, &input.rail_force[1]->header,
+        &input.rail_displacement->header, &input.distance->header})
   {
     EXPECT_GT(header->frame_id.size(), longest) << "the cut name must not become a valid name";
     EXPECT_LE(header->frame_id.capacity(), 2 * longest);
   }
   const auto whole = std::get<geometry_msgs::PoseStampedConstPtr>(message(InputTopic::pose, 10, 0.3));
-  EXPECT_EQ(bytesOf(input->pose->pose), bytesOf(whole->pose));
+  EXPECT_EQ(bytesOf(input.pose->pose), bytesOf(whole->pose));
 }

@@ -116,6 +116,8 @@ TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
   EXPECT_EQ(file.model.contact.cells_across, code.model.contact.cells_across);
   EXPECT_EQ(file.model.contact.check_branches, code.model.contact.check_branches);
   EXPECT_EQ(file.slop, code.slop);
+  EXPECT_EQ(file.interpolate_load, code.interpolate_load);
+  EXPECT_EQ(file.longest_gap, code.longest_gap);
   EXPECT_EQ(file.markers.rate, code.markers.rate);
   EXPECT_EQ(file.markers.rail_length, code.markers.rail_length);
   EXPECT_EQ(file.markers.force_scale, code.markers.force_scale);
@@ -181,6 +183,12 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"track: {gauge: [1.435]}", "track/gauge", "[1.435]"},
       {"track: {gauge: }", "track/gauge", "no value"},
       {"track: {gauge_depth: -0.014}", "track/gauge_depth", "-0.014"},
+      {"track: {gauge: 1435}", "track/gauge = 1435", "must be from 0.2 to 3, in metres"},
+      {"track: {gauge_depth: 14}", "track/gauge_depth = 14", "from 0.001 to 0.1, in metres"},
+      {"wheelset: {rolling_radius: 460}", "wheelset/rolling_radius = 460", "from 0.05 to 2, in metres"},
+      {"wheel: {left: {rolling_radius: 459}}", "wheel/left/rolling_radius = 459", "in metres"},
+      {"wheelset: {flange_back_distance: 1360}", "wheelset/flange_back_distance = 1360", "in metres"},
+      {"wheelset: {tape_circle: 70}", "wheelset/tape_circle = 70", "from 0.005 to 0.5, in metres"},
       {"track: {rail_inclination: 1.4}", "track/rail_inclination", "1.4"},
       {"track: {frame: /track}", "track/frame", "/track"},
       {"track: {frame: ''}", "track/frame", "\"\""},
@@ -233,6 +241,7 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"rail_bending: {neighbours: [{topic: ~contact, distance: 2.5}]}", "rail_bending/neighbours/topic", "~contact"},
       {"rail_bending: {neighbours: [{topic: front, distance: -2.5}]}", "rail_bending/neighbours/distance", "-2.5"},
       {"rail_bending: {neighbours: [{topic: front, distance: 2.5, gap: 1}]}", "rail_bending/neighbours/gap", "topic"},
+      {"rail_bending: {neighbours: [{name: front}]}", "rail_bending/neighbours/name is unknown", "distance, topic"},
       {"rail_bending: {neighbours: [{topic: f, distance: 2.5}, {topic: f, distance: 1.8}]}",
        "rail_bending/neighbours/topic", "once"},
       {"rail_bending: {model: compliance, table: config/rails/pads_40_100.yaml, "
@@ -250,6 +259,9 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"contact: {grid: {along: 1e9, across: 16}}", "contact/grid/along", "1e9"},
       {"sync: {slop: -0.001}", "sync/slop", "-0.001"},
       {"sync: {slop: 1e9}", "sync/slop", "1e9"},
+      {"sync: {load: nearest}", "sync/load = nearest", "match, interpolate"},
+      {"sync: {longest_gap: 0}", "sync/longest_gap", "above 0"},
+      {"sync: {longest_gap: 61}", "sync/longest_gap", "61"},
       {"markers: {rate: 0}", "markers/rate", "0"},
       {"markers: {rail_length: 0}", "markers/rail_length", "0"},
       {"markers: {force_scale: -1}", "markers/force_scale", "-1"},

@@ -28,15 +28,15 @@ ros::Time at(int milliseconds)
 
 void add(Pairing& pairing, std::size_t channel, int milliseconds, Sets& sets)
 {
-  if (const auto set = pairing.add(channel, at(milliseconds), milliseconds))
+  for (const auto& set : pairing.add(channel, at(milliseconds), milliseconds))
   {
-    sets.push_back(*set);
+    sets.push_back(set);
   }
 }
 
 std::uint64_t dropped(const Pairing& pairing, DropReason reason)
 {
-  return pairing.counts().dropped[static_cast<std::size_t>(reason)];
+  return pairing.counts()[reason];
 }
 
 void expectNothingLost(const Pairing& pairing)
@@ -67,8 +67,8 @@ TEST(StampPairing, EqualStampsArePairedInOrder)
 TEST(StampPairing, WithoutSlopADifferenceOfOneNanosecondIsNotPaired)
 {
   Pairing pairing(2, 0, large_capacity);
-  EXPECT_FALSE(pairing.add(0, ros::Time(10, 0), 0));
-  EXPECT_FALSE(pairing.add(1, ros::Time(10, 1), 0));
+  EXPECT_TRUE(pairing.add(0, ros::Time(10, 0), 0).empty());
+  EXPECT_TRUE(pairing.add(1, ros::Time(10, 1), 0).empty());
   EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U) << "the older sample can no longer be matched";
 }
 
@@ -110,7 +110,7 @@ TEST(StampPairing, FastAndSlowChannelsArePaired)
 {
   Pairing pairing(2, 0.0004, large_capacity);
   Sets sets;
-  for (int t = 0; t <= 100; ++t)
+  for (int t = 20; t <= 120; ++t)
   {
     add(pairing, 0, t, sets);
     if (t % 20 == 0)
@@ -118,7 +118,7 @@ TEST(StampPairing, FastAndSlowChannelsArePaired)
       add(pairing, 1, t, sets);
     }
   }
-  EXPECT_EQ(sets, (Sets{{0, 0}, {20, 20}, {40, 40}, {60, 60}, {80, 80}, {100, 100}}));
+  EXPECT_EQ(sets, (Sets{{20, 20}, {40, 40}, {60, 60}, {80, 80}, {100, 100}, {120, 120}}));
   EXPECT_EQ(dropped(pairing, DropReason::unmatched), 95U);
   expectNothingLost(pairing);
 }
@@ -152,7 +152,7 @@ TEST(StampPairing, SetsDoNotDependOnTheOrderOfArrival)
   std::array<std::vector<int>, 2> stamps;
   for (auto& channel : stamps)
   {
-    for (int t = 0; t < 400; t += 1 + static_cast<int>(random() % 7))
+    for (int t = 1; t < 400; t += 1 + static_cast<int>(random() % 7))
     {
       channel.push_back(t);
     }
@@ -268,14 +268,14 @@ TEST(StampPairing, BagLoopLosesNoSetInAnyOrderOfArrival)
       const std::size_t slowest = *std::min_element(sent.begin(), sent.end());
       if (sent[channel] < std::min(loops * samples, slowest + samples - 1))
       {
-        add(pairing, channel, 10 * static_cast<int>(sent[channel] % samples), sets);
+        add(pairing, channel, 10 * static_cast<int>(1 + sent[channel] % samples), sets);
         ++sent[channel];
       }
     }
     ASSERT_EQ(sets.size(), loops * samples);
     for (std::size_t i = 0; i < sets.size(); ++i)
     {
-      ASSERT_EQ(sets[i], std::vector<int>(channels, 10 * static_cast<int>(i % samples)));
+      ASSERT_EQ(sets[i], std::vector<int>(channels, 10 * static_cast<int>(1 + i % samples)));
     }
     EXPECT_EQ(pairing.counts().waiting, 0U);
     expectNothingLost(pairing);
@@ -366,11 +366,27 @@ TEST(StampPairing, SmallestAndLargestStampsCauseNoOverflow)
 {
   Pairing pairing(2, 1.0, large_capacity);
   const ros::Time last(std::numeric_limits<std::uint32_t>::max(), 999999999);
-  EXPECT_FALSE(pairing.add(0, ros::Time(), 0));
-  EXPECT_FALSE(pairing.add(1, last, 0));
-  EXPECT_TRUE(pairing.add(0, last, 0));
-  EXPECT_FALSE(pairing.add(0, ros::Time(5, 0), 0));
-  EXPECT_TRUE(pairing.add(1, ros::Time(5, 0), 0));
+  EXPECT_TRUE(pairing.add(0, ros::Time(0, 1), 0).empty());
+  EXPECT_TRUE(pairing.add(1, last, 0).empty());
+  EXPECT_FALSE(pairing.add(0, last, 0).empty());
+  EXPECT_TRUE(pairing.add(0, ros::Time(5, 0), 0).empty());
+  EXPECT_FALSE(pairing.add(1, ros::Time(5, 0), 0).empty());
+  expectNothingLost(pairing);
+}
+
+TEST(StampPairing, SamplesWithoutAStampAreNeverPaired)
+{
+  Pairing pairing(2, 0, large_capacity);
+  Sets sets;
+  for (const int t : {0, 5, 0, 6, 0})
+  {
+    add(pairing, 0, t, sets);
+    add(pairing, 1, t, sets);
+  }
+  EXPECT_EQ(sets, (Sets{{5, 5}, {6, 6}})) << "they are no sign of time that went back";
+  EXPECT_EQ(dropped(pairing, DropReason::unstamped), 6U);
+  EXPECT_EQ(pairing.dropped(0), 3U);
+  EXPECT_TRUE(pairing.isSettled());
   expectNothingLost(pairing);
 }
 

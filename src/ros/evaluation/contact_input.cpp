@@ -134,6 +134,10 @@ bool isFrameName(const std::string& name)
 core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
                             const tf2::BufferCore& transforms)
 {
+  if (!input.fault.empty())
+  {
+    refuse(input.fault);
+  }
   core::WheelsetState state;
   const Eigen::Isometry3d pose = poseInTrack(*input.pose, track_frame, transforms);
   const core::WheelsetPose wheelset = toWheelsetPose(pose);

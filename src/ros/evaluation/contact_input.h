@@ -46,8 +46,8 @@ bool isFrameName(const std::string& name);
 /// Distance: point.x is the place along the line [m]; frame_id is not used. Without this message it is x of the pose in
 /// the track frame.
 ///
-/// @throw UnusableInput with INVALID_INPUT for a number that is not finite, an invalid quaternion, or a load in another
-/// frame; with NO_TRANSFORM if tf has no transform from the frame of the pose to the track frame.
+/// @throw UnusableInput with INVALID_INPUT for ContactInput::fault, a number that is not finite, an invalid quaternion,
+/// or a load in another frame; with NO_TRANSFORM if tf has no transform from the frame of the pose to the track frame.
 core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
                             const tf2::BufferCore& transforms);
 

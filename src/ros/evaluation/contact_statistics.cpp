@@ -15,7 +15,13 @@ using diagnostic_msgs::DiagnosticStatus;
 constexpr std::array<const char*, ContactStatistics::statuses> status_names{
     "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM", "OUTSIDE_LINE"};
 constexpr std::array<const char*, PairingCounts::reasons> drop_names{
-    "no message with a matching stamp", "duplicate stamp", "time went back", "queue full while waiting for a match"};
+    "no message with a matching stamp",
+    "duplicate stamp",
+    "time went back",
+    "queue full while waiting for a match",
+    "stamp 0, which means that the stamp is unknown",
+    "no load before and after it within sync/longest_gap",
+    "load not needed, because no pose is next to it"};
 
 template <typename Counts>
 std::uint64_t total(const Counts& counts)
@@ -30,6 +36,7 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   const std::uint64_t unusable = evaluated - (now.usable() - before.usable());
   const std::uint64_t errors = now.internal_errors - before.internal_errors;
   const std::uint64_t dropped = now.dropped() - before.dropped();
+  const std::uint64_t unstamped = now.pairing[DropReason::unstamped] - before.pairing[DropReason::unstamped];
   if (errors > 0)
   {
     report.summaryf(DiagnosticStatus::ERROR, "internal error: %s", now.last_reason.c_str());
@@ -42,6 +49,10 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   {
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results not usable: %s", unusable, evaluated,
                     now.last_reason.c_str());
+  }
+  else if (unstamped > 0)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu messages dropped: their stamp is 0, which means unknown", unstamped);
   }
   else if (dropped > 0)
   {
@@ -130,7 +141,7 @@ std::uint64_t ContactStatistics::usable() const
 
 std::uint64_t ContactStatistics::dropped() const
 {
-  return total(pairing.dropped) + overload;
+  return total(pairing.dropped) - pairing[DropReason::unneeded] + overload;
 }
 
 void diagnose(const ContactStatistics& now, const ContactStatistics& before,

@@ -44,7 +44,7 @@ struct ContactStatistics
   std::uint64_t evaluated() const;
   /// Number of usable results.
   std::uint64_t usable() const;
-  /// Number of dropped inputs and of dropped single messages.
+  /// Number of dropped inputs and of dropped single messages, without loads that the interpolation does not need.
   std::uint64_t dropped() const;
 };
 

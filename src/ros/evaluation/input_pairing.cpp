@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
+#include <optional>
+
+#include "ros/evaluation/load_interpolation.h"
 
 namespace wheel_rail_contact
 {
@@ -45,31 +48,67 @@ void put(InputTopic topic, const InputMessage& message, ContactInput& input)
       break;
   }
 }
+/// Topics that are paired, in the order of the channels: a load that is interpolated is the last one.
+std::vector<InputTopic> channelsOf(const NodeConfig& config)
+{
+  std::vector<InputTopic> topics = inputTopics(config);
+  const auto load = std::find(topics.begin(), topics.end(), InputTopic::load);
+  if (config.interpolate_load && load != topics.end())
+  {
+    std::rotate(load, load + 1, topics.end());
+  }
+  return topics;
+}
+
+bool interpolatesLoad(const NodeConfig& config)
+{
+  return config.interpolate_load && config.model.wheelset.solve_height_and_roll;
+}
+
+void putInterpolatedLoad(const InputMessage& before, const InputMessage& after, ContactInput& input)
+{
+  const auto &one = *std::get<geometry_msgs::WrenchStampedConstPtr>(before),
+             &other = *std::get<geometry_msgs::WrenchStampedConstPtr>(after);
+  input.fault = interpolationFault(one, other);
+  input.load = boost::make_shared<geometry_msgs::WrenchStamped>(interpolatedLoad(one, other, input.pose->header.stamp));
+}
 }  // namespace
 
 InputPairing::InputPairing(const NodeConfig& config)
-    : topics_(inputTopics(config)), pairing_(topics_.size(), config.slop, capacity)
+    : interpolates_(interpolatesLoad(config)),
+      topics_(channelsOf(config)),
+      pairing_(topics_.size(), config.slop, capacity,
+               interpolates_ ? std::optional<double>(config.longest_gap) : std::nullopt)
 {
 }
 
-std::optional<ContactInput> InputPairing::add(InputTopic topic, const InputMessage& message)
+std::vector<ContactInput> InputPairing::add(InputTopic topic, const InputMessage& message)
 {
+  std::vector<ContactInput> inputs;
   const auto found = std::find(topics_.begin(), topics_.end(), topic);
   if (found == topics_.end())
   {
-    return std::nullopt;
+    return inputs;
   }
   const ros::Time stamp = std::visit([](const auto& m) { return m->header.stamp; }, message);
-  const auto set = pairing_.add(static_cast<std::size_t>(found - topics_.begin()), stamp,
-                                std::visit([](const auto& m) { return InputMessage(kept(m)); }, message));
-  if (!set)
+  for (const auto& set : pairing_.add(static_cast<std::size_t>(found - topics_.begin()), stamp,
+                                      std::visit([](const auto& m) { return InputMessage(kept(m)); }, message)))
   {
-    return std::nullopt;
+    inputs.push_back(inputOf(set));
   }
+  return inputs;
+}
+
+ContactInput InputPairing::inputOf(const std::vector<InputMessage>& set) const
+{
   ContactInput input;
   for (std::size_t channel = 0; channel < topics_.size(); ++channel)
   {
-    put(topics_[channel], (*set)[channel], input);
+    put(topics_[channel], set[channel], input);
+  }
+  if (interpolates_)
+  {
+    putInterpolatedLoad(set[set.size() - 2], set.back(), input);
   }
   return input;
 }

@@ -3,7 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ros/evaluation/input_topic.h"
@@ -19,10 +20,12 @@ struct ContactInput
   std::array<geometry_msgs::WrenchStampedConstPtr, 2> rail_force;  ///< by Side
   RailDisplacementsConstPtr rail_displacement;                     ///< of both rails
   geometry_msgs::PointStampedConstPtr distance;                    ///< place along the line
+  std::string fault;      ///< reason why the messages cannot be used together; empty if there is none
   ros::WallTime arrival;  ///< time at which the last message arrived at the live node; not set in a replay
 };
 
-/// Pairs the messages of the input topics by stamp.
+/// Pairs the messages of the input topics by stamp. With NodeConfig::interpolate_load, the load is interpolated at the
+/// stamp of the pose.
 class InputPairing
 {
  public:
@@ -36,18 +39,23 @@ class InputPairing
 
   /// Adds a message; ignored if the configuration does not require its topic.
   /// @param message of the type of the topic, see withMessageType()
-  /// @return the input that it completes, if any.
-  std::optional<ContactInput> add(InputTopic topic, const InputMessage& message);
+  /// @return the inputs that it completes, in order; more than one only if the load is interpolated.
+  std::vector<ContactInput> add(InputTopic topic, const InputMessage& message);
 
   /// Drops all waiting messages, at the end of a recording.
   void finish() { pairing_.finish(); }
   /// Numbers of messages received, paired, dropped and waiting.
   const PairingCounts& counts() const { return pairing_.counts(); }
-  /// True if no message waits, and no topic has gone back in time before the others.
+  /// Number of poses that were dropped.
+  std::uint64_t droppedPoses() const { return pairing_.dropped(0); }
+  /// See StampPairing::isSettled().
   bool isSettled() const { return pairing_.isSettled(); }
 
  private:
-  std::vector<InputTopic> topics_;      ///< topic of each channel
+  ContactInput inputOf(const std::vector<InputMessage>& set) const;
+
+  bool interpolates_;
+  std::vector<InputTopic> topics_;  ///< topic of each channel; the first one is the pose, an interpolated load the last
   StampPairing<InputMessage> pairing_;  ///< a channel for each topic
 };
 }  // namespace wheel_rail_contact

@@ -104,12 +104,13 @@ void ContactServer::subscribeToInput(InputTopic topic)
                            [this, topic](const boost::shared_ptr<const Message>& message)
                            {
                              const std::lock_guard<std::mutex> lock(mutex_);
-                             if (auto input = pairing_.add(topic, message))
+                             for (ContactInput& input : pairing_.add(topic, message))
                              {
-                               input->arrival = ros::WallTime::now();
-                               inputs_.push(std::move(*input));
+                               input.arrival = ros::WallTime::now();
+                               inputs_.push(std::move(input));
                                ++input_count_;
                              }
+                             warnOfMissingStamp(topic, message->header.stamp);
                            });
 }
 
@@ -211,6 +212,17 @@ void ContactServer::warn(const std::string& beyond_linear_range)
   {
     ROS_WARN("%s: %s", private_nh_.getNamespace().c_str(), beyond_linear_range.c_str());
     next_warning_ = ros::WallTime::now() + ros::WallDuration(warning_period);
+  }
+}
+
+/// Warns at the first message whose stamp is 0.
+void ContactServer::warnOfMissingStamp(InputTopic topic, const ros::Time& stamp)
+{
+  if (stamp.isZero() && !warned_of_missing_stamp_)
+  {
+    ROS_WARN("%s: a message on %s has the stamp 0, which means that it is unknown; such messages are dropped",
+             private_nh_.getNamespace().c_str(), nh_.resolveName(nameOf(topic)).c_str());
+    warned_of_missing_stamp_ = true;
   }
 }
 

@@ -60,6 +60,7 @@ class ContactServer
   PreparedInput prepare(const ContactInput& input);
   void evaluate(const ContactInput& input);
   void warn(const std::string& beyond_linear_range);
+  void warnOfMissingStamp(InputTopic topic, const ros::Time& stamp);
   bool pictureIsDue();
   void publishMarkers(const ContactOutput& output);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -73,10 +74,11 @@ class ContactServer
   tf2_ros::TransformListener listener_;
   NewestQueue<ContactInput> inputs_;
 
-  std::mutex mutex_;               ///< guards `statistics_`, `reported_`, `input_count_` and `pairing_`
+  std::mutex mutex_;               ///< guards `statistics_` to `warned_of_missing_stamp_`, and `pairing_`
   ContactStatistics statistics_;   ///< without results after ROS has shut down
   ContactStatistics reported_;     ///< statistics at the last report
   std::uint64_t input_count_ = 0;  ///< number of inputs pushed to `inputs_`
+  bool warned_of_missing_stamp_ = false;
 
   std::mutex neighbours_mutex_;  ///< guards `neighbours_`
   NeighbourForces neighbours_;

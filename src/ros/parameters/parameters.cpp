@@ -15,7 +15,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
-const NumberRule seconds{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= 60; }};
+constexpr double longest_time = 60;  ///< of sync/slop and sync/longest_gap [s]
+const NumberRule slop_rule{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= longest_time; }};
+const NumberRule gap_rule{"a number of seconds above 0, at most 60",
+                          [](double v) { return v > 0 && v <= longest_time; }};
 
 void readLine(ParameterReader& reader, ModelFiles& files)
 {
@@ -88,16 +91,16 @@ void readLateralForce(ParameterReader& reader, core::RailBendingConfig& bending)
 NeighbourConfig readNeighbour(ParameterReader& reader)
 {
   NeighbourConfig neighbour;
-  reader.require("topic", "the contact topic of the other wheelset");
   reader.read("topic", neighbour.topic);
+  reader.read("distance", rules::positive, neighbour.distance);
+  reader.refuseUnknown();
+  reader.require("topic", "the contact topic of the other wheelset");
+  reader.require("distance", "the distance to the other wheelset along the track [m]");
   std::string reason;
   if (neighbour.topic.empty() || neighbour.topic[0] == '~' || !ros::names::validate(neighbour.topic, reason))
   {
     reader.refuse("topic", "the name of a topic that is not private");
   }
-  reader.require("distance", "the distance to the other wheelset along the track [m]");
-  reader.read("distance", rules::positive, neighbour.distance);
-  reader.refuseUnknown();
   return neighbour;
 }
 
@@ -158,6 +161,14 @@ void readContact(ParameterReader& reader, core::ContactConfig& contact)
               contact.check_branches);
 }
 
+void readSync(ParameterReader& reader, NodeConfig& config)
+{
+  reader.read("sync/slop", slop_rule, config.slop);
+  reader.read("sync/load", std::vector<std::pair<std::string, bool>>{{"match", false}, {"interpolate", true}},
+              config.interpolate_load);
+  reader.read("sync/longest_gap", gap_rule, config.longest_gap);
+}
+
 void readMarkers(ParameterReader& reader, MarkerConfig& markers)
 {
   reader.read("markers/rate", rules::positive, markers.rate);
@@ -179,7 +190,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   readRailBending(reader, config.model.rail_bending, files);
   readNeighbours(reader, config);
   readContact(reader, config.model.contact);
-  reader.read("sync/slop", seconds, config.slop);
+  readSync(reader, config);
   readMarkers(reader, config.markers);
 }
 

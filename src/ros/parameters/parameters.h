@@ -31,7 +31,10 @@ struct NodeConfig
   bool displacement_topic = false;          ///< the displacements of the rails are an input: wheelset/rail_displacement
   bool distance_topic = false;  ///< the place along the line is an input: wheelset/distance; false: x of the pose
   double slop = 0;              ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
-  MarkerConfig markers;         ///< appearance of the markers
+  bool interpolate_load =
+      false;                 ///< true: the load is interpolated at the stamp of the pose; false: matched by its stamp
+  double longest_gap = 0.1;  ///< largest difference of the stamps of two loads that are interpolated [s], > 0
+  MarkerConfig markers;      ///< appearance of the markers
 };
 
 /// Reads all parameters of the node. The defaults are those of the structs above; config/default.yaml lists all names.
@@ -63,7 +66,8 @@ struct NodeConfig
 ///                                               or seidel_printed
 ///   contact/tolerance                           relative error [-]
 ///   contact/grid/{along, across}                number of cells; 0: chosen from the tolerance
-///   sync/slop                                   [s]
+///   sync/{slop, longest_gap}                    [s]
+///   sync/load                                   match or interpolate
 ///   markers/{rate, rail_length, force_scale, max_pressure, zoom, zoom_height, pressure_height}
 ///
 /// Files: `package://PACKAGE/...`, absolute, or relative to `directory` or else to this package.

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// StampPairing with a last channel that encloses the others, as for loads that are interpolated.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "ros/evaluation/stamp_pairing.h"
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+/// Each sample is its own stamp [ms].
+using Pairing = StampPairing<int>;
+using Sets = std::vector<std::vector<int>>;
+using Stamps = std::vector<int>;
+
+constexpr std::size_t large_capacity = 1000;
+constexpr double longest_gap = 0.02;  ///< [s]
+constexpr int poses = 0, loads = 1;   ///< channels
+
+/// Adds samples of one channel. @return the sets that they complete
+Sets add(Pairing& pairing, std::size_t channel, const Stamps& stamps)
+{
+  Sets sets;
+  for (const int t : stamps)
+  {
+    for (const auto& set : pairing.add(channel, ros::Time().fromNSec(static_cast<std::uint64_t>(t) * 1000000), t))
+    {
+      sets.push_back(set);
+    }
+  }
+  return sets;
+}
+
+void expectNothingLost(const Pairing& pairing)
+{
+  const PairingCounts& counts = pairing.counts();
+  EXPECT_EQ(counts.received, counts.paired + counts.waiting +
+                                 std::accumulate(counts.dropped.begin(), counts.dropped.end(), std::uint64_t{0}));
+}
+
+/// Sets that belong to two sequences of increasing stamps, by their definition.
+Sets enclosedSets(const Stamps& pose_stamps, const Stamps& load_stamps)
+{
+  Sets sets;
+  for (const int pose : pose_stamps)
+  {
+    const auto next = std::lower_bound(load_stamps.begin(), load_stamps.end(), pose);
+    if (next != load_stamps.end() && *next == pose)
+    {
+      sets.push_back({pose, pose, pose});
+    }
+    else if (next != load_stamps.end() && next != load_stamps.begin() && *next - *(next - 1) <= 1e3 * longest_gap)
+    {
+      sets.push_back({pose, *(next - 1), *next});
+    }
+  }
+  return sets;
+}
+
+Stamps randomStamps(std::mt19937& random, int longest_step)
+{
+  Stamps stamps;
+  for (int t = 1; t < 500; t += 1 + static_cast<int>(random() % static_cast<unsigned>(longest_step)))
+  {
+    stamps.push_back(t);
+  }
+  return stamps;
+}
+}  // namespace
+
+TEST(EnclosingPairing, SlowLoadCompletesAllPosesSinceTheLoadBefore)
+{
+  Pairing pairing(2, 0, large_capacity, longest_gap);
+  EXPECT_EQ(add(pairing, loads, {10}), Sets{});
+  EXPECT_EQ(add(pairing, poses, {12, 16, 20, 24}), Sets{}) << "a pose waits for the next load";
+  EXPECT_EQ(add(pairing, loads, {20}), (Sets{{12, 10, 20}, {16, 10, 20}, {20, 20, 20}}));
+  EXPECT_FALSE(pairing.isSettled());
+  EXPECT_EQ(add(pairing, loads, {30}), (Sets{{24, 20, 30}}));
+  EXPECT_TRUE(pairing.isSettled());
+  pairing.finish();
+  EXPECT_EQ(pairing.counts().paired, 7U);
+  expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, PoseWithTheStampOfALoadNeedsNoOtherLoad)
+{
+  Pairing pairing(2, 0, large_capacity, longest_gap);
+  EXPECT_EQ(add(pairing, loads, {100}), Sets{});
+  EXPECT_EQ(add(pairing, poses, {100}), (Sets{{100, 100, 100}}));
+  EXPECT_EQ(add(pairing, loads, {900}), Sets{});
+  EXPECT_EQ(add(pairing, poses, {900}), (Sets{{900, 900, 900}})) << "the gap does not matter";
+}
+
+TEST(EnclosingPairing, PosesBeforeTheFirstAndAfterTheLastLoadAreDroppedAndCounted)
+{
+  Pairing pairing(2, 0, large_capacity, longest_gap);
+  add(pairing, poses, {10, 15, 22, 31, 40});
+  EXPECT_EQ(add(pairing, loads, {20, 30}), (Sets{{22, 20, 30}}));
+  EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 2U);
+  pairing.finish();
+  EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 4U);
+  EXPECT_EQ(pairing.dropped(poses), 4U);
+  EXPECT_EQ(pairing.counts().waiting, 0U);
+  expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, PosesInALongerGapThanAllowedAreDroppedAndCounted)
+{
+  Pairing pairing(2, 0, large_capacity, longest_gap);
+  add(pairing, poses, {11, 12, 33, 55, 75});
+  EXPECT_EQ(add(pairing, loads, {10, 30, 51, 71, 80}), (Sets{{11, 10, 30}, {12, 10, 30}, {55, 51, 71}, {75, 71, 80}}));
+  EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 1U) << "33 is between 30 and 51";
+  expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, LoadsBetweenTwoPosesAreNotNeeded)
+{
+  Pairing pairing(2, 0, large_capacity, longest_gap);
+  add(pairing, poses, {15, 45});
+  EXPECT_EQ(add(pairing, loads, {10, 20, 30, 40, 50, 60}), (Sets{{15, 10, 20}, {45, 40, 50}}));
+  pairing.finish();
+  EXPECT_EQ(pairing.counts()[DropReason::unneeded], 2U) << "30 and 60";
+  EXPECT_EQ(pairing.counts().paired, 6U);
+  expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, OtherChannelsAreMatchedByTheirStamps)
+{
+  Pairing pairing(3, 0.002, large_capacity, longest_gap);
+  add(pairing, 0, {12, 16, 24});
+  add(pairing, 2, {10, 20, 30});
+  EXPECT_EQ(add(pairing, 1, {13, 18, 27}), (Sets{{12, 13, 10, 20}, {16, 18, 10, 20}}))
+      << "the stamp of the first channel is enclosed";
+  pairing.finish();
+  EXPECT_EQ(pairing.counts()[DropReason::unmatched], 2U) << "24 and 27";
+  expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, SetsDependOnlyOnTheSequenceOfEachChannel)
+{
+  std::mt19937 random(1);  // seed 1
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const std::vector<Stamps> stamps{randomStamps(random, 12), randomStamps(random, 25)};
+    Pairing pairing(2, 0, large_capacity, longest_gap);
+    Sets sets;
+    std::size_t next[] = {0, 0};
+    while (next[poses] < stamps[poses].size() || next[loads] < stamps[loads].size())
+    {
+      const std::size_t channel = next[poses] == stamps[poses].size()   ? loads
+                                  : next[loads] == stamps[loads].size() ? poses
+                                                                        : random() % 2;
+      const Sets completed = add(pairing, channel, {stamps[channel][next[channel]++]});
+      sets.insert(sets.end(), completed.begin(), completed.end());
+    }
+    ASSERT_EQ(sets, enclosedSets(stamps[poses], stamps[loads])) << "trial " << trial;
+    pairing.finish();
+    EXPECT_EQ(pairing.dropped(poses), stamps[poses].size() - sets.size());
+    expectNothingLost(pairing);
+  }
+}
+
+// A bag that loops: the stamps of one topic go back before those of the other one.
+TEST(EnclosingPairing, NoSetCombinesSamplesFromBeforeAndAfterAJumpOfTime)
+{
+  for (const std::size_t first : {poses, loads})
+  {
+    const std::size_t second = 1 - first;
+    const Stamps ends[] = {{52, 58, 63}, {50, 60}}, starts[] = {{11, 18, 23}, {10, 20}};
+    Pairing pairing(2, 0, large_capacity, longest_gap);
+    Sets sets = add(pairing, poses, {41});
+    const auto append = [&](const Sets& more) { sets.insert(sets.end(), more.begin(), more.end()); };
+    append(add(pairing, loads, {40}));
+    append(add(pairing, first, ends[first]));
+    append(add(pairing, first, starts[first]));
+    append(add(pairing, second, ends[second]));
+    append(add(pairing, second, starts[second]));
+    append(add(pairing, loads, {30}));
+    EXPECT_EQ(sets, (Sets{{41, 40, 50}, {52, 50, 60}, {58, 50, 60}, {11, 10, 20}, {18, 10, 20}, {23, 20, 30}}))
+        << "channel " << first << " goes back first";
+    EXPECT_EQ(pairing.counts()[DropReason::time_jump], 1U) << "63 is after the last load before the jump";
+    expectNothingLost(pairing);
+  }
+}
+
+TEST(EnclosingPairing, WaitingSamplesAreLimitedByTheCapacity)
+{
+  Pairing pairing(2, 0, 3, longest_gap);
+  add(pairing, loads, {10, 20, 30, 40});
+  EXPECT_EQ(pairing.counts()[DropReason::queue_full], 1U);
+  EXPECT_EQ(add(pairing, poses, {12, 22}), (Sets{{22, 20, 30}})) << "the load before 12 was dropped";
+  add(pairing, poses, {41, 42, 43, 44});
+  EXPECT_EQ(pairing.counts()[DropReason::queue_full], 2U);
+  EXPECT_EQ(add(pairing, loads, {50}), (Sets{{42, 40, 50}, {43, 40, 50}, {44, 40, 50}}));
+  expectNothingLost(pairing);
+}
