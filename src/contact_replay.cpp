@@ -15,6 +15,7 @@ enum ExitStatus
   failed = 1,
   wrong_arguments = 2,
   input_damaged = 3,
+  few_results = 4,
   ended_by_signal = 130
 };
 
@@ -45,8 +46,15 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   }
   if (replay.results() == 0 && options.span.isWhole())
   {
-    std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load\n";
+    std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load; " << replay.poses()
+              << " poses were dropped\n";
     return failed;
+  }
+  if (replay.lacksMostResults())
+  {
+    std::cerr << "contact_replay: " << options.input << ": only " << replay.results() << " of " << replay.poses()
+              << " poses have a result\n";
+    return few_results;
   }
   return replay.faults().empty() ? done : input_damaged;
 }

@@ -75,7 +75,7 @@ Replay::Replay(ReplayOptions options)
     : options_(withCheckedOutputs(std::move(options))),
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
-      source_(options_.input, config_, options_.wheelsets, options_.keep_topics, options_.span,
+      source_(options_.input, config_, options_.inputs, options_.keep_topics, options_.span,
               warmUpStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       queue_(queue_budget)
@@ -100,7 +100,7 @@ Replay::Replay(ReplayOptions options)
           csv_->flush();
         }
       });
-  for (const std::string& wheelset : options_.wheelsets)
+  for (const std::string& wheelset : options_.inputs.wheelsets)
   {
     bag_->addConnection(resultConnection(wheelset, description_, config_.model));
   }
@@ -133,7 +133,8 @@ void Replay::run(const std::atomic<bool>& interrupted)
 {
   Progress progress(source_.messages());
   {
-    EvaluationPool pool(config_, options_.threads, {options_.grids, csv_ != nullptr, options_.wheelsets}, queue_);
+    EvaluationPool pool(config_, options_.threads, {options_.grids, csv_ != nullptr, options_.inputs.wheelsets},
+                        queue_);
     std::thread reader([this, &pool] { read(pool); });
     try
     {
@@ -174,7 +175,7 @@ void Replay::read(EvaluationPool& pool)
   try
   {
     std::uint64_t messages = 0, results = 0;
-    std::vector<std::uint32_t> sequence(options_.wheelsets.size(), 0);
+    std::vector<std::uint32_t> sequence(options_.inputs.wheelsets.size(), 0);
     while (auto event = source_.next())
     {
       if (event->warm_up)
@@ -255,25 +256,32 @@ void Replay::printSummary(std::ostream& out) const
     if (statuses_[status] > 0)
     {
       out << "  " << statusName(static_cast<std::uint8_t>(status)) << ": " << statuses_[status] << " ("
-          << percent(statuses_[status], evaluated) << " %)"
+          << percent(statuses_[status], evaluated + source_.droppedPoses()) << " %)"
           << (first_reasons_[status].empty() ? "" : "; first reason: ") << first_reasons_[status] << "\n";
     }
   }
-  for (std::size_t i = 0; i < options_.wheelsets.size(); ++i)
+  for (std::size_t i = 0; i < options_.inputs.wheelsets.size(); ++i)
   {
     const auto dropped = source_.dropped(i);
     for (std::size_t reason = 0; reason < dropped.size(); ++reason)
     {
       if (dropped[reason] > 0)
       {
-        out << "  " << options_.wheelsets[i] << "/wheelset: " << dropped[reason]
+        out << "  " << options_.inputs.wheelsets[i] << "/wheelset: " << dropped[reason]
             << " messages dropped: " << dropName(static_cast<DropReason>(reason)) << "\n";
       }
     }
     if (const std::uint64_t lacking = source_.lackingNeighbour(i))
     {
-      out << "  " << resultTopic(options_.wheelsets[i]) << ": " << lacking << " results lack a neighbour's forces\n";
+      out << "  " << resultTopic(options_.inputs.wheelsets[i]) << ": " << lacking
+          << " results lack a neighbour's forces\n";
     }
   }
+  const auto& sections = config_.model.rail_sections;
+  if ((config_.model.track.line || sections.left || sections.right) && evaluated > 1 && !source_.hasMoved())
+  {
+    out << "  all results are at 0 m on the line; the place is x of the pose, or wheelset/distance (track/distance)\n";
+  }
+  out << "  " << results_ << " of " << poses() << " poses have a result\n";
 }
 }  // namespace wheel_rail_contact

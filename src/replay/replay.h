@@ -33,12 +33,17 @@ class Replay
   /// @throw std::exception for any failure during reading, evaluating or writing.
   void run(const std::atomic<bool>& interrupted);
 
-  /// Prints number of results, speed, statuses and dropped messages. contact_campaign parses this text.
+  /// Prints number of results, speed, statuses and dropped messages. Shares are those of all poses. contact_campaign
+  /// parses this text.
   void printSummary(std::ostream& out) const;
   /// Parts of the input that could not be read, as text; empty if all was read.
   std::vector<std::string> faults() const { return source_.faults(); }
   /// Number of results in the output, including those of the resumed bag.
   std::uint64_t results() const { return results_; }
+  /// Number of poses that have a result or were dropped.
+  std::uint64_t poses() const { return results_ + source_.droppedPoses(); }
+  /// True if fewer than half of the poses of a whole bag have a result.
+  bool lacksMostResults() const { return options_.span.isWhole() && 2 * results_ < poses(); }
 
  private:
   std::unique_ptr<BagWriter> resumeOutput();

@@ -4,6 +4,7 @@
 #include <ros/message_traits.h>
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -121,6 +122,27 @@ std::vector<std::string> namespaces(const std::vector<std::string>& names)
   return result;
 }
 
+/// Input topic whose name an option gives; empty for another option.
+std::optional<InputTopic> topicOf(const std::string& option)
+{
+  const auto found = std::find_if(all_input_topics.begin(), all_input_topics.end(),
+                                  [&option](InputTopic topic) { return optionOf(topic) == option; });
+  return found == all_input_topics.end() ? std::nullopt : std::optional<InputTopic>(*found);
+}
+
+void requireRelativeNames(const BagInputs& inputs)
+{
+  for (const auto& [topic, name] : inputs.names)
+  {
+    if (inputs.wheelsets.size() > 1 && name.rfind('/', 0) == 0)
+    {
+      throw std::invalid_argument(optionOf(topic) + " = " + name +
+                                  ": must not begin with a slash if there are several wheelsets; the name is relative "
+                                  "to the namespace of each wheelset");
+    }
+  }
+}
+
 void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& options,
                 std::vector<std::string>& wheelsets)
 {
@@ -140,6 +162,10 @@ void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& 
   {
     const auto names = arguments.valuesOf(option);
     wheelsets.insert(wheelsets.end(), names.begin(), names.end());
+  }
+  else if (const auto topic = topicOf(option))
+  {
+    options.inputs.names[*topic] = arguments.valueOf(option);
   }
   else if (option == "--from")
   {
@@ -209,14 +235,17 @@ ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
   options.output = files[1];
   if (!wheelsets.empty())
   {
-    options.wheelsets = namespaces(wheelsets);
+    options.inputs.wheelsets = namespaces(wheelsets);
   }
+  requireRelativeNames(options.inputs);
   return options;
 }
 
 void printReplayUsage(std::ostream& out)
 {
   out << "usage: contact_replay IN.bag OUT.bag [--config F.yaml]... [--threads N] [--csv F.csv] [--wheelset NAME...]\n"
+         "                      [--pose TOPIC] [--load TOPIC] [--left-rail-force TOPIC] [--right-rail-force TOPIC]\n"
+         "                      [--rail-displacement TOPIC] [--distance TOPIC]\n"
          "                      [--from T] [--to T] [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
          "\n"
          "Evaluates every pair of pose and load in a bag, as fast as the cores allow. The results are those of the\n"
@@ -227,6 +256,10 @@ void printReplayUsage(std::ostream& out)
          "  --csv F.csv         also writes a table with one row per patch; the column names contain the units\n"
          "  --wheelset NAME...  namespaces of the wheelsets; the results for NAME/wheelset/pose are on\n"
          "                      NAME/contact_node/contact; default: /\n"
+         "  --pose TOPIC        the poses are on this topic instead of wheelset/pose. A name without a leading slash "
+         "is\n"
+         "                      relative to the namespace of each wheelset. The same for the other inputs: --load,\n"
+         "                      --left-rail-force, --right-rail-force, --rail-displacement, --distance\n"
          "  --from T, --to T    evaluates only the inputs recorded from the first time on and before the second one\n"
          "                      [s]; each result is identical to that of the whole bag\n"
          "  --keep-topics       copies the other messages of IN.bag\n"
@@ -235,7 +268,8 @@ void printReplayUsage(std::ostream& out)
          "  --resume            continues an interrupted replay (Ctrl-C, crash); requires the same options\n"
          "\n"
          "Exit status: 0 done; 1 failed, or IN.bag contains no pair; 2 wrong arguments; 3 done, but parts of IN.bag\n"
-         "could not be read; 130 interrupted.\n";
+         "could not be read; 4 done, but fewer than half of the poses have a result (not with --from or --to);\n"
+         "130 interrupted.\n";
 }
 
 ParameterTree replayParameters(const ReplayOptions& options)
@@ -254,9 +288,13 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
   text << "input size: " << input_size << " B\n";
   text << "options: message " << ros::message_traits::md5sum<WheelsetContact>() << ", grids " << options.grids
        << ", keep topics " << options.keep_topics << ", compression " << options.compression << "\n";
-  for (const std::string& name : options.wheelsets)
+  for (const std::string& name : options.inputs.wheelsets)
   {
     text << wheelset_line << name << wheelset_inputs << "\n";
+  }
+  for (const auto& [topic, name] : options.inputs.names)
+  {
+    text << optionOf(topic) << ": " << name << "\n";
   }
   for (const auto& [name, value] : parameters)
   {

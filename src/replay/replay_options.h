@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bag/bag_contents.h"
+#include "replay/bag_inputs.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
@@ -14,18 +15,18 @@ namespace wheel_rail_contact
 /// Command line options of contact_replay.
 struct ReplayOptions
 {
-  std::string input;                       ///< bag to read
-  std::string output;                      ///< bag to write
-  std::vector<std::string> configs;        ///< parameter files, each applied over those before
-  std::vector<std::string> wheelsets{""};  ///< namespaces, "" or "/name"
-  std::string csv;                         ///< table of patches to write; empty: no table
-  std::string compression = "none";        ///< of the output: none or lz4
-  BagSpan span;                            ///< inputs that become complete in this span are evaluated
-  int threads = 1;                         ///< threads that evaluate, at least 1
-  bool grids = true;                       ///< false: the pressure grids are left empty
-  bool keep_topics = false;                ///< true: the other messages of the input are copied
-  bool resume = false;                     ///< true: an interrupted run is continued
-  bool help = false;                       ///< true: only the usage is printed
+  std::string input;                 ///< bag to read
+  std::string output;                ///< bag to write
+  std::vector<std::string> configs;  ///< parameter files, each applied over those before
+  BagInputs inputs;                  ///< wheelsets and their topics
+  std::string csv;                   ///< table of patches to write; empty: no table
+  std::string compression = "none";  ///< of the output: none or lz4
+  BagSpan span;                      ///< inputs that become complete in this span are evaluated
+  int threads = 1;                   ///< threads that evaluate, at least 1
+  bool grids = true;                 ///< false: the pressure grids are left empty
+  bool keep_topics = false;          ///< true: the other messages of the input are copied
+  bool resume = false;               ///< true: an interrupted run is continued
+  bool help = false;                 ///< true: only the usage is printed
 };
 
 /// Parses the arguments without the program name.

@@ -32,6 +32,18 @@ std::set<std::string> resultTopics(const std::vector<std::string>& wheelsets)
   }
   return topics;
 }
+
+/// Rejects the name of a topic that is not read.
+void requireUsed(const BagInputs& inputs, const std::vector<InputTopic>& topics)
+{
+  for (const auto& [topic, name] : inputs.names)
+  {
+    if (std::find(topics.begin(), topics.end(), topic) == topics.end())
+    {
+      throw std::invalid_argument(optionOf(topic) + " = " + name + ": the parameters require no " + nameOf(topic));
+    }
+  }
+}
 }  // namespace
 
 std::string resultTopic(const std::string& wheelset)
@@ -39,27 +51,30 @@ std::string resultTopic(const std::string& wheelset)
   return wheelset + "/contact_node/contact";
 }
 
-ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets,
-                           bool keep, const BagSpan& span, std::uint64_t warm_up)
+ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const BagInputs& inputs, bool keep,
+                           const BagSpan& span, std::uint64_t warm_up)
     : span_(span),
-      results_(resultTopics(wheelsets)),
-      uses_(usesOf(config, wheelsets)),
+      results_(resultTopics(inputs.wheelsets)),
+      uses_(usesOf(config, inputs)),
       keep_(keep),
-      wheelsets_(wheelsets.size(), Wheelset(config)),
+      wheelsets_(inputs.wheelsets.size(), Wheelset(config)),
       stream_(bag, [this](const std::string& topic) { return isRead(topic); }, {warm_up, span.to})
 {
   requireTopics();
   requireTypes();
 }
 
-ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const
+ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const BagInputs& inputs) const
 {
+  const std::vector<InputTopic> topics = inputTopics(config);
+  requireUsed(inputs, topics);
+  const std::vector<std::string>& wheelsets = inputs.wheelsets;
   Uses uses{{"/tf", {Role::transform}}, {"/tf_static", {Role::static_transform}}};
   for (std::size_t i = 0; i < wheelsets.size(); ++i)
   {
-    for (const InputTopic topic : inputTopics(config))
+    for (const InputTopic topic : topics)
     {
-      uses.insert({wheelsets[i] + "/" + nameOf(topic), {Role::input, i, topic}});
+      uses.insert({inputs.topicOf(wheelsets[i], topic), {Role::input, i, topic}});
     }
     for (std::size_t k = 0; k < config.neighbours.size(); ++k)
     {
@@ -89,8 +104,9 @@ void ReplaySource::requireFromEarlierRun(const std::string& topic) const
   }
 }
 
-void ReplaySource::rejectWithoutTopic(const std::string& topic, const std::string& type) const
+std::string ReplaySource::reasonOfMissing(const std::string& topic, const Use& use) const
 {
+  const std::string type = typeAndSumOf(use).first;
   std::string topics;
   for (const auto& entry : stream_.contents().connections)
   {
@@ -102,15 +118,13 @@ void ReplaySource::rejectWithoutTopic(const std::string& topic, const std::strin
   }
   std::string reason = "the bag has no topic " + topic + "; its topics of type " + type + ":";
   reason += topics.empty() ? " none" : topics;
-  for (const std::string& fault : stream_.faults())
-  {
-    reason.append("; ").append(fault);
-  }
-  throw BagError(reason);
+  return use.role == Role::input && !topics.empty() ? reason + "; " + optionOf(use.topic) + " names another topic"
+                                                    : reason;
 }
 
 void ReplaySource::requireTopics() const
 {
+  std::string reasons;
   for (const auto& [topic, use] : uses_)
   {
     const auto& connections = stream_.contents().connections;
@@ -119,8 +133,16 @@ void ReplaySource::requireTopics() const
                     [&name = topic](const auto& entry) { return absolute(entry.second.topic) == name; });
     if (!is_there && use.role != Role::transform && use.role != Role::static_transform)
     {
-      rejectWithoutTopic(topic, typeAndSumOf(use).first);
+      reasons += (reasons.empty() ? "" : "; ") + reasonOfMissing(topic, use);
     }
+  }
+  if (!reasons.empty())
+  {
+    for (const std::string& fault : stream_.faults())
+    {
+      reasons.append("; ").append(fault);
+    }
+    throw BagError(reasons);
   }
 }
 
@@ -288,6 +310,7 @@ void ReplaySource::emit(std::size_t wheelset)
   event.read = read_;
   event.warm_up = !in_span_;
   const bool is_evaluated = event.input.status == WheelsetContact::OK;
+  has_moved_ = has_moved_ || (in_span_ && is_evaluated && event.input.state.distance != 0);
   own.lacking_neighbour += in_span_ && is_evaluated && event.input.lacks_neighbour ? 1U : 0U;
   observe(own, event.input.stamp);
   own.waiting.pop_front();
@@ -303,6 +326,7 @@ void ReplaySource::beginSpan()
     for (Wheelset& wheelset : wheelsets_)
     {
       wheelset.dropped_before = wheelset.pairing.counts().dropped;
+      wheelset.poses_dropped_before = wheelset.pairing.droppedPoses();
     }
   }
 }
@@ -330,6 +354,16 @@ std::array<std::uint64_t, PairingCounts::reasons> ReplaySource::dropped(std::siz
     dropped[reason] -= wheelsets_[wheelset].dropped_before[reason];
   }
   return dropped;
+}
+
+std::uint64_t ReplaySource::droppedPoses() const
+{
+  std::uint64_t sum = 0;
+  for (const Wheelset& wheelset : wheelsets_)
+  {
+    sum += wheelset.pairing.droppedPoses() - wheelset.poses_dropped_before;
+  }
+  return sum;
 }
 
 /// Emits the inputs that still wait at the end of the bag.

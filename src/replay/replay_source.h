@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bag/bag_stream.h"
+#include "replay/bag_inputs.h"
 #include "replay/replay_item.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/neighbour_forces.h"
@@ -33,13 +34,14 @@ struct ReplayEvent : ReplayItem
 class ReplaySource
 {
  public:
-  /// @param wheelsets namespaces, "" or "/name"
+  /// @param inputs wheelsets and their topics
   /// @param keep true: all messages are also delivered for copying, except earlier results of the same wheelsets
   /// @param span inputs that become complete in this span are delivered
   /// @param warm_up recording time at which reading begins, at or before the span [ns]; see warmUpStart()
   /// @throw BagError if the bag cannot be read, or if a topic is missing or has the wrong type.
-  /// @throw std::invalid_argument if a neighbour is one of the wheelsets of this run.
-  ReplaySource(const std::string& bag, const NodeConfig& config, const std::vector<std::string>& wheelsets, bool keep,
+  /// @throw std::invalid_argument if a neighbour is one of the wheelsets of this run, or if a topic is named that the
+  /// configuration does not require.
+  ReplaySource(const std::string& bag, const NodeConfig& config, const BagInputs& inputs, bool keep,
                const BagSpan& span = {}, std::uint64_t warm_up = 0);
 
   /// The next event; empty at the end.
@@ -51,6 +53,10 @@ class ReplaySource
   std::uint64_t fileSize() const { return stream_.fileSize(); }
   /// Number of messages of a wheelset that were dropped in the span, by DropReason.
   std::array<std::uint64_t, PairingCounts::reasons> dropped(std::size_t wheelset) const;
+  /// Number of poses of all wheelsets that were dropped in the span.
+  std::uint64_t droppedPoses() const;
+  /// True if an input in the span is at another place of the line than 0.
+  bool hasMoved() const { return has_moved_; }
   /// Number of inputs in the span that are evaluated without the forces of a neighbour.
   std::uint64_t lackingNeighbour(std::size_t wheelset) const { return wheelsets_[wheelset].lacking_neighbour; }
   /// True once the next result of every wheelset is the same as if the bag had been read from its beginning. For each
@@ -92,19 +98,20 @@ class ReplaySource
     NeighbourForces neighbours;
     std::deque<Waiting> waiting;                                         ///< inputs that wait for their transforms
     std::array<std::uint64_t, PairingCounts::reasons> dropped_before{};  ///< dropped before the span
+    std::uint64_t poses_dropped_before = 0;                              ///< the same of the poses
     std::uint64_t lacking_neighbour = 0;                                 ///< see lackingNeighbour()
     std::optional<ros::Time> last_stamp;
     bool all_matched = false;  ///< at some time no message was waiting for a match
     bool warmed_up = false;    ///< see isWarmedUp()
   };
 
-  Uses usesOf(const NodeConfig& config, const std::vector<std::string>& wheelsets) const;
+  Uses usesOf(const NodeConfig& config, const BagInputs& inputs) const;
   static std::pair<std::string, std::string> typeAndSumOf(const Use& use);
   bool isRead(const std::string& topic) const;
   void requireTopics() const;
   void requireTypes() const;
   void requireFromEarlierRun(const std::string& topic) const;
-  [[noreturn]] void rejectWithoutTopic(const std::string& topic, const std::string& type) const;
+  std::string reasonOfMissing(const std::string& topic, const Use& use) const;
   void take(const BagMessage& message);
   void use(const Use& use, const BagMessage& message);
   void release(bool only_overdue);
@@ -126,6 +133,7 @@ class ReplaySource
   std::uint64_t read_ = 0;  ///< number of messages read
   std::uint64_t damaged_ = 0;
   bool finished_ = false;
+  bool has_moved_ = false;  ///< see hasMoved()
 };
 
 /// Topic of the results of a wheelset.

@@ -57,7 +57,7 @@ std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config
   const std::uint64_t start = startOf(contents);
   for (std::uint64_t lead = shortest; lead < from && from - lead > start; lead *= growth)
   {
-    ReplaySource before(options.input, config, options.wheelsets, false, {from - lead, from}, from - lead);
+    ReplaySource before(options.input, config, options.inputs, false, {from - lead, from}, from - lead);
     while (before.next())
     {
     }

@@ -5,6 +5,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,14 @@ enum class InputTopic
   rail_displacement,  ///< wheelset/rail_displacement (RailDisplacements), if track/displacement is `topic`
   distance            ///< wheelset/distance (PointStamped), if track/distance is `topic`
 };
+
+/// All input topics.
+inline constexpr std::array<InputTopic, 6> all_input_topics{InputTopic::pose,
+                                                            InputTopic::load,
+                                                            InputTopic::left_rail_force,
+                                                            InputTopic::right_rail_force,
+                                                            InputTopic::rail_displacement,
+                                                            InputTopic::distance};
 
 /// Message of any input topic; never null.
 using InputMessage = std::variant<geometry_msgs::PoseStampedConstPtr, geometry_msgs::WrenchStampedConstPtr,

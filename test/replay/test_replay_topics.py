@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""contact_replay on bags whose input topics have other names (--pose, --load and others)."""
+
+import rosbag
+from geometry_msgs.msg import PointStamped
+
+from replay_case import MISUSED, ReplayCase, load, pose, stamp
+
+PAIRS = 60
+
+
+class Topics(ReplayCase):
+    def write(self, pose_topic, load_topic, *further, name="named.bag"):
+        path = self.folder / name
+        with rosbag.Bag(str(path), "w") as bag:
+            for i in range(PAIRS):
+                for topic, message in (pose_topic, pose(i)), (load_topic, load(i)), *((f, load(i)) for f in further):
+                    bag.write(topic, message, stamp(i))
+        return path
+
+    def test_inputs_of_other_names_give_the_same_results(self):
+        expected = self.results(self.replay(self.make_bag(PAIRS), "plain.bag")[0])
+        bag = self.write("/vehicle/axle_1/pose", "forces/load")  # rosbag record writes both with a slash, other tools do not
+        for number, (pose_name, load_name) in enumerate((("/vehicle/axle_1/pose", "/forces/load"),
+                                                         ("vehicle/axle_1/pose", "forces/load"))):
+            out, _ = self.replay(bag, f"{number}.bag", "--pose", pose_name, "--load", load_name)
+            self.assertEqual(self.results(out), expected)
+
+    def test_names_without_a_slash_are_relative_to_the_namespace_of_each_wheelset(self):
+        path = self.folder / "both.bag"
+        with rosbag.Bag(str(path), "w") as bag:
+            for i in range(PAIRS):
+                for wheelset, pairs in ("front", PAIRS), ("rear", 40):
+                    if i < pairs:
+                        bag.write(f"/{wheelset}/axle", pose(i), stamp(i))
+                        bag.write(f"/{wheelset}/wheelset/load", load(i), stamp(i))
+        out, _ = self.replay(path, "out.bag", "--wheelset", "front", "rear", "--pose", "axle")
+        self.assertEqual([len(self.results(out, f"/{wheelset}/contact_node/contact")) for wheelset in ("front", "rear")],
+                         [PAIRS, 40])
+        out, _ = self.replay(path, "one.bag", "--wheelset", "rear", "--pose", "/front/axle")
+        self.assertEqual(len(self.results(out, "/rear/contact_node/contact")), 40)
+        _, printed = self.replay(path, "no.bag", "--wheelset", "front", "rear", "--pose", "/axle", status=MISUSED)
+        self.assertIn("--pose = /axle: must not begin with a slash if there are several wheelsets", printed)
+
+    def test_every_input_can_be_named(self):
+        bag = self.write("/pose", "/load", "/left", "/right")
+        with rosbag.Bag(str(bag), "a") as file:
+            for i in range(PAIRS):
+                place = PointStamped(header=pose(i).header)
+                place.point.x = 100 + i
+                file.write("/place", place, stamp(i))
+        config = self.folder / "my.yaml"
+        config.write_text("track: {distance: topic}\nrail_bending: {model: compliance, lateral_force: topic, "
+                          "table: config/rails/pads_40_100.yaml}\n")
+        out, _ = self.replay(bag, "out.bag", "--config", config, "--pose", "pose", "--load", "load", "--left-rail-force", "left",
+                             "--right-rail-force", "/right", "--distance", "place")
+        self.assertEqual([result.distance for result in self.results(out)], [100 + i for i in range(PAIRS)])
+
+    def test_missing_topics_are_reported_with_those_of_their_type_and_the_option(self):
+        bag = self.write("/vehicle/pose", "/vehicle/load")
+        _, printed = self.replay(bag, status=1)
+        self.assertIn("the bag has no topic /wheelset/pose; its topics of type geometry_msgs/PoseStamped: /vehicle/pose; "
+                      "--pose names another topic", printed)
+        self.assertIn("the bag has no topic /wheelset/load; its topics of type geometry_msgs/WrenchStamped: /vehicle/load; "
+                      "--load names another topic", printed)
+
+    def test_name_of_an_input_that_is_not_required_is_refused(self):
+        bag = self.write("/wheelset/pose", "/wheelset/load")
+        _, printed = self.replay(bag, "out.bag", "--distance", "/place", status=MISUSED)
+        self.assertIn("--distance = /place: the parameters require no wheelset/distance", printed)
+
+    def test_topic_of_another_type_is_refused(self):
+        bag = self.write("/wheelset/pose", "/wheelset/load")
+        _, printed = self.replay(bag, "out.bag", "--load", "/wheelset/pose", status=1)
+        self.assertIn("topic /wheelset/pose is of type geometry_msgs/PoseStamped, not geometry_msgs/WrenchStamped", printed)
+
+    def test_replay_is_resumed_only_with_the_same_topics(self):
+        bag = self.write("/wheelset/pose", "/load", "/other_load")
+        out, _ = self.replay(bag, "out.bag", "--load", "/load")
+        _, printed = self.replay(bag, out.name, "--load", "/other_load", "--resume", status=1)
+        self.assertIn("cannot be resumed", printed)
+        self.replay(bag, out.name, "--load", "/load", "--resume")
+
+
+if __name__ == "__main__":
+    import unittest
+    unittest.main()
