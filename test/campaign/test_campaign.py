@@ -30,7 +30,7 @@ from wheel_rail_contact.msg import WheelsetContact
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / "test" / "replay"))
-from replay_case import ReplayCase, pose, stamp  # noqa: E402  (in the folder of other tests)
+from replay_case import ReplayCase, load, pose, stamp  # noqa: E402  (in the folder of other tests)
 
 COMMAND = PACKAGE / "scripts" / "contact_campaign"
 GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
@@ -224,6 +224,30 @@ class ExternalCluster(Case):
         printed = self.campaign(bag, status=3)
         self.assertIn("has no usable index", printed)
         self.assertEqual(len(self.manifest()["bags"][bag.name]["slices"]), 1)
+
+    def test_topics_of_other_names_are_read_and_counted(self):
+        bag, plain = self.folder / "named.bag", self.make_bag(500, "plain.bag")
+        with rosbag.Bag(str(plain)) as source, rosbag.Bag(str(bag), "w") as named:
+            for topic, message, at in source.read_messages():
+                named.write("/vehicle/pose" if topic.endswith("pose") else "/axle/load", message, at)
+        self.options += ["--pose", "/vehicle/pose", "--load", "axle/load"]
+        self.campaign(bag)
+        self.assertEqual(len(self.assert_done(bag)["slices"]), 2)
+
+    def test_bag_in_which_most_poses_have_no_result_is_named(self):
+        bag = self.folder / "poor.bag"
+        with rosbag.Bag(str(bag), "w") as poor:
+            for i in range(1000):
+                poor.write("/wheelset/pose", pose(i), stamp(i))
+                if i < 400:
+                    poor.write("/wheelset/load", load(i), stamp(i))
+        good = self.make_bag(30, "good.bag")
+        for size in (300, 5000):  # four slices, one slice
+            self.out = self.folder / f"out_{size}"
+            printed = self.campaign(bag, good, status=4, slice=size)
+            self.assertIn("poor.bag: only 400 of 1000 poses have a result", printed)
+            self.assertNotIn("good.bag", printed)
+            self.assertEqual({tuple(record["faults"]) for record in self.manifest()["bags"]["poor.bag"]["done"]}, {()})
 
     def test_slice_that_was_changed_on_the_disk_is_evaluated_again(self):
         from wheel_rail_contact.campaign import work

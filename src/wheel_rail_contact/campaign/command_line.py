@@ -7,8 +7,8 @@ from ..command import Failure, finish
 from .campaign import Campaign
 from .cluster import connect
 from .folder import Folder, record_of, require_same
-from .plan import plan_of
-from .work import DAMAGED
+from .plan import INPUTS, plan_of
+from .work import DAMAGED, FEW_RESULTS
 
 SLICE = 20000
 
@@ -30,10 +30,11 @@ def _run(options):
         finally:
             folder.write_manifest(plan)
         faults = _report(plan, folder)
+        poor = _report_poor(plan, folder)
         if failures:
             raise Failure("\n  ".join([f"{len(failures)} tasks failed; the same command repeats them:", *failures]))
         folder.clear()
-        return DAMAGED if faults else 0
+        return FEW_RESULTS if poor else DAMAGED if faults else 0
 
 
 def _evaluate(options, plan, folder):
@@ -66,6 +67,18 @@ def _report(plan, folder):
     return faults
 
 
+def _report_poor(plan, folder):
+    """Prints the bags in which fewer than half of the poses have a result. @return their number"""
+    poor = 0
+    for name in plan["bags"]:
+        slices = (record_of(folder.results(name)) or {"done": []})["done"]
+        results, poses = (sum(record[key] for record in slices) for key in ("results", "poses"))
+        if 2 * results < poses:
+            print(f"  {name}: only {results} of {poses} poses have a result")
+            poor += 1
+    return poor
+
+
 def _slice(text):
     count = int(text)
     if count < 1:
@@ -88,6 +101,8 @@ def _parser():
                         help="path of a parameter file, applied over the defaults and over the files given before")
     parser.add_argument("--wheelset", nargs="+", default=[], metavar="NAME",
                         help="namespaces of several wheelsets, as in contact_replay")
+    for name in INPUTS:
+        parser.add_argument(f"--{name}", metavar="TOPIC", help="name of this input topic, as in contact_replay")
     parser.add_argument("--keep-topics", action="store_true",
                         help="copy the other messages of the bags, as in contact_replay")
     parser.add_argument("--no-grids", action="store_true", help="omit the pressure grids, as in contact_replay")

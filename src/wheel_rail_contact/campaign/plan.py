@@ -10,6 +10,8 @@ import rosbag
 from ..command import Failure
 from .folder import FORMAT
 
+INPUTS = ("pose", "load", "left-rail-force", "right-rail-force", "rail-displacement", "distance")  # options for topics
+
 
 def sha256(path):
     """Checksum of a file, in hexadecimal digits."""
@@ -20,22 +22,32 @@ def sha256(path):
     return checksum.hexdigest()
 
 
-def read_index(path, wheelsets):
-    """Number of poses in a bag, and the times at which its recording begins and ends [s]."""
-    poses = [f"{slash}{name.strip('/')}/wheelset/pose" if name.strip("/") else f"{slash}wheelset/pose"
-             for name in wheelsets or [""] for slash in ("", "/")]
+def pose_topics(wheelsets, pose):
+    """Names of the topics of the poses, with and without a leading slash.
+
+    @param pose name of the topic as in contact_replay; None: the usual one
+    """
+    names = [pose] if (pose or "").startswith("/") else [f"{name}/{pose or 'wheelset/pose'}" for name in wheelsets or [""]]
+    return [slash + name.strip("/") for name in names for slash in ("", "/")]
+
+
+def read_index(path, poses):
+    """Number of poses in a bag, and the times at which its recording begins and ends [s].
+
+    @param poses names of their topics
+    """
     with rosbag.Bag(str(path), skip_index=True) as bag:  # does not read the positions of the messages
         count = bag.get_message_count(poses)
         return (count, bag.get_start_time(), bag.get_end_time()) if count else (0, 0, 0)
 
 
-def cuts(path, wheelsets, per_slice):
+def cuts(path, topics, per_slice):
     """Recording times [s], as text, between slices of about `per_slice` results. Empty if the bag is one slice.
 
     A bag with an unreadable index is one slice. This is reported on standard error.
     """
     try:
-        poses, start, end = read_index(path, wheelsets)
+        poses, start, end = read_index(path, topics)
     except Exception as error:  # rosbag does not convert the exceptions of its decoders
         print(f"contact_campaign: {path}: evaluated as one slice, because its index cannot be read ({error})",
               file=sys.stderr)
@@ -44,10 +56,10 @@ def cuts(path, wheelsets, per_slice):
     return list(dict.fromkeys(f"{start + k * (end - start) / count:.6f}" for k in range(1, count)))
 
 
-def plan_of_bag(path, wheelsets, per_slice):
+def plan_of_bag(path, topics, per_slice):
     """Entry of a bag in the plan."""
     state = path.stat()
-    at = [None, *cuts(path, wheelsets, per_slice), None]
+    at = [None, *cuts(path, topics, per_slice), None]
     return {"bag": str(path), "size": state.st_size, "modified": state.st_mtime_ns,
             "slices": [[start, end] for start, end in zip(at, at[1:])]}
 
@@ -70,7 +82,7 @@ def plan_of(options, before=None):
         if known and (known["bag"], known["size"], known["modified"]) == (str(bag), state.st_size, state.st_mtime_ns):
             plan["bags"][bag.name] = {key: known[key] for key in ("bag", "size", "modified", "slices")}
         else:
-            plan["bags"][bag.name] = plan_of_bag(bag, options.wheelset, options.slice)
+            plan["bags"][bag.name] = plan_of_bag(bag, pose_topics(options.wheelset, options.pose), options.slice)
     return plan
 
 
@@ -78,4 +90,6 @@ def replay_options(options):
     """Options of contact_replay other than the bag and the slice."""
     words = [word for name in options.config for word in ("--config", str(Path(name).resolve()))]
     words += ["--wheelset", *options.wheelset] if options.wheelset else []
+    names = vars(options)
+    words += [word for name in INPUTS if names[name.replace("-", "_")] for word in (f"--{name}", names[name.replace("-", "_")])]
     return words + [f"--{name}" for name in ("keep-topics", "no-grids", "lz4") if getattr(options, name.replace("-", "_"))]

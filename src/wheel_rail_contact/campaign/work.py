@@ -17,12 +17,13 @@ from ..command import Failure, runner
 from .folder import record_of, record_path, write_json
 from .plan import sha256
 
-DONE, DAMAGED = 0, 3  # exit statuses of contact_replay
+DONE, DAMAGED, FEW_RESULTS = 0, 3, 4  # exit statuses of contact_replay
 END_WITH_WORKER = ("setpriv", "--pdeathsig", "KILL")
 # Lines of the summary that contact_replay prints.
 EVALUATED = re.compile(r"^(\d+) .* in \S+ s, ", re.MULTILINE)
 STATUS = re.compile(r"  ([A-Z_]+): (\d+) \(")
 DROPPED = re.compile(r"  (\S*): (\d+) messages dropped: (.*)")
+POSES = re.compile(r"^  \d+ of (\d+) poses have a result$", re.MULTILINE)
 LACKING = re.compile(r"  (\S*): (\d+) \w+ lack a neighbour's forces")
 
 
@@ -40,7 +41,7 @@ def evaluate_slice(task):
         command = [*END_WITH_WORKER, runner("contact_replay"), task["bag"], partial, "--threads", "1", *span,
                    *task["options"]]
         run = subprocess.run(command, cwd=task["folder"], capture_output=True, text=True, check=False)
-        if run.returncode not in (DONE, DAMAGED):
+        if run.returncode not in (DONE, DAMAGED, FEW_RESULTS):
             raise Failure(_last_line(run))
         record = {**_summary(run.stdout), "from": start, "to": end, "faults": _faults(run),
                   "seconds": round(time.monotonic() - began, 3), "worker": f"{socket.gethostname()}:{os.getpid()}"}
@@ -98,14 +99,15 @@ def _summary(text):
     statuses = {name: int(count) for name, count in STATUS.findall(text)}
     dropped = [[inputs, int(count), reason] for inputs, count, reason in DROPPED.findall(text)]
     lacking = {topic: int(count) for topic, count in LACKING.findall(text)}
-    return {"results": int(EVALUATED.search(text).group(1)), "statuses": statuses, "dropped": dropped,
+    return {"results": int(EVALUATED.search(text).group(1)), "poses": int(POSES.search(text).group(1)), "statuses": statuses, "dropped": dropped,
             "lacking_neighbour": lacking}
 
 
 def _faults(run):
     """Parts of the bag that could not be read, as sentences."""
     start = "contact_replay: "
-    return [line[len(start):] for line in run.stderr.splitlines() if line.startswith(start)]
+    lines = [line[len(start):] for line in run.stderr.splitlines() if line.startswith(start)]
+    return lines[:-1] if run.returncode == FEW_RESULTS else lines  # the last one is on the number of results
 
 
 def _last_line(run):
