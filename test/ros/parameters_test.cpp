@@ -184,7 +184,7 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"track: {gauge: }", "track/gauge", "no value"},
       {"track: {gauge_depth: -0.014}", "track/gauge_depth", "-0.014"},
       {"track: {gauge: 1435}", "track/gauge = 1435", "must be from 0.2 to 3, in metres"},
-      {"track: {gauge_depth: 14}", "track/gauge_depth = 14", "from 0.001 to 0.1, in metres"},
+      {"track: {gauge_depth: 14}", "track/gauge_depth = 14", "from 1e-05 to 0.1, in metres"},
       {"wheelset: {rolling_radius: 460}", "wheelset/rolling_radius = 460", "from 0.05 to 2, in metres"},
       {"wheel: {left: {rolling_radius: 459}}", "wheel/left/rolling_radius = 459", "in metres"},
       {"wheelset: {flange_back_distance: 1360}", "wheelset/flange_back_distance = 1360", "in metres"},

@@ -17,7 +17,7 @@ namespace wheel_rail_contact::core
 struct TrackConfig
 {
   double gauge = 1.435;        ///< distance between the gauge faces of both rails [m], 0.2 to 3
-  double gauge_depth = 0.014;  ///< depth below the tops of the rails at which the gauge is measured [m], 0.001 to 0.1
+  double gauge_depth = 0.014;  ///< depth below the tops of the rails at which the gauge is measured [m], 1e-5 to 0.1
   /// Inclination of each rail, top towards the track centre [rad]; at most 0.2. 1:40 is atan(1/40). This is not the
   /// cant (superelevation) of the track.
   Sides<double> rail_inclination = 0.025;

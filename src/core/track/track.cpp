@@ -11,7 +11,7 @@ namespace
 {
 // Far wider than on real tracks and wheelsets, but without a usual length in millimetres.
 constexpr LengthRange gauges{0.2, 3};  ///< and flange back distances
-constexpr LengthRange gauge_depths{0.001, 0.1};
+constexpr LengthRange gauge_depths{1e-5, 0.1};
 constexpr LengthRange rolling_radii{0.05, 2};
 constexpr LengthRange tape_circles{0.005, 0.5};
 }  // namespace
