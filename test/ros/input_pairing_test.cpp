@@ -6,6 +6,7 @@
 #include <boost/make_shared.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "message_bytes.h"
 
@@ -140,6 +141,24 @@ TEST(InputPairing, DisplacementAndDistanceArePairedWithinTheSlop)
   EXPECT_EQ(input.distance->point.x, 10.02);
   // The messages of the first two poses, and the first displacement.
   EXPECT_EQ(pairing.counts()[DropReason::unmatched], 7U);
+  EXPECT_TRUE(pairing.isSettled());
+}
+
+TEST(InputPairing, MessagesWithoutAStampAreNeverPaired)
+{
+  InputPairing pairing{NodeConfig()};
+  std::vector<ContactInput> inputs;
+  for (const double stamp : {0.0, 5.0, 0.0, 6.0, 0.0})
+  {
+    EXPECT_TRUE(pairing.add(InputTopic::pose, message(InputTopic::pose, stamp)).empty());
+    const auto completed = pairing.add(InputTopic::load, message(InputTopic::load, stamp));
+    inputs.insert(inputs.end(), completed.begin(), completed.end());
+  }
+  ASSERT_EQ(inputs.size(), 2U) << "a stamp of 0 is no sign of time that went back";
+  EXPECT_EQ(inputs[0].pose->header.stamp, ros::Time(5));
+  EXPECT_EQ(inputs[1].load->header.stamp, ros::Time(6));
+  EXPECT_EQ(pairing.counts()[DropReason::unstamped], 6U);
+  EXPECT_EQ(pairing.droppedPoses(), 3U);
   EXPECT_TRUE(pairing.isSettled());
 }
 

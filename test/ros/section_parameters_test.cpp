@@ -159,6 +159,7 @@ TEST_F(SectionParameters, MistakesAreRefusedByTheirName)
       {"rail: {profile: {file: 60E1, parts: [{file: none.csv}]}}", "rail/profile/parts/file", "none.csv"},
       {"rail: {profile: {file: 60E1, parts: [{slices: none.slcs}]}}", "rail/profile/parts/slices", "none.slcs"},
       {"rail: {profile: {file: 60E1, parts: [{file: a.csv, x: 1}]}}", "rail/profile/parts/x", "unknown"},
+      {"rail_bending: {neighbours: [{name: front}]}", "rail_bending/neighbours/name is unknown", "distance, topic"},
       {"rail: {profile: {file: 60E1, parts: [{profile: a.csv}]}}", "rail/profile/parts/profile is unknown",
        "file, mirror, sections, slices"},
       {"rail: {profile: {sections: [{x: 0, profile: a.csv}]}}", "rail/profile/sections/profile is unknown", "file, x"},

@@ -374,22 +374,6 @@ TEST(StampPairing, SmallestAndLargestStampsCauseNoOverflow)
   expectNothingLost(pairing);
 }
 
-TEST(StampPairing, SamplesWithoutAStampAreNeverPaired)
-{
-  Pairing pairing(2, 0, large_capacity);
-  Sets sets;
-  for (const int t : {0, 5, 0, 6, 0})
-  {
-    add(pairing, 0, t, sets);
-    add(pairing, 1, t, sets);
-  }
-  EXPECT_EQ(sets, (Sets{{5, 5}, {6, 6}})) << "they are no sign of time that went back";
-  EXPECT_EQ(dropped(pairing, DropReason::unstamped), 6U);
-  EXPECT_EQ(pairing.dropped(0), 3U);
-  EXPECT_TRUE(pairing.isSettled());
-  expectNothingLost(pairing);
-}
-
 TEST(StampPairing, FinishDropsAndCountsWaitingSamples)
 {
   Pairing pairing(2, 0, large_capacity);
