@@ -2,8 +2,10 @@
 #include <atomic>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 #include "replay/replay.h"
 
@@ -27,10 +29,28 @@ void interrupt(int signal)
   std::signal(signal, SIG_DFL);  // a second signal ends the program immediately
 }
 
+constexpr const char* other_rate = " (if the loads have another rate: sync/load: interpolate)\n";
+
+/// Removes the files of a run without any result: the corrected command may use their names.
+void removeOutputs(const wheel_rail_contact::ReplayOptions& options)
+{
+  std::error_code ignored;
+  std::filesystem::remove(options.output, ignored);
+  if (!options.csv.empty())
+  {
+    std::filesystem::remove(options.csv, ignored);
+  }
+}
+
 ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
 {
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is then reported like a full disk
   wheel_rail_contact::Replay replay(options);
+  for (const std::string& note : replay.notes())
+  {
+    std::cout << note << '\n';
+  }
+  std::cout << std::flush;  // before the evaluation, which may take long
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   replay.run(interrupted);
@@ -47,13 +67,14 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   if (replay.results() == 0 && options.span.isWhole())
   {
     std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load; " << replay.poses()
-              << " poses were dropped\n";
+              << " poses were dropped" << other_rate;
+    removeOutputs(options);
     return failed;
   }
   if (replay.lacksMostResults())
   {
-    std::cerr << "contact_replay: " << options.input << ": only " << replay.results() << " of " << replay.poses()
-              << " poses have a result\n";
+    std::cerr << "contact_replay: " << options.input << ": only " << replay.resultsOfUsableInput() << " of "
+              << replay.poses() << " poses have a result of usable input" << other_rate;
     return few_results;
   }
   return replay.faults().empty() ? done : input_damaged;

@@ -11,6 +11,7 @@
 
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
+#include "core/balance/shape_effect.h"
 #include "core/balance/wheelset_balance.h"
 
 namespace wheel_rail_contact::core
@@ -110,7 +111,7 @@ class WheelsetContact::Chain
     result_.roll = given ? state.roll : 0;
     solve(state);
     result_.rail = {};
-    result_.above_tolerance = result_.near_branch = false;
+    result_.above_tolerance = result_.near_branch = result_.points_missing = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
     {
@@ -230,13 +231,14 @@ class WheelsetContact::Chain
            other_force * force;
   }
 
-  /// Remark on a usable result: another equilibrium, wheels that carry no load, or an error estimate above the
-  /// tolerance; otherwise empty.
+  /// Remark on a usable result: wheels that carry no load, missing points of a profile, another equilibrium, or an
+  /// error estimate above the tolerance; otherwise empty.
   std::string_view remark() const
   {
     if (balance_.wheel(Side::left).loaded() && balance_.wheel(Side::right).loaded())
     {
-      return result_.near_branch       ? "another equilibrium exists: the result depends on the states before"
+      return result_.points_missing    ? "points of a profile are missing at a contact: its shape is not known there"
+             : result_.near_branch     ? "another equilibrium exists: the result depends on the states before"
              : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
                                        : "";
     }
@@ -253,8 +255,12 @@ class WheelsetContact::Chain
     for (std::size_t k = 0; k < count; ++k)
     {
       result_.patches.resize(std::max(result_.patches.size(), patch_count_ + 1));
-      fillPatch(side, balance_, k, result_.patches[patch_count_]);
-      result_.patches[patch_count_++].method = levels_.solver().name();
+      PatchResult& patch = result_.patches[patch_count_++];
+      fillPatch(side, balance_, k, patch);
+      const ShapeEffect shape = shapeEffect(side, balance_, *config_.wheel_profile[side], k, patch.max_pressure);
+      patch.error_estimate = std::hypot(patch.error_estimate, shape.max_pressure);
+      result_.points_missing = result_.points_missing || shape.missing;
+      patch.method = levels_.solver().name();
     }
     result_.above_tolerance = result_.above_tolerance || balance_.wheelError(side) > config_.contact.tolerance;
   }

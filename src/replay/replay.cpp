@@ -10,7 +10,6 @@
 #include "replay/profile_outlines.h"
 #include "replay/progress.h"
 #include "replay/warm_up.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
@@ -41,11 +40,6 @@ BagConnection resultConnection(const std::string& wheelset, const std::string& d
         .set(name + "wheel_outline", wheelOutlineText(model, side));
   }
   return connection;
-}
-
-std::string percent(std::uint64_t part, std::uint64_t all)
-{
-  return formatted("%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
 }
 
 /// Checks the output files before the input is opened, because a bag without index is read completely. Clears `resume`
@@ -126,7 +120,9 @@ std::unique_ptr<BagWriter> Replay::resumeOutput()
                              "these parameters and options");
   }
   resume_point_ = resumePointOf(file);
-  return std::make_unique<BagWriter>(options_.output, options_.compression, resume_point_);
+  auto bag = std::make_unique<BagWriter>(options_.output, options_.compression, resume_point_);
+  counts_ = resumedResults(options_.output, resume_point_, options_.inputs.wheelsets.size());
+  return bag;
 }
 
 void Replay::run(const std::atomic<bool>& interrupted)
@@ -218,9 +214,9 @@ void Replay::write(const OutputItem& item)
     ++results_;
     results_before_ += is_resumed ? 1U : 0U;
   }
-  if (item.wheelset && !is_resumed && statuses_.at(item.status)++ == 0)
+  if (item.wheelset && !is_resumed)
   {
-    first_reasons_.at(item.status) = item.reason;
+    counts_.add(item.status, item.reason);
   }
   if (csv_ && item.wheelset && !is_resumed)
   {
@@ -251,15 +247,7 @@ void Replay::printSummary(std::ostream& out) const
     out << "; " << results_before_ << " results were already in the output";
   }
   out << "\n";
-  for (std::size_t status = 0; status < statuses_.size(); ++status)
-  {
-    if (statuses_[status] > 0)
-    {
-      out << "  " << statusName(static_cast<std::uint8_t>(status)) << ": " << statuses_[status] << " ("
-          << percent(statuses_[status], evaluated + source_.droppedPoses()) << " %)"
-          << (first_reasons_[status].empty() ? "" : "; first reason: ") << first_reasons_[status] << "\n";
-    }
-  }
+  counts_.print(out, poses());
   for (std::size_t i = 0; i < options_.inputs.wheelsets.size(); ++i)
   {
     const auto dropped = source_.dropped(i);
@@ -282,6 +270,11 @@ void Replay::printSummary(std::ostream& out) const
   {
     out << "  all results are at 0 m on the line; the place is x of the pose, or wheelset/distance (track/distance)\n";
   }
-  out << "  " << results_ << " of " << poses() << " poses have a result\n";
+  out << "  " << results_ << " of " << poses() << " poses have a result";
+  if (const std::uint64_t unusable = counts_.unusableInputs())
+  {
+    out << "; the input of " << unusable << " of these is unusable (INVALID_INPUT, NO_TRANSFORM)";
+  }
+  out << "\n";
 }
 }  // namespace wheel_rail_contact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <iosfwd>
@@ -16,7 +15,7 @@
 #include "replay/output_queue.h"
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
-#include "ros/evaluation/contact_statistics.h"
+#include "replay/result_counts.h"
 
 namespace wheel_rail_contact
 {
@@ -36,14 +35,19 @@ class Replay
   /// Prints number of results, speed, statuses and dropped messages. Shares are those of all poses. contact_campaign
   /// parses this text.
   void printSummary(std::ostream& out) const;
+  /// What was understood of the profile files, one line each. contact_campaign takes all lines before the summary as
+  /// notes.
+  const std::vector<std::string>& notes() const { return config_.notes; }
   /// Parts of the input that could not be read, as text; empty if all was read.
   std::vector<std::string> faults() const { return source_.faults(); }
   /// Number of results in the output, including those of the resumed bag.
   std::uint64_t results() const { return results_; }
   /// Number of poses that have a result or were dropped.
   std::uint64_t poses() const { return results_ + source_.droppedPoses(); }
-  /// True if fewer than half of the poses of a whole bag have a result.
-  bool lacksMostResults() const { return options_.span.isWhole() && 2 * results_ < poses(); }
+  /// Number of results whose input is usable, including those of the resumed bag; see ResultCounts::unusableInputs().
+  std::uint64_t resultsOfUsableInput() const { return results_ - counts_.unusableInputs(); }
+  /// True if fewer than half of the poses of a whole bag have a result of usable input.
+  bool lacksMostResults() const { return options_.span.isWhole() && 2 * resultsOfUsableInput() < poses(); }
 
  private:
   std::unique_ptr<BagWriter> resumeOutput();
@@ -65,8 +69,7 @@ class Replay
   std::uint64_t results_ = 0;                                ///< results in the output, including resumed ones
   std::uint64_t results_before_ = 0;                         ///< resumed results
   std::uint64_t last_read_ = 0;                              ///< messages of the input that are processed
-  std::array<std::uint64_t, ContactStatistics::statuses> statuses_{};
-  std::array<std::string, ContactStatistics::statuses> first_reasons_;  ///< by status
+  ResultCounts counts_;                                      ///< of all results in the output, including resumed ones
   double seconds_ = 0;
 };
 }  // namespace wheel_rail_contact

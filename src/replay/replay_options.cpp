@@ -130,6 +130,16 @@ std::optional<InputTopic> topicOf(const std::string& option)
   return found == all_input_topics.end() ? std::nullopt : std::optional<InputTopic>(*found);
 }
 
+/// Value of an option that names a topic.
+std::string topicName(const std::string& option, const std::string& name)
+{
+  if (name.find_first_not_of('/') == std::string::npos)
+  {
+    throw std::invalid_argument(option + " = \"" + name + "\": must be the name of a topic");
+  }
+  return name;
+}
+
 void requireRelativeNames(const BagInputs& inputs)
 {
   for (const auto& [topic, name] : inputs.names)
@@ -165,7 +175,7 @@ void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& 
   }
   else if (const auto topic = topicOf(option))
   {
-    options.inputs.names[*topic] = arguments.valueOf(option);
+    options.inputs.names[*topic] = topicName(option, arguments.valueOf(option));
   }
   else if (option == "--from")
   {
@@ -268,8 +278,8 @@ void printReplayUsage(std::ostream& out)
          "  --resume            continues an interrupted replay (Ctrl-C, crash); requires the same options\n"
          "\n"
          "Exit status: 0 done; 1 failed, or IN.bag contains no pair; 2 wrong arguments; 3 done, but parts of IN.bag\n"
-         "could not be read; 4 done, but fewer than half of the poses have a result (not with --from or --to);\n"
-         "130 interrupted.\n";
+         "could not be read; 4 done, but fewer than half of the poses have a result of usable input, that is other\n"
+         "than INVALID_INPUT and NO_TRANSFORM (not with --from or --to); 130 interrupted.\n";
 }
 
 ParameterTree replayParameters(const ReplayOptions& options)

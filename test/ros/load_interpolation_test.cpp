@@ -147,3 +147,11 @@ TEST_F(LoadInterpolation, MistakesInItsParametersAreRefusedByTheirName)
       {"sync: {longest_gap: 61}", "sync/longest_gap", "61"},
   });
 }
+
+TEST_F(LoadInterpolation, RequiresALoad)
+{
+  expectRefused({{"{sync: {load: interpolate}, wheelset: {free: []}}", "sync/load = interpolate",
+                  "must be match if wheelset/free is [], because no load is read then"}});
+  EXPECT_FALSE(read(with("{sync: {load: match}, wheelset: {free: []}}")).interpolate_load);
+  EXPECT_TRUE(read(with("{sync: {load: interpolate}, wheelset: {free: [z, roll]}}")).interpolate_load);
+}

@@ -47,7 +47,8 @@ class ProfileGroup : public testing::Test
   static void expectWheel(const core::Profile& profile, const char* name)
   {
     EXPECT_EQ(profile.name(), name);
-    EXPECT_NEAR(profile.at(0).y, -0.070, 1e-9) << "the flange back comes first";
+    // The file has whole micrometres; the smoothing of this rounding moves its end by a part of one.
+    EXPECT_NEAR(profile.at(0).y, -0.070, 1e-6) << "the flange back comes first";
   }
 };
 }  // namespace

@@ -22,7 +22,7 @@ SceneProfile loadSceneProfile(const std::string& name, ProfileKind kind, std::op
 {
   const bool is_file = name.find_first_of("./") != std::string::npos;
   return {name, noise,
-          std::make_shared<Profile>(is_file ? readProfile(resolved(name, folder), kind, {noise, false})
+          std::make_shared<Profile>(is_file ? readProfile(resolved(name, folder), kind, {noise})
                                             : loadProfile(name, kind))};
 }
 

@@ -38,10 +38,12 @@ enum class GeometryStatus
   ok,           ///< both wheels touch their rails
   beside_rail,  ///< a wheel is beside its rail
   off_profile,  ///< a wheel touches its rail at the end of a profile
-  no_roll       ///< no roll up to 0.2 rad brings both wheels into touch
+  no_roll,      ///< no roll up to 0.2 rad brings both wheels into touch
+  /// A touch lies where points of a profile file are missing (ShapeError::missing): the shape is not known there.
+  points_missing
 };
 
-/// "ok", "beside_rail", "off_profile" or "no_roll".
+/// "ok", "beside_rail", "off_profile", "no_roll" or "points_missing".
 const char* toString(GeometryStatus status);
 
 /// Contact geometry at one lateral displacement, without yaw. Rigid bodies.

@@ -70,11 +70,20 @@ struct CubicSection
 /// Curve of a section as a function of its local parameter t [m].
 using SectionLaw = std::variant<LineSection, ArcSection, PolynomialSection, CubicSection>;
 
+/// What the points of a file leave open about the shape of a profile. All zero for an exact shape.
+struct ShapeError
+{
+  double position = 0;   ///< standard deviation across the curve [m]
+  double curvature = 0;  ///< standard deviation of the curvature [1/m]
+  bool missing = false;  ///< true: points are missing here, and the shape is not known
+};
+
 /// Section of a profile.
 struct ProfileSection
 {
-  SectionLaw law;  ///< curve
-  double length;   ///< range of the local parameter: t in [0, length] [m], > 0
+  SectionLaw law;      ///< curve
+  double length;       ///< range of the local parameter: t in [0, length] [m], > 0
+  ShapeError error{};  ///< what is not known of the curve
 };
 
 /// Range of the parameter u of a profile [m].
@@ -117,6 +126,10 @@ class Profile
   const std::vector<ParameterRange>& parts() const { return parts_; }
   /// Range of u of the part that is nearest to u [m].
   ParameterRange partAt(double u) const;
+  /// What is not known of the shape at the parameter u [m].
+  const ShapeError& errorAt(double u) const { return error_[sectionAt(u)]; }
+  /// What is not known of the shape in a range of u: the largest values in it [m].
+  ShapeError errorWithin(double u_first, double u_last) const;
   /// Parameters u of all section boundaries, including both ends of the profile [m]. Curvature, and with rounded
   /// standards also position, may be discontinuous there.
   const std::vector<double>& discontinuities() const { return start_; }
@@ -128,7 +141,7 @@ class Profile
   explicit Profile(std::string name) : name_(std::move(name)) {}
   void clear();
   void addPart(const std::vector<ProfileSection>& sections);
-  void add(const SectionLaw& law, double length);
+  void add(const SectionLaw& law, double length, const ShapeError& error = {});
   void beginPart();
   static LineSection continuation(const SectionLaw& law, double length);
   void makeBuckets();
@@ -136,7 +149,8 @@ class Profile
 
   std::string name_;
   std::vector<SectionLaw> law_;
-  std::vector<double> start_;  ///< section boundaries: law_.size() + 1 values of u [m]
+  std::vector<ShapeError> error_;  ///< of each section
+  std::vector<double> start_;      ///< section boundaries: law_.size() + 1 values of u [m]
   std::vector<ParameterRange> parts_;
   std::vector<std::size_t> bucket_;  ///< section at each boundary of equal buckets over the length, for fast look-up
   double buckets_per_metre_;         ///< [1/m]

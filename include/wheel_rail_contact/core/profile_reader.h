@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "wheel_rail_contact/core/profile.h"
 #include "wheel_rail_contact/core/rail_sections.h"
@@ -40,51 +41,133 @@ class ProfileError : public std::runtime_error
   std::string reason_;
 };
 
-/// Standard deviation of MiniProf measurements across the curve that is assumed unless another one is given [m].
-constexpr double miniprof_noise = 5e-6;
-
-/// How the points of a file are read.
+/// How the points of a file are read. Each option states what the content of a file may leave open. The options are
+/// applied in this order: unit, y and z, origin, shift, rotate, mirror.
 struct ProfileReading
 {
-  /// Expected standard deviation of the points across the curve [m], 0 to 1e-4. Default: approx.smooth for Simpack,
-  /// miniprof_noise for MiniProf, 0 for CSV.
-  std::optional<double> noise = std::nullopt;
-  /// True: y of the points, as described for the format in readProfile(), changes its sign. For a file of the other
-  /// side, or of a rail of the right side as it lies in the track with y to the left.
+  /// Direction of the first coordinate.
+  enum class Y
+  {
+    outward,  ///< to the field side
+    inward    ///< to the gauge (flange) side
+  };
+  /// Direction of the second coordinate.
+  enum class Z
+  {
+    up,
+    down
+  };
+  /// Point of the profile at which the coordinates of the file are zero.
+  enum class Origin
+  {
+    running_circle,  ///< of a wheel
+    flange_back,     ///< of a wheel: y = 0 is the flange back, 70 mm from the running circle; z = 0 is anywhere
+    crown,           ///< of a rail
+    gauge_corner,    ///< of a rail: y = 0 is the gauge face; z = 0 is anywhere
+    foot             ///< of a rail: y = 0 is the axis of the rail; z = 0 is anywhere, such as foot or centroid
+  };
+
+  /// Expected standard deviation of the points across the curve [m], 0 to 1e-4; 0: none. Default: as stated in a
+  /// Simpack file (approx.smooth), else estimated from the points.
+  std::optional<double> smoothing = std::nullopt;
+  /// Length unit of the file [m]. It must not contradict a unit that the file states.
+  std::optional<double> unit = std::nullopt;
+  std::optional<Y> y = std::nullopt;  ///< default: that of the format
+  std::optional<Z> z = std::nullopt;  ///< default: that of the format
+  /// Default: the running circle of a wheel, or as the format states. That of a rail is found from its shape.
+  std::optional<Origin> origin = std::nullopt;
+  double shift_y = 0;  ///< added to y after the origin is placed [m], positive to the field side
+  double shift_z = 0;  ///< added to z after the origin is placed [m], positive up
+  double rotate = 0;   ///< rotation about the origin, from y (field side) towards z (up) [rad]
+  /// True: y changes its sign at the end. For a file of the other side, or of a rail of the right side as it lies in
+  /// the track with y to the left.
   bool mirror = false;
+};
+
+/// True if all options are equal.
+bool operator==(const ProfileReading& a, const ProfileReading& b);
+
+/// What was understood of a profile file.
+struct ProfileReport
+{
+  std::string format;      ///< "Simpack", "MiniProf" or "table"; empty for a standard profile
+  std::size_t points = 0;  ///< number of points used
+  /// Number of points omitted: coincident, running back, outside of the head of a rail, or off the curve.
+  std::size_t omitted = 0;
+  double unit = 0;                                   ///< length unit of the file [m]
+  ProfileReading::Y y = ProfileReading::Y::outward;  ///< direction of the first coordinate
+  ProfileReading::Z z = ProfileReading::Z::up;       ///< direction of the second coordinate
+  double moved_y = 0;                                ///< distance by which the points were moved outward [m]
+  double moved_z = 0;                                ///< distance by which the points were moved up [m]
+  /// Standard deviation of the points across the curve [m]: estimated from them, or of the rounding of their digits,
+  /// the larger of the two; nothing if there are too few points to know it.
+  std::optional<double> noise = std::nullopt;
+  double smoothing = 0;  ///< noise for which the profile was smoothed [m]; 0: not smoothed
+  std::string remark;    ///< what was ignored; empty if nothing
+  std::string text;      ///< all of this in one line
+};
+
+/// Point of a file, as it was used for a profile.
+struct FittedPoint
+{
+  double y;  ///< in the profile frame, positive to the field side [m]
+  double z;  ///< in the profile frame, positive up [m]
+};
+
+/// Profile with what was understood of its file.
+struct DescribedProfile
+{
+  Profile profile;                    ///< curve of the file, or the standard profile
+  ProfileReport report;               ///< what was understood
+  std::vector<FittedPoint> points{};  ///< used points of the file, in order; none for a standard profile
 };
 
 /// Returns a standard profile by its name, or a profile from a file by its path.
 ///
 /// Names: standardProfileNames(), in standard_profiles.h. Any other text is the path of a file for readProfile();
 /// `reading` applies to files.
-/// @throw std::invalid_argument if the named standard profile is of the other kind, or is to be mirrored.
+/// @throw std::invalid_argument if the named standard profile is of the other kind, or if `reading` has an option.
 /// @throw ProfileError in the cases of readProfile().
+DescribedProfile describedProfile(const std::string& name_or_path, ProfileKind kind,
+                                  const ProfileReading& reading = {});
+/// The profile of describedProfile().
 Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const ProfileReading& reading = {});
 
-/// Reads a profile from a file. The extension of its name (upper or lower case) determines the format:
+/// Reads a profile from a text file. Its content determines the format:
 ///
-/// * **Simpack** `.prw` (wheel), `.prr` (rail). After the edits that are stated in the file, z points down and y to the
-///   field side. The edits are applied in Simpack's own order: 1 point.dist.min; 2 shift; 3 rotate (about x, from y
-///   towards z); 4 bound (points outside are omitted; min > max switches it off); 5 mirror; 6 inversion; 7 units. A
-///   third column is the weight of the point; points of weight 0 are omitted. The meaning of approx.smooth is not
-///   public; it is used as the noise, in the length unit of the file.
-/// * **MiniProf** `.whl` (wheel), `.ban` (rail), in mm, as written by MiniProf for Windows: lines key=value, then the
-///   columns listed in ColumnDef. Wheel: X from the flange back to the field side, Y towards the flange tip. The
-///   running circle, at X = WheelDiameterTaperline (70 mm if not stated), becomes the origin. Rail: X to the gauge
-///   side, Y up. Xoffset and Yoffset are added; a Tilt other than 0 is rejected. Points at which the measurement runs
-///   back by up to 1 mm are omitted. The directions of the axes are inferred from the measured profiles of worn rails
-///   and wheels that come with CONTACT and from the conversion programs of GENSYS, not from a description by the
-///   manufacturer.
-/// * **CSV** `.csv`: y to the field side, z up. The first line states columns and unit: `y_mm,z_mm` or `y_m,z_m`, with
-///   or without a leading #. Other lines that start with # are comments.
+/// * **Simpack**, with the lines `header.begin` and `spline.begin`. After the edits that are stated in the file, z
+///   points down and y to the field side. The edits are applied in Simpack's own order: 1 point.dist.min; 2 shift; 3
+///   rotate (about x, from y towards z); 4 bound (points outside are omitted; min > max switches it off); 5 mirror; 6
+///   inversion; 7 units. A third column is the weight of the point; points of weight 0 are omitted. The meaning of
+///   approx.smooth is not public; it is used as the smoothing, in the length unit of the file; 0 states none.
+/// * **MiniProf**, in mm, as written by MiniProf for Windows: lines key=value, then the columns listed in ColumnDef.
+///   Old files begin with `MINIPROF` or `#MINI` and free text. A file without any header is of this format if its name
+///   ends with `.whl` or `.ban`. Wheel: X from the flange back to the field side, Y towards the flange tip. The running
+///   circle, at X = WheelDiameterTaperline (70 mm if not stated), becomes the origin. Rail: X to the gauge side, Y up.
+///   Xoffset and Yoffset are added; a Tilt other than 0 is rejected. The directions of the axes are inferred from the
+///   measured profiles of worn rails and wheels that come with CONTACT and from the conversion programs of GENSYS, not
+///   from a description by the manufacturer.
+/// * **Table**: any other file. Columns are separated by commas, semicolons, tabs or spaces; with another separator
+///   than the comma, numbers may have a decimal comma. A line of titles names the columns y and z (or x and y) and
+///   their unit: `y_mm,z_mm`, `y [mm]; z [mm]`, `Y / m  Z / m`, or the units in a line of their own. With titles, y
+///   points to the field side and z up, unless `reading` states otherwise. Other columns are ignored. Without titles,
+///   `reading` must state unit, y and z; the error message lists the values by which the points are a profile.
 ///
-/// The origin must be the running circle of a wheel or the crown of a rail, within 5 mm in height. A rail may be stored
-/// inclined, as it lies in the track; TrackConfig::rail_inclination must then be 0.
+/// Text is UTF-8, UTF-16 with byte order mark, or Latin-1; lines end with CR, LF or both. #, %, ! and // begin
+/// comments; exponents may begin with D.
 ///
-/// The points may run in either direction. A point less than 0.05 mm from the preceding one is omitted: over this
-/// distance the digits of a file do not determine a curvature. With noise, a smoothing spline is fitted to the points;
-/// without noise, an interpolating spline passes through all of them.
+/// The origin of a wheel must be its running circle, within 5 mm in height; the front of its flange, 10 mm below, must
+/// be 30 mm to 55 mm from it. A rail needs no particular origin: if its
+/// top is more than 5 mm above or 20 mm below the origin, z is moved; if the middle of its head is more than 15 mm from
+/// the origin, y is moved. Of the whole outline of a rail, the head is used. A rail may be stored inclined, as it lies
+/// in the track; TrackConfig::rail_inclination must then be 0. Neither is moved for ProfileKind::rail_section.
+///
+/// The points may run in either direction. Points at which a measurement runs back by up to 1 mm (two strokes) are
+/// omitted. A point less than 0.05 mm from the preceding one is omitted: over this distance the digits of a file do not
+/// determine a curvature. Up to 2 % of the points are omitted if they lie off the curve of their neighbours, alone or
+/// in groups of two or three. With smoothing, a smoothing spline is fitted to the points; without, an interpolating
+/// spline passes through all of them. Profile::errorAt() gives what the noise leaves open, and where points are
+/// missing.
 ///
 /// @param path     path of the file
 /// @param kind     expected kind of the profile
@@ -93,7 +176,7 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 /// or has more than 20000 points. Also if it does not contain a plausible profile: fewer than 10 points, points not in
 /// order along the curve, a gap of more than 25 mm, a width outside 20 mm to 300 mm, a height above 120 mm, or a shape
 /// that is not that of a wheel or rail.
-/// @throw std::invalid_argument if the noise is out of range.
+/// @throw std::invalid_argument if an option is out of range.
 Profile readProfile(const std::string& path, ProfileKind kind, const ProfileReading& reading = {});
 
 /// Reads the slices of a rail: a `.slcs` file as used by the reference code CONTACT (Vollebregt), with a list of
@@ -107,8 +190,10 @@ Profile readProfile(const std::string& path, ProfileKind kind, const ProfileRead
 /// * with features: for each slice its place, and the positions of the features along its curve [mm], negative where it
 ///   has none. They become RailSection::places.
 ///
-/// A file with an extension of readProfile() is read as described there. Any other file has two columns, y to the field
-/// side and z down; they are in metres if the curve is less than 1 wide, else in millimetres.
+/// Slices are files of readProfile(). In a table without titles, y points to the field side and z down, and the unit is
+/// the metre if the curve is less than 1 wide, else the millimetre.
 /// @throw ProfileError with file, line and reason.
 RailSeries readRailSlices(const std::string& path, const ProfileReading& reading = {});
+/// The same. Adds a line for each file to `notes`: its name and ProfileReport::text.
+RailSeries readRailSlices(const std::string& path, const ProfileReading& reading, std::vector<std::string>& notes);
 }  // namespace wheel_rail_contact::core

@@ -82,7 +82,8 @@ struct PatchResult
   /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
   /// pressure of the highest cell.
   double max_pressure = 0;
-  /// Largest of the estimated relative errors of max_pressure, area and approach [-]. It is an estimate, not a bound.
+  /// Largest of the estimated relative errors of max_pressure, area and approach [-]: that of the solution, and that by
+  /// the noise of measured profiles (Profile::errorAt()). It is an estimate, not a bound.
   double error_estimate = 0;
   int iterations = 0;   ///< number of products with the influence matrix; see NormalSolution::iterations
   double residual = 0;  ///< largest violation of the contact conditions, relative [-]; see NormalSolution::residual
@@ -98,9 +99,12 @@ struct WheelsetResult
 {
   ContactStatus status = ContactStatus::invalid_input;  ///< whether the result is usable; check it first
   std::string reason;  ///< one sentence: reason for the status, or a warning; empty if there is none
-  /// The estimated error of at least one wheel is above ContactConfig::tolerance. That of a single patch may be above
-  /// it although its wheel is within it.
+  /// The estimated error of the solution of at least one wheel is above ContactConfig::tolerance. That of a single
+  /// patch may be above it although its wheel is within it.
   bool above_tolerance = false;
+  /// A contact is where points of a profile file are missing (ShapeError::missing): its shape is not known there, and
+  /// the error estimate of the patch is at least 1.
+  bool points_missing = false;
   /// Another equilibrium of the same state was found, in which the forces on the rails differ by more than 5 %: the
   /// result depends on the states before. Only with ContactConfig::check_branches.
   bool near_branch = false;

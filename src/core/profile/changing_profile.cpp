@@ -107,14 +107,14 @@ void ChangingProfile::compose()
     {
       for (std::size_t i = 0; i < piece.blend->size(); ++i)
       {
-        composed_->add(CubicSection{}, piece.blend->length());
+        composed_->add(CubicSection{}, piece.blend->length(), piece.blend->errorOf(i));
       }
       continue;
     }
     const Profile& section = *piece.section;
     for (std::size_t i = 0; i < section.law_.size(); ++i)
     {
-      composed_->add(section.law_[i], section.start_[i + 1] - section.start_[i]);
+      composed_->add(section.law_[i], section.start_[i + 1] - section.start_[i], section.error_[i]);
     }
   }
   composed_->makeBuckets();

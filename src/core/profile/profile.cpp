@@ -135,13 +135,14 @@ void Profile::addPart(const std::vector<ProfileSection>& sections)
   for (const ProfileSection& section : sections)
   {
     checkSection(section);
-    add(section.law, section.length);
+    add(section.law, section.length, section.error);
   }
 }
 
 void Profile::clear()
 {
   law_.clear();
+  error_.clear();
   parts_.clear();
   start_.assign(1, 0.0);
 }
@@ -165,9 +166,10 @@ void Profile::beginPart()
   parts_.push_back({length(), length()});
 }
 
-void Profile::add(const SectionLaw& law, double length)
+void Profile::add(const SectionLaw& law, double length, const ShapeError& error)
 {
   law_.push_back(law);
+  error_.push_back(error);
   start_.push_back(start_.back() + length);
   parts_.back().end = start_.back();
 }
@@ -217,6 +219,18 @@ std::size_t Profile::sectionAt(double u) const
   const auto after =
       std::upper_bound(begin + static_cast<Offset>(section), begin + static_cast<Offset>(bucket_[k + 1]), u);
   return static_cast<std::size_t>(after - begin);
+}
+
+ShapeError Profile::errorWithin(double u_first, double u_last) const
+{
+  ShapeError largest;
+  for (std::size_t i = sectionAt(u_first), last = sectionAt(u_last); i <= last; ++i)
+  {
+    largest.position = std::max(largest.position, error_[i].position);
+    largest.curvature = std::max(largest.curvature, error_[i].curvature);
+    largest.missing = largest.missing || error_[i].missing;
+  }
+  return largest;
 }
 
 CurvePoint Profile::at(double u) const

@@ -5,21 +5,64 @@
 #include <string>
 #include <vector>
 
-#include "core/profile/profile_file.h"
+#include "core/profile/file_profile.h"
+#include "core/profile/profile_dimensions.h"
+#include "core/profile/profile_format.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double mm = 1e-3;                 ///< [m]
-constexpr double tape_circle = 70.0;        ///< default distance of the running circle from the flange back [mm]
-constexpr double overlap = 1.0;             ///< largest overlap of a measurement in two strokes [mm]
-constexpr const char* old_style = "#MINI";  ///< start of the first line of old files, whose header is free text
+constexpr double mm = 1e-3;  ///< [m]
+/// Points begin where so many lines of numbers follow one another: the free text of old headers contains numbers, too.
+constexpr std::size_t least_block = 10;
+
+/// Line up to a comment. A quotation mark begins one, too.
+std::string pointText(const std::string& line)
+{
+  return withoutComment(trim(line.substr(0, line.find('"'))));
+}
+
+/// Words of a line of a point, with a decimal point.
+std::vector<std::string> pointWords(const std::string& line)
+{
+  std::vector<std::string> words = splitWords(pointText(line));
+  std::transform(words.begin(), words.end(), words.begin(), withPoint);
+  return words;
+}
+
+/// Number of words of a line if all are numbers, else 0.
+std::size_t numbersIn(const std::string& line)
+{
+  const std::vector<std::string> words = pointWords(line);
+  const auto is_number = [](const std::string& word) { return parseNumber(word).has_value(); };
+  return std::all_of(words.begin(), words.end(), is_number) ? words.size() : 0;
+}
+
+/// Number of the first line of the points; 0 if there are none.
+std::size_t firstPoint(TextFile& file)
+{
+  std::size_t first = 0, rows = 0, first_row = 0;
+  while (file.next() && rows < least_block)
+  {
+    if (pointText(file.line()).empty())
+    {
+      continue;
+    }
+    const bool is_row = numbersIn(file.line()) > 1;
+    first = is_row && rows == 0 ? file.number() : first;
+    first_row = is_row && first_row == 0 ? file.number() : first_row;
+    rows = is_row ? rows + 1 : 0;
+  }
+  file.rewind();
+  return rows < least_block ? first_row : first;
+}
 
 class MiniProfReader
 {
  public:
-  MiniProfReader(ProfileFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
+  MiniProfReader(TextFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
 
   FileProfile read();
 
@@ -29,81 +72,60 @@ class MiniProfReader
   double number(const std::string& key, const std::string& value) const;
   void readColumns(const std::string& definition);
   void readPoint(const std::vector<std::string>& words);
-  /// @throw ProfileError if the points of a wheel do not extend across its running circle.
-  void checkTapeCircle() const;
-  /// Converts X and Y [mm] to the profile frame [m].
-  SampledPoint toFrame(double x, double y) const;
 
-  ProfileFile& file_;
+  TextFile& file_;
   ProfileKind kind_;
   std::size_t columns_ = 0;  ///< number of columns; 0: not stated, X and Y are the first two
   std::size_t x_column_ = 0;
   std::size_t y_column_ = 1;
-  double x_offset_ = 0;               ///< [mm]
-  double y_offset_ = 0;               ///< [mm]
-  double tape_circle_ = tape_circle;  ///< [mm]
+  double x_offset_ = 0;                                ///< [mm]
+  double y_offset_ = 0;                                ///< [mm]
+  double tape_circle_ = running_circle_distance / mm;  ///< [mm]
   double stated_points_ = 0;
+  bool free_header_ = false;  ///< old file: its header may contain any text
   FileProfile content_;
 };
 
 FileProfile MiniProfReader::read()
 {
-  bool free_header = false;
+  const std::size_t first = firstPoint(file_);
   while (file_.next())
   {
-    const std::string& line = file_.line();
-    if (line.empty())
+    if (first > 0 && file_.number() >= first)
     {
+      const std::vector<std::string> words = pointWords(file_.line());
+      if (!words.empty())
+      {
+        readPoint(words);
+      }
       continue;
     }
-    const std::vector<std::string> words = splitWords(line);
-    if (!content_.points.empty() || (words.size() > 1 && parseNumber(words[0]) && parseNumber(words[1])))
-    {
-      readPoint(words);
-    }
-    else if (file_.number() == 1 && line.compare(0, std::string(old_style).size(), old_style) == 0)
-    {
-      free_header = true;
-    }
-    else if (!free_header)
-    {
-      readHeader(line);
-    }
+    free_header_ = free_header_ || (file_.number() == 1 && beginsOldMiniProf(file_.line()));
+    readHeader(file_.line());
   }
   if (static_cast<double>(content_.points.size()) < stated_points_)
   {
     file_.refuse("file ends after " + std::to_string(content_.points.size()) + " of " +
                  std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
   }
-  checkTapeCircle();
-  content_.noise = miniprof_noise;
-  content_.overlap = overlap * mm;
-  content_.height_from_tape = kind_ == ProfileKind::wheel;
+  const bool is_wheel = kind_ == ProfileKind::wheel;
+  content_.format = "MiniProf";
+  content_.unit = mm;
+  content_.y = is_wheel ? ProfileReading::Y::outward : ProfileReading::Y::inward;
+  content_.z = is_wheel ? ProfileReading::Z::down : ProfileReading::Z::up;
+  content_.running_circle = is_wheel ? tape_circle_ * mm : 0;
   return content_;
-}
-
-void MiniProfReader::checkTapeCircle() const
-{
-  if (kind_ != ProfileKind::wheel || content_.points.empty())
-  {
-    return;
-  }
-  const auto [left, right] = std::minmax_element(content_.points.begin(), content_.points.end(),
-                                                 [](const auto& a, const auto& b) { return a.point.y < b.point.y; });
-  if (left->point.y > 0.0 || right->point.y < 0.0)
-  {
-    std::ostringstream text;
-    text << "points from X = " << left->point.y / mm + tape_circle_ << " to " << right->point.y / mm + tape_circle_
-         << " mm do not extend across the running circle, X = " << tape_circle_
-         << " mm (WheelDiameterTaperline): X must be counted from the flange back to the field side";
-    file_.refuse(0, text.str());
-  }
 }
 
 void MiniProfReader::readHeader(std::string line)
 {
+  const bool is_remark = pointText(line).empty();
   line.erase(std::remove(line.begin(), line.end(), '"'), line.end());
   const std::size_t equals = line.find('=');
+  if (equals == std::string::npos && (is_remark || free_header_))
+  {
+    return;
+  }
   if (equals == std::string::npos)
   {
     file_.refuse("line is neither key=value nor a point: not a MiniProf profile");
@@ -148,19 +170,19 @@ double MiniProfReader::number(const std::string& key, const std::string& value) 
 
 void MiniProfReader::readColumns(const std::string& definition)
 {
-  const std::vector<std::string> names = splitFields(definition);
+  const std::vector<std::string> names = splitFields(lowerCase(definition), ',');
   const auto column_of = [&](const char* name)
   {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
     {
-      file_.refuse(std::string("ColumnDef has no ") + name);
+      file_.refuse(std::string("ColumnDef has no ") + (name[0] == 'x' ? "X" : "Y"));
     }
     return static_cast<std::size_t>(found - names.begin());
   };
   columns_ = names.size();
-  x_column_ = column_of("X");
-  y_column_ = column_of("Y");
+  x_column_ = column_of("x");
+  y_column_ = column_of("y");
 }
 
 void MiniProfReader::readPoint(const std::vector<std::string>& words)
@@ -179,16 +201,11 @@ void MiniProfReader::readPoint(const std::vector<std::string>& words)
     }
     return *value;
   };
-  addPoint(file_, content_, toFrame(value_of(x_column_) + x_offset_, value_of(y_column_) + y_offset_));
-}
-
-SampledPoint MiniProfReader::toFrame(double x, double y) const
-{
-  return kind_ == ProfileKind::wheel ? SampledPoint{(x - tape_circle_) * mm, -y * mm} : SampledPoint{-x * mm, y * mm};
+  addPoint(file_, content_, {value_of(x_column_) + x_offset_, value_of(y_column_) + y_offset_}, words[y_column_]);
 }
 }  // namespace
 
-FileProfile readMiniProf(ProfileFile& file, ProfileKind kind)
+FileProfile readMiniProf(TextFile& file, ProfileKind kind)
 {
   return MiniProfReader(file, kind).read();
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/profile/profile_simpack.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
@@ -25,14 +26,14 @@ bool isRemark(const std::string& key)
   return std::find(remarks.begin(), remarks.end(), key) != remarks.end();
 }
 
-/// Line up to the first comment sign (!) outside quotes.
-std::string withoutComment(const std::string& line)
+/// Line up to the first comment sign (! or %) outside quotes.
+std::string withoutRemark(const std::string& line)
 {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i)
   {
     quoted = quoted != (line[i] == '\'');
-    if (line[i] == '!' && !quoted)
+    if ((line[i] == '!' || line[i] == '%') && !quoted)
     {
       return trim(line.substr(0, i));
     }
@@ -43,7 +44,7 @@ std::string withoutComment(const std::string& line)
 class SimpackReader
 {
  public:
-  SimpackReader(ProfileFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
+  SimpackReader(TextFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
 
   FileProfile read();
 
@@ -66,7 +67,7 @@ class SimpackReader
   void checkSettings() const;
   double setting(const std::string& key) const { return settings_.at(key); }
 
-  ProfileFile& file_;
+  TextFile& file_;
   ProfileKind kind_;
   SimpackSettings settings_ = defaultSettings();
   Block block_ = Block::outside;
@@ -80,7 +81,7 @@ FileProfile SimpackReader::read()
 {
   while (file_.next())
   {
-    const std::string line = withoutComment(file_.line());
+    const std::string line = withoutRemark(file_.line());
     if (line.empty() || changeBlock(line))
     {
       continue;
@@ -96,8 +97,16 @@ FileProfile SimpackReader::read()
   }
   checkComplete();
   checkSettings();
-  content_.noise = setting("approx.smooth") / setting("units.len.f");
   applySimpackEdits(settings_, content_.points);
+  content_.format = "Simpack";
+  content_.unit = 1 / setting("units.len.f");
+  content_.unit_in_file = true;
+  content_.y = ProfileReading::Y::outward;
+  content_.z = ProfileReading::Z::down;
+  if (setting("approx.smooth") > 0)
+  {
+    content_.smoothing = setting("approx.smooth") * *content_.unit;
+  }
   return content_;
 }
 
@@ -140,7 +149,7 @@ void SimpackReader::move(Block from, Block to)
 {
   if (block_ != from)
   {
-    file_.refuse("'" + withoutComment(file_.line()) + "' is out of place: not a Simpack profile, or damaged");
+    file_.refuse("'" + withoutRemark(file_.line()) + "' is out of place: not a Simpack profile, or damaged");
   }
   if (to == Block::points && points_ended_)
   {
@@ -174,7 +183,7 @@ void SimpackReader::readSetting(const std::string& line)
   const auto known = settings_.find(key);
   if (known == settings_.end())
   {
-    file_.refuse("unknown keyword '" + key + "'");
+    file_.refuse("unknown keyword '" + key + "'; delete the line if it does not change the profile");
   }
   known->second = *value;
 }
@@ -228,7 +237,7 @@ void SimpackReader::readPoint(const std::string& line)
   }
   if (values[2] > 0.0)
   {
-    addPoint(file_, content_, {values[0], values[1], values[2]});
+    addPoint(file_, content_, {values[0], values[1], values[2]}, words[1]);
   }
 }
 
@@ -271,15 +280,10 @@ void SimpackReader::checkSettings() const
       file_.refuse(0, std::string(key) + " is not positive");
     }
   }
-  if (setting("approx.smooth") / setting("units.len.f") > max_spline_noise)
-  {
-    file_.refuse(0, "approx.smooth is above " + std::to_string(max_spline_noise * 1e3) + " mm");
-  }
 }
-
 }  // namespace
 
-FileProfile readSimpack(ProfileFile& file, ProfileKind kind)
+FileProfile readSimpack(TextFile& file, ProfileKind kind)
 {
   return SimpackReader(file, kind).read();
 }

@@ -66,16 +66,6 @@ void mirrorAndInvert(const SimpackSettings& settings, FilePoints& points)
     std::reverse(points.begin(), points.end());
   }
 }
-
-/// 7: converts to metres, and from z down to z up.
-void convertUnits(double unit, FilePoints& points)
-{
-  for (FilePoint& p : points)
-  {
-    p.point.y /= unit;
-    p.point.z /= -unit;
-  }
-}
 }  // namespace
 
 void applySimpackEdits(const SimpackSettings& settings, std::vector<FilePoint>& points)
@@ -84,6 +74,5 @@ void applySimpackEdits(const SimpackSettings& settings, std::vector<FilePoint>& 
   shiftAndRotate(settings, points);
   cutToBounds(settings, points);
   mirrorAndInvert(settings, points);
-  convertUnits(settings.at("units.len.f"), points);
 }
 }  // namespace wheel_rail_contact::core

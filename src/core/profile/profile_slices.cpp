@@ -7,7 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "core/profile/profile_file.h"
+#include "core/profile/file_profile.h"
+#include "core/profile/profile_error.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
@@ -64,7 +66,7 @@ class SlicesFile
 
   /// Current line without its comment.
   std::string text() const { return file_.line().substr(0, file_.line().find('%')); }
-  /// @throw ProfileError if another line has words.
+  /// @throw TextError if another line has words.
   void requireEnd()
   {
     while (file_.next())
@@ -76,10 +78,10 @@ class SlicesFile
     }
   }
 
-  const ProfileFile& file() const { return file_; }
+  const TextFile& file() const { return file_; }
 
  private:
-  ProfileFile file_;
+  TextFile file_;
 };
 
 /// Place and file name of a slice.
@@ -160,8 +162,10 @@ bool isSame(const Profile& a, const Profile& b)
   return a.discontinuities() == b.discontinuities() &&
          std::all_of(a.discontinuities().begin(), a.discontinuities().end(), at_same_points);
 }
+
 /// Reads the files of the slices. Equal slices share one profile: the rail does not change between them.
-RailSeries seriesOf(std::vector<Slice>& slices, const std::string& path, const ProfileReading& reading)
+RailSeries seriesOf(std::vector<Slice>& slices, const std::string& path, const ProfileReading& reading,
+                    std::vector<std::string>& notes)
 {
   RailSeries series;
   std::map<std::string, std::pair<std::shared_ptr<const Profile>, bool>> read;
@@ -173,6 +177,7 @@ RailSeries seriesOf(std::vector<Slice>& slices, const std::string& path, const P
       FileSlice own = readSlice((std::filesystem::path(path).parent_path() / slice.name).string(), reading);
       profile = std::make_shared<const Profile>(std::move(own.profile));
       reversed = own.reversed;
+      notes.push_back(slice.name + ": " + own.text);
     }
     if (!series.empty() && isSame(*profile, *series.back().profile))
     {
@@ -195,9 +200,8 @@ void skipParts(SlicesFile& file, const std::vector<std::string>& counts)
     }
   }
 }
-}  // namespace
 
-RailSeries readRailSlices(const std::string& path, const ProfileReading& reading)
+RailSeries slicesIn(const std::string& path, const ProfileReading& reading, std::vector<std::string>& notes)
 {
   SlicesFile file(path);
   const std::vector<std::string> scaling = file.line(2, "U_OFFSET and the scale of the places [mm]");
@@ -220,12 +224,24 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
   file.line(1, "the method of interpolation");
   std::vector<Slice> slices = slicesOf(file, count, scale);
   skipParts(file, counts);
-  RailSeries series = seriesOf(slices, path, reading);
+  RailSeries series = seriesOf(slices, path, reading, notes);
   for (std::size_t i = 0; i < count && features > 0; ++i)
   {
     series[i].places = featuresOf(file, features, scale, slices[i], series[i].profile->length());
   }
   file.requireEnd();
   return series;
+}
+}  // namespace
+
+RailSeries readRailSlices(const std::string& path, const ProfileReading& reading)
+{
+  std::vector<std::string> notes;
+  return readRailSlices(path, reading, notes);
+}
+
+RailSeries readRailSlices(const std::string& path, const ProfileReading& reading, std::vector<std::string>& notes)
+{
+  return withProfileError([&] { return slicesIn(path, reading, notes); });
 }
 }  // namespace wheel_rail_contact::core

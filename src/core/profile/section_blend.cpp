@@ -119,17 +119,23 @@ SectionBlend::SectionBlend(const Profile& a, const Profile& b, const std::vector
   const auto count = std::max(2L, std::lround(std::ceil((end - begin) / longest_section)));
   length_ = (end - begin) / static_cast<double>(count);
   std::vector<Knot> on_a, on_b;
+  std::vector<CorrespondingPlaces> parameters;
   for (long i = 0; i <= count; ++i)
   {
     CorrespondingPlaces u{}, slope{};
     map.at(begin + static_cast<double>(i) * length_, u, slope);
     on_a.emplace_back(a, u.a, slope.a);
     on_b.emplace_back(b, u.b, slope.b);
+    parameters.push_back(u);
   }
   for (std::size_t i = 1; i < on_a.size(); ++i)
   {
     of_a_.push_back(between(on_a[i - 1], on_a[i], length_));
     of_b_.push_back(between(on_b[i - 1], on_b[i], length_));
+    const ShapeError in_a = a.errorWithin(parameters[i - 1].a, parameters[i].a);
+    const ShapeError in_b = b.errorWithin(parameters[i - 1].b, parameters[i].b);
+    error_.push_back({std::max(in_a.position, in_b.position), std::max(in_a.curvature, in_b.curvature),
+                      in_a.missing || in_b.missing});
   }
 }
 

@@ -39,11 +39,14 @@ class SectionBlend
   std::size_t size() const { return of_a_.size(); }
   /// Length of each section in u [m].
   double length() const { return length_; }
+  /// What is not known of a section: the larger values of both rail sections.
+  const ShapeError& errorOf(std::size_t section) const { return error_[section]; }
   /// Curve of a section; share 0: first rail section, 1: second one.
   CubicSection at(std::size_t section, double share) const;
 
  private:
   double length_ = 0;                      ///< of each section [m]
   std::vector<CubicSection> of_a_, of_b_;  ///< the same curves on both sections
+  std::vector<ShapeError> error_;          ///< of each section
 };
 }  // namespace wheel_rail_contact::core

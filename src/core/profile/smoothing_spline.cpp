@@ -19,6 +19,7 @@ using Column = std::vector<double>;
 /// Number of uniform cubic B-splines that are non-zero in an interval.
 constexpr std::size_t cover = 4;
 constexpr double knot_distance = 0.5e-3;  ///< [m]
+constexpr double group_length = 0.2e-3;   ///< of points that are averaged [m]
 /// Coefficients of the third difference: one row of the penalty.
 constexpr std::array<double, cover> third_difference = {-1.0, 3.0, -3.0, 1.0};
 /// The penalty is multiplied by (reference_curvature / curvature)², with a curvature of at least least_curvature [1/m].
@@ -44,7 +45,8 @@ class PenalisedFit
   void fitTo(double target);
   /// Adapts the penalty to the curvature of the present fit.
   void relaxAtCorners();
-  std::vector<ProfileSection> sections() const;
+  /// @param noise  standard deviation of the points [m], for the error of the curve
+  std::vector<ProfileSection> sections(double noise) const;
 
  private:
   /// Lower triangle of a symmetric band matrix with three diagonals below the main one, by columns.
@@ -58,6 +60,8 @@ class PenalisedFit
   };
 
   void fit(double penalty);
+  double deviationOf(const std::array<double, cover>& combination, std::size_t interval) const;
+  ShapeError errorOf(std::size_t interval, double noise) const;
   double meanSquare() const;
   double curvature(std::size_t i) const;
   static void factorise(Band& band);
@@ -70,6 +74,7 @@ class PenalisedFit
   Column right_y_, right_z_;
   Column relaxation_;  ///< factor of the penalty in each row [-]
   Column y_, z_;       ///< coefficients [m]
+  Band factors_;       ///< of the equations of the last fit
 };
 
 PenalisedFit::PenalisedFit(const std::vector<SampledPoint>& points)
@@ -161,6 +166,7 @@ void PenalisedFit::fit(double penalty)
   factorise(band);
   y_ = solve(band, right_y_);
   z_ = solve(band, right_z_);
+  factors_ = std::move(band);
 }
 
 double PenalisedFit::meanSquare() const
@@ -219,7 +225,42 @@ void PenalisedFit::relaxAtCorners()
   }
 }
 
-std::vector<ProfileSection> PenalisedFit::sections() const
+/// Standard deviation of a linear combination of the coefficients of an interval, for noise of 1. The covariance is
+/// that of Wahba (Bayesian confidence intervals for the cross-validated smoothing spline, J. R. Statist. Soc. B 45,
+/// 1983): the inverse of the equations. It contains the bias of the smoothing.
+double PenalisedFit::deviationOf(const std::array<double, cover>& combination, std::size_t interval) const
+{
+  Column right(y_.size(), 0.0);
+  for (std::size_t a = 0; a < cover; ++a)
+  {
+    right[interval + a] = combination[a];
+  }
+  const Column x = solve(factors_, right);
+  double variance = 0;
+  for (std::size_t a = 0; a < cover; ++a)
+  {
+    variance += combination[a] * x[interval + a];
+  }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+/// Error of the curve in the middle of an interval: by noise, and by the smoothing of a change of curvature. The latter
+/// is taken as half the change over a quarter of the wavelength on either side that has both deviations: that is how
+/// far the smoothing reaches.
+ShapeError PenalisedFit::errorOf(std::size_t interval, double noise) const
+{
+  constexpr double middle = 0.5, pi = 3.14159265358979323846;
+  constexpr std::array<double, cover> second_derivative = {0.5, -0.5, -0.5, 0.5};  // there, times step²
+  const double position = noise * deviationOf(basis(middle), interval);
+  const double by_noise = noise * deviationOf(second_derivative, interval) / (step_ * step_);
+  const double quarter = by_noise > 0 ? 0.5 * pi * std::sqrt(position / by_noise) : 0;
+  const std::size_t last = y_.size() - 2, here = interval + 1;
+  const auto reach = static_cast<std::size_t>(std::ceil(std::min(quarter / step_, static_cast<double>(last))));
+  const double change = curvature(std::min(here + 1 + reach, last)) - curvature(here > reach ? here - reach : 1);
+  return {position, std::hypot(by_noise, 0.5 * change), false};
+}
+
+std::vector<ProfileSection> PenalisedFit::sections(double noise) const
 {
   std::vector<ProfileSection> sections;
   for (std::size_t i = 0; i < intervals_; ++i)
@@ -234,9 +275,48 @@ std::vector<ProfileSection> PenalisedFit::sections() const
     };
     fill(y_, cubic.y);
     fill(z_, cubic.z);
-    sections.push_back({cubic, step_});
+    sections.push_back({cubic, step_, errorOf(i, noise)});
   }
   return sections;
+}
+}  // namespace
+
+std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
+{
+  std::vector<SampledPoint> means;
+  for (std::size_t i = 0; i < points.size();)
+  {
+    SampledPoint sum{0, 0, 0};
+    const SampledPoint& first = points[i];
+    for (; i < points.size() && std::hypot(points[i].y - first.y, points[i].z - first.z) < group_length; ++i)
+    {
+      sum.y += points[i].weight * points[i].y;
+      sum.z += points[i].weight * points[i].z;
+      sum.weight += points[i].weight;
+    }
+    means.push_back({sum.y / sum.weight, sum.z / sum.weight, sum.weight});
+  }
+  return means;
+}
+
+namespace
+{
+/// Largest distance of the curve from the polygon through the points, at the points and in the middle between them,
+/// over what is plausible there: a share of the distance of the points.
+double excess(const std::vector<ProfileSection>& sections, const std::vector<SampledPoint>& points, double noise)
+{
+  constexpr double share = 0.3, times_noise = 20, least = 1e-5;  // arcs rise less between points; [-, -, m]
+  const Profile curve("", sections);
+  const Column u = polygonLength(points);
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const CurvePoint p = curve.at(0.5 * (u[i] + u[i + 1]));
+    const double y = 0.5 * (points[i].y + points[i + 1].y), z = 0.5 * (points[i].z + points[i + 1].z);
+    const double plausible = share * (u[i + 1] - u[i]) + times_noise * noise + least;
+    largest = std::max(largest, std::hypot(p.y - y, p.z - z) / plausible);
+  }
+  return largest;
 }
 }  // namespace
 
@@ -251,6 +331,12 @@ std::vector<ProfileSection> smoothingSpline(const std::vector<SampledPoint>& poi
   fit.fitTo(noise * noise);
   fit.relaxAtCorners();
   fit.fitTo(noise * noise);
-  return fit.sections();
+  std::vector<ProfileSection> sections = fit.sections(noise);
+  if (!(excess(sections, points, noise) <= 1))
+  {
+    throw std::invalid_argument("profile spline: the curve leaves the points: their noise is not " +
+                                std::to_string(noise * 1e6) + " um, or points are missing");
+  }
+  return sections;
 }
 }  // namespace wheel_rail_contact::core

@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 
-#include "core/profile/profile_file.h"
+#include "core/text/text_table.h"
 #include "core/track/line_station.h"
 #include "wheel_rail_contact/core/track_line.h"
 
@@ -18,6 +16,7 @@ namespace
 {
 /// Largest difference from the nominal gauge [m]: a larger one is a deviation, or another unit.
 constexpr double largest_widening = 0.2;
+constexpr std::size_t largest_file = std::size_t{256} << 20U;  ///< of a line of some thousand kilometres [bytes]
 
 /// Quantities of a table.
 enum Column
@@ -63,29 +62,20 @@ constexpr std::array<ColumnRule, columns> rules{{{"x", false, 1},
                                                  {"rail_vertical_right", false, -1},
                                                  {"rail_roll_right", true, 1}}};
 
-const std::map<std::string, double> lengths{{"m", 1}, {"mm", 1e-3}, {"um", 1e-6}};
-const std::map<std::string, double> angles{{"rad", 1}, {"mrad", 1e-3}, {"deg", 3.14159265358979323846 / 180}};
-
 /// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
 using Row = std::array<std::optional<double>, columns>;
 
-/// Table of a file, read line by line.
+/// Table of a file, row by row.
 class LineFile
 {
  public:
-  LineFile(const std::string& path, LineAxes axes) : path_(path), stream_(path), axes_(axes)
+  LineFile(const std::string& path, LineAxes axes) : file_(path, largest_file), table_(file_, areTitles), axes_(axes)
   {
-    if (!stream_)
+    if (table_.titles().empty())
     {
-      throw std::invalid_argument(path + ": cannot be read");
+      file_.refuse(0, "has no titles of columns with their units, for example 'x [m], gauge [mm]'");
     }
-    if (!nextLine())
-    {
-      throw std::invalid_argument(path + ": is empty");
-    }
-    separator_ = *std::max_element(separators.begin(), separators.end(),
-                                   [this](char one, char other) { return count(one) < count(other); });
-    for (const std::string& title : splitFields(line_, separator_))
+    for (const TableTitle& title : table_.titles())
     {
       addColumn(title);
     }
@@ -95,81 +85,54 @@ class LineFile
   /// Reads the next row. @return false at the end
   bool next(Row& row)
   {
-    if (!nextLine())
+    if (!table_.next(fields_))
     {
       return false;
     }
-    const std::vector<std::string> fields = splitFields(line_, separator_);
-    if (fields.size() != column_.size())
+    for (std::size_t i = 0; i < fields_.size(); ++i)
     {
-      refuse("has " + std::to_string(fields.size()) + " values, must have " + std::to_string(column_.size()));
-    }
-    for (std::size_t i = 0; i < fields.size(); ++i)
-    {
-      const std::optional<double> value = parseNumber(fields[i]);
-      if (!value)
-      {
-        refuse("column '" + std::string(rules[column_[i]].name) + "': '" + fields[i] + "' is not a finite number");
-      }
-      row[column_[i]] = *value * factor_[i];
+      row[column_[i]] = table_.number(fields_[i], rules[column_[i]].name) * factor_[i];
     }
     return true;
   }
 
-  [[noreturn]] void refuse(const std::string& reason) const
-  {
-    throw std::invalid_argument(path_ + ":" + std::to_string(number_) + ": " + reason);
-  }
+  [[noreturn]] void refuse(const std::string& reason) const { file_.refuse(reason); }
 
  private:
-  static constexpr std::array<char, 3> separators{',', ';', '\t'};
-
-  long count(char c) const { return std::count(line_.begin(), line_.end(), c); }
-
-  bool nextLine()
+  static bool areTitles(const std::vector<TableTitle>& titles)
   {
-    while (std::getline(stream_, line_))
-    {
-      ++number_;
-      if (number_ == 1 && line_.compare(0, 3, "\xEF\xBB\xBF") == 0)
-      {
-        line_.erase(0, 3);
-      }
-      if (!trim(line_).empty() && trim(line_)[0] != '#')
-      {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(titles.begin(), titles.end(),
+                       [](const TableTitle& title) { return title.name == rules[x].name; });
   }
 
-  void addColumn(const std::string& title)
+  [[noreturn]] void refuseTitles(const std::string& reason) const { file_.refuse(table_.titleLine(), reason); }
+
+  void addColumn(const TableTitle& title)
   {
-    const std::size_t open = title.find('['), close = title.find(']');
-    if (open == std::string::npos || close != title.size() - 1)
-    {
-      refuse("column '" + title + "': must be a name with its unit, for example 'gauge [mm]'");
-    }
-    const std::string name = trim(title.substr(0, open)), unit = trim(title.substr(open + 1, close - open - 1));
-    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return name == r.name; });
+    const auto rule =
+        std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return title.name == r.name; });
     if (rule == rules.end())
     {
-      refuse("column '" + name + "': unknown quantity; valid names are " + validNames());
+      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + validNames());
     }
     const auto column = static_cast<std::size_t>(rule - rules.begin());
     if (has(column))
     {
-      refuse("column '" + name + "' is given twice");
+      refuseTitles("column '" + title.name + "' is given twice");
     }
-    const auto& units = rule->is_angle ? angles : lengths;
-    const auto found = units.find(unit);
-    if (found == units.end())
+    if (title.unit.empty())
     {
-      refuse("column '" + name + "': unknown unit '" + unit + "'; valid units are " +
-             (rule->is_angle ? "rad, mrad, deg" : "m, mm, um"));
+      refuseTitles("column '" + title.name + "': must have a unit, for example '" + title.name +
+                   (rule->is_angle ? " [mrad]'" : " [mm]'"));
+    }
+    const std::optional<double> unit = unitNamed(rule->is_angle ? angleUnits() : lengthUnits(), title.unit);
+    if (!unit)
+    {
+      refuseTitles("column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
+                   (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
     }
     column_.push_back(column);
-    factor_.push_back(found->second * (axes_ == LineAxes::railway ? rule->railway_sign : 1));
+    factor_.push_back(*unit * (axes_ == LineAxes::railway ? rule->railway_sign : 1));
   }
 
   bool has(std::size_t column) const { return std::count(column_.begin(), column_.end(), column) > 0; }
@@ -178,13 +141,13 @@ class LineFile
   {
     if (!has(x))
     {
-      refuse("column 'x' is missing");
+      refuseTitles("column 'x' is missing");
     }
     const auto both = [this](std::size_t one, std::size_t other)
     {
       if (has(one) && has(other))
       {
-        refuse(std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
+        refuseTitles(std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
       }
     };
     both(alignment, alignment_left);
@@ -210,12 +173,10 @@ class LineFile
     return names;
   }
 
-  std::string path_;
-  std::ifstream stream_;
+  TextFile file_;
+  TextTable table_;
   LineAxes axes_;
-  std::string line_;
-  std::size_t number_ = 0;
-  char separator_ = ',';
+  std::vector<std::string> fields_;
   std::vector<std::size_t> column_;  ///< Column of each field
   std::vector<double> factor_;       ///< from its unit and axes to SI units and REP-103 axes
 };
@@ -252,11 +213,9 @@ LineStation stationOf(const Row& row, double nominal_gauge)
                      vertical.middle + value(rail_vertical_right), value(rail_roll_right)};
   return station;
 }
-}  // namespace
 
-TrackLine readTrackLine(const std::string& path, double gauge_at_rest, LineAxes axes)
+std::vector<LineStation> stationsOf(LineFile& file, double gauge_at_rest)
 {
-  LineFile file(path, axes);
   std::vector<LineStation> stations;
   Row row;
   while (file.next(row))
@@ -276,6 +235,20 @@ TrackLine readTrackLine(const std::string& path, double gauge_at_rest, LineAxes 
       file.refuse("x must increase");
     }
   }
-  return {path, stations};
+  return stations;
+}
+}  // namespace
+
+TrackLine readTrackLine(const std::string& path, double gauge_at_rest, LineAxes axes)
+{
+  try
+  {
+    LineFile file(path, axes);
+    return {path, stationsOf(file, gauge_at_rest)};
+  }
+  catch (const TextError& error)
+  {
+    throw std::invalid_argument(error.what());
+  }
 }
 }  // namespace wheel_rail_contact::core

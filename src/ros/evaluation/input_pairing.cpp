@@ -48,6 +48,7 @@ void put(InputTopic topic, const InputMessage& message, ContactInput& input)
       break;
   }
 }
+
 /// Topics that are paired, in the order of the channels: a load that is interpolated is the last one.
 std::vector<InputTopic> channelsOf(const NodeConfig& config)
 {

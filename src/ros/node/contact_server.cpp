@@ -33,6 +33,10 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       neighbours_(config_),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
+  for (const std::string& note : config_.notes)
+  {
+    ROS_INFO("%s: %s", private_nh_.getNamespace().c_str(), note.c_str());
+  }
   diagnostics_.setHardwareID("none");
   diagnostics_.add("wheel-rail contact", this, &ContactServer::report);
   advertise();

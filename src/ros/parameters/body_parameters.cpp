@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ros/parameters/profile_parameters.h"
+
 namespace wheel_rail_contact
 {
 namespace
@@ -53,25 +55,26 @@ void readMaterials(ParameterReader& reader, const std::string& body, core::Sides
   }
 }
 
-/// Reads a file: its name, or a group with `file` and `mirror`. Unchanged if it is not given.
+/// Reads a file: its name, or a group with `file` and its options. Unchanged if it is not given.
 void readProfile(ParameterReader& reader, const std::string& name, NamedFile& profile)
 {
-  const std::string file = name + "/file", mirror = name + "/mirror";
+  const std::string prefix = name + "/", file = prefix + "file";
+  const bool has_options = hasProfileOptions(reader, prefix);
   if (reader.has(name) || reader.has(file))
   {
-    profile = NamedFile{reader.has(file) ? file : name, "", false};
+    profile = NamedFile{reader.has(file) ? file : name, "", {}};
   }
-  if (reader.has(name) && (reader.has(file) || reader.has(mirror)))
+  if (reader.has(name) && (reader.has(file) || has_options))
   {
     reader.refuse(name, "either a name or a group");
   }
-  if (reader.has(mirror))
-  {
-    reader.require(file, "give the file to be mirrored");
-  }
   reader.read(name, profile.value);
   reader.read(file, profile.value);
-  reader.read(mirror, {{"false", false}, {"true", true}}, profile.mirror);
+  readProfileOptions(reader, prefix, profile.reading);
+  if (has_options)
+  {
+    reader.require(file, "give the file to which the options apply");
+  }
 }
 
 /// Reads a list of sections, each with its place and its file.
@@ -81,7 +84,7 @@ void readSections(ParameterReader& reader, const std::string& group_of_part, con
 {
   for (ParameterReader& group : reader.readGroups(name))
   {
-    RailSectionFile section{0, {group_of_part + name + "/file", "", part.mirror}};
+    RailSectionFile section{0, {group_of_part + name + "/file", "", part.reading}};
     group.read("x", rules::finite, section.x);
     group.read("file", section.file.value);
     group.refuseUnknown();
@@ -106,11 +109,15 @@ RailPartFiles readPart(ParameterReader& reader, const std::string& group, const 
 {
   const std::string slices = prefix + "slices", sections = prefix + "sections", file = prefix + "file";
   RailPartFiles part;
-  reader.read(prefix + "mirror", {{"false", false}, {"true", true}}, part.mirror);
-  part.slices = {group + slices, "", part.mirror};
+  readProfileOptions(reader, prefix, part.reading);
+  if (part.reading.origin)
+  {
+    reader.refuse(prefix + "origin", "omitted: sections keep the origin of their files; shift moves them");
+  }
+  part.slices = {group + slices, "", part.reading};
   reader.read(slices, part.slices.value);
   readSections(reader, group, sections, part);
-  NamedFile only{group + file, "", part.mirror};
+  NamedFile only{group + file, "", part.reading};
   reader.read(file, only.value);
   if (prefix.empty())
   {
@@ -184,7 +191,7 @@ void readRail(ParameterReader& reader, const std::string& name, RailFiles& rail)
 
 void readTables(ParameterReader& reader, core::Sides<NamedFile>& tables)
 {
-  tables = NamedFile{"rail_bending/table", "", false};
+  tables = NamedFile{"rail_bending/table", "", {}};
   reader.read("rail_bending/table", tables.left.value);
   tables.right = tables.left;
   for (const core::Side side : core::sides)

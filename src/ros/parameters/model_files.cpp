@@ -60,40 +60,73 @@ std::string nameFromNumber(const std::string& value)
   return value;
 }
 
-/// Opens a shipped profile, or a file if the value contains a dot or a slash.
-std::shared_ptr<const core::Profile> openProfile(const NamedFile& file, core::ProfileKind kind,
-                                                 const std::string& directory)
+/// Opens profiles, and notes what was understood of each file.
+class ProfileFiles
 {
-  return openFile(file,
-                  [&](const std::string& value)
-                  {
-                    const std::string name = nameFromNumber(value);
-                    const bool is_file = name.find_first_of("./") != std::string::npos;
-                    return std::make_shared<core::Profile>(core::loadProfile(
-                        is_file ? resolveFile(name, directory) : name, kind, {std::nullopt, file.mirror}));
-                  });
-}
-
-core::RailSeries openPart(const RailPartFiles& part, const std::string& directory)
-{
-  if (!part.slices.value.empty())
+ public:
+  /// @param directory  of relative names
+  /// @param notes      to which lines are added
+  ProfileFiles(std::string directory, std::vector<std::string>& notes) : directory_(std::move(directory)), notes_(notes)
   {
-    return openFile(part.slices,
-                    [&](const std::string& value) {
-                      return core::readRailSlices(resolveFile(value, directory), {std::nullopt, part.mirror});
+  }
+
+  /// Opens a shipped profile, or a file if the value contains a dot or a slash.
+  std::shared_ptr<const core::Profile> open(const NamedFile& file, core::ProfileKind kind)
+  {
+    return openFile(file,
+                    [&](const std::string& value)
+                    {
+                      const std::string name = nameFromNumber(value);
+                      const bool is_file = name.find_first_of("./") != std::string::npos;
+                      core::DescribedProfile described =
+                          core::describedProfile(is_file ? resolveFile(name, directory_) : name, kind, file.reading);
+                      if (is_file)
+                      {
+                        addNote(file, described.report.text);
+                      }
+                      return std::make_shared<const core::Profile>(std::move(described.profile));
                     });
   }
-  core::RailSeries series;
-  std::map<std::string, std::shared_ptr<const core::Profile>>
-      opened;  // the rail does not change between equal sections
-  for (const RailSectionFile& section : part.sections)
+
+  core::RailSeries open(const RailPartFiles& part)
   {
-    std::shared_ptr<const core::Profile>& profile = opened[section.file.value];
-    profile = profile ? profile : openProfile(section.file, core::ProfileKind::rail_section, directory);
-    series.push_back({section.x, profile, {}});
+    if (!part.slices.value.empty())
+    {
+      return openFile(part.slices,
+                      [&](const std::string& value)
+                      {
+                        std::vector<std::string> notes;
+                        core::RailSeries series =
+                            core::readRailSlices(resolveFile(value, directory_), part.reading, notes);
+                        for (const std::string& note : notes)
+                        {
+                          addNote(part.slices, note);
+                        }
+                        return series;
+                      });
+    }
+    core::RailSeries series;
+    std::map<std::string, std::shared_ptr<const core::Profile>> opened;  // the rail does not change between equal ones
+    for (const RailSectionFile& section : part.sections)
+    {
+      std::shared_ptr<const core::Profile>& profile = opened[section.file.value];
+      profile = profile ? profile : open(section.file, core::ProfileKind::rail_section);
+      series.push_back({section.x, profile, {}});
+    }
+    return series;
   }
-  return series;
-}
+
+ private:
+  void addNote(const NamedFile& file, const std::string& note)
+  {
+    std::string line = file.parameter;
+    line.append(" = ").append(file.value).append(": ").append(note);
+    notes_.push_back(line);
+  }
+
+  std::string directory_;
+  std::vector<std::string>& notes_;
+};
 
 /// Rail of one side: its profile, or its sections.
 struct OpenRail
@@ -102,17 +135,17 @@ struct OpenRail
   std::shared_ptr<const core::RailSections> sections;
 };
 
-OpenRail openRail(const RailFiles& rail, const std::string& directory)
+OpenRail openRail(const RailFiles& rail, ProfileFiles& files)
 {
   if (rail.parts.empty())
   {
-    return {openProfile(rail.profile, core::ProfileKind::rail, directory), nullptr};
+    return {files.open(rail.profile, core::ProfileKind::rail), nullptr};
   }
   std::vector<core::RailSeries> parts;
   parts.reserve(rail.parts.size());
   for (const RailPartFiles& part : rail.parts)
   {
-    parts.push_back(openPart(part, directory));
+    parts.push_back(files.open(part));
   }
   try
   {
@@ -156,10 +189,11 @@ void openTables(const core::Sides<NamedFile>& files, const std::string& director
 
 void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config)
 {
-  config.model.wheel_profile = openBoth(files.wheel_profile, [&](const NamedFile& file)
-                                        { return openProfile(file, core::ProfileKind::wheel, directory); });
+  ProfileFiles profiles(directory, config.notes);
+  config.model.wheel_profile = openBoth(
+      files.wheel_profile, [&](const NamedFile& file) { return profiles.open(file, core::ProfileKind::wheel); });
   const core::Sides<OpenRail> rails =
-      openBoth(files.rail, [&](const RailFiles& rail) { return openRail(rail, directory); });
+      openBoth(files.rail, [&](const RailFiles& rail) { return openRail(rail, profiles); });
   for (const core::Side side : core::sides)
   {
     config.model.rail_profile[side] = rails[side].profile;

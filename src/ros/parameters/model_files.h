@@ -5,20 +5,21 @@
 #include <vector>
 
 #include "ros/parameters/parameters.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact
 {
 /// Name of a file or of a shipped profile, with the parameter that gave it.
 struct NamedFile
 {
-  std::string parameter;  ///< full name of the parameter, without the prefix of the node
-  std::string value;      ///< as given; empty: not given
-  bool mirror = false;    ///< of a profile: its points are mirrored (core::ProfileReading::mirror)
+  std::string parameter;         ///< full name of the parameter, without the prefix of the node
+  std::string value;             ///< as given; empty: not given
+  core::ProfileReading reading;  ///< options of a profile
 };
 
 inline bool operator==(const NamedFile& a, const NamedFile& b)
 {
-  return a.value == b.value && a.mirror == b.mirror;
+  return a.value == b.value && a.reading == b.reading;
 }
 
 /// File of a section of a rail.
@@ -38,12 +39,12 @@ struct RailPartFiles
 {
   NamedFile slices;                       ///< empty: not given
   std::vector<RailSectionFile> sections;  ///< used without slices; one: the same everywhere
-  bool mirror = false;                    ///< of all of them
+  core::ProfileReading reading;           ///< options of all of them
 };
 
 inline bool operator==(const RailPartFiles& a, const RailPartFiles& b)
 {
-  return a.slices == b.slices && a.sections == b.sections && a.mirror == b.mirror;
+  return a.slices == b.slices && a.sections == b.sections && a.reading == b.reading;
 }
 
 /// Files of a rail: one profile, or parts with sections.

@@ -166,6 +166,10 @@ void readSync(ParameterReader& reader, NodeConfig& config)
   reader.read("sync/slop", slop_rule, config.slop);
   reader.read("sync/load", std::vector<std::pair<std::string, bool>>{{"match", false}, {"interpolate", true}},
               config.interpolate_load);
+  if (config.interpolate_load && !config.model.wheelset.solve_height_and_roll)
+  {
+    reader.refuse("sync/load", "match if wheelset/free is [], because no load is read then");
+  }
   reader.read("sync/longest_gap", gap_rule, config.longest_gap);
 }
 

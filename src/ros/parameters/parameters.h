@@ -35,6 +35,7 @@ struct NodeConfig
       false;                 ///< true: the load is interpolated at the stamp of the pose; false: matched by its stamp
   double longest_gap = 0.1;  ///< largest difference of the stamps of two loads that are interpolated [s], > 0
   MarkerConfig markers;      ///< appearance of the markers
+  std::vector<std::string> notes;  ///< what was understood of each profile file, one line each
 };
 
 /// Reads all parameters of the node. The defaults are those of the structs above; config/default.yaml lists all names.
@@ -53,7 +54,8 @@ struct NodeConfig
 ///   wheelset/{rolling_radius, flange_back_distance, tape_circle}   [m]
 ///   wheelset/free                               [z, roll] (solved from the load) or [] (taken from the pose)
 ///   wheel/profile, rail/profile                 required: name of a shipped profile, or a file, or the group
-///                                               {file, mirror}
+///                                               {file, unit, y, z, origin, shift, rotate, mirror, smoothing},
+///                                               see readProfileOptions()
 ///   material/{wheel,rail}/{young, poisson}      [Pa, -]
 ///   wheel/{left,right}/{profile, rolling_radius, material/...}          of one side; default: the value for both sides
 ///   rail/{left,right}/{profile, inclination, table, material/...}       the same

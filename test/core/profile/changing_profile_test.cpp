@@ -44,6 +44,31 @@ TEST(ChangingProfile, IsASectionAtItsPlaceAndACurveBetweenTwo)
   }
 }
 
+// What is not known of a section is not known between it and the next one.
+TEST(ChangingProfile, HasTheErrorsOfBothSectionsBetweenThem)
+{
+  std::vector<ProfileSection> measured, other;
+  const double side = head_depth - corner;
+  addHead({}, side, side, measured);
+  addHead({0.01}, side, side, other);
+  for (ProfileSection& section : measured)
+  {
+    section.error = {1e-6, 2, false};
+  }
+  for (ProfileSection& section : other)
+  {
+    section.error = {0, 0, true};
+  }
+  const auto a = std::make_shared<const Profile>("a", measured), b = std::make_shared<const Profile>("b", other);
+  const RailSections rail({{{0, a, {}}, {1, b, {}}}}, coordinates);
+  ChangingProfile changing(rail);
+  changing.moveTo(0.5);
+  const ShapeError error = changing.profile()->errorAt(0.5 * changing.profile()->length());
+  EXPECT_EQ(error.position, 1e-6);
+  EXPECT_EQ(error.curvature, 2);
+  EXPECT_TRUE(error.missing);
+}
+
 TEST(ChangingProfile, IsAnotherOneOnlyWhereTheRailChanges)
 {
   const auto a = headAt(0), b = headAt(0.01);

@@ -20,7 +20,15 @@ using test::lines;
 using test::Point;
 using test::pointsOf;
 
-const ProfileReading mirror{std::nullopt, true};
+ProfileReading mirrored(std::optional<double> smoothing = std::nullopt)
+{
+  ProfileReading reading;
+  reading.smoothing = smoothing;
+  reading.mirror = true;
+  return reading;
+}
+
+const ProfileReading mirror = mirrored();
 
 /// Points of a rail head with more wear on its gauge side [m].
 std::vector<Point> wornRail()
@@ -119,7 +127,7 @@ TEST(MirroredProfile, OfAStandardNameIsRefused)
       {"S1002", ProfileKind::wheel}, {"60E1", ProfileKind::rail}, {"UIC60_manchester", ProfileKind::rail}};
   for (const auto& [name, kind] : standards)
   {
-    EXPECT_EQ(loadProfile(name, kind, {std::nullopt, false}).name(), name);
+    EXPECT_EQ(loadProfile(name, kind).name(), name);
     try
     {
       loadProfile(name, kind, mirror);
@@ -150,6 +158,6 @@ TEST(MirroredProfile, IsSmoothedForTheSameNoise)
   const std::vector<Point> rail = wornRail();
   const Profile given = readProfile(folder.write("given.csv", csv(rail)), ProfileKind::rail, {5e-6});
   const std::string path = folder.write("negated.csv", csv(changed(rail, negated)));
-  expectSameCurve(readProfile(path, ProfileKind::rail, {5e-6, true}), given);
+  expectSameCurve(readProfile(path, ProfileKind::rail, mirrored(5e-6)), given);
 }
 }  // namespace wheel_rail_contact::core

@@ -228,7 +228,7 @@ TEST_F(SimpackProfile, TruncatedFilesAreRejected)
   expectRejected(whole.substr(0, whole.find("point.end")), "before point.end: truncated", true);
   expectRejected(whole.substr(0, whole.find("spline.end")), "before spline.end: truncated", true);
   expectRejected(whole.substr(0, whole.find("spline.begin")), "before point.end: truncated", true);
-  expectRejected(whole.substr(0, whole.find("header.begin")), "not a Simpack profile", false);
+  expectRejected(whole.substr(0, whole.find("header.begin")), "is empty", false);
   expectRejected(whole.substr(0, whole.find("point.end") - 30) + "\n", "truncated", true);
 }
 
@@ -250,7 +250,7 @@ TEST_F(SimpackProfile, DamagedFilesAreRejected)
   expectRejected(with({{"shift.y", "1e308"}, {"units.len.f", "1e-308"}}), "too large", true);
   expectRejected(with({}) + "  spline.begin\n    point.begin\n", "second block of points", true);
   expectRejected("  point.begin\n" + points, "out of place", true);
-  expectRejected("y_mm,z_mm\n" + points, "not a Simpack profile", true);
+  expectRejected("y_mm,z_mm\n" + points, "the points are a profile by y: inward or outward, z: down", false);
   std::string text = with({});
   text.replace(text.find("version = 1"), 11, "version = 2");
   expectRejected(text, "version is not 1", true);

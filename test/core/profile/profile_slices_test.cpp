@@ -26,6 +26,13 @@ std::string twoColumns(const Profile& profile, double unit)
   return lines(changed(pointsOf(profile), [unit](const Point& p) { return Point{p.y / unit, -p.z / unit}; }), " ");
 }
 
+ProfileReading mirrored()
+{
+  ProfileReading reading;
+  reading.mirror = true;
+  return reading;
+}
+
 class SlicesTest : public testing::Test
 {
  protected:
@@ -96,6 +103,15 @@ TEST_F(SlicesTest, SlicesAreInMetresOrMillimetres)
   EXPECT_LT(deviation(*series[1].profile, pointsOf(a_)), rounding) << "a format of readProfile() has z up";
 }
 
+TEST_F(SlicesTest, WhatWasUnderstoodOfEachFileIsNoted)
+{
+  std::vector<std::string> notes;
+  readRailSlices(folder_.write("rail.slcs", head_ + "0 'a.txt'\n1 'b.txt'\n"), {}, notes);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0].substr(0, 14), "a.txt: table, ");
+  EXPECT_NE(notes[1].find("unit mm, y outward, z down"), std::string::npos) << notes[1];
+}
+
 TEST_F(SlicesTest, EqualSlicesShareOneProfile)
 {
   const RailSeries series = read("0 1000\n4\n0 0 0\n1\n0 'b.txt'\n1 'same.txt'\n2 'a.txt'\n3 'b.txt'\n");
@@ -106,7 +122,7 @@ TEST_F(SlicesTest, EqualSlicesShareOneProfile)
 
 TEST_F(SlicesTest, MirrorChangesTheSignOfY)
 {
-  const RailSeries series = read(head_ + "0 'a.txt'\n1 'b.txt'\n", {std::nullopt, true});
+  const RailSeries series = read(head_ + "0 'a.txt'\n1 'b.txt'\n", mirrored());
   EXPECT_NEAR(series[1].profile->at(0).y, -b_.at(b_.length()).y, rounding);
   EXPECT_LT(series[1].profile->at(0).y, series[1].profile->at(series[1].profile->length()).y);
 }
@@ -121,11 +137,11 @@ TEST_F(SlicesTest, FeaturesAreLengthsAlongTheCurve)
   EXPECT_TRUE(std::isnan(series[1].places[0])) << "negative: the slice has no such feature";
   EXPECT_DOUBLE_EQ(series[1].places[1], 0.070);
 
-  const RailSeries mirrored = read(slices + features, {std::nullopt, true});
-  const double length = mirrored[0].profile->length();
-  EXPECT_DOUBLE_EQ(mirrored[0].places[0], length - 0.0605) << "the curve now begins at the other end";
-  EXPECT_DOUBLE_EQ(mirrored[0].places[1], length - 0.016);
-  EXPECT_TRUE(std::isnan(mirrored[1].places[1]));
+  const RailSeries other = read(slices + features, mirrored());
+  const double length = other[0].profile->length();
+  EXPECT_DOUBLE_EQ(other[0].places[0], length - 0.0605) << "the curve now begins at the other end";
+  EXPECT_DOUBLE_EQ(other[0].places[1], length - 0.016);
+  EXPECT_TRUE(std::isnan(other[1].places[1]));
 }
 
 TEST_F(SlicesTest, FeaturesAreCountedFromTheFirstPointOfTheFile)
@@ -176,7 +192,7 @@ TEST_F(SlicesTest, MistakesInASliceAreThoseOfItsFile)
 {
   expectRefused(head_ + "0 'missing.txt'\n1 'b.txt'\n", 0, "no such file");
   folder_.write("three.txt", "0 0\n1 2 3\n");
-  expectRefused(head_ + "0 'three.txt'\n1 'b.txt'\n", 2, "must contain two numbers");
+  expectRefused(head_ + "0 'three.txt'\n1 'b.txt'\n", 2, "number of columns is 3, must be 2");
   folder_.write("short.txt", "0 0\n1 0\n");
   expectRefused(head_ + "0 'short.txt'\n1 'b.txt'\n", 0, "number of points is 2");
   folder_.write("wheel.whl", "0 0\n");

@@ -130,17 +130,18 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
       "x, gauge, alignment, alignment_left, alignment_right, level, level_left, level_right, cross_level, "
       "rail_lateral_left, rail_vertical_left, rail_roll_left, rail_lateral_right, rail_vertical_right, rail_roll_right";
   const std::string unknown = ":1: column 'cant': unknown quantity; valid names are " + names;
+  const std::string half_open = ":1: column 'gauge [mm': unknown quantity; valid names are " + names;
+  const std::string with_more = ":1: column 'gauge [mm] left': unknown quantity; valid names are " + names;
   const std::vector<Mistake> mistakes{
       {"", ": is empty"},
       {"# only a comment\n\n", ": is empty"},
       {"x [m],cant [mm]\n0,0\n1,0\n", unknown.c_str()},
-      {"x [m],gauge\n", ":1: column 'gauge': must be a name with its unit, for example 'gauge [mm]'"},
-      {"x [m],gauge [mm\n", ":1: column 'gauge [mm': must be a name with its unit, for example 'gauge [mm]'"},
-      {"x [m],gauge [mm] left\n",
-       ":1: column 'gauge [mm] left': must be a name with its unit, for example 'gauge [mm]'"},
-      {"x [m],\n", ":1: column '': must be a name with its unit, for example 'gauge [mm]'"},
-      {"x [m],gauge [inch]\n", ":1: column 'gauge': unknown unit 'inch'; valid units are m, mm, um"},
-      {"x [m],gauge [mrad]\n", ":1: column 'gauge': unknown unit 'mrad'; valid units are m, mm, um"},
+      {"x [m],gauge\n", ":1: column 'gauge': must have a unit, for example 'gauge [mm]'"},
+      {"x [m],gauge [mm\n", half_open.c_str()},
+      {"x [m],gauge [mm] left\n", with_more.c_str()},
+      {"x [m],\n0,\n", ": a line needs at least two stations"},
+      {"x [m],gauge [ell]\n", ":1: column 'gauge': unknown unit 'ell'; valid units are m, cm, mm, um, in"},
+      {"x [m],gauge [mrad]\n", ":1: column 'gauge': unknown unit 'mrad'; valid units are m, cm, mm, um, in"},
       {"x [m],rail_roll_left [mm]\n", ":1: column 'rail_roll_left': unknown unit 'mm'; valid units are rad, mrad, deg"},
       {"# a\n\nx [m],level [mm],x [mm]\n", ":3: column 'x' is given twice"},
       {"gauge [mm]\n1435\n1435\n", ":1: column 'x' is missing"},
@@ -155,8 +156,8 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
       {"x [m],level [mm]\n0,inf\n", ":2: column 'level': 'inf' is not a finite number"},
       {"x [m],level [mm]\n0,1 mm\n", ":2: column 'level': '1 mm' is not a finite number"},
       {"x [m],level [mm]\n,1\n", ":2: column 'x': '' is not a finite number"},
-      {"x [m],level [mm]\n0,0\n1\n", ":3: has 1 values, must have 2"},
-      {"x [m],level [mm]\n0,0,0\n", ":2: has 3 values, must have 2"},
+      {"x [m],level [mm]\n0,0\n1\n", ":3: number of columns is 1, must be 2"},
+      {"x [m],level [mm]\n0,0,0\n", ":2: number of columns is 3, must be 2"},
       {"x [m],level [mm]\n0,0\n1,0\n1,0\n", ":4: x must increase"},
       {"x [m],level [mm]\n0,0\n1,0\n0.5,0\n", ":4: x must increase"},
       {"x [m],gauge [mm]\n0,1435\n1,5\n",

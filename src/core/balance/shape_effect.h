@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/balance/wheelset_balance.h"
+
+namespace wheel_rail_contact::core
+{
+/// What the profiles leave open about a patch.
+struct ShapeEffect
+{
+  double max_pressure = 0;  ///< relative standard deviation of the highest pressure [-]
+  bool missing = false;     ///< points of a profile are missing where the pressure is; the relative error is then 1
+};
+
+/// Error of a patch by the noise of its profiles.
+///
+/// Let c be the standard deviation of the relative curvature across, p that of the position, and k the relative
+/// curvature. A change of the curvature over the whole contact changes the pressure by c/(2 k) in plane contact
+/// (Johnson 1985, eq. 4.45: p0 ~ sqrt(k) under the same load). A wave of amplitude d and length l presses with E* pi
+/// d/l (Johnson 1985, eq. 13.2, with waves in contact all over). With l = 2 pi sqrt(p/c), the length that has both
+/// deviations, this is E* sqrt(p c)/2. The error is the lesser of the two: long waves act by their curvature, short
+/// ones are flattened.
+/// @param profile       of the wheel
+/// @param island        patch of the wheel, see WheelsetBalance::islands()
+/// @param max_pressure  highest pressure of the patch [Pa], > 0
+ShapeEffect shapeEffect(Side side, const WheelsetBalance& balance, const Profile& profile, std::size_t island,
+                        double max_pressure);
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/text/table_title.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/text/words.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double degree = 3.14159265358979323846 / 180;
+
+std::string withoutQuotes(std::string text)
+{
+  text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
+  return trim(text);
+}
+
+/// Text from a sign at `open` to the one at the end; empty if this is another sign.
+std::string toEnd(const std::string& text, std::size_t open, char close)
+{
+  return text.back() == close ? trim(text.substr(open + 1, text.size() - open - 2)) : "";
+}
+}  // namespace
+
+const Units& lengthUnits()
+{
+  static const Units units = []
+  {
+    Units all;
+    for (const NamedUnit& unit : named_lengths)
+    {
+      all[unit.name] = unit.value;
+    }
+    all["\xC2\xB5m"] = all["\xCE\xBCm"] = all["um"];
+    all["inch"] = all["inches"] = all["in"];
+    return all;
+  }();
+  return units;
+}
+
+std::string nameOfLength(double unit)
+{
+  for (const NamedUnit& named : named_lengths)
+  {
+    if (std::abs(unit / named.value - 1) < 1e-9)
+    {
+      return named.name;
+    }
+  }
+  return std::to_string(unit) + " m";
+}
+
+const Units& angleUnits()
+{
+  static const Units units{{"rad", 1}, {"mrad", 1e-3}, {"deg", degree}, {"\xC2\xB0", degree}};
+  return units;
+}
+
+std::optional<double> unitNamed(const Units& units, const std::string& text)
+{
+  const auto found = units.find(text);
+  const auto lower = units.find(lowerCase(text));
+  return found != units.end()   ? std::optional(found->second)
+         : lower != units.end() ? std::optional(lower->second)
+                                : std::nullopt;
+}
+
+bool isUnit(const std::string& text)
+{
+  return unitNamed(lengthUnits(), text) || unitNamed(angleUnits(), text);
+}
+
+namespace
+{
+/// Title with the unit after the last sign of its kind; no unit if the word there is none.
+TableTitle withUnitAtEnd(const std::string& text)
+{
+  const std::size_t sign = text.find_last_of("/_ \t");
+  const std::string unit = sign == std::string::npos ? "" : text.substr(sign + 1);
+  if (!isUnit(unit))
+  {
+    return {text, ""};
+  }
+  const std::size_t end = text.find_last_not_of("/_ \t", sign);
+  return {end == std::string::npos ? "" : text.substr(0, end + 1), unit};
+}
+}  // namespace
+
+std::vector<TableTitle> titlesIn(const std::string& line)
+{
+  const char separator = line.find(';') != std::string::npos    ? ';'
+                         : line.find('\t') != std::string::npos ? '\t'
+                         : line.find(',') != std::string::npos  ? ','
+                                                                : ' ';
+  std::vector<std::string> fields = separator == ' ' ? splitWords(line) : splitFields(line, separator);
+  while (fields.size() > 1 && fields.back().empty())
+  {
+    fields.pop_back();
+  }
+  for (std::size_t i = fields.size(); separator == ' ' && i-- > 1;)
+  {
+    const bool after_slash = fields[i - 1] == "/" || fields[i][0] == '/';
+    const bool in_brackets =
+        (fields[i][0] == '[' || fields[i][0] == '(') && fields[i - 1].back() != ']' && fields[i - 1].back() != ')';
+    if (after_slash || in_brackets)
+    {
+      fields[i - 1] += " " + fields[i];
+      fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  std::vector<TableTitle> titles;
+  std::transform(fields.begin(), fields.end(), std::back_inserter(titles), titleOf);
+  return titles;
+}
+
+TableTitle titleOf(const std::string& text)
+{
+  const std::string title = withoutQuotes(text);
+  for (const char* brackets : {"[]", "()"})
+  {
+    const std::size_t open = title.find(brackets[0]);
+    const std::string unit = open == std::string::npos ? "" : toEnd(title, open, brackets[1]);
+    if (brackets[0] == '[' ? !unit.empty() : isUnit(unit))
+    {
+      return {trim(title.substr(0, open)), unit};
+    }
+  }
+  const TableTitle whole = withUnitAtEnd(title);
+  const TableTitle first = withUnitAtEnd(title.substr(0, title.find_first_of(" \t")));
+  return whole.unit.empty() && !first.unit.empty() ? first : whole;
+}
+}  // namespace wheel_rail_contact::core

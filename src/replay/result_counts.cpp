@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "replay/result_counts.h"
+
+#include <std_msgs/Header.h>
+
+#include <ostream>
+
+#include <wheel_rail_contact/WheelsetContact.h>
+#include "bag/bag_stream.h"
+#include "replay/bag_messages.h"
+#include "ros/evaluation/text.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+std::string percent(std::uint64_t part, std::uint64_t all)
+{
+  return formatted("%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
+}
+
+/// Adds a result from the bytes of its message, of which only the first fields are read.
+void addResult(std::string_view data, ResultCounts& counts)
+{
+  readStream(data,
+             [&counts](auto& stream)
+             {
+               std_msgs::Header header;
+               std::uint8_t status = 0;
+               std::string reason;
+               stream.next(header);
+               stream.next(status);
+               stream.next(reason);
+               counts.add(status, status == WheelsetContact::OK ? std::string() : reason);
+             });
+}
+}  // namespace
+
+void ResultCounts::add(std::uint8_t status, const std::string& reason)
+{
+  if (counts_.at(status)++ == 0)
+  {
+    first_reasons_[status] = reason;
+  }
+}
+
+std::uint64_t ResultCounts::unusableInputs() const
+{
+  return counts_[WheelsetContact::INVALID_INPUT] + counts_[WheelsetContact::NO_TRANSFORM];
+}
+
+void ResultCounts::print(std::ostream& out, std::uint64_t poses) const
+{
+  for (std::size_t status = 0; status < counts_.size(); ++status)
+  {
+    if (counts_[status] > 0)
+    {
+      out << "  " << statusName(static_cast<std::uint8_t>(status)) << ": " << counts_[status] << " ("
+          << percent(counts_[status], poses) << " %)" << (first_reasons_[status].empty() ? "" : "; first reason: ")
+          << first_reasons_[status] << "\n";
+    }
+  }
+}
+
+ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point, std::size_t wheelsets)
+{
+  ResultCounts counts;
+  if (resume_point.messages == 0)
+  {
+    return counts;
+  }
+  BagStream stream(path, [](const std::string&) { return true; });
+  std::uint64_t messages = 0;
+  while (const auto message = stream.next())
+  {
+    ++messages;
+    if (message->connection_id < wheelsets)
+    {
+      addResult(message->data, counts);
+    }
+  }
+  if (messages != resume_point.messages)
+  {
+    throw BagError(path + ": cannot be resumed; " + std::to_string(messages) + " of its " +
+                   std::to_string(resume_point.messages) + " messages can be read");
+  }
+  return counts;
+}
+}  // namespace wheel_rail_contact

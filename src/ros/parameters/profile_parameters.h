@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "ros/parameters/parameter_reader.h"
+#include "wheel_rail_contact/core/profile_reader.h"
+
+namespace wheel_rail_contact
+{
+/// Reads the options of profile files that are members of a group:
+///
+///   unit                      m, cm, mm, um or in
+///   y                         outward or inward
+///   z                         up or down
+///   origin                    running_circle, flange_back, crown, gauge_corner or foot
+///   shift/{y, z}              [m]
+///   rotate                    [rad]
+///   mirror                    true or false
+///   smoothing                 [um], 0 or from 0.01 to 100
+/// @param prefix  before the names, with "/"; empty in a group of its own
+/// @param reading  options that are not given stay unchanged
+void readProfileOptions(ParameterReader& reader, const std::string& prefix, core::ProfileReading& reading);
+
+/// True if one of the options is given.
+bool hasProfileOptions(const ParameterReader& reader, const std::string& prefix);
+}  // namespace wheel_rail_contact

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files whose origin is not where the profile frame has it, and the options that move and turn points.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "profile_helpers.h"
+#include "wheel_rail_contact/core/profile_reader.h"
+#include "wheel_rail_contact/core/standard_profiles.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using namespace test;
+using Origin = ProfileReading::Origin;
+
+constexpr double rounding = 1e-12;  ///< of 12 digits [m]
+constexpr double of_top = 1e-7;     ///< by which the highest of the points may be below the crown [m]
+
+std::vector<Point> moved(const std::vector<Point>& points, double y, double z)
+{
+  return changed(points, [=](const Point& p) { return Point{p.y + y, p.z + z}; });
+}
+
+class OriginTest : public testing::Test
+{
+ protected:
+  DescribedProfile read(const std::vector<Point>& points, ProfileKind kind, const ProfileReading& reading = {}) const
+  {
+    return describedProfile(folder_.write("profile.csv", "y_m,z_m\n" + lines(points, ",")), kind, reading);
+  }
+
+  std::string refusal(const std::vector<Point>& points, ProfileKind kind, const ProfileReading& reading = {}) const
+  {
+    try
+    {
+      read(points, kind, reading);
+      return "accepted";
+    }
+    catch (const ProfileError& error)
+    {
+      return error.reason();
+    }
+  }
+
+  static ProfileReading with(Origin origin)
+  {
+    ProfileReading reading;
+    reading.origin = origin;
+    return reading;
+  }
+
+  static bool contains(const std::string& text, const std::string& part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+
+  const std::vector<Point> rail_ = pointsOf(rail60E1()), wheel_ = pointsOf(s1002Wheel());
+  Folder folder_;
+};
+
+/// Outline of a whole rail, closed, with the head of 60E1; from the foot's corner on the gauge side.
+std::vector<Point> wholeRail()
+{
+  std::vector<Point> outline{{-0.075, -0.172}, {-0.075, -0.160}, {-0.009, -0.140}, {-0.009, -0.050}};
+  const std::vector<Point> head = pointsOf(rail60E1());
+  outline.insert(outline.end(), head.begin(), head.end());
+  outline.insert(outline.end(), {{0.009, -0.050}, {0.009, -0.140}, {0.075, -0.160}, {0.075, -0.172}, {-0.075, -0.172}});
+  return outline;
+}
+}  // namespace
+
+TEST_F(OriginTest, OfARailIsFoundFromItsShape)
+{
+  const std::pair<double, double> places[] = {{0, 0.172}, {0, 0.081}, {0.0365, 0}, {-0.0365, -0.05}, {0.7535, 0.1}};
+  for (const auto& [y, z] : places)
+  {
+    const DescribedProfile described = read(moved(rail_, y, z), ProfileKind::rail);
+    EXPECT_LT(deviation(described.profile, rail_), of_top);
+    EXPECT_NEAR(described.report.moved_y, std::abs(y) > 0.015 ? -y : 0, 1e-9);
+    EXPECT_NEAR(described.report.moved_z, z == 0 ? 0 : -z, of_top);
+    EXPECT_TRUE(contains(described.report.text, "moved by")) << described.report.text;
+  }
+}
+
+TEST_F(OriginTest, OfAWornRailStaysOnTheCrownOfTheNewOne)
+{
+  for (const double wear : {0.0, 0.006, 0.018})
+  {
+    const DescribedProfile described = read(moved(rail_, 0.002, -wear), ProfileKind::rail);
+    EXPECT_LT(deviation(described.profile, moved(rail_, 0.002, -wear)), rounding);
+    EXPECT_EQ(described.report.moved_z, 0);
+  }
+}
+
+TEST_F(OriginTest, OfARailCanBeStated)
+{
+  EXPECT_LT(deviation(read(moved(rail_, 0.010, 0), ProfileKind::rail, with(Origin::gauge_corner)).profile, rail_),
+            of_top);
+  // Near the axis, y would be kept without the option.
+  EXPECT_LT(deviation(read(moved(rail_, 0.010, 0.172), ProfileKind::rail, with(Origin::foot)).profile,
+                      moved(rail_, 0.010, 0)),
+            1e-6);
+  EXPECT_LT(deviation(read(moved(rail_, 0.010, 0.004), ProfileKind::rail, with(Origin::crown)).profile,
+                      moved(rail_, 0.010, 0.004)),
+            rounding);
+  const std::vector<Point> half(rail_.begin(), rail_.begin() + static_cast<long>(rail_.size() * 6 / 10));
+  EXPECT_TRUE(contains(refusal(moved(half, 0.02, 0), ProfileKind::rail, with(Origin::gauge_corner)),
+                       "one side of the head is missing"));
+}
+
+TEST_F(OriginTest, OfASectionIsNotMoved)
+{
+  const DescribedProfile described = read(moved(rail_, 0.05, -0.03), ProfileKind::rail_section);
+  EXPECT_LT(deviation(described.profile, moved(rail_, 0.05, -0.03)), rounding);
+}
+
+TEST_F(OriginTest, OfAWheelIsItsRunningCircle)
+{
+  EXPECT_TRUE(contains(refusal(moved(wheel_, 0.070, 0), ProfileKind::wheel), "give origin: flange_back"));
+  const DescribedProfile described = read(moved(wheel_, 0.070, 0.012), ProfileKind::wheel, with(Origin::flange_back));
+  EXPECT_LT(deviation(described.profile, wheel_), of_top) << "the height follows from the running circle";
+  EXPECT_TRUE(contains(refusal(moved(wheel_, 0, 0.012), ProfileKind::wheel), "a shift of z moves it"));
+  ProfileReading reading;
+  reading.shift_z = -0.012;
+  EXPECT_LT(deviation(read(moved(wheel_, 0, 0.012), ProfileKind::wheel, reading).profile, wheel_), 1e-9);
+}
+
+TEST_F(OriginTest, OfAnotherPlaceOfAWheelIsRefused)
+{
+  for (const double y : {-0.025, -0.02, 0.015, 0.02, 0.03})
+  {
+    EXPECT_TRUE(contains(refusal(moved(wheel_, y, 0), ProfileKind::wheel), "running circle")) << y;
+  }
+}
+
+TEST_F(OriginTest, OfASimpackWheelMayBeItsFlangeBack)
+{
+  const auto listed = changed(wheel_, [](const Point& p) { return Point{1e3 * p.y + 70, -1e3 * p.z + 28}; });
+  const std::string path = folder_.write(
+      "wheel.prw",
+      "header.begin\n version = 1\n type = 1\nheader.end\nspline.begin\n units.len.f = 1000\n point.begin\n" +
+          lines(listed, " ") + " point.end\nspline.end\n");
+  EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, with(Origin::flange_back)), wheel_), of_top);
+  try
+  {
+    readProfile(path, ProfileKind::wheel);
+    ADD_FAILURE() << "accepted";
+  }
+  catch (const ProfileError& error)
+  {
+    EXPECT_TRUE(contains(error.reason(), "origin: flange_back")) << error.reason();
+  }
+}
+
+TEST_F(OriginTest, ShiftMovesAWheelFromItsFlangeBackToo)
+{
+  ProfileReading reading = with(Origin::flange_back);
+  reading.shift_z = 0.002;
+  const DescribedProfile described = read(moved(wheel_, 0.070, 0.012), ProfileKind::wheel, reading);
+  EXPECT_LT(deviation(described.profile, moved(wheel_, 0, 0.002)), of_top);
+  EXPECT_NEAR(described.report.moved_z, -0.010, of_top);
+}
+
+TEST_F(OriginTest, OfAnotherBodyIsRefused)
+{
+  EXPECT_TRUE(contains(refusal(wheel_, ProfileKind::wheel, with(Origin::crown)), "belongs to a rail"));
+  EXPECT_TRUE(contains(refusal(rail_, ProfileKind::rail, with(Origin::flange_back)), "belongs to a wheel"));
+  EXPECT_TRUE(contains(refusal(rail_, ProfileKind::rail_section, with(Origin::foot)), "keeps its coordinates"));
+}
+
+// The flange of a wheel with z reversed is a small head; its tread lies deep below it.
+TEST_F(OriginTest, WheelIsNotTakenForARail)
+{
+  for (const double sign : {-1.0, 1.0})
+  {
+    const auto turned = changed(wheel_, [sign](const Point& p) { return Point{sign * p.y, -p.z}; });
+    EXPECT_TRUE(contains(refusal(turned, ProfileKind::rail), "not a rail")) << refusal(turned, ProfileKind::rail);
+  }
+}
+
+TEST_F(OriginTest, ShiftIsFollowedByRotationAndMirror)
+{
+  const double angle = 0.025, c = std::cos(angle), s = std::sin(angle);
+  ProfileReading reading;
+  reading.shift_y = 0.003;
+  reading.shift_z = 0.001;
+  reading.rotate = angle;
+  reading.mirror = true;
+  const std::vector<Point> expected = changed(moved(rail_, 0.003, 0.001),
+                                              [=](const Point& p) {
+                                                return Point{-(c * p.y - s * p.z), s * p.y + c * p.z};
+                                              });
+  std::vector<Point> in_order(expected.rbegin(), expected.rend());
+  EXPECT_LT(deviation(read(rail_, ProfileKind::rail, reading).profile, in_order), 1e-9);
+}
+
+TEST_F(OriginTest, HeadOfAWholeRailIsUsed)
+{
+  const std::vector<Point> outline = wholeRail();
+  for (const std::size_t first : {std::size_t{0}, std::size_t{40}, std::size_t{200}, outline.size() - 3})
+  {
+    std::vector<Point> turned = outline;
+    std::rotate(turned.begin(), turned.begin() + static_cast<long>(first), turned.end());
+    const DescribedProfile described = read(moved(turned, 0, 0.081), ProfileKind::rail);
+    EXPECT_LT(deviation(described.profile, rail_), of_top) << "begins at point " << first;
+    EXPECT_GT(described.report.omitted, 0U);
+  }
+}
+
+// The end of a rim rises by 20 mm. Turned by half a turn, it looks like a flange, and the flange like nothing of a
+// wheel.
+TEST_F(OriginTest, RimIsNotTakenForAFlange)
+{
+  std::vector<Point> whole = wheel_;
+  for (int i = 1; i <= 20; ++i)
+  {
+    whole.push_back({0.060 + 0.0002 * i, whole.back().z + 0.001});
+  }
+  EXPECT_LT(deviation(read(whole, ProfileKind::wheel).profile, whole), rounding);
+  const auto turned = changed(whole, [](const Point& p) { return Point{-p.y, -p.z}; });
+  EXPECT_TRUE(contains(refusal(turned, ProfileKind::wheel),
+                       "both axes are reversed; the points are a profile by y: inward, z: down"));
+  const auto mirrored = changed(whole, [](const Point& p) { return Point{-p.y, p.z}; });
+  EXPECT_TRUE(contains(refusal(mirrored, ProfileKind::wheel), "the points are a profile by y: inward, z: up"));
+  // Without the flange back: the curve ends at the tip.
+  std::vector<Point> to_tip;
+  std::copy_if(turned.begin(), turned.end(), std::back_inserter(to_tip), [](const Point& p) { return p.y < 0.0545; });
+  EXPECT_TRUE(contains(refusal(to_tip, ProfileKind::wheel), "both axes are reversed"));
+}
+
+TEST_F(OriginTest, OptionsOutOfRangeAreRefused)
+{
+  const auto expect_invalid = [&](const ProfileReading& reading)
+  { EXPECT_THROW(read(rail_, ProfileKind::rail, reading), std::invalid_argument); };
+  ProfileReading reading;
+  reading.unit = 0;
+  expect_invalid(reading);
+  reading = {};
+  reading.shift_y = 1.5;
+  expect_invalid(reading);
+  reading = {};
+  reading.rotate = NAN;
+  expect_invalid(reading);
+  reading = {};
+  reading.smoothing = 2e-4;
+  expect_invalid(reading);
+}
+}  // namespace wheel_rail_contact::core
