@@ -4,7 +4,8 @@ from setuptools import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup
 
-SUBPACKAGES = ("animation", "campaign", "chart", "checking", "geometry", "line", "paper", "rail_fe", "report", "states")
+SUBPACKAGES = ("animation", "campaign", "chart", "checking", "geometry", "line", "paper", "profile_check", "rail_fe", "report",
+               "states")
 
 setup(**generate_distutils_setup(
     packages=["wheel_rail_contact"] + [f"wheel_rail_contact.{name}" for name in SUBPACKAGES], package_dir={"": "src"}))

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/tables.h"
+#include "contact_geometry/tables.h"
 #include "ros/parameters/file_names.h"
 #include "ros/parameters/parameters.h"
 
@@ -52,6 +52,10 @@ void reportUnused(const NodeConfig& config)
 void run(const std::vector<std::string>& arguments)
 {
   const NodeConfig config = readConfig(arguments);
+  for (const std::string& note : config.notes)
+  {
+    std::cerr << "contact_geometry: " << note << '\n';
+  }
   reportUnused(config);
   core::ContactGeometryOptions options;
   options.y_first = std::stod(arguments[1]);
@@ -61,10 +65,10 @@ void run(const std::vector<std::string>& arguments)
   options.distance = std::stod(arguments[5]);
   const std::filesystem::path folder = arguments[0];
   const core::ContactGeometry geometry = core::contactGeometry(config.model, options);
-  core::geometry::writePoints(geometry, folder / "contact_geometry.csv");
-  core::geometry::writeConicity(geometry, config.model.wheelset,
-                                {std::stod(arguments[6]), std::stod(arguments[7]), options.y_step},
-                                folder / "equivalent_conicity.csv");
+  core::contact_geometry::writePoints(geometry, folder / "contact_geometry.csv");
+  core::contact_geometry::writeConicity(geometry, config.model.wheelset,
+                                        {std::stod(arguments[6]), std::stod(arguments[7]), options.y_step},
+                                        folder / "equivalent_conicity.csv");
 }
 }  // namespace
 

@@ -1,31 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper/study.h"
 
+#include <string>
 #include <utility>
 
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "paper/csv.h"
 #include "paper/methods.h"
 #include "paper/placement.h"
 #include "paper/scan.h"
+#include "tables/csv.h"
 
 namespace wheel_rail_contact::core::paper
 {
 namespace
 {
+constexpr int digits = 8;                    ///< significant ones of each number
 constexpr double near_start = 0.03;          ///< largest deviation from the results without bending of a start [-]
 constexpr Range chart_forces{0, 80e3, 20};   ///< [N]
 constexpr Range search_forces{0, 60e3, 12};  ///< [N]
 constexpr Range search_positions{2e-3, 8e-3, 24};     ///< [m]
 constexpr const char* divided_table = "pads_40_100";  ///< table for the parts of the deflection, see DeflectionShare
 
+/// A table with these titles.
+Csv tableAt(const std::filesystem::path& file, const std::string& titles)
+{
+  Csv csv(file, digits);
+  csv.line(titles);
+  return csv;
+}
+
 /// @param level  results of each placement at roll 0
 void writeFigures(const std::vector<Placement>& placements, const std::vector<Figures>& level,
                   const std::filesystem::path& folder)
 {
-  Csv csv(folder / "figures.csv",
-          "case,max_pressure,area,level_max_pressure,level_area,reference_max_pressure,reference_area,"
-          "printed_max_pressure,printed_area,deviation,wheelset_roll,rail_lateral,rail_vertical,rail_roll");
+  Csv csv = tableAt(folder / "figures.csv",
+                    "case,max_pressure,area,level_max_pressure,level_area,reference_max_pressure,reference_area,"
+                    "printed_max_pressure,printed_area,deviation,wheelset_roll,rail_lateral,rail_vertical,rail_roll");
   for (std::size_t i = 0; i < placements.size(); ++i)
   {
     const Placement& at = placements[i];
@@ -39,8 +49,8 @@ void writeFigures(const std::vector<Placement>& placements, const std::vector<Fi
 
 void writeOutlines(const std::vector<Placement>& placements, const std::filesystem::path& folder)
 {
-  Csv profiles(folder / "profiles.csv", "case,body,y,z");
-  Csv contacts(folder / "contacts.csv", "case,y,z");
+  Csv profiles = tableAt(folder / "profiles.csv", "case,body,y,z");
+  Csv contacts = tableAt(folder / "contacts.csv", "case,y,z");
   for (const Placement& at : placements)
   {
     contacts.row(at.of.name, at.initial_contact.y, at.initial_contact.z);
@@ -56,7 +66,7 @@ void writeOutlines(const std::vector<Placement>& placements, const std::filesyst
 
 void writePatches(const std::vector<Placement>& placements, const std::filesystem::path& folder)
 {
-  Csv csv(folder / "patches.csv", "case,patch,x,y,pressure");
+  Csv csv = tableAt(folder / "patches.csv", "case,patch,x,y,pressure");
   for (const Placement& at : placements)
   {
     for (std::size_t k = 0; k < at.patches.size(); ++k)
@@ -103,9 +113,9 @@ void writeCases(const ContactModelConfig& config, const std::filesystem::path& f
 {
   std::vector<Placement> placements;
   std::vector<Figures> level;
-  Csv methods(folder / "methods.csv",
-              "case,method,cells_along,cells_across,cell_along,cell_across,stop,iterations,max_pressure,area,"
-              "counted_area");
+  Csv methods = tableAt(folder / "methods.csv",
+                        "case,method,cells_along,cells_across,cell_along,cell_across,stop,iterations,max_pressure,area,"
+                        "counted_area");
   for (const Case& of : paperCases())
   {
     progress("case " + of.name);
@@ -126,7 +136,7 @@ void writeCases(const ContactModelConfig& config, const std::filesystem::path& f
 void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
                  const std::filesystem::path& folder, const Progress& progress)
 {
-  Csv csv(folder / "forces.csv", force_columns);
+  Csv csv = tableAt(folder / "forces.csv", force_columns);
   for (const NamedTable& table : tables)
   {
     progress("lateral forces on " + table.name);
@@ -146,10 +156,11 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
 {
   ConjugateGradients solver;
   const Scan scan(config, solver, {});
-  Csv csv(folder / "scan.csv",
-          "part,rail,inclination,load,y,wheelset_roll,crown_lateral,crown_vertical,rail_turn,other_crown_lateral,"
-          "other_crown_vertical,without_max_pressure,without_area,max_pressure,area,deviation_without,deviation_with,"
-          "deviation_pair");
+  Csv csv = tableAt(
+      folder / "scan.csv",
+      "part,rail,inclination,load,y,wheelset_roll,crown_lateral,crown_vertical,rail_turn,other_crown_lateral,"
+      "other_crown_vertical,without_max_pressure,without_area,max_pressure,area,deviation_without,deviation_with,"
+      "deviation_pair");
   progress("scan: settings for the results without bending");
   const std::vector<ScanRow> starts = scan.start();
   writeScanRows(csv, starts);
@@ -168,7 +179,7 @@ void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& 
     writeScanRows(csv, scan.alone(rail));
     writeScanRows(csv, scan.inclination(rail));
   }
-  Csv search(folder / "search.csv", force_columns);
+  Csv search = tableAt(folder / "search.csv", force_columns);
   for (const NamedTable& table : tables)
   {
     progress("scan: positions and lateral forces on " + table.name);

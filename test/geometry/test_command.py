@@ -13,7 +13,7 @@ from unittest import mock
 import numpy as np
 
 from wheel_rail_contact.geometry.command_line import main
-from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY, Table
+from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY, read
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
 from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
@@ -38,10 +38,14 @@ def run(*arguments):
         return status, out.getvalue(), err.getvalue() + stream.read()
 
 
-def write_cones(folder):
-    """Writes a wheel with a conical tread and a short flange, and parameters with different wheels left and right."""
+def write_cones(folder, hollow=0.0, gap=0.0):
+    """Writes a wheel with a conical tread and a short flange, and parameters with different wheels left and right.
+
+    hollow: curvature added to the tread [1/mm]. gap: half the width without points about the running circle [mm].
+    """
     y = np.arange(-45, 61, 0.5)
-    z = CONE * y - np.maximum(-35 - y, 0) ** 2 / 5
+    y = y[abs(y) >= gap]
+    z = CONE * y - np.maximum(-35 - y, 0) ** 2 / 5 + 0.5 * hollow * y ** 2
     table = "\n".join(f"{a:.4f},{b:.6f}" for a, b in zip(y, z))
     Path(folder, "cone.csv").write_text(f"y_mm,z_mm\n{table}\n", encoding="ascii")
     config = Path(folder, "cones.yaml")
@@ -55,8 +59,10 @@ class Command(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             status, out, err = run("--config", write_cones(folder), "--out", Path(folder, "new"), "--roll", "none",
                                    "--y", -5, 5, "--amplitudes", 1, 3)
-            self.assertEqual((status, err), (0, ""))
-            points, conicity = (Table(Path(folder, "new", name)) for name in (GEOMETRY, CONICITY))
+            self.assertEqual(status, 0, err)
+            # The only other text: what was understood of the file.
+            self.assertRegex(err, r"\Acontact_geometry: wheel/profile = .*/cone\.csv: table, .*unit mm.*\n\Z")
+            points, conicity = (read(Path(folder, "new", name)) for name in (GEOMETRY, CONICITY))
         np.testing.assert_allclose(points["y"], np.linspace(-5e-3, 5e-3, 101), atol=1e-12)
         np.testing.assert_allclose(points["rolling_radius_difference"], 2 * CONE * points["y"] + 1e-4, atol=1e-7)
         np.testing.assert_allclose(points["left_rolling_radius"] - points["right_rolling_radius"],
@@ -80,14 +86,32 @@ class Command(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             status, out, _ = run("--out", folder, "--y", -4.2, 90, "--step", 1, "--amplitudes", 3, 5)
             self.assertEqual(status, 0)
-            points, conicity = (Table(Path(folder, name)) for name in (GEOMETRY, CONICITY))
-        self.assertNotEqual(points.reasons[-1], "")
+            points, conicity = (read(Path(folder, name)) for name in (GEOMETRY, CONICITY))
+        self.assertNotEqual(points["reason"][-1], "")
         self.assertTrue(math.isnan(points["rolling_radius_difference"][-1]))
-        self.assertEqual(points.reasons[0], "")
-        self.assertEqual(conicity.reasons, ["", "", "the wave leaves the computed range of y"])
+        self.assertEqual(points["reason"][0], "")
+        self.assertEqual(conicity["reason"], ["", "", "the wave leaves the computed range of y"])
         np.testing.assert_array_equal(np.isnan(conicity["equivalent_conicity"]), [False, False, True])
         self.assertIn("5  none: the wave leaves the computed range of y", out)
         self.assertRegex(out, r"no result for \d+ of 95 values of the y, .*: (off_profile|beside_rail)")
+
+    def test_amplitudes_end_at_half_the_range_unless_given(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, _, err = run("--out", folder, "--y", -2, 2, "--step", 0.5)
+            self.assertEqual((status, err), (0, ""))
+            np.testing.assert_allclose(read(Path(folder, CONICITY))["amplitude"], [1e-3, 1.5e-3, 2e-3], atol=1e-12)
+
+    def test_contacts_on_missing_points_have_a_reason_instead_of_a_conicity(self):
+        with tempfile.TemporaryDirectory() as folder:
+            config = write_cones(folder, hollow=1e-3, gap=8)  # the ends of a straight gap would define it
+            status, out, err = run("--config", config, "--out", folder, "--y", -3, 3, "--step", 1, "--amplitudes", 1, 2)
+            self.assertEqual(status, 0, err)
+            points, conicity = (read(Path(folder, name)) for name in (GEOMETRY, CONICITY))
+        self.assertIn("points missing over 1", err)
+        self.assertEqual(points["reason"], ["points_missing"] * 7)
+        self.assertTrue(np.all(np.isnan(points["rolling_radius_difference"])))
+        self.assertTrue(np.all(np.isnan(conicity["equivalent_conicity"])))
+        self.assertIn("no result for 7 of 7 values of the y, -3 mm to 3 mm: points_missing", out)
 
     def test_rails_that_deflect_are_reported_as_rigid(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -102,9 +126,11 @@ class Command(unittest.TestCase):
                                    (("--y", 0, 101), "--y 0 101: must increase"),
                                    (("--y", "nan", 1), "--y nan 1: must be a number"),
                                    (("--step", 0), "--step 0: must be above 0"),
-                                   (("--step", 1e-6), "y_step = "),
+                                   (("--step", 1e-6), "--step 1e-06: gives more than 20000 steps from -10 mm to 10 mm"),
                                    (("--amplitudes", 0, 5), "--amplitudes 0 5: must be above 0"),
                                    (("--amplitudes", 5, 4), "--amplitudes 5 4: must be above 0, and not decrease"),
+                                   (("--amplitudes", 1, 1e9), "--amplitudes 1 1e+09: must be at most 10 mm, half of"),
+                                   (("--y", 0, 8, "--amplitudes", 1, 4.1), "--amplitudes 1 4.1: must be at most 4 mm"),
                                    (("--config", "missing.yaml"), "missing.yaml")):
             with tempfile.TemporaryDirectory() as folder:
                 status, out, err = run("--out", folder, *arguments)

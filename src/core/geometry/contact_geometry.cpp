@@ -129,6 +129,8 @@ const char* toString(GeometryStatus status)
       return "off_profile";
     case GeometryStatus::no_roll:
       return "no_roll";
+    case GeometryStatus::points_missing:
+      return "points_missing";
     case GeometryStatus::ok:
       break;
   }

@@ -62,6 +62,11 @@ bool WheelTouch::isAtEnd() const
   return is_end(touch_.wheel_u, wheel_) || is_end(touch_.rail_u, rail_.profile());
 }
 
+bool WheelTouch::isOnMissingPoints() const
+{
+  return wheel_.errorAt(touch_.wheel_u).missing || rail_.profile().errorAt(touch_.rail_u).missing;
+}
+
 TouchPoint WheelTouch::point() const
 {
   const CurvePoint wheel = wheel_.at(touch_.wheel_u);
@@ -127,6 +132,11 @@ GeometryPoint WheelsetTouch::at(double y, bool roll)
   GeometryPoint point;
   point.y = y;
   point.status = roll ? findRoll(y, point.roll) : find(y, 0);
+  // Only now: the search of the roll may pass over missing points.
+  if (point.status == GeometryStatus::ok && (wheels_.left.isOnMissingPoints() || wheels_.right.isOnMissingPoints()))
+  {
+    point.status = GeometryStatus::points_missing;
+  }
   if (point.status == GeometryStatus::ok)
   {
     point.z = 0.5 * (wheels_.left.height() + wheels_.right.height());

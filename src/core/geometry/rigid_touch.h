@@ -20,6 +20,8 @@ class WheelTouch
   GeometryStatus find(double y, double roll);
   /// Height of the axle centre in the touch that was found [m].
   double height() const { return -touch_.separation; }
+  /// True if points of the wheel or the rail are missing at the touch that was found.
+  bool isOnMissingPoints() const;
   /// Point of the touch that was found.
   TouchPoint point() const;
 

@@ -7,11 +7,14 @@ from pathlib import Path
 
 from ..command import Failure, finish, pyplot, runner, shipped
 from . import picture
-from .tables import CONICITY, GEOMETRY, MM, Table
+from .tables import CONICITY, GEOMETRY, MM, read
 
 RUNNER = "contact_geometry_runner"
 PICTURE = "contact_geometry.png"
 FARTHEST = 100.0  # largest lateral displacement from the track centre [mm]
+MOST_STEPS = 20000  # of the lateral displacement
+AMPLITUDES = (1.0, 8.0)  # if the range of the lateral displacement contains them [mm]
+ROUND_OFF = 1e-9  # of a length [mm]
 
 
 def main(arguments=None):
@@ -20,6 +23,8 @@ def main(arguments=None):
 
 
 def _run(options):
+    if not hasattr(options, "amplitudes"):
+        options.amplitudes = [min(value, _largest_amplitude(options.y)) for value in AMPLITUDES]
     _check(options)
     program, default = runner(RUNNER), shipped("config/default.yaml")
     plot = pyplot()
@@ -31,7 +36,7 @@ def _run(options):
                            *options.config], check=False)
     if done.returncode != 0:
         raise Failure(f"the calculation failed with exit status {done.returncode}")
-    points, conicity = Table(options.out / GEOMETRY), Table(options.out / CONICITY)
+    points, conicity = read(options.out / GEOMETRY), read(options.out / CONICITY)
     picture.draw(plot, points, conicity, options.title or ", ".join(options.config) or "config/default.yaml",
                  options.out / PICTURE)
     _report(points, conicity)
@@ -48,8 +53,18 @@ def _check(options):
         raise Failure(f"--y {_text(options.y)}: must increase, within ±{FARTHEST:g} mm")
     if not options.step > 0:
         raise Failure(f"--step {options.step:g}: must be above 0")
+    if last - first > MOST_STEPS * options.step:
+        raise Failure(f"--step {options.step:g}: gives more than {MOST_STEPS} steps from {first:g} mm to {last:g} mm")
     if not 0 < options.amplitudes[0] <= options.amplitudes[1]:
         raise Failure(f"--amplitudes {_text(options.amplitudes)}: must be above 0, and not decrease")
+    if options.amplitudes[1] > _largest_amplitude(options.y) + ROUND_OFF:
+        raise Failure(f"--amplitudes {_text(options.amplitudes)}: must be at most {_largest_amplitude(options.y):g} mm, half "
+                      f"of the range of --y {_text(options.y)}")
+
+
+def _largest_amplitude(y):
+    """Amplitude of the largest wave in a range of the lateral displacement; longer ones have no result."""
+    return 0.5 * (y[1] - y[0])
 
 
 def _text(values):
@@ -62,16 +77,16 @@ def _report(points, conicity):
     for i, amplitude in enumerate(MM * conicity["amplitude"]):
         if abs(amplitude - round(amplitude)) > 1e-6:
             continue
-        if conicity.reasons[i]:
-            print(f"{amplitude:14.0f}  none: {conicity.reasons[i]}")
+        if conicity["reason"][i]:
+            print(f"{amplitude:14.0f}  none: {conicity['reason'][i]}")
         else:
             centre = MM * conicity["centre"][i]
             print(f"{amplitude:14.0f}  {conicity['equivalent_conicity'][i]:19.4f}  {conicity['wavelength'][i]:14.2f}  "
                   f"{centre + 0.0 if abs(centre) > 5e-4 else 0.0:23.3f}")
     for name, table, column in (("y", points, "y"), ("amplitude", conicity, "amplitude")):
-        for reason in sorted(set(filter(None, table.reasons))):
-            values = [MM * value for value, found in zip(table[column], table.reasons) if found == reason]
-            print(f"no result for {len(values)} of {len(table.reasons)} values of the {name}, {min(values):.4g} mm to "
+        for reason in sorted(set(filter(None, table["reason"]))):
+            values = [MM * value for value, found in zip(table[column], table["reason"]) if found == reason]
+            print(f"no result for {len(values)} of {len(table)} values of the {name}, {min(values):.4g} mm to "
                   f"{max(values):.4g} mm: {reason}")
 
 
@@ -88,8 +103,9 @@ def _parser():
                         help="range of the lateral displacement, to the left positive [mm]")
     parser.add_argument("--step", type=float, default=0.1, metavar="MM",
                         help="step of the lateral displacement and of the amplitude [mm]")
-    parser.add_argument("--amplitudes", type=float, nargs=2, default=(1.0, 8.0), metavar=("FIRST", "LAST"),
-                        help="range of the amplitude of the wave [mm]")
+    parser.add_argument("--amplitudes", type=float, nargs=2, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+                        help="range of the amplitude of the wave, up to half the range of --y [mm] (default: 1 to 8, if "
+                        "it is not larger)")
     parser.add_argument("--roll", choices=("solved", "none"), default="solved",
                         help="solved: both wheels touch; none: roll is neglected, as in the reference results of EN 15302")
     parser.add_argument("--distance", type=float, default=0.0, metavar="M",

@@ -1,21 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the tables of the calculation."""
-import csv
-
-import numpy as np
+"""Tables of the calculation."""
+from ..csv_table import CsvTable
 
 GEOMETRY, CONICITY = "contact_geometry.csv", "equivalent_conicity.csv"
 MM = 1e3  # millimetres per metre
 
 
-class Table:
-    """Columns of a CSV file by their names without unit, SI units. Empty cells are NaN."""
-
-    def __init__(self, path):
-        with open(path, newline="", encoding="ascii") as stream:
-            rows = list(csv.DictReader(stream))
-        self.reasons = [row.pop("reason") for row in rows]
-        self._columns = {name.split(" [")[0]: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
-
-    def __getitem__(self, name):
-        return self._columns[name]
+def read(path):
+    """CsvTable of one of the files, in SI units. The column `reason` has the reason why a row has no result, or ""."""
+    return CsvTable(path, texts=("reason",))

@@ -247,6 +247,33 @@ TEST(ContactGeometry, PositionsBeyondAProfileHaveAReason)
   }
 }
 
+// The left cone has missing points on the flange side of its touch at y = 0: the wheelset touches them for y > 0.
+TEST(ContactGeometry, TouchesOnMissingPointsHaveAReasonAndEndTheCurve)
+{
+  const double slope = 0.05;
+  ContactModelConfig config = round_bodies::scene(slope);
+  const double touch = contactGeometry(config, range(0, 1e-3, 1e-3)).points.front().touch.left.wheel_y;
+  const double cosine = 1 / std::hypot(1, slope), begin = config.wheel_profile.left->at(0).y, end = 0.06;
+  ShapeError missing;
+  missing.missing = true;
+  config.wheel_profile.left = std::make_shared<Profile>(
+      "gap", std::vector<ProfileSection>{
+                 {LineSection{begin, begin * slope, cosine, cosine * slope}, (touch - begin) / cosine, missing},
+                 {LineSection{touch, touch * slope, cosine, cosine * slope}, (end - touch) / cosine}});
+  for (const bool roll : {false, true})
+  {
+    const ContactGeometry geometry = contactGeometry(config, range(-2.5e-3, 2.5e-3, 1e-3, roll));
+    ASSERT_EQ(geometry.points.size(), 6U);
+    for (const GeometryPoint& point : geometry.points)
+    {
+      EXPECT_EQ(point.status, point.y > 0 ? GeometryStatus::points_missing : GeometryStatus::ok) << point.y;
+    }
+    ASSERT_FALSE(geometry.curve.empty());
+    EXPECT_LT(geometry.curve.back().y, 0);
+  }
+  EXPECT_STREQ(toString(GeometryStatus::points_missing), "points_missing");
+}
+
 TEST(ContactGeometry, RefusesOptionsOutOfRange)
 {
   const auto refused = [](const ContactGeometryOptions& options, const std::string& name)

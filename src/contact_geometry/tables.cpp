@@ -1,50 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/tables.h"
+#include "contact_geometry/tables.h"
 
-#include <cmath>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
-namespace wheel_rail_contact::core::geometry
+#include "tables/csv.h"
+
+namespace wheel_rail_contact::core::contact_geometry
 {
 namespace
 {
 constexpr int digits = 9;                ///< significant ones of each number: finer than any tolerance
 constexpr double step_round_off = 1e-6;  ///< in the number of steps
-
-/// A CSV file: a header line and rows of cells. Each line is flushed at once to detect a full disk.
-class Table
-{
- public:
-  Table(const std::filesystem::path& file, const std::string& header) : file_(file), stream_(file)
-  {
-    stream_.precision(digits);
-    stream_ << header;
-    endRow();
-  }
-
-  /// Writes cells, each after a comma.
-  template <typename... Cells>
-  void add(const Cells&... cells)
-  {
-    ((stream_ << ',' << cells), ...);
-  }
-  void addEmpty(int cells) { stream_ << std::string(static_cast<std::size_t>(cells), ','); }
-  void beginRow(double first) { stream_ << first; }
-  void endRow()
-  {
-    stream_ << std::endl;
-    if (!stream_)
-    {
-      throw std::runtime_error(file_.string() + ": cannot be written");
-    }
-  }
-
- private:
-  std::filesystem::path file_;
-  std::ofstream stream_;
-};
 
 constexpr int point_cells = 15;    ///< between y and the reason
 constexpr int conicity_cells = 3;  ///< between the amplitude and the reason
@@ -67,10 +33,11 @@ std::string pointHeader()
 
 void writePoints(const ContactGeometry& geometry, const std::filesystem::path& file)
 {
-  Table table(file, pointHeader());
+  Csv table(file, digits);
+  table.line(pointHeader());
   for (const GeometryPoint& point : geometry.points)
   {
-    table.beginRow(point.y);
+    table.add(point.y);
     if (point.status == GeometryStatus::ok)
     {
       table.add(point.z, point.roll, point.radiusDifference());
@@ -93,13 +60,14 @@ void writePoints(const ContactGeometry& geometry, const std::filesystem::path& f
 void writeConicity(const ContactGeometry& geometry, const WheelsetConfig& wheelset, const Amplitudes& amplitudes,
                    const std::filesystem::path& file)
 {
-  Table table(file, "amplitude [m],equivalent_conicity [-],wavelength [m],centre [m],reason");
+  Csv table(file, digits);
+  table.line("amplitude [m],equivalent_conicity [-],wavelength [m],centre [m],reason");
   const auto steps = static_cast<long>((amplitudes.last - amplitudes.first) / amplitudes.step + step_round_off);
   for (long i = 0; i <= steps; ++i)
   {
     const double amplitude = amplitudes.first + static_cast<double>(i) * amplitudes.step;
     const EquivalentConicity conicity = equivalentConicity(geometry.curve, amplitude);
-    table.beginRow(amplitude);
+    table.add(amplitude);
     if (conicity.status == ConicityStatus::ok)
     {
       const double base = 2 * wheelset.halfBase();
@@ -113,4 +81,4 @@ void writeConicity(const ContactGeometry& geometry, const WheelsetConfig& wheels
     table.endRow();
   }
 }
-}  // namespace wheel_rail_contact::core::geometry
+}  // namespace wheel_rail_contact::core::contact_geometry

@@ -5,7 +5,7 @@
 
 #include "wheel_rail_contact/core/contact_geometry.h"
 
-namespace wheel_rail_contact::core::geometry
+namespace wheel_rail_contact::core::contact_geometry
 {
 /// Amplitudes of the wave [m].
 struct Amplitudes
@@ -23,4 +23,4 @@ void writePoints(const ContactGeometry& geometry, const std::filesystem::path& f
 /// @throw std::runtime_error if the file cannot be written
 void writeConicity(const ContactGeometry& geometry, const WheelsetConfig& wheelset, const Amplitudes& amplitudes,
                    const std::filesystem::path& file);
-}  // namespace wheel_rail_contact::core::geometry
+}  // namespace wheel_rail_contact::core::contact_geometry

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of check_profile."""
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from ..command import Failure, finish, pyplot, runner, writing
+from . import picture
+from .tables import Tables
+
+RUNNER = "check_profile_runner"
+CLEAN = "clean.csv"
+# Options that are members of the group `profile` of a parameter file, with the same names, values and units.
+WORDS = (("unit", "m|cm|mm|um|in", "length unit of the file"),
+         ("y", "outward|inward", "direction of the first coordinate: to the field side, or to the gauge side"),
+         ("z", "up|down", "direction of the second coordinate"),
+         ("origin", "POINT", "running_circle or flange_back of a wheel; crown, gauge_corner or foot of a rail"))
+
+
+def main(arguments=None):
+    """Runs the command and returns its exit status."""
+    return finish("check_profile", _run, _parser().parse_args(arguments))
+
+
+def _run(options):
+    _check(options)
+    program, plot = runner(RUNNER), pyplot()
+    options.out.mkdir(parents=True, exist_ok=True)
+    refused = [file for file in options.files if not _check_file(file, options, program, plot)]
+    if refused and len(options.files) > 1:
+        print(f"check_profile: {len(refused)} of {len(options.files)} files refused", file=sys.stderr)
+    return 1 if refused else 0
+
+
+def _check(options):
+    names = [_picture_name(file) for file in options.files]
+    repeated = sorted({name for name in names if names.count(name) > 1})
+    if repeated:
+        raise Failure(f"{', '.join(repeated)}: two pictures would have this name; check these files in separate runs")
+    if options.write and len(options.files) > 1:
+        raise Failure("--write: give only one FILE")
+    if options.write and options.write.exists():
+        raise Failure(f"{options.write}: already exists and is not overwritten")
+
+
+def _picture_name(file):
+    return Path(file).name + ".png"
+
+
+def _check_file(file, options, program, plot):
+    """Checks one file: prints the report, and writes picture and table. @return False if it is refused"""
+    with tempfile.TemporaryDirectory() as folder:
+        clean = [str(Path(folder, CLEAN))] if options.write else []
+        done = subprocess.run([str(program), folder, options.kind, file, json.dumps(_reading(options)), *clean], check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        print(done.stdout.decode(errors="replace"), end="")
+        sys.stdout.flush()
+        print(done.stderr.decode(errors="replace"), end="", file=sys.stderr)
+        if done.returncode != 0:
+            return False
+        target = options.out / _picture_name(file)
+        with writing(target):
+            picture.draw(plot, Tables(folder), Path(file).name, target)
+        print(f"  wrote {target}")
+        if options.write:
+            _copy(Path(folder, CLEAN), options.write)
+            print(f"  wrote {options.write}")
+    return True
+
+
+def _copy(source, target):
+    """Copies a file to a path at which there is none."""
+    try:
+        with writing(target), open(source, "rb") as reader, open(target, "xb") as writer:
+            shutil.copyfileobj(reader, writer)
+    except FileExistsError:
+        raise Failure(f"{target}: already exists and is not overwritten") from None
+    except Failure:
+        if target.is_file():
+            target.unlink()
+        raise
+
+
+def _reading(options):
+    """Given options as the group `profile` of a parameter file."""
+    reading = {name: getattr(options, name) for name, *_ in WORDS if getattr(options, name) is not None}
+    if options.shift is not None:
+        reading["shift"] = dict(zip("yz", options.shift))
+    for name in ("rotate", "smoothing"):
+        if getattr(options, name) is not None:
+            reading[name] = getattr(options, name)
+    return dict(reading, mirror=True) if options.mirror else reading
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="check_profile", description="Reports what is understood of profile files: format, unit, axes, noise and "
+        "missing points, the measures of wheel or rail, and the nearest standard profile. Draws a picture of each, "
+        "FILE.png. The exit status is 1 if a file is refused; the others are still checked.",
+        epilog="Options of reading have the names, values and units of the group `profile` of a parameter file.")
+    parser.add_argument("files", nargs="+", metavar="FILE", help="profile file, or name of a standard profile")
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument("--wheel", dest="kind", action="store_const", const="wheel", default="content",
+                      help="the files are wheels (default: by extension or content)")
+    kind.add_argument("--rail", dest="kind", action="store_const", const="rail", help="the files are rails")
+    for name, values, meaning in WORDS:
+        parser.add_argument(f"--{name}", metavar=values, help=meaning)
+    parser.add_argument("--shift", type=float, nargs=2, metavar=("Y", "Z"),
+                        help="added to the coordinates, outward and up [m]")
+    parser.add_argument("--rotate", type=float, metavar="RAD",
+                        help="rotation about the origin, from outward towards up [rad]")
+    parser.add_argument("--mirror", action="store_true", help="change the sign of y")
+    parser.add_argument("--smoothing", type=float, metavar="UM",
+                        help="noise for which the points are smoothed [um]; 0: none (default: estimated)")
+    parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
+                        help="folder for the pictures (default: this folder)")
+    parser.add_argument("--write", type=Path, metavar="CLEAN.csv",
+                        help="write the profile as it is understood as a table y_mm,z_mm; must not exist")
+    return parser
