@@ -29,7 +29,8 @@ void interrupt(int signal)
   std::signal(signal, SIG_DFL);  // a second signal ends the program immediately
 }
 
-constexpr const char* other_rate = " (if the loads have another rate: sync/load: interpolate)\n";
+/// Remark on dropped poses.
+constexpr const char* other_rate = " (if the loads have another rate: sync/load: interpolate)";
 
 /// Removes the files of a run without any result: the corrected command may use their names.
 void removeOutputs(const wheel_rail_contact::ReplayOptions& options)
@@ -67,14 +68,15 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   if (replay.results() == 0 && options.span.isWhole())
   {
     std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load; " << replay.poses()
-              << " poses were dropped" << other_rate;
+              << " poses were dropped" << other_rate << '\n';
     removeOutputs(options);
     return failed;
   }
   if (replay.lacksMostResults())
   {
     std::cerr << "contact_replay: " << options.input << ": only " << replay.resultsOfUsableInput() << " of "
-              << replay.poses() << " poses have a result of usable input" << other_rate;
+              << replay.poses() << " poses have a result of usable input"
+              << (replay.resultsOfUsableInput() == replay.results() ? other_rate : "") << '\n';
     return few_results;
   }
   return replay.faults().empty() ? done : input_damaged;

@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_campaign writes the same files as contact_replay, even if workers or the campaign are killed."""
 
-import collections
-import contextlib
 import gzip
-import hashlib
-import io
 import json
 import os
 import pathlib
@@ -13,120 +9,20 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
-import types
 import unittest
-import unittest.mock
 
 import rosbag
-from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
+from campaign_case import PACKAGE, TIMEOUT, Case, Cluster, processes_of, run, skip_without_dask, wait_for
+from replay_case import load, pose, stamp
 from wheel_rail_contact.campaign.cluster import dask
-from wheel_rail_contact.campaign.command_line import main
-from wheel_rail_contact.campaign.folder import Folder
-from wheel_rail_contact.campaign.interrupts import Interrupts
-from wheel_rail_contact.campaign.work import evaluate_slice, join_slices
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.msg import WheelsetContact
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PACKAGE / "test" / "replay"))
-from replay_case import ReplayCase, load, pose, stamp  # noqa: E402  (in the folder of other tests)
-
 COMMAND = PACKAGE / "scripts" / "contact_campaign"
-GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
-TIMEOUT = 60  # [s] for the slowest machine
-PAIRS, SLICE, SLICES = 3000, 300, 10
+MEASURED_RAIL = PACKAGE / "test" / "stability" / "profiles" / "60e1_measured.csv"
+PAIRS, SLICES = 3000, 10
 
-
-def setUpModule():
-    try:
-        dask()
-    except Failure as missing:
-        raise unittest.SkipTest(str(missing)) from None
-
-
-def wait_for(condition):
-    """Waits until the condition is true, and returns its value."""
-    end = time.monotonic() + TIMEOUT
-    while not (found := condition()):
-        if time.monotonic() > end:
-            raise TimeoutError("the condition did not become true")
-        time.sleep(0.01)
-    return found
-
-
-def processes_of(folder):
-    """Command lines of the running processes that contain the path of a folder."""
-    found = []
-    for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
-        with contextlib.suppress(OSError):
-            line = path.read_bytes().decode(errors="replace")
-            if str(folder) in line and int(path.parent.name) != os.getpid():
-                found.append(line.replace("\0", " "))
-    return found
-
-
-def run(*arguments):
-    """Runs the command. @return exit status and output"""
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-        status = main([str(argument) for argument in arguments])
-    return status, printed.getvalue()
-
-
-class Cluster:
-    """A scheduler, and workers with one core each, in separate processes."""
-
-    def __init__(self, folder):
-        self.folder, self.processes = folder, []
-        self._start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--scheduler-file", "scheduler.json")
-        file = folder / "scheduler.json"
-        self.address = wait_for(lambda: file.exists() and file.read_text() and json.loads(file.read_text())["address"])
-
-    def _start(self, program, *arguments):
-        self.processes.append(subprocess.Popen(
-            [sys.executable, "-m", f"distributed.cli.{program}", *arguments, "--no-dashboard"], cwd=self.folder,
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
-        return self.processes[-1]
-
-    def add_worker(self):
-        return self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--local-directory",
-                           str(self.folder))
-
-    def close(self):
-        for process in self.processes:
-            process.kill()
-            process.wait()
-
-
-class Case(ReplayCase):
-    def setUp(self):
-        super().setUp()
-        (self.folder / "grid.yaml").write_text(GRID)
-        self.options = ["--config", self.folder / "grid.yaml", "--no-grids"]
-        self.out = self.folder / "out"
-
-    def command(self, *bags, slice=SLICE, more=()):
-        return [*bags, "--out", self.out, "--slice", slice, *self.options, *more]
-
-    def records(self):
-        """Contents of the records of the slices that are done and not yet joined, by file name."""
-        return {path.name: path.read_text() for path in self.out.glob("unfinished/*/*.bag.json")}
-
-    def manifest(self):
-        return json.loads((self.out / "manifest.json").read_text())
-
-    def assert_done(self, bag):
-        """Checks that the results are those of one replay, and that the manifest contains their checksum."""
-        whole, _ = self.replay(bag, "whole.bag", *self.options)
-        self.assert_same_file(whole, self.out / bag.name)
-        entry = self.manifest()["bags"][bag.name]
-        self.assertEqual(entry["sha256"], hashlib.sha256(whole.read_bytes()).hexdigest())
-        self.assertEqual(entry["results"], len(self.results(whole)))
-        self.assertEqual(len(entry["done"]), len(entry["slices"]))
-        self.assertFalse((self.out / "unfinished").exists())
-        whole.unlink()
-        return entry
+setUpModule = skip_without_dask
 
 
 class LocalCluster(Case):
@@ -234,6 +130,34 @@ class ExternalCluster(Case):
         self.campaign(bag)
         self.assertEqual(len(self.assert_done(bag)["slices"]), 2)
 
+    def use_measured_rail(self):
+        (self.folder / "rail.yaml").write_text(f"rail: {{profile: {MEASURED_RAIL}}}\n")
+        self.options += ["--config", self.folder / "rail.yaml"]
+
+    def test_notes_on_profile_files_are_printed_once_and_are_no_faults(self):
+        self.use_measured_rail()
+        bags = [self.make_bag(count, f"{count}.bag") for count in (500, 30)]
+        printed = self.campaign(*bags)
+        self.assertEqual(printed.count(f"rail/profile = {MEASURED_RAIL}: table, "), 1, printed)
+        for bag, slices in zip(bags, (2, 1)):
+            done = self.assert_done(bag)["done"]
+            self.assertEqual([record["faults"] for record in done], [[]] * slices)
+            self.assertEqual([len(record["notes"]) for record in done], [1] + [0] * (slices - 1))
+
+    def test_notes_do_not_hide_faults_of_the_bag(self):
+        self.use_measured_rail()
+        bag = self.make_bag(1000)
+        bag.write_bytes(bag.read_bytes()[:-20000])
+        self.campaign(bag, status=3)
+        record, = self.manifest()["bags"][bag.name]["done"]
+        self.assertGreater(len(record["faults"]), 0)
+        for fault in record["faults"]:
+            self.assertTrue(fault.startswith(f"{bag}: "), fault)
+
+    def test_empty_name_of_a_topic_is_not_ignored(self):
+        printed = self.campaign(self.make_bag(3), more=["--load", ""], status=1)
+        self.assertIn('--load = "": must be the name of a topic', printed)
+
     def test_bag_in_which_most_poses_have_no_result_is_named(self):
         bag = self.folder / "poor.bag"
         with rosbag.Bag(str(bag), "w") as poor:
@@ -249,6 +173,22 @@ class ExternalCluster(Case):
             self.assertNotIn("good.bag", printed)
             self.assertEqual({tuple(record["faults"]) for record in self.manifest()["bags"]["poor.bag"]["done"]}, {()})
 
+    def test_bag_in_which_most_input_is_unusable_is_named(self):
+        bag = self.folder / "poor.bag"
+        with rosbag.Bag(str(bag), "w") as poor:
+            for i in range(1000):
+                message = pose(i, "nowhere" if i < 300 else "track")
+                message.pose.orientation.w = 0 if 300 <= i < 600 else 1
+                poor.write("/wheelset/pose", message, stamp(i))
+                poor.write("/wheelset/load", load(i), stamp(i))
+        for size in (5000, 300):  # one slice, four slices
+            self.out = self.folder / f"out_{size}"
+            printed = self.campaign(bag, status=4, slice=size)
+            self.assertIn("poor.bag: only 400 of 1000 poses have a result of usable input", printed)
+            done = self.manifest()["bags"]["poor.bag"]["done"]
+            self.assertEqual([sum(record[key] for record in done) for key in ("results", "poses")], [1000, 1000])
+            self.assertEqual({tuple(record["faults"]) for record in done}, {()})
+
     def test_slice_that_was_changed_on_the_disk_is_evaluated_again(self):
         from wheel_rail_contact.campaign import work
         bag, part = self.make_bag(30), self.out / "parts" / "0.bag"
@@ -262,144 +202,6 @@ class ExternalCluster(Case):
             work.join_slices(join)
         self.assertEqual(work.evaluate_slice(task)["sha256"], record["sha256"])
         self.assertEqual(work.join_slices(join)["sha256"], record["sha256"])
-
-
-class InOrder:
-    """Replaces Dask. It has one core. The tasks do nothing, and end in the order in which they were submitted.
-
-    @param statuses of each task, in the order in which they are returned
-    """
-
-    def __init__(self, *statuses):
-        self.submitted, self.running, self.statuses = [], collections.deque(), statuses
-        self.add, self.count = self.running.append, self.running.__len__
-
-    def nthreads(self):
-        return {"worker": 1}
-
-    def submit(self, function, task, **_):
-        self.submitted.append((function, task["name"]))
-        return types.SimpleNamespace(key=len(self.submitted), statuses=iter(self.statuses),
-                                     result=lambda: {"results": 1})
-
-    def is_empty(self):
-        return not self.running
-
-    def has_ready(self):
-        return bool(self.running)
-
-    def __next__(self):
-        future = self.running.popleft()
-        future.status = next(future.statuses)
-        return future
-
-
-def interrupt():
-    os.kill(os.getpid(), signal.SIGINT)
-
-
-class CtrlC(unittest.TestCase):
-    def test_first_interrupt_is_noted_and_second_is_raised_immediately(self):
-        with Interrupts() as interrupts:
-            interrupts.raise_noted()
-            interrupt()
-            self.assertRaises(KeyboardInterrupt, interrupt)
-            self.assertRaises(KeyboardInterrupt, interrupts.raise_noted)
-        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
-
-    def test_ignored_interrupt_stays_ignored(self):
-        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
-        with Interrupts() as interrupts:
-            interrupt()
-            interrupts.raise_noted()
-        self.assertIs(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
-
-
-class InterruptedInADestructor:
-    """Interrupts in its destructor, as may occur in a library. Python drops exceptions of destructors."""
-
-    def __del__(self):
-        interrupt()
-
-
-class Order(unittest.TestCase):
-    NAMES = [f"{k}.bag" for k in range(2 * AHEAD + 1)]  # more tasks than are submitted at a time
-
-    def names_of_tasks(self, *statuses):
-        """Names of the bags of all evaluate_slice tasks and of all join_slices tasks, in the order of their submission."""
-        dask = InOrder(*statuses)
-        plan = {"folder": "", "options": [],
-                "bags": {name: {"bag": name, "slices": [[None, None]]} for name in self.NAMES}}
-        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("distributed.as_completed", lambda: dask):
-            campaign = Campaign(dask, plan, Folder(folder))
-            campaign.run()
-        self.assertEqual(campaign.failures, [])
-        return [[name for done, name in dask.submitted if done is function] for function in (evaluate_slice, join_slices)]
-
-    def test_each_of_many_short_bags_is_evaluated_and_joined_once(self):
-        self.assertEqual(self.names_of_tasks("finished"), [self.NAMES, self.NAMES])
-
-    def test_tasks_of_a_lost_worker_are_awaited_again(self):
-        self.assertEqual([sorted(names) for names in self.names_of_tasks("lost", "pending", "finished")],
-                         [self.NAMES, self.NAMES])
-
-    def test_interrupt_in_a_destructor_ends_the_campaign(self):
-        with unittest.mock.patch.object(InOrder, "is_empty", lambda _: InterruptedInADestructor() is None):
-            self.assertRaises(KeyboardInterrupt, self.names_of_tasks, "finished")
-
-
-class Misuse(Case):
-    def refuse(self, *arguments):
-        status, printed = run(*arguments)
-        self.assertEqual(status, 1)
-        return printed
-
-    def test_changes_of_a_campaign_are_refused_by_name(self):
-        bag = self.make_bag(30)
-        self.out.mkdir()
-        (self.out / "letter.txt").write_text("precious")
-        self.assertIn("is not empty, and is not the folder of a campaign", self.refuse(*self.command(bag)))
-        (self.out / "letter.txt").unlink()
-        absent = "tcp://127.0.0.1:9"
-        with unittest.mock.patch("wheel_rail_contact.campaign.cluster.TIMEOUT", 0.5):
-            self.assertIn(f"--scheduler {absent}: found no scheduler", self.refuse(*self.command(bag), "--scheduler", absent))
-        self.assertIn("slice: 10 differs from the campaign", self.refuse(*self.command(bag, slice=10)))
-        (self.folder / "grid.yaml").write_text(GRID + "track: {rail_inclination: 0.05}\n")
-        self.assertIn("configs: ", self.refuse(*self.command(bag)))
-        (self.folder / "grid.yaml").write_text(GRID)
-        self.assertIn("other.bag is not part of the campaign", self.refuse(*self.command(bag, self.make_bag(9, "other.bag"))))
-        os.utime(bag, ns=(0, 0))
-        self.assertIn("in.bag is not part of the campaign in this folder, or has been changed", self.refuse(*self.command(bag)))
-
-    def test_folder_of_another_version_is_refused_by_name(self):
-        bag = self.make_bag(3)
-        self.assertEqual(run(*self.command(bag))[0], 0)
-        before = {**self.manifest(), "format": 2}
-        del before["bags"]["in.bag"]["done"][0]["lacking_neighbour"]
-        (self.out / "manifest.json").write_text(json.dumps(before))
-        printed = self.refuse(*self.command(bag))
-        self.assertIn(f"--out {self.out}: contains a campaign of another version", printed)
-        self.assertIn("use another folder", printed)
-        self.assertEqual(self.manifest(), before)
-
-    def test_missing_or_old_dask_is_reported_in_one_sentence(self):
-        bag = self.make_bag(3)
-        old = types.SimpleNamespace(Client=object, __version__="1.25.0")
-        for module, message in ((None, "Dask cannot be imported (import of distributed"), (old, "Dask 1.25.0 is too old")):
-            with unittest.mock.patch.dict(sys.modules, distributed=module):
-                self.assertIn(f"contact_campaign: {message}", self.refuse(*self.command(bag)))
-
-    def test_scheduler_without_workers_is_refused(self):
-        bag = self.make_bag(3)
-        with tempfile.TemporaryDirectory() as folder, contextlib.closing(Cluster(pathlib.Path(folder))) as cluster:
-            with unittest.mock.patch("wheel_rail_contact.campaign.cluster.TIMEOUT", 0.5):
-                printed = self.refuse(*self.command(bag), "--scheduler", cluster.address)
-        self.assertIn("found no scheduler with workers at this address (no worker after 0.5 s)", printed)
-
-    def test_two_bags_with_one_name_are_refused(self):
-        bag = self.make_bag(3)
-        self.assertIn("two bags are named in.bag", self.refuse(*self.command(bag, bag)))
-        self.assertIn("No such file", self.refuse(*self.command(self.folder / "none.bag")))
 
 
 if __name__ == "__main__":

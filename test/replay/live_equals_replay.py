@@ -55,7 +55,8 @@ def additional_inputs(number, header):
     distance.point.x = 1000 + 0.5 * number
     left, right = WrenchStamped(header=header), WrenchStamped(header=header)
     left.wrench.force.y, right.wrench.force.y = 5e3 * math.sin(turn), 5e3 * math.cos(turn)
-    return (("rail_displacement", displacements), ("distance", distance), ("left_rail_force", left), ("right_rail_force", right))
+    return (("rail_displacement", displacements), ("distance", distance), ("left_rail_force", left),
+            ("right_rail_force", right))
 
 
 def write_slow_loads(path):

@@ -13,7 +13,7 @@ from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import MISUSED, PROGRAM, SHIPPED, ReplayCase, load, pose, stamp, time, write_pairs
+from replay_case import FEW_RESULTS, MISUSED, PROGRAM, SHIPPED, ReplayCase, load, pose, stamp, time, write_pairs
 
 
 class WholeBags(ReplayCase):
@@ -150,7 +150,7 @@ class WholeBags(ReplayCase):
                 bag.write("/wheelset/load", load(i), stamp(i))
                 if i % 50 == 0 and i <= 50:  # the stamps of the first 51 pairs are between two transforms
                     bag.write("/tf", TFMessage([transform(stamp(i).to_nsec(), 1e-5 * i)]), stamp(i))
-        results = self.results(self.replay(path)[0])
+        results = self.results(self.replay(path, status=FEW_RESULTS)[0])
         self.assertEqual([r.status for r in results],
                          [WheelsetContact.OK] * 51 + [WheelsetContact.NO_TRANSFORM] * 149)
         for i in range(51):

@@ -52,8 +52,8 @@ class Topics(ReplayCase):
         config = self.folder / "my.yaml"
         config.write_text("track: {distance: topic}\nrail_bending: {model: compliance, lateral_force: topic, "
                           "table: config/rails/pads_40_100.yaml}\n")
-        out, _ = self.replay(bag, "out.bag", "--config", config, "--pose", "pose", "--load", "load", "--left-rail-force", "left",
-                             "--right-rail-force", "/right", "--distance", "place")
+        out, _ = self.replay(bag, "out.bag", "--config", config, "--pose", "pose", "--load", "load",
+                             "--left-rail-force", "left", "--right-rail-force", "/right", "--distance", "place")
         self.assertEqual([result.distance for result in self.results(out)], [100 + i for i in range(PAIRS)])
 
     def test_missing_topics_are_reported_with_those_of_their_type_and_the_option(self):
@@ -69,10 +69,34 @@ class Topics(ReplayCase):
         _, printed = self.replay(bag, "out.bag", "--distance", "/place", status=MISUSED)
         self.assertIn("--distance = /place: the parameters require no wheelset/distance", printed)
 
+    def test_two_inputs_on_one_topic_are_refused(self):
+        bag = self.write("/wheelset/pose", "/wheelset/load", "/force")
+        config = self.folder / "my.yaml"
+        config.write_text("rail_bending: {model: compliance, lateral_force: topic, table: config/rails/pads_40_100.yaml}\n")
+        for topic, names, options in (
+                ("/force", ("--left-rail-force", "force", "--right-rail-force", "/force"),
+                 "--left-rail-force and --right-rail-force"),
+                ("/wheelset/load", ("--left-rail-force", "force", "--right-rail-force", "wheelset/load"),
+                 "--load and --right-rail-force"),
+                ("/wheelset/right_rail_force", ("--left-rail-force", "wheelset/right_rail_force"),
+                 "--left-rail-force and --right-rail-force")):
+            _, printed = self.replay(bag, "out.bag", "--config", config, *names, status=MISUSED)
+            self.assertIn(f"topic {topic} is given for two inputs, {options}: each input requires a topic of its own", printed)
+        _, printed = self.replay(bag, "out.bag", "--wheelset", "a", "a/b", "--pose", "b/x", "--load", "x", status=MISUSED)
+        self.assertIn("topic /a/b/x is given for two inputs, --pose and --load", printed)
+
+    def test_empty_name_of_a_topic_is_refused(self):
+        bag = self.write("/wheelset/pose", "/wheelset/load")
+        for name in ("", "/"):
+            _, printed = self.replay(bag, "out.bag", "--load", name, status=MISUSED)
+            self.assertIn(f'--load = "{name}": must be the name of a topic', printed)
+
     def test_topic_of_another_type_is_refused(self):
         bag = self.write("/wheelset/pose", "/wheelset/load")
-        _, printed = self.replay(bag, "out.bag", "--load", "/wheelset/pose", status=1)
-        self.assertIn("topic /wheelset/pose is of type geometry_msgs/PoseStamped, not geometry_msgs/WrenchStamped", printed)
+        with rosbag.Bag(str(bag), "a") as file:
+            file.write("/other_pose", pose(0), stamp(0))
+        _, printed = self.replay(bag, "out.bag", "--load", "/other_pose", status=1)
+        self.assertIn("topic /other_pose is of type geometry_msgs/PoseStamped, not geometry_msgs/WrenchStamped", printed)
 
     def test_replay_is_resumed_only_with_the_same_topics(self):
         bag = self.write("/wheelset/pose", "/load", "/other_load")

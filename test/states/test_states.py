@@ -12,9 +12,10 @@ import unittest
 from unittest import mock
 
 import rosbag
+from geometry_msgs.msg import PoseStamped, WrenchStamped
 from states_case import StatesCase
 from wheel_rail_contact.states.command_line import main
-from wheel_rail_contact.states.state import State, read_bag, write_bag
+from wheel_rail_contact.states.state import State, read_bag, stamp_of, write_bag
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
 from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
@@ -33,8 +34,8 @@ class States(StatesCase):
         self.assertIsNone(state.right_lateral_force)
 
     def test_railway_axes_are_right_and_down(self):
-        state, = self.states_of("time [s],x [m],y [mm],z [mm],roll [mrad],yaw [mrad],force_z [kN],torque_x [kN m],Y_right [kN]\n"
-                                "1,7,3,-460,0.2,1.5,200,5,9\n", "--axes", "railway")
+        state, = self.states_of("time [s],x [m],y [mm],z [mm],roll [mrad],yaw [mrad],force_z [kN],torque_x [kN m],"
+                                "Y_right [kN]\n1,7,3,-460,0.2,1.5,200,5,9\n", "--axes", "railway")
         got = (state.x, state.y, state.z, state.roll, state.yaw, state.force_z, state.torque_x, state.right_lateral_force)
         for value, expected in zip(got, (7, -3e-3, 0.46, 0.2e-3, -1.5e-3, -200e3, 5e3, 9e3)):
             self.assertAlmostEqual(value, expected, delta=1e-12 * abs(expected))
@@ -93,6 +94,20 @@ class States(StatesCase):
         self.assertIn("'# axes: railway' contradicts --axes rep103",
                       self.run_states("a.csv", "c.bag", "--axes", "rep103", status=1))
         self.assertIn("contradicts --axes rep103 or railway", self.error_of("# axes: z up\ntime [s],y [m]\n1,0\n"))
+
+    def test_messages_of_a_bag_that_are_left_out_are_counted(self):
+        with rosbag.Bag(str(self.folder / "a.bag"), "w") as bag:
+            for topic, message, stamps in (("pose", PoseStamped, (0, 0, 10**9, 10**9)), ("load", WrenchStamped, (0, 10**9 + 1))):
+                for stamp in stamps:
+                    message_of = message()
+                    message_of.header.stamp = stamp_of(stamp)
+                    if topic == "pose":
+                        message_of.pose.orientation.w = 1
+                    bag.write(f"/wheelset/{topic}", message_of, stamp_of(10**9))
+        printed = self.run_states("a.bag", "a.csv")
+        for line in ("2 left out, pose: stamp 0", "1 left out, pose: stamp of another pose", "1 left out, load: stamp 0",
+                     "1 left out, load: no pose with the same stamp"):
+            self.assertIn(line, printed)
 
     def test_one_of_the_files_must_be_a_bag(self):
         for names in (("a.csv", "b.csv"), ("a.bag", "b.bag"), ("a.bag", "b.txt"), ("a", "b")):

@@ -59,7 +59,9 @@ class WheelLoads(StatesCase):
         self.assertNotIn("running circles", printed)
 
     def test_invalid_parameters_are_refused_by_name(self):
-        for text, reason in (("wheelset: {flange_back_distance: 0}\n", "/flange_back_distance = 0 must be a finite number > 0"),
+        for text, reason in (("wheelset: {flange_back_distance: 0}\n",
+                              "parameter wheelset/flange_back_distance = 0 must be a number from 0.2 to 3, in metres"),
+                             ("wheelset: {flange_back_distance: .nan}\n", "/flange_back_distance = nan must be"),
                              ("wheelset: {tape_circle: wide}\n", "wheelset/tape_circle = wide must be"),
                              ("wheelset: {tape_circle: true}\n", "wheelset/tape_circle = True must be"),
                              ("wheelset: {flange_back: 0.925}\n", "my.yaml: parameter wheelset/flange_back is unknown"),
@@ -72,9 +74,27 @@ class WheelLoads(StatesCase):
         self.assertIn("no such file: none.yaml", self.error_of(TABLE, "--config", "none.yaml"))
         self.assertIn("there is no ROS package 'none'", self.error_of(TABLE, "--config", "package://none/a.yaml"))
 
+    def test_lengths_have_the_ranges_of_a_replay(self):
+        # contact_replay reads the parameters before the bag, which does not exist: 2 is a refused parameter, 1 the missing bag.
+        for name, value, status in (("flange_back_distance", 0.19, 2), ("flange_back_distance", 0.2, 1),
+                                    ("flange_back_distance", 3, 1), ("flange_back_distance", 3.01, 2),
+                                    ("flange_back_distance", 1360, 2), ("tape_circle", 0.0049, 2), ("tape_circle", 0.005, 1),
+                                    ("tape_circle", 0.5, 1), ("tape_circle", 0.51, 2), ("tape_circle", 70, 2)):
+            with self.subTest(name=name, value=value):
+                config = self.config(f"wheelset: {{{name}: {value}}}\n")
+                replay = subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "none.bag", self.folder / "results.bag",
+                                         "--config", config], capture_output=True, text=True, check=False)
+                self.assertEqual(replay.returncode, status, replay.stderr)
+                if status == 2:
+                    self.assertIn(f"parameter wheelset/{name} = {value} must be a number from",
+                                  self.error_of(TABLE, "--config", config))
+                else:
+                    self.convert(TABLE, "--config", config)
+
     def test_invalid_options_are_refused(self):
-        for value in ("0", "-1.5", "nan", "inf"):
-            self.assertIn(f"--running-circles {float(value)}: must be", self.misuse_of("--running-circles", value))
+        for value in ("0", "-1.5", "nan", "inf", "0.199", "3.001", "1500"):
+            self.assertIn(f"--running-circles {float(value)}: must be a number from 0.2 to 3, in metres",
+                          self.misuse_of("--running-circles", value))
         self.assertIn("exclude one another", self.misuse_of("--running-circles", "1.5", "--config", "a.yaml"))
 
 

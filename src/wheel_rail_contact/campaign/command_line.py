@@ -11,6 +11,7 @@ from .plan import INPUTS, plan_of
 from .work import DAMAGED, FEW_RESULTS
 
 SLICE = 20000
+UNUSABLE_INPUT = ("INVALID_INPUT", "NO_TRANSFORM")  # statuses; with each other status, the input was usable
 
 
 def main(arguments=None):
@@ -50,6 +51,8 @@ def _evaluate(options, plan, folder):
 def _report(plan, folder):
     """Prints a summary of the results, as contact_replay does. @return parts that could not be read, as sentences"""
     slices = [record for name in plan["bags"] for record in (record_of(folder.results(name)) or {"done": []})["done"]]
+    for note in dict.fromkeys(note for record in slices for note in record["notes"]):
+        print(note)
     print(f"{sum(record['results'] for record in slices)} results of {len(plan['bags'])} bags in {folder.path}")
     for status, count in sum((Counter(record["statuses"]) for record in slices), Counter()).items():
         print(f"  {status}: {count}")
@@ -68,13 +71,14 @@ def _report(plan, folder):
 
 
 def _report_poor(plan, folder):
-    """Prints the bags in which fewer than half of the poses have a result. @return their number"""
+    """Prints the bags in which fewer than half of the poses have a result of usable input. @return their number"""
     poor = 0
     for name in plan["bags"]:
         slices = (record_of(folder.results(name)) or {"done": []})["done"]
         results, poses = (sum(record[key] for record in slices) for key in ("results", "poses"))
+        results -= sum(record["statuses"].get(status, 0) for record in slices for status in UNUSABLE_INPUT)
         if 2 * results < poses:
-            print(f"  {name}: only {results} of {poses} poses have a result")
+            print(f"  {name}: only {results} of {poses} poses have a result of usable input")
             poor += 1
     return poor
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ..command import Failure
 
-FORMAT = 4  # of the manifest and the records
+FORMAT = 5  # of the manifest and the records
 MANIFEST = "manifest.json"
 WORK = "unfinished"  # subfolder of the slices
 LOCK = ".lock"

@@ -90,6 +90,6 @@ def replay_options(options):
     """Options of contact_replay other than the bag and the slice."""
     words = [word for name in options.config for word in ("--config", str(Path(name).resolve()))]
     words += ["--wheelset", *options.wheelset] if options.wheelset else []
-    names = vars(options)
-    words += [word for name in INPUTS if names[name.replace("-", "_")] for word in (f"--{name}", names[name.replace("-", "_")])]
+    topics = ((name, getattr(options, name.replace("-", "_"))) for name in INPUTS)
+    words += [word for name, topic in topics if topic is not None for word in (f"--{name}", topic)]
     return words + [f"--{name}" for name in ("keep-topics", "no-grids", "lz4") if getattr(options, name.replace("-", "_"))]

@@ -20,11 +20,11 @@ from .plan import sha256
 DONE, DAMAGED, FEW_RESULTS = 0, 3, 4  # exit statuses of contact_replay
 END_WITH_WORKER = ("setpriv", "--pdeathsig", "KILL")
 # Lines of the summary that contact_replay prints.
-EVALUATED = re.compile(r"^(\d+) .* in \S+ s, ", re.MULTILINE)
-STATUS = re.compile(r"  ([A-Z_]+): (\d+) \(")
-DROPPED = re.compile(r"  (\S*): (\d+) messages dropped: (.*)")
-POSES = re.compile(r"^  \d+ of (\d+) poses have a result$", re.MULTILINE)
-LACKING = re.compile(r"  (\S*): (\d+) \w+ lack a neighbour's forces")
+EVALUATED = re.compile(r"^(\d+) pairs evaluated in \S+ s, ", re.MULTILINE)
+STATUS = re.compile(r"^  ([A-Z_]+): (\d+) \(", re.MULTILINE)
+DROPPED = re.compile(r"^  (\S*): (\d+) messages dropped: (.*)", re.MULTILINE)
+POSES = re.compile(r"^  \d+ of (\d+) poses have a result(?:;.*)?$", re.MULTILINE)
+LACKING = re.compile(r"^  (\S*): (\d+) \w+ lack a neighbour's forces", re.MULTILINE)
 
 
 def evaluate_slice(task):
@@ -43,7 +43,8 @@ def evaluate_slice(task):
         run = subprocess.run(command, cwd=task["folder"], capture_output=True, text=True, check=False)
         if run.returncode not in (DONE, DAMAGED, FEW_RESULTS):
             raise Failure(_last_line(run))
-        record = {**_summary(run.stdout), "from": start, "to": end, "faults": _faults(run),
+        record = {**_summary(run.stdout), "from": start, "to": end, "faults": _faults(run, task["bag"]),
+                  "notes": [] if start else _notes(run.stdout),  # all slices of a bag have the same
                   "seconds": round(time.monotonic() - began, 3), "worker": f"{socket.gethostname()}:{os.getpid()}"}
         return _finish(partial, part, record)
 
@@ -99,14 +100,19 @@ def _summary(text):
     statuses = {name: int(count) for name, count in STATUS.findall(text)}
     dropped = [[inputs, int(count), reason] for inputs, count, reason in DROPPED.findall(text)]
     lacking = {topic: int(count) for topic, count in LACKING.findall(text)}
-    return {"results": int(EVALUATED.search(text).group(1)), "poses": int(POSES.search(text).group(1)), "statuses": statuses, "dropped": dropped,
-            "lacking_neighbour": lacking}
+    return {"results": int(EVALUATED.search(text).group(1)), "poses": int(POSES.search(text).group(1)),
+            "statuses": statuses, "dropped": dropped, "lacking_neighbour": lacking}
 
 
-def _faults(run):
-    """Parts of the bag that could not be read, as sentences."""
+def _notes(text):
+    """What contact_replay understood of the profile files: the lines that it prints before its summary."""
+    return text[:EVALUATED.search(text).start()].splitlines()
+
+
+def _faults(run, bag):
+    """Parts of the bag that could not be read, as sentences that begin with the path of the bag."""
     start = "contact_replay: "
-    lines = [line[len(start):] for line in run.stderr.splitlines() if line.startswith(start)]
+    lines = [line[len(start):] for line in run.stderr.splitlines() if line.startswith(f"{start}{bag}: ")]
     return lines[:-1] if run.returncode == FEW_RESULTS else lines  # the last one is on the number of results
 
 

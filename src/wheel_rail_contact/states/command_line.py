@@ -8,7 +8,7 @@ import textwrap
 
 from ..command import Failure, finish, writing
 from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
-from .running_circles import RunningCircles
+from .running_circles import DISTANCES, RunningCircles
 from .state import read_bag, write_bag
 from .table import AXES, Reading, read_table, write_table
 from .units import UNITS
@@ -66,8 +66,8 @@ def _named(parser, options):
 def _reading(parser, options):
     """Reading of the options, after a check of their values."""
     circles, speed = options.running_circles, options.speed
-    if circles is not None and not (math.isfinite(circles) and circles > 0):
-        parser.error(f"--running-circles {circles}: must be above 0")
+    if circles is not None and not DISTANCES.contains(circles):
+        parser.error(f"--running-circles {circles}: {DISTANCES.rule()}")
     if circles is not None and options.config:
         parser.error("--running-circles and --config exclude one another")
     if speed is not None and (not math.isfinite(speed) or speed == 0):
@@ -99,7 +99,10 @@ def _convert(options, reading, from_table):
             print(f"{options.source}: {remark}", file=sys.stderr)
         _write(options.target, write_bag, states, wheelset)
     else:
-        states = read_bag(options.source, wheelset)
+        remarks = []
+        states = read_bag(options.source, wheelset, remarks)
+        for remark in remarks:
+            print(f"{options.source}: {remark}", file=sys.stderr)
         _write(options.target, write_table, states, options.axes or AXES[0])
     rest = f"; {dropped} of {len(states) + dropped} rows were dropped" if dropped else ""
     print(f"{len(states)} state{'' if len(states) == 1 else 's'}{rest}")

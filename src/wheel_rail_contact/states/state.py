@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """State of a wheelset at one instant, and its messages in a bag."""
+import collections
 import math
 from dataclasses import dataclass
 from typing import Optional
@@ -13,6 +14,7 @@ from ..command import Failure
 from ..message_constants import SIDES
 
 FRAME = "track"
+KINDS = ("pose", "load", "left_rail_force", "right_rail_force", "rail_displacement", "distance")  # of input topics
 DISPLACEMENT = ("lateral", "vertical", "roll")  # components of a displacement of a rail
 
 
@@ -107,23 +109,37 @@ def _write_state(bag, state, topics):
         bag.write(topics + "distance", _distance(state), stamp)
 
 
-def read_bag(path, wheelset=""):
-    """States of a bag in the order of their stamps. The other messages are assigned to the pose with the same stamp."""
+def read_bag(path, wheelset="", remarks=None):
+    """States of a bag in the order of their stamps. The other messages are assigned to the pose with the same stamp.
+
+    @param remarks list to which a line is added for each kind of message that is left out
+    """
     prefix = f"{wheelset}/wheelset/"
     states = {}
     others = []
+    left_out = collections.Counter()
     try:
         for kind, message in _messages(path, prefix):
-            if kind == "pose":
-                states[message.header.stamp.to_nsec()] = _state_of(message)
+            if kind not in KINDS:
+                continue
+            stamp = message.header.stamp.to_nsec()
+            if stamp == 0:
+                left_out[f"{kind}: stamp 0, which means that the stamp is unknown"] += 1
+            elif kind == "pose":
+                left_out["pose: stamp of another pose, which is replaced"] += stamp in states
+                states[stamp] = _state_of(message)
             else:
                 others.append((kind, message))
     except rosbag.ROSBagException as error:
         raise Failure(f"{path}: {error}") from None
     if not states:
-        raise Failure(f"{path}: no messages on {prefix}pose")
+        raise Failure(f"{path}: no messages on {prefix}pose" + (" with a stamp" if left_out else ""))
     for kind, message in others:
-        _add(states.get(message.header.stamp.to_nsec()), kind, message)
+        stamp = message.header.stamp.to_nsec()
+        left_out[f"{kind}: no pose with the same stamp"] += stamp not in states
+        _add(states.get(stamp), kind, message)
+    if remarks is not None:
+        remarks += [f"{count} left out, {reason}" for reason, count in left_out.items() if count]
     return [states[time] for time in sorted(states)]
 
 
