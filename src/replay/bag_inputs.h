@@ -18,6 +18,13 @@ struct BagInputs
 
   /// Absolute name of an input topic of a wheelset.
   std::string topicOf(const std::string& wheelset, InputTopic topic) const;
+  /// @param topics  inputs that the parameters require
+  /// @throw std::invalid_argument if the name of another input is given, or if two inputs are on one topic.
+  void check(const std::vector<InputTopic>& topics) const;
+
+ private:
+  void requireUsed(const std::vector<InputTopic>& topics) const;
+  void requireDistinct(const std::vector<InputTopic>& topics) const;
 };
 
 /// Command line option that gives the name of an input topic, for example "--left-rail-force".

@@ -32,36 +32,6 @@ std::set<std::string> resultTopics(const std::vector<std::string>& wheelsets)
   }
   return topics;
 }
-
-/// Rejects the name of a topic that is not read.
-void requireUsed(const BagInputs& inputs, const std::vector<InputTopic>& topics)
-{
-  for (const auto& [topic, name] : inputs.names)
-  {
-    if (std::find(topics.begin(), topics.end(), topic) == topics.end())
-    {
-      throw std::invalid_argument(optionOf(topic) + " = " + name + ": the parameters require no " + nameOf(topic));
-    }
-  }
-}
-
-/// Rejects two inputs on one topic: each message would be used for both.
-void requireDistinct(const BagInputs& inputs, const std::vector<InputTopic>& topics)
-{
-  std::map<std::string, InputTopic> first;  // by name of the topic in the bag
-  for (const std::string& wheelset : inputs.wheelsets)
-  {
-    for (const InputTopic topic : topics)
-    {
-      const std::string name = inputs.topicOf(wheelset, topic);
-      if (const auto [found, is_new] = first.emplace(name, topic); !is_new)
-      {
-        throw std::invalid_argument("topic " + name + " is given for two inputs, " + optionOf(found->second) + " and " +
-                                    optionOf(topic) + ": each input requires a topic of its own");
-      }
-    }
-  }
-}
 }  // namespace
 
 std::string resultTopic(const std::string& wheelset)
@@ -85,8 +55,7 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
 ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const BagInputs& inputs) const
 {
   const std::vector<InputTopic> topics = inputTopics(config);
-  requireUsed(inputs, topics);
-  requireDistinct(inputs, topics);
+  inputs.check(topics);
   const std::vector<std::string>& wheelsets = inputs.wheelsets;
   Uses uses{{"/tf", {Role::transform}}, {"/tf_static", {Role::static_transform}}};
   for (std::size_t i = 0; i < wheelsets.size(); ++i)

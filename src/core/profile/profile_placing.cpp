@@ -32,6 +32,11 @@ bool isHigher(const FilePoint& a, const FilePoint& b)
   return a.point.z < b.point.z;
 }
 
+bool isFartherOutward(const FilePoint& a, const FilePoint& b)
+{
+  return a.point.y < b.point.y;
+}
+
 double topOf(const FilePoints& points)
 {
   return std::max_element(points.begin(), points.end(), isHigher)->point.z;
@@ -105,16 +110,14 @@ void cutToHead(FilePoints& points)
   const auto is_below = [least](const FilePoint& p) { return p.point.z < least; };
   const auto last = std::find_if(highest, points.end(), is_below);
   const auto first = std::find_if(std::make_reverse_iterator(highest), points.rend(), is_below).base();
-  const auto [left, right] =
-      std::minmax_element(first, last, [](const FilePoint& a, const FilePoint& b) { return a.point.y < b.point.y; });
+  const auto [left, right] = std::minmax_element(first, last, isFartherOutward);
   points = FilePoints(std::min(left, right), std::max(left, right) + 1);
 }
 
 /// @throw TextError if the points do not extend across the running circle that the file states.
 void checkStatedCircle(const TextFile& file, const FilePoints& points, double distance)
 {
-  const auto [left, right] = std::minmax_element(
-      points.begin(), points.end(), [](const FilePoint& a, const FilePoint& b) { return a.point.y < b.point.y; });
+  const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherOutward);
   if (!points.empty() && (left->point.y > distance || right->point.y < distance))
   {
     file.refuse(0, "points from X = " + millimetres(left->point.y) + " to " + millimetres(right->point.y) +

@@ -71,7 +71,7 @@ class SlicesFile
   {
     while (file_.next())
     {
-      if (!splitWords(file_.line().substr(0, file_.line().find('%'))).empty())
+      if (!splitWords(text()).empty())
       {
         file_.refuse("more lines than the stated numbers of slices and features");
       }
