@@ -19,6 +19,7 @@ enum class ContactStatus
   lift_off,       ///< at least one wheel carries no load, the other one is solved; usable
   off_profile,    ///< the contact would be beyond the end of a profile; not usable
   not_converged,  ///< normal solution, balance or coupling with the rails did not converge; not usable
+  too_deep,       ///< the given height lies centimetres too deep, or was never set; not usable
   outside_line,   ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
   invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
 };
@@ -33,6 +34,20 @@ struct RailResult
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
+};
+
+/// Contact forces of all patches of a wheel on its rail, by the normal pressure alone.
+struct WheelForces
+{
+  double vertical = 0;  ///< Q, down positive [N]
+  double lateral = 0;   ///< Y, outward positive [N]
+};
+
+/// Force and moment, track axes.
+struct Wrench
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axle centre [N m]
 };
 
 /// True if the result may be used: the status is `ok` or `lift_off`.
@@ -75,7 +90,9 @@ struct PatchResult
   Side side = Side::left;    ///< side of the wheel
   std::string_view method;   ///< method that solved the patch, named as in toString(NormalMethod); never "auto"
   PatchPose pose;            ///< patch frame in the track frame
-  double contact_angle = 0;  ///< angle between tangent plane and track plane [rad], >= 0; its sense: pose.angle
+  /// Angle between tangent plane and track plane [rad]. Positive where the wheel presses the rail outward, as on a
+  /// conical tread or a flange; negative at the back of a flange.
+  double contact_angle = 0;
   double normal_force = 0;   ///< resultant of the pressure, compressive positive [N]; along z of the patch frame
   double approach = 0;       ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
   double area = 0;           ///< contact area [m²]; its edge is located to a fraction of a cell
@@ -90,6 +107,20 @@ struct PatchResult
   /// Half the angle by which the section of wheel or rail turns across the patch [rad], the larger of the two. The
   /// half-space model requires a value far below 1.
   double half_space_ratio = 0;
+  double vertical_force = 0;  ///< vertical part Q of normal_force, on the rail, down positive [N]
+  double lateral_force = 0;   ///< lateral part Y of normal_force, on the rail, outward positive [N]
+  /// Semi-axes of the ellipse with the area of the patch and the ratio of its second moments about x and y [m].
+  double semi_axis_along = 0, semi_axis_across = 0;
+  double rolling_radius = 0;  ///< distance of the centre of pressure from the axis of the axle [m]
+  /// Place of the centre of pressure on each profile: arc length from the origin of the profile, outward positive [m].
+  double wheel_s = 0, rail_s = 0;
+  double wheel_angle = 0;  ///< place around the wheel: angle about the axle from its lowest line, forward positive [rad]
+  /// Combined curvatures of wheel and rail at the centre of pressure [1/m], convex positive: along x (that of the
+  /// wheel, for the axle without yaw), and across (the sum of both profiles).
+  double curvature_along = 0, curvature_across = 0;
+  /// Change of normal_force per approach along the normal, with the rail held and the other contacts unloaded [N/m]:
+  /// that of a flat punch with the ellipse above (Barber 2003; Johnson 1985, eq. 3.60).
+  double normal_stiffness = 0;
   PatchGrid grid;            ///< grid of `pressure`
   Eigen::ArrayXXd pressure;  ///< nx × ny pressures [Pa], compressive positive; pressure(i, j) belongs to cell (i, j)
 };
@@ -108,8 +139,12 @@ struct WheelsetResult
   /// Another equilibrium of the same state was found, in which the forces on the rails differ by more than 5 %: the
   /// result depends on the states before. Only with ContactConfig::check_branches.
   bool near_branch = false;
+  /// The contact force of a wheel is beyond a plausible bound; `reason` gives it.
+  bool implausible_force = false;
   double x = 0, y = 0, z = 0;        ///< axle centre in the track frame [m]; z is the solved (or given) height
   double yaw = 0, roll = 0;          ///< rotation of the axle [rad]; roll is the solved (or given) one
+  std::array<WheelForces, 2> wheel;  ///< forces of each Side; valid only if the result is usable
+  Wrench rail_wrench;  ///< of the normal pressure of both rails on the wheelset; valid only if the result is usable
   std::array<RailResult, 2> rail;    ///< rail of each Side; valid only if the result is usable
   std::vector<PatchResult> patches;  ///< left side first; empty unless the result is usable
 };

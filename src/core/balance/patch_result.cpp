@@ -114,7 +114,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   const double angle = std::atan2(force.outward, force.down), sign = sideSign(side);
   out.side = side;
   out.pose = {contact.grids().originOf(of.patch).x + centre.x, sign * origin.y, origin.z, sign * angle};
-  out.contact_angle = std::abs(angle);
+  out.contact_angle = angle;
   out.normal_force = std::hypot(force.outward, force.down);
   out.approach =
       gap.weight * solution.approach +

@@ -13,7 +13,7 @@ namespace
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::array<const char*, ContactStatistics::statuses> status_names{
-    "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM", "OUTSIDE_LINE"};
+    "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
 constexpr std::array<const char*, PairingCounts::reasons> drop_names{
     "no message with a matching stamp",
     "duplicate stamp",

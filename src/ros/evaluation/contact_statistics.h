@@ -20,7 +20,7 @@ const char* dropName(DropReason reason);
 /// Counts of a server since its start. Each message that is lost is counted here.
 struct ContactStatistics
 {
-  static constexpr std::size_t statuses = 7;  ///< number of status constants
+  static constexpr std::size_t statuses = 8;  ///< number of status constants
 
   PairingCounts pairing;                          ///< single messages
   std::uint64_t overload = 0;                     ///< inputs that newer ones pushed out of the queue

@@ -13,9 +13,10 @@ namespace wheel_rail_contact
 namespace
 {
 /// Status constants of the message, in the order of ContactStatus.
-constexpr std::array<std::uint8_t, 6> status_constants{WheelsetContact::OK,           WheelsetContact::LIFT_OFF,
+constexpr std::array<std::uint8_t, 7> status_constants{WheelsetContact::OK,           WheelsetContact::LIFT_OFF,
                                                        WheelsetContact::OFF_PROFILE,  WheelsetContact::NOT_CONVERGED,
-                                                       WheelsetContact::OUTSIDE_LINE, WheelsetContact::INVALID_INPUT};
+                                                       WheelsetContact::TOO_DEEP,     WheelsetContact::OUTSIDE_LINE,
+                                                       WheelsetContact::INVALID_INPUT};
 
 /// The given name of a normal method as text with static lifetime. `auto` is refused: a patch has the method that auto
 /// chose.
@@ -150,6 +151,38 @@ core::RailDeflection fromMessage(const RailDisplacement& message)
   return {message.lateral, message.vertical, message.roll};
 }
 
+WheelForces toMessage(const core::WheelForces& forces)
+{
+  WheelForces message;
+  message.vertical_force = forces.vertical;
+  message.lateral_force = forces.lateral;
+  return message;
+}
+
+core::WheelForces fromMessage(const WheelForces& message)
+{
+  return {message.vertical_force, message.lateral_force};
+}
+
+geometry_msgs::Wrench toMessage(const core::Wrench& wrench)
+{
+  geometry_msgs::Wrench message;
+  message.force.x = wrench.force.x();
+  message.force.y = wrench.force.y();
+  message.force.z = wrench.force.z();
+  message.torque.x = wrench.moment.x();
+  message.torque.y = wrench.moment.y();
+  message.torque.z = wrench.moment.z();
+  return message;
+}
+
+core::Wrench fromMessage(const geometry_msgs::Wrench& message)
+{
+  const auto& f = message.force;
+  const auto& t = message.torque;
+  return {{f.x, f.y, f.z}, {t.x, t.y, t.z}};
+}
+
 RailDeflection toMessage(const core::RailResult& rail)
 {
   RailDeflection message;
@@ -191,6 +224,17 @@ ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
   message.iterations = static_cast<std::uint32_t>(patch.iterations);
   message.residual = patch.residual;
   message.half_space_ratio = patch.half_space_ratio;
+  message.vertical_force = patch.vertical_force;
+  message.lateral_force = patch.lateral_force;
+  message.semi_axis_along = patch.semi_axis_along;
+  message.semi_axis_across = patch.semi_axis_across;
+  message.rolling_radius = patch.rolling_radius;
+  message.wheel_s = patch.wheel_s;
+  message.wheel_angle = patch.wheel_angle;
+  message.rail_s = patch.rail_s;
+  message.curvature_along = patch.curvature_along;
+  message.curvature_across = patch.curvature_across;
+  message.normal_stiffness = patch.normal_stiffness;
   if (with_grid)
   {
     message.grid = toMessage(patch.grid, patch.pressure);
@@ -217,6 +261,17 @@ core::PatchResult fromMessage(const ContactPatch& message, double x)
   patch.iterations = static_cast<int>(message.iterations);
   patch.residual = message.residual;
   patch.half_space_ratio = message.half_space_ratio;
+  patch.vertical_force = message.vertical_force;
+  patch.lateral_force = message.lateral_force;
+  patch.semi_axis_along = message.semi_axis_along;
+  patch.semi_axis_across = message.semi_axis_across;
+  patch.rolling_radius = message.rolling_radius;
+  patch.wheel_s = message.wheel_s;
+  patch.wheel_angle = message.wheel_angle;
+  patch.rail_s = message.rail_s;
+  patch.curvature_along = message.curvature_along;
+  patch.curvature_across = message.curvature_across;
+  patch.normal_stiffness = message.normal_stiffness;
   fromMessage(message.grid, patch.grid, patch.pressure);
   return patch;
 }
@@ -227,6 +282,10 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   message.status = toMessage(result.status);
   message.status_text = result.reason;
   message.wheelset = toMessage(core::WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
+  message.left_wheel = toMessage(result.wheel[0]);
+  message.right_wheel = toMessage(result.wheel[1]);
+  message.rail_wrench = toMessage(result.rail_wrench);
+  message.implausible_force = result.implausible_force;
   message.left_rail = toMessage(result.rail[0]);
   message.right_rail = toMessage(result.rail[1]);
   message.patches.reserve(result.patches.size());
@@ -250,6 +309,9 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   result.z = pose.z;
   result.yaw = pose.yaw;
   result.roll = pose.roll;
+  result.wheel = {fromMessage(message.left_wheel), fromMessage(message.right_wheel)};
+  result.rail_wrench = fromMessage(message.rail_wrench);
+  result.implausible_force = message.implausible_force;
   result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
   for (const ContactPatch& patch : message.patches)
   {

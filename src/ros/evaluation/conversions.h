@@ -46,6 +46,16 @@ void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::Arra
 /// Displacement of a rail from a message.
 core::RailDeflection fromMessage(const RailDisplacement& message);
 
+/// Forces of a wheel as a message.
+WheelForces toMessage(const core::WheelForces& forces);
+/// Forces of a wheel from a message.
+core::WheelForces fromMessage(const WheelForces& message);
+
+/// Force and moment as a message.
+geometry_msgs::Wrench toMessage(const core::Wrench& wrench);
+/// Force and moment from a message.
+core::Wrench fromMessage(const geometry_msgs::Wrench& message);
+
 /// Deflection and forces of a rail as a message.
 RailDeflection toMessage(const core::RailResult& rail);
 /// Deflection and forces of a rail from a message.
