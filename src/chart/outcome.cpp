@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/balance/patch_result.h"
+#include "core/balance/wheel_error.h"
 
 namespace wheel_rail_contact::core::chart
 {
@@ -45,26 +46,22 @@ void addWheels(const std::vector<PatchResult>& patches, Outcome& outcome)
 
 WheelOutcome combined(int index, const std::vector<PatchOutcome>& patches)
 {
-  WheelOutcome wheel;
-  wheel.index = index;
-  double force = 0;
+  const auto measuresOf = [](const PatchOutcome& patch) {
+    return ContactMeasures{patch.max_pressure, patch.area, patch.force};
+  };
+  ContactMeasures all;
   for (const PatchOutcome& patch : patches)
   {
-    wheel.max_pressure = std::max(wheel.max_pressure, patch.max_pressure);
-    wheel.area += patch.area;
-    force += patch.force;
+    all.add(measuresOf(patch));
   }
-  double pressure_error = 0, area_error = 0, approach_error = 0;
+  WheelOutcome wheel{index, all.max_pressure, all.area, 0, 0};
+  WheelError error(all);
   for (const PatchOutcome& patch : patches)
   {
-    wheel.approach += patch.approach * patch.force / force;
-    // A lower peak counts by what it may rise above the highest one.
-    const double height = patch.max_pressure / wheel.max_pressure;
-    pressure_error = std::max(pressure_error, height - 1 + patch.error.max_pressure * height);
-    area_error += patch.error.area * patch.area / wheel.area;
-    approach_error += patch.error.approach * patch.force / force;
+    wheel.approach += patch.approach * patch.force / all.force;
+    error.add(measuresOf(patch), patch.error);
   }
-  wheel.estimate = std::max({pressure_error, area_error, approach_error});
+  wheel.estimate = error.largest();
   return wheel;
 }
 

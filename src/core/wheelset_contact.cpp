@@ -72,6 +72,24 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   return {};
 }
 
+/// Text of a printf format.
+template <typename... Values>
+std::string formatted(const char* format, Values... values)
+{
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// Reason why a height is rejected at which the bodies overlap [m].
+std::string tooDeep(double height, double overlap)
+{
+  return formatted(
+      "wheel and rail overlap by %.1f mm at the given height z = %.4f m: it was never set, or is not that of the "
+      "axle centre",
+      1e3 * overlap, height);
+}
+
 /// Places along the line for which a rail is known.
 struct PlaceRange
 {
@@ -81,10 +99,7 @@ struct PlaceRange
   /// Reason why a place [m] is rejected.
   std::string reason(double x) const
   {
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(), "the wheelset at %.10g m is outside %s, from %.10g to %.10g m", x, name,
-                  begin, end);
-    return text.data();
+    return formatted("the wheelset at %.10g m is outside %s, from %.10g to %.10g m", x, name, begin, end);
   }
 };
 }  // namespace
@@ -111,6 +126,9 @@ class WheelsetContact::Chain
     result_.roll = given ? state.roll : 0;
     solve(state);
     result_.rail = {};
+    result_.wheel = {};
+    result_.rail_wrench = Wrench();
+    result_.implausible_force = false;
     result_.above_tolerance = result_.near_branch = result_.points_missing = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
@@ -120,6 +138,8 @@ class WheelsetContact::Chain
       result_.roll = balance_.roll();
       addPatches(Side::left);
       addPatches(Side::right);
+      sumForces(Side::left);
+      sumForces(Side::right);
       result_.near_branch = other_ && hasOther(state);
       result_.reason = remark();
     }
@@ -168,7 +188,7 @@ class WheelsetContact::Chain
       return;
     }
     result_.status = balance_.solve(state);
-    result_.reason = balance_.reason();
+    result_.reason = result_.status == ContactStatus::too_deep ? tooDeep(state.z, balance_.depth()) : balance_.reason();
   }
 
   /// Lateral position of the track centre between the displaced rails, track frame [m].
@@ -231,22 +251,32 @@ class WheelsetContact::Chain
            other_force * force;
   }
 
-  /// Remark on a usable result: wheels that carry no load, missing points of a profile, another equilibrium, or an
-  /// error estimate above the tolerance; otherwise empty.
+  /// Remark on a usable result: implausible forces, wheels that carry no load, missing points of a profile, another
+  /// equilibrium, or an error estimate above the tolerance; otherwise empty.
   std::string_view remark() const
   {
-    if (balance_.wheel(Side::left).loaded() && balance_.wheel(Side::right).loaded())
+    const bool left = balance_.wheel(Side::left).loaded(), right = balance_.wheel(Side::right).loaded();
+    if (result_.implausible_force)
+    {
+      return "the contact force of a wheel is implausible: it is above 1 MN";
+    }
+    if (left && right)
     {
       return result_.points_missing    ? "points of a profile are missing at a contact: its shape is not known there"
              : result_.near_branch     ? "another equilibrium exists: the result depends on the states before"
              : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
                                        : "";
     }
-    if (balance_.wheel(Side::left).loaded())
+    if (!left && !right)
     {
-      return "the right wheel carries no load";
+      return "neither wheel carries a load";
     }
-    return balance_.wheel(Side::right).loaded() ? "the left wheel carries no load" : "neither wheel carries a load";
+    if (balance_.lifts())
+    {
+      return left ? "the right wheel lifts: the moments about the axle centre are not in balance"
+                  : "the left wheel lifts: the moments about the axle centre are not in balance";
+    }
+    return left ? "the right wheel carries no load" : "the left wheel carries no load";
   }
 
   void addPatches(Side side)
@@ -263,6 +293,28 @@ class WheelsetContact::Chain
       patch.method = levels_.solver().name();
     }
     result_.above_tolerance = result_.above_tolerance || balance_.wheelError(side) > config_.contact.tolerance;
+  }
+
+  /// Adds the forces of the patches of a wheel to those of the wheel and to the wrench on the axle centre.
+  void sumForces(Side side)
+  {
+    WheelForces& wheel = result_.wheel[index(side)];
+    Wrench& wrench = result_.rail_wrench;
+    for (std::size_t k = 0; k < patch_count_; ++k)
+    {
+      const PatchResult& patch = result_.patches[k];
+      if (patch.side == side)
+      {
+        wheel.vertical += patch.vertical_force;
+        wheel.lateral += patch.lateral_force;
+        const Eigen::Vector3d force(0, -sideSign(side) * patch.lateral_force, patch.vertical_force);
+        wrench.force += force;
+        wrench.moment += Eigen::Vector3d(0, -patch.pose.x * force.z(), patch.pose.x * force.y());
+      }
+    }
+    wrench.moment.x() += sideSign(side) * balance_.wheel(side).moment();
+    result_.implausible_force =
+        result_.implausible_force || std::hypot(wheel.vertical, wheel.lateral) > plausible_force;
   }
 
   ContactModelConfig config_;

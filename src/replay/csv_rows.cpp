@@ -22,9 +22,14 @@ constexpr const char* header =
     "left_given_lateral [m],left_given_vertical [m],left_given_roll [rad],"
     "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
     "right_vertical_force [N],right_given_lateral [m],right_given_vertical [m],right_given_roll [rad],"
+    "left_wheel_vertical_force [N],left_wheel_lateral_force [N],right_wheel_vertical_force [N],"
+    "right_wheel_lateral_force [N],rail_force_x [N],rail_force_y [N],rail_force_z [N],rail_torque_x [N m],"
+    "rail_torque_y [N m],rail_torque_z [N m],"
     "side,patch_y [m],patch_z [m],contact_angle [rad],normal_force [N],approach [m],area [m^2],max_pressure [Pa],"
-    "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad]\n";
-constexpr const char* no_patch = ",,,,,,,,,,,,";
+    "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad],"
+    "vertical_force [N],lateral_force [N],semi_axis_along [m],semi_axis_across [m],rolling_radius [m],wheel_s [m],"
+    "wheel_angle [rad],rail_s [m],curvature_along [1/m],curvature_across [1/m],normal_stiffness [N/m]\n";
+constexpr const char* no_patch = ",,,,,,,,,,,,,,,,,,,,,,,";
 
 /// Cell with nine significant digits, which is finer than any tolerance.
 std::string cell(double value)
@@ -53,12 +58,26 @@ std::string cells(const RailDeflection& rail)
          cell(rail.vertical_force) + cell(rail.given_lateral) + cell(rail.given_vertical) + cell(rail.given_roll);
 }
 
+std::string cells(const WheelForces& wheel)
+{
+  return cell(wheel.vertical_force) + cell(wheel.lateral_force);
+}
+
+std::string cells(const geometry_msgs::Wrench& wrench)
+{
+  return cell(wrench.force.x) + cell(wrench.force.y) + cell(wrench.force.z) + cell(wrench.torque.x) +
+         cell(wrench.torque.y) + cell(wrench.torque.z);
+}
+
 std::string cells(const ContactPatch& patch)
 {
   return (patch.side == ContactPatch::LEFT ? "left," : "right,") + cell(patch.pose.position.y) +
          cell(patch.pose.position.z) + cell(patch.contact_angle) + cell(patch.normal_force) + cell(patch.approach) +
          cell(patch.area) + cell(patch.max_pressure) + cell(patch.error_estimate) + cell(patch.iterations) +
-         cell(patch.residual) + patch.method + formatted(",%.9g", patch.half_space_ratio);
+         cell(patch.residual) + patch.method + "," + cell(patch.half_space_ratio) + cell(patch.vertical_force) +
+         cell(patch.lateral_force) + cell(patch.semi_axis_along) + cell(patch.semi_axis_across) +
+         cell(patch.rolling_radius) + cell(patch.wheel_s) + cell(patch.wheel_angle) + cell(patch.rail_s) +
+         cell(patch.curvature_along) + cell(patch.curvature_across) + formatted("%.9g", patch.normal_stiffness);
 }
 
 /// Cells of roll and yaw [rad] of an orientation without pitch, Rz(yaw) Rx(roll).
@@ -74,7 +93,8 @@ std::string csvRows(const WheelsetContact& result, std::uint64_t number, const s
   const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(result.header.stamp) + "," +
                             statusName(result.status) + "," + quoted(result.status_text) + "," + cell(position.x) +
                             cell(position.y) + cell(position.z) + angles(result.wheelset.orientation) +
-                            cell(result.distance) + cells(result.left_rail) + cells(result.right_rail);
+                            cell(result.distance) + cells(result.left_rail) + cells(result.right_rail) +
+                            cells(result.left_wheel) + cells(result.right_wheel) + cells(result.rail_wrench);
   if (result.patches.empty())
   {
     return start + no_patch + "\n";

@@ -25,6 +25,17 @@ core::PatchResult examplePatch(core::Side side)
   patch.iterations = 17;
   patch.residual = 1e-7;
   patch.half_space_ratio = 0.07;
+  patch.vertical_force = 99e3;
+  patch.lateral_force = 3e3;
+  patch.semi_axis_along = 6e-3;
+  patch.semi_axis_across = 4e-3;
+  patch.rolling_radius = 0.461;
+  patch.wheel_s = -0.012;
+  patch.wheel_angle = 0.002;
+  patch.rail_s = -0.013;
+  patch.curvature_along = 2.17;
+  patch.curvature_across = 6.4;
+  patch.normal_stiffness = 1.1e9;
   patch.grid.nx = 4;
   patch.grid.ny = 3;
   patch.grid.dx = 0.002;
@@ -47,6 +58,9 @@ core::WheelsetResult exampleResult()
   result.roll = -0.001;
   result.rail[0] = {{1e-3, -2e-4, 3e-3}, {4e-4, 5e-5, -6e-4}, 3.5e3, 1e5, -200};
   result.rail[1] = {{-1e-3, 2e-4, -3e-3}, {-7e-4, 8e-5, 9e-4}, -3.5e3, 0, 30};
+  result.wheel = {core::WheelForces{1e5, 3.5e3}, core::WheelForces{4e4, -2e3}};
+  result.rail_wrench = {{0, -1.5e3, 1.4e5}, {4e4, 20, -30}};
+  result.implausible_force = true;
   result.patches = {examplePatch(core::Side::left), examplePatch(core::Side::right)};
   return result;
 }
@@ -68,6 +82,17 @@ void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.residual, b.residual);
   EXPECT_EQ(a.half_space_ratio, b.half_space_ratio);
+  EXPECT_EQ(a.vertical_force, b.vertical_force);
+  EXPECT_EQ(a.lateral_force, b.lateral_force);
+  EXPECT_EQ(a.semi_axis_along, b.semi_axis_along);
+  EXPECT_EQ(a.semi_axis_across, b.semi_axis_across);
+  EXPECT_EQ(a.rolling_radius, b.rolling_radius);
+  EXPECT_EQ(a.wheel_s, b.wheel_s);
+  EXPECT_EQ(a.wheel_angle, b.wheel_angle);
+  EXPECT_EQ(a.rail_s, b.rail_s);
+  EXPECT_EQ(a.curvature_along, b.curvature_along);
+  EXPECT_EQ(a.curvature_across, b.curvature_across);
+  EXPECT_EQ(a.normal_stiffness, b.normal_stiffness);
   EXPECT_EQ(a.grid.nx, b.grid.nx);
   EXPECT_EQ(a.grid.ny, b.grid.ny);
   EXPECT_EQ(a.grid.dx, b.grid.dx);
@@ -98,7 +123,12 @@ TEST(Conversions, ConversionToAMessageAndBackPreservesTheResult)
     EXPECT_EQ(after.rail[side].lateral_force, before.rail[side].lateral_force);
     EXPECT_EQ(after.rail[side].vertical_force, before.rail[side].vertical_force);
     EXPECT_EQ(after.rail[side].moment, before.rail[side].moment);
+    EXPECT_EQ(after.wheel[side].vertical, before.wheel[side].vertical);
+    EXPECT_EQ(after.wheel[side].lateral, before.wheel[side].lateral);
   }
+  EXPECT_EQ(after.rail_wrench.force, before.rail_wrench.force);
+  EXPECT_EQ(after.rail_wrench.moment, before.rail_wrench.moment);
+  EXPECT_EQ(after.implausible_force, before.implausible_force);
   ASSERT_EQ(after.patches.size(), 2U);
   expectEqual(after.patches[0], before.patches[0]);
   expectEqual(after.patches[1], before.patches[1]);

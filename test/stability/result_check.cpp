@@ -285,7 +285,7 @@ void ResultCheck::checkFrame(const PressedSurface& surface, const SurfacePart& p
     fault("normal force differs from the resultant of the pressures", along);
   }
   if (std::abs(angle) > config_.contact.tolerance ||
-      std::abs(std::abs(patch.pose.angle) - patch.contact_angle) > rounding)
+      std::abs(sideSign(patch.side) * patch.pose.angle - patch.contact_angle) > rounding)
   {
     fault("angle differs from that of the resultant", angle);
   }

@@ -86,11 +86,12 @@ struct ProfileSection
   ShapeError error{};  ///< what is not known of the curve
 };
 
-/// Range of the parameter u of a profile [m].
+/// Range of the parameter u of a part of a profile [m].
 struct ParameterRange
 {
-  double begin;  ///< first parameter [m]
-  double end;    ///< last parameter [m]
+  double begin;       ///< first parameter [m]
+  double end;         ///< last parameter [m]
+  double origin = 0;  ///< parameter of the point that is nearest to the origin of the profile [m]
 };
 
 /// Wheel or rail profile: a plane curve of consecutive sections, from the gauge (flange) side to the field side. A rail
@@ -144,7 +145,9 @@ class Profile
   void add(const SectionLaw& law, double length, const ShapeError& error = {});
   void beginPart();
   static LineSection continuation(const SectionLaw& law, double length);
+  void finish();
   void makeBuckets();
+  void findOrigins();
   std::size_t sectionAt(double u) const;
 
   std::string name_;

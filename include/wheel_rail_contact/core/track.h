@@ -35,6 +35,14 @@ struct WheelsetConfig
   /// forces follow from them.
   bool solve_height_and_roll = true;
 
+  /// Equilibrium that determines height and roll, if they are solved.
+  enum class Balance
+  {
+    wheel_loads,  ///< the wheel loads follow from force_z and torque_x alone, as vertical forces at the running circles
+    moments       ///< forces and moments about the axle centre, with the moment of the lateral normal forces
+  };
+  Balance balance = Balance::wheel_loads;  ///< see WheelsetState::torque_x
+
   /// Mean radius of both wheels at their running circles [m].
   double meanRadius() const { return 0.5 * (rolling_radius.left + rolling_radius.right); }
   /// Half the distance between the running circles of both wheels [m].

@@ -36,6 +36,9 @@ struct RailResult
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
 };
 
+/// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N].
+constexpr double plausible_force = 1e6;
+
 /// Contact forces of all patches of a wheel on its rail, by the normal pressure alone.
 struct WheelForces
 {
@@ -87,15 +90,15 @@ struct PatchGrid
 /// One contact patch of a result.
 struct PatchResult
 {
-  Side side = Side::left;    ///< side of the wheel
-  std::string_view method;   ///< method that solved the patch, named as in toString(NormalMethod); never "auto"
-  PatchPose pose;            ///< patch frame in the track frame
+  Side side = Side::left;   ///< side of the wheel
+  std::string_view method;  ///< method that solved the patch, named as in toString(NormalMethod); never "auto"
+  PatchPose pose;           ///< patch frame in the track frame
   /// Angle between tangent plane and track plane [rad]. Positive where the wheel presses the rail outward, as on a
   /// conical tread or a flange; negative at the back of a flange.
   double contact_angle = 0;
-  double normal_force = 0;   ///< resultant of the pressure, compressive positive [N]; along z of the patch frame
-  double approach = 0;       ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
-  double area = 0;           ///< contact area [m²]; its edge is located to a fraction of a cell
+  double normal_force = 0;  ///< resultant of the pressure, compressive positive [N]; along z of the patch frame
+  double approach = 0;      ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
+  double area = 0;          ///< contact area [m²]; its edge is located to a fraction of a cell
   /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
   /// pressure of the highest cell.
   double max_pressure = 0;
@@ -114,7 +117,8 @@ struct PatchResult
   double rolling_radius = 0;  ///< distance of the centre of pressure from the axis of the axle [m]
   /// Place of the centre of pressure on each profile: arc length from the origin of the profile, outward positive [m].
   double wheel_s = 0, rail_s = 0;
-  double wheel_angle = 0;  ///< place around the wheel: angle about the axle from its lowest line, forward positive [rad]
+  double wheel_angle =
+      0;  ///< place around the wheel: angle about the axle from its lowest line, forward positive [rad]
   /// Combined curvatures of wheel and rail at the centre of pressure [1/m], convex positive: along x (that of the
   /// wheel, for the axle without yaw), and across (the sum of both profiles).
   double curvature_along = 0, curvature_across = 0;

@@ -22,11 +22,14 @@ struct WheelsetState
   /// Rotation of the axle about x, positive if the left wheel is raised [rad]; |roll| <= 0.2. Used only if
   /// WheelsetConfig::solve_height_and_roll is false.
   double roll = 0;
-  /// Vertical force of the vehicle on the axle centre, up positive [N]: a weight is negative. |force_z| <= 1e8. Not
-  /// required if height and roll are given.
+  /// Vertical force on the axle centre, up positive [N], which the rails carry: that of the vehicle and the weight of
+  /// the wheelset itself, both negative. |force_z| <= 1e8. Not required if height and roll are given.
   double force_z = 0;
-  /// Moment of the vehicle on the axle centre about x [N m]: a positive moment unloads the left wheel.
-  /// |torque_x| <= 1e8. Not required if height and roll are given.
+  /// Moment on the axle centre about x [N m]: a positive moment unloads the left wheel. |torque_x| <= 1e8. Not required
+  /// if height and roll are given. With Balance::wheel_loads, it is the moment that the vertical forces of the rails
+  /// balance alone, at the running circles: it also contains the moment of all lateral forces on the wheels. With
+  /// Balance::moments, it is the moment of all forces except those of the normal pressure: of the vehicle, and of
+  /// friction.
   double torque_x = 0;
   /// Lateral force on the rail of each Side, outward positive [N]; at most 1e8. Used only with
   /// RailBendingConfig::LateralForce::topic.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/balance/contact_place.h"
 #include "core/balance/least_gap.h"
+#include "core/normal/measures/equal_ellipse.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -108,20 +110,29 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   const double place = std::clamp((centre.y - gap.grid.y0) / gap.grid.dy, 0.0, std::max(gap.grid.ny - 1.000001, 0.0));
   const auto before = begin + static_cast<std::size_t>(place);
   const double share = place - std::floor(place);
-  const double rail_u = columns[before].rail_u + share * (columns[before + 1].rail_u - columns[before].rail_u);
-  const PlanePoint origin = contact.rail().at(rail_u);
+  const auto between = [share](double first, double second) { return first + share * (second - first); };
+  const ProfilePlaces places{between(columns[before].wheel_u, columns[before + 1].wheel_u),
+                             between(columns[before].rail_u, columns[before + 1].rail_u)};
+  const PlanePoint origin = contact.rail().at(places.rail_u);
   const Force force = forceOf(gap.grid, pressure.pressure, columns, begin);
   const double angle = std::atan2(force.outward, force.down), sign = sideSign(side);
   out.side = side;
   out.pose = {contact.grids().originOf(of.patch).x + centre.x, sign * origin.y, origin.z, sign * angle};
   out.contact_angle = angle;
   out.normal_force = std::hypot(force.outward, force.down);
+  out.vertical_force = force.down;
+  out.lateral_force = force.outward;
+  placeOnBodies(balance.config(), balance.pose(), contact.rail().profile(), places, out);
   out.approach =
       gap.weight * solution.approach +
       std::max(-leastGap(gap.grid, gap.gap),
                deepestWithin(columns[begin].rail_u, columns[begin + static_cast<std::size_t>(gap.grid.ny) - 1].rail_u,
                              contact.grids().intervals()));
   out.area = pressure.area;
+  const SemiAxes ellipse = equalEllipse(pressure);
+  out.semi_axis_along = ellipse.along;
+  out.semi_axis_across = ellipse.across;
+  out.normal_stiffness = punchStiffness(ellipse, islands.problem().modulus);
   out.max_pressure = pressure.max_pressure;
   out.error_estimate =
       std::hypot(balance.errors(side)[island].largest(),

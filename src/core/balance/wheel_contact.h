@@ -23,6 +23,12 @@ enum class WheelStatus
   unbalanced,     ///< no height or deflection was found
 };
 
+/// True if the result may be used.
+inline bool isUsable(WheelStatus status)
+{
+  return status == WheelStatus::solved || status == WheelStatus::no_contact;
+}
+
 /// Coordinates of wheel and rail. The forces along them are the wheel's load [N], its moment about the axle centre
 /// [N m], and the outward force [N], the upward force [N] and the moment about the reference point of the head [N m] on
 /// the rail. Side axes.

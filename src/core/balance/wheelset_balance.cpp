@@ -2,33 +2,18 @@
 #include "core/balance/wheelset_balance.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/balance/tuning.h"
+#include "core/balance/wheel_error.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-constexpr double finest_bracket = 1e-9;     ///< width at which a bracket without a zero ends the search [rad]
-constexpr double roll_limit = 0.2;          ///< [rad]
-constexpr double least_load = 1e-9;         ///< smaller loads are taken as zero [N]
-constexpr double unloaded_accuracy = 1e-7;  ///< of the height of a wheel without load [m]
-
-bool isUsable(WheelStatus status)
-{
-  return status == WheelStatus::solved || status == WheelStatus::no_contact;
-}
-}  // namespace
-
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
     : config_(config),
       levels_(levels),
       accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
+      balances_moments_(config.wheelset.balance == WheelsetConfig::Balance::moments),
       greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
       wheels_{WheelOnRail(config, Side::left, levels.solver()), WheelOnRail(config, Side::right, levels.solver())}
 {
@@ -54,7 +39,7 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
   SolveStatus normal_status = SolveStatus::stalled;
   for (const WheelOnRail& wheel : wheels_)
   {
-    if (const SolveStatus of_wheel = wheel.contact().solution().status; !core::isUsable(of_wheel))
+    if (const SolveStatus of_wheel = wheel.contact().solution().status; !isUsable(of_wheel))
     {
       normal_status = of_wheel;
       break;
@@ -79,7 +64,6 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
   const int solved_before = count();
   const bool given = !config_.wheelset.solve_height_and_roll;
-  const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
   const WheelsetState before = state_;
   state_ = state;
   placeOnLine();
@@ -94,20 +78,26 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   }
   for (const Side side : sides)
   {
-    const double load = -0.5 * state.force_z - sideSign(side) * transfer;
-    loads_[index(side)] = load > least_load ? load : 0;
     setLevel(index(side), 0);
     wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state_.rail_displacement[index(side)]);
   }
+  beginTransfer();
   WheelStatus status = WheelStatus::solved;
   do
   {
-    status = given ? hold() : search();
+    status = given ? hold() : balance();
   } while (isUsable(status) && (layOwnGrids() || refine()));
   solutions_ = count() - solved_before;
-  if (!isUsable(status))
+  const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
+  if (given && isTooDeep(status))
   {
-    return fail(status);
+    reset();
+    reason_ = "the given height is too low";
+    return ContactStatus::too_deep;
+  }
+  if (failed != ContactStatus::ok)
+  {
+    return failed;
   }
   if (wheels_[0].contact().reachesEnd() || wheels_[1].contact().reachesEnd())
   {
@@ -155,171 +145,6 @@ void WheelsetBalance::predict(const WheelsetState& before)
   turn(roll_ + std::clamp(step, -greatest_turn_, greatest_turn_));
 }
 
-WheelStatus WheelsetBalance::hold()
-{
-  open_.fill(0);
-  for (const Side side : sides)
-  {
-    const auto k = index(side);
-    if (solved_[k])
-    {
-      continue;
-    }
-    const WheelStatus status = wheels_[k].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
-    if (!isUsable(status))
-    {
-      return status;
-    }
-    solved_[k] = fresh_[k] = true;
-  }
-  return WheelStatus::solved;
-}
-
-/// True if a wheel must be solved again because the roll has changed its contact.
-bool WheelsetBalance::isMoved(std::size_t k) const
-{
-  const double turned = roll_ - solved_roll_[k];
-  return !solved_[k] || !wheels_[k].loaded() || openedBy(k, turned) > accuracy_;
-}
-
-/// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
-double WheelsetBalance::openedBy(std::size_t k, double roll) const
-{
-  const WheelOnRail& wheel = wheels_[k];
-  return wheel.loaded() ? wheel.openingPerRoll() * std::abs(roll) / wheel.contact().overlap() : 0;
-}
-
-/// Solves the wheels at the roll, as far as they are not.
-WheelStatus WheelsetBalance::pass(bool keep_grids)
-{
-  any_solved_ = false;
-  for (const Side side : sides)
-  {
-    const auto k = index(side);
-    if (!isMoved(k))
-    {
-      continue;
-    }
-    const WheelStatus status = wheels_[k].carry(toSide(side, {state_.y, heights_[k], state_.yaw, roll_}), loads_[k],
-                                                accuracy_, keep_grids && solved_[k]);
-    if (!isUsable(status))
-    {
-      return status;
-    }
-    heights_[k] = wheels_[k].height();
-    solved_[k] = fresh_[k] = any_solved_ = true;
-    solved_roll_[k] = roll_;
-  }
-  return WheelStatus::solved;
-}
-
-/// Slope of the difference of the heights over the roll [m/rad].
-double WheelsetBalance::updateSlopes()
-{
-  for (const Side side : sides)
-  {
-    slopes_[index(side)] = sideSign(side) * wheels_[index(side)].heightPerRoll();
-  }
-  return std::min(slopes_[0] - slopes_[1], tuning::flattest_slope);
-}
-
-/// Changes the roll, and heights and deflections as they follow.
-void WheelsetBalance::turn(double roll)
-{
-  for (const Side side : sides)
-  {
-    const auto k = index(side);
-    heights_[k] += slopes_[k] * (roll - roll_);
-    wheels_[k].predict(0, sideSign(side) * (roll - roll_));
-  }
-  roll_ = roll;
-  z_ = 0.5 * (heights_[0] + heights_[1]);
-}
-
-/// True if the roll that closes the difference of the heights [m] hardly changes the contacts. Turns the wheelset to
-/// it.
-bool WheelsetBalance::settle(double difference, double share)
-{
-  const double closed = roll_ - difference / updateSlopes();
-  const double limit = share * accuracy_;
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    open_[k] = openedBy(k, closed - solved_roll_[k]);
-  }
-  const bool at_rest = !wheels_[0].loaded() && !wheels_[1].loaded() && std::abs(difference) > unloaded_accuracy;
-  if (at_rest || !(std::max(open_[0], open_[1]) <= limit) || !(std::abs(closed - roll_) <= greatest_turn_))
-  {
-    return false;
-  }
-  turn(closed);
-  return true;
-}
-
-/// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
-bool WheelsetBalance::isNarrow(double range) const
-{
-  return std::all_of(wheels_.begin(), wheels_.end(),
-                     [&](const WheelOnRail& wheel)
-                     {
-                       return range < finest_bracket || (wheel.loaded() && wheel.openingPerRoll() * range <
-                                                                               accuracy_ * wheel.contact().overlap());
-                     });
-}
-
-WheelStatus WheelsetBalance::search()
-{
-  double least = -infinity, most = infinity;
-  for (int i = 0; i < tuning::most_solutions; ++i)
-  {
-    for (std::size_t k = 0; k < 2 && i >= tuning::early_solutions; ++k)
-    {
-      wheels_[k].keepResponse(false);
-    }
-    if (const WheelStatus status = pass(i >= tuning::early_solutions); !isUsable(status))
-    {
-      return status;
-    }
-    const double difference = heights_[0] - heights_[1];
-    const bool known = wheels_[0].responded() && wheels_[1].responded();
-    // Other grids at the same place: the heights differ by the errors of the grids.
-    if (settle(difference, laid_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
-    {
-      return WheelStatus::solved;
-    }
-    wheels_[0].respond();
-    wheels_[1].respond();
-    if (!known && settle(difference, 1))
-    {
-      return WheelStatus::solved;
-    }
-    double uncertain = 0;
-    for (const WheelOnRail& wheel : wheels_)
-    {
-      uncertain += wheel.loaded() ? tuning::noise * wheel.contact().overlap() : unloaded_accuracy;
-    }
-    if (std::abs(difference) > uncertain)
-    {
-      (difference > 0 ? least : most) = roll_;
-    }
-    double next = roll_ + std::clamp(-difference / updateSlopes(), -greatest_turn_, greatest_turn_);
-    if (!(next > least && next < most))
-    {
-      const bool bracketed = std::isfinite(least) && std::isfinite(most);
-      next = 0.5 * (bracketed ? least + most : roll_ + (next > least ? most : least));
-    }
-    if (isNarrow(most - least) || !any_solved_)
-    {
-      return settle(difference, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
-    }
-    turn(next);
-    if (!(std::abs(roll_) < roll_limit))
-    {
-      return WheelStatus::unbalanced;
-    }
-  }
-  return WheelStatus::unbalanced;
-}
-
 /// Estimates the errors of a wheel. Returns the error that the tolerance limits.
 double WheelsetBalance::estimate(Side side)
 {
@@ -328,25 +153,20 @@ double WheelsetBalance::estimate(Side side)
   islands_[k].find(contact.problem(), contact.solution());
   const NormalSolution& solution = islands_[k].solution();
   levels_.solver().estimateErrors(islands_[k].problem(), solution, errors_[k]);
-  double highest = 0, area = 0, force = 0;
+  const auto measuresOf = [](const PatchPressure& patch) {
+    return ContactMeasures{patch.max_pressure, patch.area, patch.force};
+  };
+  ContactMeasures wheel;
   for (const PatchPressure& patch : solution.patches)
   {
-    highest = std::max(highest, patch.max_pressure);
-    area += patch.area;
-    force += patch.force;
+    wheel.add(measuresOf(patch));
   }
-  double pressure_error = 0, area_error = 0, approach_error = 0;
+  WheelError error(wheel);
   for (std::size_t i = 0; i < solution.patches.size(); ++i)
   {
-    const PatchPressure& patch = solution.patches[i];
-    const ErrorEstimate& error = errors_[k][i];
-    // A lower peak counts by what it may rise above the highest one.
-    const double above = patch.max_pressure < highest ? patch.max_pressure / highest - 1 : 0;
-    pressure_error = std::max(pressure_error, above + error.max_pressure * patch.max_pressure / highest);
-    area_error += error.area * patch.area / area;
-    approach_error += error.approach * patch.force / force;
+    error.add(measuresOf(solution.patches[i]), errors_[k][i]);
   }
-  return std::max({pressure_error, area_error, approach_error});
+  return error.largest();
 }
 
 /// Estimates the errors. Chooses finer grids where they exceed the tolerance. @return true if there are any

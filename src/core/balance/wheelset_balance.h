@@ -6,6 +6,7 @@
 
 #include "core/balance/grid_levels.h"
 #include "core/balance/islands.h"
+#include "core/balance/load_transfer.h"
 #include "core/balance/wheel_on_rail.h"
 #include "core/track/rail_on_line.h"
 #include "wheel_rail_contact/core/sides.h"
@@ -23,6 +24,9 @@ namespace wheel_rail_contact::core
 /// difference falls as the roll grows while tan(left contact angle) + tan(right contact angle) < distance of the
 /// contacts / rolling radius. Beyond that, several rolls may be in equilibrium; the result is then one at which the
 /// difference falls.
+///
+/// With WheelsetConfig::Balance::moments, the wheel loads are those for which the moments about the axle centre are in
+/// balance (LoadTransfer).
 class WheelsetBalance
 {
  public:
@@ -37,6 +41,9 @@ class WheelsetBalance
 
   /// One sentence; empty if the status is ok.
   std::string_view reason() const { return reason_; }
+  const ContactModelConfig& config() const { return config_; }
+  /// Pose of the wheelset, with the solved (or given) height and roll, track axes.
+  WheelsetPose pose() const { return {state_.y, z_, state_.yaw, roll_}; }
   double height() const { return z_; }   ///< height of the axle centre, track frame [m]
   double roll() const { return roll_; }  ///< roll, track frame [rad]
   /// A wheel on its rail.
@@ -51,13 +58,22 @@ class WheelsetBalance
   double wheelError(Side side) const { return wheel_errors_[index(side)]; }
   /// Largest opening of the gap of a wheel, over its overlap, by what is left of the balance [-].
   double balanceError(Side side) const { return open_[index(side)]; }
+  /// True if the moments stay open, because the wheelset lifts a wheel (WheelsetConfig::Balance::moments).
+  bool lifts() const { return balances_moments_ && transfer_.lifts(); }
+  /// With the status too_deep: largest overlap of a wheel and its rail at the given height [m].
+  double depth() const { return depth_; }
   /// Number of normal problems of both wheels in the last call.
   int solutions() const { return solutions_; }
 
  private:
+  void beginTransfer();
+  double leverOf(Side side) const;
+  void carry(double transfer);
+  WheelStatus balance();
   WheelStatus search();
   WheelStatus pass(bool keep_grids);
   WheelStatus hold();
+  bool isTooDeep(WheelStatus status);
   void placeOnLine();
   double tilt(const WheelsetState& state) const { return tiltOf(state.rail_displacement, config_.wheelset.halfBase()); }
   void predict(const WheelsetState& before);
@@ -76,10 +92,12 @@ class WheelsetBalance
 
   const ContactModelConfig& config_;
   const GridLevels& levels_;
-  double accuracy_;       ///< largest opening by what is left of the balance, over the overlap [-]
+  double accuracy_;  ///< largest opening by what is left of the balance, over the overlap [-]
+  bool balances_moments_;
   double greatest_turn_;  ///< of the roll in one step [rad]
   std::array<WheelOnRail, 2> wheels_;
   WheelsetState state_;
+  LoadTransfer transfer_;
   std::array<double, 2> loads_{};        ///< vertical wheel loads [N]
   std::array<double, 2> heights_{};      ///< of the axle centre for each wheel [m]
   std::array<double, 2> slopes_{};       ///< their change per roll [m/rad]
@@ -94,6 +112,7 @@ class WheelsetBalance
   bool any_solved_ = false;  ///< in the last pass
   double z_ = 0, roll_ = 0, start_roll_ = 0;
   bool warm_ = false;
+  double depth_ = 0;   ///< see depth()
   bool laid_ = false;  ///< layOwnGrids() was called on these levels
   int solutions_ = 0;
   std::string_view reason_;

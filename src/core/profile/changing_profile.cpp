@@ -144,5 +144,6 @@ void ChangingProfile::update()
       law[next++] = piece.blend->at(i, piece.share);
     }
   }
+  composed_->findOrigins();
 }
 }  // namespace wheel_rail_contact::core

@@ -92,6 +92,9 @@ void checkSection(const ProfileSection& section)
   std::visit([](const auto& law) { checkLaw(law); }, section.law);
 }
 
+constexpr double origin_accuracy = 1e-9;  ///< of ParameterRange::origin [m]
+constexpr int most_steps = 20;            ///< of its search
+
 /// With several buckets for each section, most look-ups need no search.
 constexpr std::size_t buckets_per_section = 4;
 }  // namespace
@@ -106,7 +109,7 @@ Profile::Profile(std::string name, const std::vector<ProfileSection>& sections) 
 {
   clear();
   addPart(sections);
-  makeBuckets();
+  finish();
 }
 
 Profile Profile::ofParts(std::string name, const std::vector<std::vector<ProfileSection>>& parts)
@@ -121,7 +124,7 @@ Profile Profile::ofParts(std::string name, const std::vector<std::vector<Profile
   {
     profile.addPart(sections);
   }
-  profile.makeBuckets();
+  profile.finish();
   return profile;
 }
 
@@ -174,6 +177,12 @@ void Profile::add(const SectionLaw& law, double length, const ShapeError& error)
   parts_.back().end = start_.back();
 }
 
+void Profile::finish()
+{
+  makeBuckets();
+  findOrigins();
+}
+
 void Profile::makeBuckets()
 {
   const std::size_t buckets = buckets_per_section * law_.size();
@@ -188,6 +197,35 @@ void Profile::makeBuckets()
       ++section;
     }
     bucket_[k] = section;
+  }
+}
+
+/// In each part, starts at the nearest boundary of two sections, and moves along the tangent to the foot of the origin.
+void Profile::findOrigins()
+{
+  for (ParameterRange& part : parts_)
+  {
+    double nearest = infinity;
+    for (const double u : start_)
+    {
+      const CurvePoint point = at(u);
+      const double distance = std::hypot(point.y, point.z);
+      if (u >= part.begin && u <= part.end && distance < nearest)
+      {
+        nearest = distance;
+        part.origin = u;
+      }
+    }
+    for (int i = 0; i < most_steps; ++i)
+    {
+      const CurvePoint point = at(part.origin);
+      const double step = -(point.y * point.dy + point.z * point.dz) / (point.dy * point.dy + point.dz * point.dz);
+      part.origin = std::clamp(part.origin + step, part.begin, part.end);
+      if (std::abs(step) < origin_accuracy)
+      {
+        break;
+      }
+    }
   }
 }
 

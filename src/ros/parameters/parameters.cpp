@@ -67,6 +67,10 @@ void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
   {
     reader.refuse("wheelset/free", "[z, roll] or []");
   }
+  using Balance = core::WheelsetConfig::Balance;
+  using Choices = std::vector<std::pair<std::string, Balance>>;
+  reader.read("wheelset/balance", Choices{{"wheel_loads", Balance::wheel_loads}, {"moments", Balance::moments}},
+              wheelset.balance);
 }
 
 void readLateralForce(ParameterReader& reader, core::RailBendingConfig& bending)

@@ -86,7 +86,7 @@ const PatchResult* steepPatch(const WheelsetResult& result, Side side)
 {
   const auto found =
       std::find_if(result.patches.begin(), result.patches.end(),
-                   [side](const PatchResult& patch) { return patch.side == side && patch.contact_angle > 1; });
+                   [side](const PatchResult& patch) { return patch.side == side && patch.contact_angle < -1; });
   return found == result.patches.end() ? nullptr : &*found;
 }
 }  // namespace

@@ -70,7 +70,7 @@ TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
     ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
     for (const PatchResult& patch : result.patches)
     {
-      EXPECT_EQ(patch.contact_angle, std::abs(patch.pose.angle));
+      EXPECT_EQ(patch.contact_angle, sideSign(patch.side) * patch.pose.angle);
       EXPECT_GT(std::cos(patch.pose.angle), 0);
       EXPECT_GT(sideSign(patch.side) * patch.pose.angle, 0);  // towards the field side the plane rises
       EXPECT_LT(patch.contact_angle, 0.15);

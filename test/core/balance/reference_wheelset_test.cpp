@@ -272,5 +272,34 @@ TEST_P(ReferenceStateTest, OutwardForceDiffersOnlyByTheChoiceOfTheNormal)
   }
 }
 
+// What creep forces require: semi-axes, and the direction of the force. The reference gives no semi-axes, but area,
+// normal force and approach. An ellipse has the area pi a b. On a contact of Hertz, whose highest pressure is 3/2 of
+// the mean pressure, the stiffness 3/2 N / approach depends on a and b (Johnson 1985, eq. 4.26). The other limits are
+// those above.
+TEST_P(ReferenceStateTest, SemiAxesAgreeWithAreaAndApproachOfTheReference)
+{
+  for (const PatchResult& patch : result_.patches)
+  {
+    const ReferenceWheel& reference = row(patch.side);
+    if (reference.several)
+    {
+      continue;
+    }
+    EXPECT_LT(std::abs(relative(M_PI * patch.semi_axis_along * patch.semi_axis_across, reference.area)),
+              reference.area < 50e-6 ? 0.05 : 0.02);
+    const double normal_force = std::hypot(reference.load, reference.outward_force);
+    if (std::abs(relative(reference.max_pressure, 1.5 * normal_force / reference.area)) < 0.02)
+    {
+      EXPECT_LT(std::abs(relative(patch.normal_stiffness, 1.5 * normal_force / reference.approach)), 0.02);
+      std::printf("y %5.1f mm: a %.3f mm, b %.3f mm, stiffness %+.2f %% against Hertz\n", 1e3 * reference.y,
+                  1e3 * patch.semi_axis_along, 1e3 * patch.semi_axis_across,
+                  100 * relative(patch.normal_stiffness, 1.5 * normal_force / reference.approach));
+    }
+    const double turn =
+        std::atan2(patch.lateral_force, patch.vertical_force) - std::atan2(reference.outward_force, reference.load);
+    EXPECT_LT(std::abs(turn), onFlange() ? 0.015 : 0.0025);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(ManchesterSweep, ReferenceStateTest,
                          testing::Range(std::size_t{0}, reference_wheels.size() / 2));

@@ -184,3 +184,30 @@ TEST_F(WheelsetInputTest, InvalidGridsAndRailsAreRejectedByName)
   config.rail_bending.table = ComplianceTable{1e-9, 1e-6, 1e-9, 1e-9};
   expectRefused(config, "lateral_roll");
 }
+
+// A height of 0 was never set. One that is centimetres too low is that of another point. Below 10 mm the forces are
+// computed, and flagged above 1 MN.
+TEST_F(WheelsetInputTest, AHeightFarBelowTheRailsHasItsOwnStatus)
+{
+  scene_.wheelset.solve_height_and_roll = false;
+  WheelsetContact contact(scene_);
+  for (const double y : {0.0, 3e-3, 6.5e-3})
+  {
+    WheelsetState state;
+    state.y = y;
+    for (const double z : {0.0, 0.2, 0.4, 0.445})
+    {
+      state.z = z;
+      expectUnusable(contact.evaluate(state), ContactStatus::too_deep);
+    }
+    state.z = 0.455;
+    const WheelsetResult& deep = contact.evaluate(state);
+    EXPECT_TRUE(isUsable(deep.status)) << deep.reason;
+    EXPECT_TRUE(deep.implausible_force);
+    EXPECT_NE(deep.reason.find("1 MN"), std::string::npos) << deep.reason;
+    state.z = 0.4598;
+    const WheelsetResult& shallow = contact.evaluate(state);
+    EXPECT_TRUE(isUsable(shallow.status)) << shallow.reason;
+    EXPECT_EQ(shallow.implausible_force, y > 6e-3);
+  }
+}

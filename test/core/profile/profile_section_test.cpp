@@ -238,4 +238,14 @@ TEST(Profile, InvalidSectionsAreRejected)
                std::invalid_argument);
 }
 }  // namespace
+TEST(ProfilePart, OriginIsItsPointNearestToTheOriginOfTheProfile)
+{
+  // An arc of 0.3 m about a point below, whose top is 2 mm above the origin and 5 mm to the side; and a line beside it.
+  const Profile profile = Profile::ofParts(
+      "parts", {{{ArcSection{0.005, -0.298, 0.3, pi / 2 + 0.1, -1}, 0.06}}, {{LineSection{0.1, 0.0, 0, 1}, 0.02}}});
+  const CurvePoint nearest = profile.at(profile.parts()[0].origin);
+  EXPECT_NEAR(nearest.y * nearest.dy + nearest.z * nearest.dz, 0, 1e-9);
+  EXPECT_NEAR(nearest.y, 0.005 - 0.3 * 0.005 / std::hypot(0.005, 0.298), 1e-9);
+  EXPECT_EQ(profile.parts()[1].origin, profile.parts()[1].begin);
+}
 }  // namespace wheel_rail_contact::core

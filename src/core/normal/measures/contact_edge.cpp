@@ -84,10 +84,15 @@ double loadedShare(unsigned corners, const Sides& s)
 /// (Gray 1971, for cells that are neighbours by their sides).
 constexpr std::array<int, 16> quarter_turns{0, 1, 1, 0, 1, 0, 2, -1, 1, 2, 0, -1, 0, -1, -1, 0};
 
-/// Position of the edge of the contact, in cells outward from the centre of the outermost loaded cell of a line.
-///
-/// p1 > 0 is the pressure of this cell, p2 and p3 are those of the next two cells inward (zero if not loaded).
-///
+/// Distance of the edge from the loaded cell of a crossing [cells], at most 1.
+double reach(const EdgeCrossing& crossing)
+{
+  const double* loaded = crossing.loaded;
+  const std::ptrdiff_t inward = -crossing.outward;
+  return std::min(edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]), 1.0);
+}
+}  // namespace
+
 /// Near its edge the true pressure increases with the root of the distance. For cells of constant pressure that satisfy
 /// the contact condition at their centres, the discrete pressures next to such an edge are linear functions of its
 /// position, for any cell size. With the edge d cells outside the first centre:
@@ -107,15 +112,6 @@ double edgeDistance(double p1, double p2, double p3)
   const double x1 = std::max(straight, 0.0), x2 = 1 + straight;
   return straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2));
 }
-
-/// Distance of the edge from the loaded cell of a crossing [cells], at most 1.
-double reach(const EdgeCrossing& crossing)
-{
-  const double* loaded = crossing.loaded;
-  const std::ptrdiff_t inward = -crossing.outward;
-  return std::min(edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]), 1.0);
-}
-}  // namespace
 
 void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 {

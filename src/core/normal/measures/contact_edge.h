@@ -9,6 +9,11 @@
 
 namespace wheel_rail_contact::core
 {
+/// Position of the edge of the contact, in cells outward from the centre of the outermost loaded cell of a line.
+/// @param p1  pressure of this cell, > 0
+/// @param p2,p3  pressures of the next two cells inward; zero if they are not loaded
+double edgeDistance(double p1, double p2, double p3);
+
 /// Area of the contact in cells. The crossings of the edge with the lines of cell centres form a polygon. The area is
 /// that of the polygon minus its known bias (EdgeBias).
 ///

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Search of WheelsetBalance for loads, roll and height.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/balance/tuning.h"
+#include "core/balance/wheelset_balance.h"
+#include "wheel_rail_contact/core/sides.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr double finest_bracket = 1e-9;       ///< width at which a bracket without a zero ends the search [rad]
+constexpr double roll_limit = 0.2;            ///< [rad]
+constexpr double least_load = 1e-9;           ///< smaller loads are taken as zero [N]
+constexpr double unloaded_accuracy = 1e-7;    ///< of the height of a wheel without load [m]
+constexpr double overlap_per_load = 2.0 / 3;  ///< relative change of the overlap per one of the load, Hertz [-]
+constexpr double least_share = 1e-3;          ///< loads below this part of the whole load count as it [-]
+constexpr double deepest = 0.01;              ///< of a given height below that of first touch [m]
+}  // namespace
+
+/// Sets the loads of both wheels. With WheelsetConfig::Balance::moments, these are the first ones of a search: those
+/// that balance the moments at the lever arms of the last result.
+void WheelsetBalance::beginTransfer()
+{
+  const double base = 2 * config_.wheelset.halfBase(), load = std::max(-state_.force_z, 0.0);
+  if (balances_moments_ && load > least_load)
+  {
+    const double left = warm_ ? leverOf(Side::left) : 0.5 * base, right = warm_ ? leverOf(Side::right) : 0.5 * base;
+    transfer_.begin(load, state_.torque_x, left + right, left - right);
+    carry(transfer_.transfer());
+    return;
+  }
+  carry(state_.torque_x / base);
+}
+
+/// Lever arm of a wheel: the moment of its contact, positive if it lifts the wheel, over its load [m].
+double WheelsetBalance::leverOf(Side side) const
+{
+  const WheelOnRail& wheel = wheels_[index(side)];
+  const bool known = wheel.loaded() && loads_[index(side)] > 0;
+  return known ? wheel.moment() / loads_[index(side)] : config_.wheelset.halfBase();
+}
+
+/// Gives the wheels their loads, of which `transfer` [N] moves from the left to the right wheel.
+void WheelsetBalance::carry(double transfer)
+{
+  for (const Side side : sides)
+  {
+    const double load = -0.5 * state_.force_z - sideSign(side) * transfer;
+    loads_[index(side)] = load > least_load ? load : 0;
+    solved_[index(side)] = false;
+  }
+}
+
+/// Finds height and roll under the loads, and with WheelsetConfig::Balance::moments also the loads.
+WheelStatus WheelsetBalance::balance()
+{
+  if (!balances_moments_ || !(-state_.force_z > least_load))
+  {
+    return search();
+  }
+  transfer_.widen();
+  for (int i = 0; i < tuning::most_solutions; ++i)
+  {
+    if (const WheelStatus status = search(); !isUsable(status))
+    {
+      return status;
+    }
+    const double open = state_.torque_x + wheels_[0].moment() - wheels_[1].moment();
+    const double step = transfer_.improve(open, leverOf(Side::left) + leverOf(Side::right));
+    const double smaller = std::max(std::min(loads_[0], loads_[1]), -least_share * state_.force_z);
+    if (overlap_per_load * std::abs(step) <= accuracy_ * smaller)
+    {
+      return WheelStatus::solved;
+    }
+    carry(transfer_.transfer());
+  }
+  return WheelStatus::unbalanced;
+}
+
+WheelStatus WheelsetBalance::hold()
+{
+  open_.fill(0);
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    if (solved_[k])
+    {
+      continue;
+    }
+    const WheelStatus status = wheels_[k].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
+    if (!isUsable(status))
+    {
+      return status;
+    }
+    solved_[k] = fresh_[k] = true;
+  }
+  return WheelStatus::solved;
+}
+
+/// True if the given height lies so deep that no contact is meant. After a failure, the heights of first touch replace
+/// the last solutions.
+bool WheelsetBalance::isTooDeep(WheelStatus status)
+{
+  depth_ = 0;
+  for (const Side side : sides)
+  {
+    WheelOnRail& wheel = wheels_[index(side)];
+    const WheelsetPose above{state_.y, config_.wheelset.meanRadius(), state_.yaw, state_.roll};
+    if (isUsable(status))
+    {
+      depth_ = std::max(depth_, wheel.loaded() ? wheel.contact().overlap() : 0);
+    }
+    else if (isUsable(wheel.carry(toSide(side, above), 0, accuracy_, false)))
+    {
+      depth_ = std::max(depth_, wheel.height() - state_.z);
+    }
+  }
+  return depth_ > deepest;
+}
+
+/// True if a wheel must be solved again because the roll has changed its contact.
+bool WheelsetBalance::isMoved(std::size_t k) const
+{
+  const double turned = roll_ - solved_roll_[k];
+  return !solved_[k] || !wheels_[k].loaded() || openedBy(k, turned) > accuracy_;
+}
+
+/// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
+double WheelsetBalance::openedBy(std::size_t k, double roll) const
+{
+  const WheelOnRail& wheel = wheels_[k];
+  return wheel.loaded() ? wheel.openingPerRoll() * std::abs(roll) / wheel.contact().overlap() : 0;
+}
+
+/// Solves the wheels at the roll, as far as they are not.
+WheelStatus WheelsetBalance::pass(bool keep_grids)
+{
+  any_solved_ = false;
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    if (!isMoved(k))
+    {
+      continue;
+    }
+    const WheelStatus status = wheels_[k].carry(toSide(side, {state_.y, heights_[k], state_.yaw, roll_}), loads_[k],
+                                                accuracy_, keep_grids && solved_[k]);
+    if (!isUsable(status))
+    {
+      return status;
+    }
+    heights_[k] = wheels_[k].height();
+    solved_[k] = fresh_[k] = any_solved_ = true;
+    solved_roll_[k] = roll_;
+  }
+  return WheelStatus::solved;
+}
+
+/// Slope of the difference of the heights over the roll [m/rad].
+double WheelsetBalance::updateSlopes()
+{
+  for (const Side side : sides)
+  {
+    slopes_[index(side)] = sideSign(side) * wheels_[index(side)].heightPerRoll();
+  }
+  return std::min(slopes_[0] - slopes_[1], tuning::flattest_slope);
+}
+
+/// Changes the roll, and heights and deflections as they follow.
+void WheelsetBalance::turn(double roll)
+{
+  for (const Side side : sides)
+  {
+    const auto k = index(side);
+    heights_[k] += slopes_[k] * (roll - roll_);
+    wheels_[k].predict(0, sideSign(side) * (roll - roll_));
+  }
+  roll_ = roll;
+  z_ = 0.5 * (heights_[0] + heights_[1]);
+}
+
+/// True if the roll that closes the difference of the heights [m] hardly changes the contacts. Turns the wheelset to
+/// it.
+bool WheelsetBalance::settle(double difference, double share)
+{
+  const double closed = roll_ - difference / updateSlopes();
+  const double limit = share * accuracy_;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    open_[k] = openedBy(k, closed - solved_roll_[k]);
+  }
+  const bool at_rest = !wheels_[0].loaded() && !wheels_[1].loaded() && std::abs(difference) > unloaded_accuracy;
+  if (at_rest || !(std::max(open_[0], open_[1]) <= limit) || !(std::abs(closed - roll_) <= greatest_turn_))
+  {
+    return false;
+  }
+  turn(closed);
+  return true;
+}
+
+/// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
+bool WheelsetBalance::isNarrow(double range) const
+{
+  return std::all_of(wheels_.begin(), wheels_.end(),
+                     [&](const WheelOnRail& wheel)
+                     {
+                       return range < finest_bracket || (wheel.loaded() && wheel.openingPerRoll() * range <
+                                                                               accuracy_ * wheel.contact().overlap());
+                     });
+}
+
+WheelStatus WheelsetBalance::search()
+{
+  double least = -infinity, most = infinity;
+  for (int i = 0; i < tuning::most_solutions; ++i)
+  {
+    for (std::size_t k = 0; k < 2 && i >= tuning::early_solutions; ++k)
+    {
+      wheels_[k].keepResponse(false);
+    }
+    if (const WheelStatus status = pass(i >= tuning::early_solutions); !isUsable(status))
+    {
+      return status;
+    }
+    const double difference = heights_[0] - heights_[1];
+    const bool known = wheels_[0].responded() && wheels_[1].responded();
+    // Other grids at the same place: the heights differ by the errors of the grids.
+    if (settle(difference, laid_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
+    {
+      return WheelStatus::solved;
+    }
+    wheels_[0].respond();
+    wheels_[1].respond();
+    if (!known && settle(difference, 1))
+    {
+      return WheelStatus::solved;
+    }
+    double uncertain = 0;
+    for (const WheelOnRail& wheel : wheels_)
+    {
+      uncertain += wheel.loaded() ? tuning::noise * wheel.contact().overlap() : unloaded_accuracy;
+    }
+    if (std::abs(difference) > uncertain)
+    {
+      (difference > 0 ? least : most) = roll_;
+    }
+    double next = roll_ + std::clamp(-difference / updateSlopes(), -greatest_turn_, greatest_turn_);
+    if (!(next > least && next < most))
+    {
+      const bool bracketed = std::isfinite(least) && std::isfinite(most);
+      next = 0.5 * (bracketed ? least + most : roll_ + (next > least ? most : least));
+    }
+    if (isNarrow(most - least) || !any_solved_)
+    {
+      return settle(difference, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
+    }
+    turn(next);
+    if (!(std::abs(roll_) < roll_limit))
+    {
+      return WheelStatus::unbalanced;
+    }
+  }
+  return WheelStatus::unbalanced;
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What creep forces require of a result: sizes, places, curvatures, stiffness and forces of each contact.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/track/placement.h"
+#include "round_bodies.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+const PatchResult& only(const WheelsetResult& result, Side side)
+{
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      return patch;
+    }
+  }
+  throw std::logic_error("no patch on this side");
+}
+
+WheelsetContact roundContact(double slope)
+{
+  ContactModelConfig scene = round_bodies::scene(slope);
+  scene.contact.tolerance = 1e-3;
+  return WheelsetContact(scene);
+}
+}  // namespace
+
+// The semi-axes inherit half of the relative error of the area, 5e-4 at this tolerance, and that of their ratio: the
+// ends of the lines of cells are located to 2 % of a cell, with 48 cells.
+TEST(CreepInputsTest, SemiAxesAndStiffnessOfAHertzContactAreThoseOfHertz)
+{
+  for (const double slope : {0.0, 0.05, 0.1})
+  {
+    WheelsetContact contact = roundContact(slope);
+    const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const HertzContact hertz = round_bodies::exactContact(contact.config(), slope, 0, 1e5);
+    const PatchResult& patch = only(result, Side::left);
+    EXPECT_NEAR(patch.semi_axis_along, hertz.semi_axis_x, 2e-3 * hertz.semi_axis_x);
+    EXPECT_NEAR(patch.semi_axis_across, hertz.semi_axis_y, 2e-3 * hertz.semi_axis_y);
+    EXPECT_NEAR(patch.normal_stiffness, 1.5 * hertz.force / hertz.approach, 2e-3 * 1.5 * hertz.force / hertz.approach);
+  }
+}
+
+TEST(CreepInputsTest, CurvaturesRadiusAndPlacesOfAConeFollowFromItsGeometry)
+{
+  const double slope = 0.1, y = 2e-3, angle = std::atan(slope);
+  WheelsetContact contact = roundContact(slope);
+  const ContactModelConfig& scene = contact.config();
+  const WheelsetResult& result = contact.evaluate(stateAt(y, 1e5));
+  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const PatchResult& patch = only(result, Side::left);
+  // The crown touches where its tangent is that of the cone, which the roll turns.
+  const double tilt = angle + result.roll;
+  EXPECT_NEAR(patch.contact_angle, tilt, 1e-4);
+  EXPECT_NEAR(patch.rail_s, -round_bodies::crown_radius * tilt, 2e-5);
+  const double outward =
+      0.5 * scene.track.gauge + round_bodies::half_head - round_bodies::crown_radius * std::sin(tilt) - y;
+  // Along the axle from its centre, to the point of the crown that lies about r below.
+  const double along = outward * std::cos(result.roll) - (result.z) * std::sin(result.roll) - scene.wheelset.halfBase();
+  EXPECT_NEAR(patch.wheel_s, along * std::hypot(1, slope), 5e-5);
+  EXPECT_NEAR(patch.rolling_radius, scene.wheelset.rolling_radius.left - slope * along, 1e-5);
+  EXPECT_NEAR(patch.curvature_across, 1 / round_bodies::crown_radius, 1e-6);
+  EXPECT_NEAR(patch.curvature_along, std::cos(angle) / patch.rolling_radius, 1e-9);
+  EXPECT_EQ(patch.wheel_angle, 0);
+}
+
+// On a yawed axle, the normal of the wheel has no component along the track at the angle whose sine is tan(yaw)
+// tan(contact angle), ahead of the axle if the flange is turned towards the rail. The contact angle is that of the
+// resultant; the angle at the centre of pressure differs by up to the turn of the surface over the patch.
+TEST(CreepInputsTest, AYawedFlangeTouchesAheadOfTheAxle)
+{
+  WheelsetContact contact(manchesterScene());
+  const double yaw = 10e-3;
+  const WheelsetResult& result = contact.evaluate(stateAt(7e-3, 5e4, yaw));
+  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const PatchResult& patch = only(result, Side::left);
+  ASSERT_GT(patch.contact_angle, 1);
+  EXPECT_NEAR(patch.wheel_angle, std::tan(yaw) * std::tan(patch.contact_angle), 0.03 * patch.wheel_angle);
+  const double ahead = patch.pose.x + (patch.pose.y - result.y) * std::tan(yaw);  // of the axle
+  EXPECT_NEAR(ahead, patch.rolling_radius * std::sin(patch.wheel_angle), 1e-4);
+}
+
+// Contact of two areas on one wheel: each is a contact of its own, and their forces add up to those of the wheel. Rails
+// are prisms: no force along them.
+TEST(CreepInputsTest, ForcesOfAllContactsAddUpToTheWrenchOnTheAxle)
+{
+  WheelsetContact contact(manchesterScene());
+  bool two_on_a_wheel = false;
+  for (const double y : {-5e-3, 0.0, 2e-3, 5.2e-3, 7e-3})
+  {
+    const WheelsetResult& result = contact.evaluate(stateAt(y, 5e4, 4e-3));
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    two_on_a_wheel = two_on_a_wheel || result.patches.size() > 2;
+    double lateral = 0, vertical = 0;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    for (const PatchResult& patch : result.patches)
+    {
+      EXPECT_NEAR(std::atan2(patch.lateral_force, patch.vertical_force), patch.contact_angle, 1e-12);
+      const Eigen::Vector3d force(0, -sideSign(patch.side) * patch.lateral_force, patch.vertical_force);
+      lateral += force.y();
+      vertical += force.z();
+      moment += Eigen::Vector3d(patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z).cross(force);
+    }
+    EXPECT_NEAR(result.wheel[0].vertical + result.wheel[1].vertical, vertical, 1e-6);
+    EXPECT_NEAR(result.wheel[0].vertical, result.rail[0].vertical_force, 1e-6 * 5e4);
+    EXPECT_NEAR(result.wheel[1].lateral, result.rail[1].lateral_force, 1e-6 * 5e4);
+    EXPECT_EQ(result.rail_wrench.force.x(), 0);
+    EXPECT_NEAR(result.rail_wrench.force.y(), lateral, 1e-6);
+    EXPECT_NEAR(result.rail_wrench.force.z(), vertical, 1e-6);
+    // The moment about x is that of the pressure in each cell. The patches replace it by resultants at their centres:
+    // on a curved surface these pass the true line of action by up to the width times the turn of the surface, 20 um.
+    EXPECT_NEAR(result.rail_wrench.moment.x(), moment.x(), 2e-5 * 2e5);
+    EXPECT_NEAR(result.rail_wrench.moment.y(), moment.y(), 1e-6);
+    EXPECT_NEAR(result.rail_wrench.moment.z(), moment.z(), 1e-6);
+  }
+  EXPECT_TRUE(two_on_a_wheel);
+}
+
+// The stiffness is that of a contact alone. A rail that moves along the normal changes its force by as much, if it has
+// no neighbour on the same wheel. The ellipse replaces the true shape: 2 %.
+TEST(CreepInputsTest, NormalStiffnessIsTheChangeOfTheForcePerApproach)
+{
+  ContactModelConfig scene = manchesterScene();
+  scene.contact.tolerance = 2e-3;
+  WheelsetContact loaded(scene);
+  scene.wheelset.solve_height_and_roll = false;
+  WheelsetContact held(scene);
+  for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
+  {
+    const WheelsetResult under_load = loaded.evaluate(stateAt(y, 5e4));
+    ASSERT_EQ(under_load.status, ContactStatus::ok) << under_load.reason;
+    const PatchResult& patch = only(under_load, Side::left);
+    WheelsetState state;
+    state.y = y;
+    state.z = under_load.z;
+    state.roll = under_load.roll;
+    const auto force = [&](double approach)
+    {
+      state.rail_displacement[0] = {-approach * std::sin(patch.contact_angle), approach * std::cos(patch.contact_angle),
+                                    0};
+      return only(held.evaluate(state), Side::left).normal_force;
+    };
+    const double step = 2e-6;
+    const double slope = (force(step) - force(-step)) / (2 * step);
+    EXPECT_NEAR(patch.normal_stiffness, slope, 0.02 * slope) << "y = " << y;
+  }
+}
+
+TEST(CreepInputsTest, TheAngleIsNegativeWhereTheWheelPressesTheRailInward)
+{
+  // A cone that falls to the field side.
+  WheelsetContact contact(round_bodies::scene(-0.05));
+  const WheelsetResult& result = contact.evaluate(stateAt(0, 5e4));
+  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  for (const PatchResult& patch : result.patches)
+  {
+    EXPECT_NEAR(patch.contact_angle, std::atan(-0.05), 1e-4);
+    EXPECT_NEAR(patch.lateral_force, -0.05 * 5e4, 10);
+  }
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Balance of forces and moments about the axle centre (WheelsetConfig::Balance::moments).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/balance/load_transfer.h"
+#include "wheelset_scene.h"
+
+using namespace wheel_rail_contact::core;
+
+namespace
+{
+ContactModelConfig momentScene()
+{
+  ContactModelConfig scene = manchesterScene();
+  scene.wheelset.balance = WheelsetConfig::Balance::moments;
+  return scene;
+}
+
+/// Open moment about the axle centre [N m].
+double openMoment(const WheelsetResult& result, const WheelsetState& state)
+{
+  return result.rail_wrench.moment.x() + state.torque_x;
+}
+}  // namespace
+
+// The last loads are settled to 4 % of the tolerance: 20 N of 50 kN, at a distance of 1.5 m.
+TEST(MomentsTest, ForcesAndMomentsAboutTheAxleCentreAreInBalance)
+{
+  WheelsetContact contact(momentScene());
+  for (const double torque : {0.0, 1e4, -3e4})
+  {
+    for (const double y : {-5.8e-3, -3e-3, 0.0, 2e-3, 4.5e-3, 5.2e-3, 6.2e-3})
+    {
+      WheelsetState state = stateAt(y, 5e4);
+      state.torque_x = torque;
+      const WheelsetResult& result = contact.evaluate(state);
+      ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+      EXPECT_NEAR(result.rail_wrench.force.z(), 1e5, 1);
+      EXPECT_NEAR(openMoment(result, state), 0, 60) << "y = " << y << " m, torque " << torque << " N m";
+    }
+  }
+}
+
+// The lateral normal forces of both wheels are equal only in the middle. Elsewhere their moment transfers load.
+TEST(MomentsTest, BothBalancesDifferByTheMomentOfTheLateralForces)
+{
+  WheelsetContact moments(momentScene()), wheel_loads(manchesterScene());
+  const WheelsetState middle = stateAt(0, 5e4), flange_root = stateAt(6.2e-3, 5e4);
+  EXPECT_NEAR(moments.evaluate(middle).wheel[0].vertical, 5e4, 50);
+  const WheelsetResult simple = wheel_loads.evaluate(flange_root);
+  EXPECT_NEAR(simple.wheel[0].vertical, 5e4, 50);
+  const double moved = moments.evaluate(flange_root).wheel[0].vertical - simple.wheel[0].vertical;
+  // The transfer at the lever arms of equal loads; with the transfer the arms change by 10 %.
+  const double transfer = -openMoment(simple, flange_root) / (2 * wheel_loads.config().wheelset.halfBase());
+  EXPECT_GT(moved, 5e3);
+  EXPECT_NEAR(moved, transfer, 0.3 * transfer);
+}
+
+// Forces that follow from an energy are reciprocal (Maxwell). The energy is E(y, T) = minimum over z and roll of U + Q
+// z - T roll, with the elastic energy U, the load Q and the torque T. Its derivatives are -F by y, with the lateral
+// force F of the rails, and -roll by T. Therefore dF/dT = d(roll)/dy. With wheel loads alone this does not hold.
+TEST(MomentsTest, LateralForceAndRollAreReciprocal)
+{
+  ContactModelConfig scene = momentScene();
+  scene.contact.tolerance = 1e-3;
+  const auto solve = [&](double y, double torque)
+  {
+    WheelsetContact contact(scene);
+    WheelsetState state = stateAt(y, 5e4);
+    state.torque_x = torque;
+    return contact.evaluate(state);
+  };
+  const double y = 5.8e-3, dy = 1e-5, dt = 500;
+  const double force_per_torque = (solve(y, dt).rail_wrench.force.y() - solve(y, -dt).rail_wrench.force.y()) / (2 * dt);
+  const double roll_per_y = (solve(y + dy, 0).roll - solve(y - dy, 0).roll) / (2 * dy);
+  EXPECT_NEAR(force_per_torque, roll_per_y, 0.02 * std::abs(roll_per_y));
+  scene.wheelset.balance = WheelsetConfig::Balance::wheel_loads;
+  const double without = (solve(y, dt).rail_wrench.force.y() - solve(y, -dt).rail_wrench.force.y()) / (2 * dt);
+  EXPECT_GT(std::abs(without - roll_per_y), 0.1 * std::abs(roll_per_y));
+}
+
+// A flange steeper than its lever arm allows, without friction: the wheelset rolls until the other wheel lifts.
+TEST(MomentsTest, ASteepFlangeLiftsTheOtherWheel)
+{
+  WheelsetContact contact(momentScene());
+  const WheelsetResult& result = contact.evaluate(stateAt(7e-3, 5e4));
+  EXPECT_EQ(result.status, ContactStatus::lift_off);
+  EXPECT_NE(result.reason.find("the right wheel lifts"), std::string::npos) << result.reason;
+  EXPECT_NEAR(result.wheel[0].vertical, 1e5, 1);
+}
+
+TEST(MomentsTest, MirroredStatesHaveMirroredResults)
+{
+  WheelsetContact contact(momentScene());
+  WheelsetState state = stateAt(4e-3, 5e4, 2e-3);
+  state.torque_x = 5e3;
+  const WheelsetResult left = contact.evaluate(state);
+  contact.reset();
+  state.y = -state.y;
+  state.yaw = -state.yaw;
+  state.torque_x = -state.torque_x;
+  const WheelsetResult& right = contact.evaluate(state);
+  EXPECT_EQ(left.wheel[0].vertical, right.wheel[1].vertical);
+  EXPECT_EQ(left.roll, -right.roll);
+}
+
+TEST(LoadTransferTest, FindsTheRootOfAMomentThatJumps)
+{
+  LoadTransfer search;
+  search.begin(1e5, 0, 1.5, 0);
+  const auto moment = [](double transfer) { return transfer < 1.2e4 ? 3e4 - transfer : -1e3 - transfer; };
+  double step = 1e9;
+  int steps = 0;
+  for (; std::abs(step) > 10 && steps < 80; ++steps)
+  {
+    step = search.improve(moment(search.transfer()), 1.5);
+  }
+  EXPECT_LT(steps, 40);
+  EXPECT_NEAR(search.transfer(), 1.2e4, 20);
+}
