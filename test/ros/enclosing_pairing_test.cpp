@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "ros/evaluation/stamp_pairing.h"
@@ -199,4 +200,24 @@ TEST(EnclosingPairing, WaitingSamplesAreLimitedByTheCapacity)
   EXPECT_EQ(pairing.counts()[DropReason::queue_full], 2U);
   EXPECT_EQ(add(pairing, loads, {50}), (Sets{{42, 40, 50}, {43, 40, 50}, {44, 40, 50}}));
   expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, RepeatedPosesHaveTheSameLoads)
+{
+  Pairing pairing(2, 0, large_capacity, longest_gap);
+  add(pairing, loads, {10, 20});
+  EXPECT_EQ(add(pairing, poses, {15, 15, 20, 20}), (Sets{{15, 10, 20}, {15, 10, 20}, {20, 20, 20}, {20, 20, 20}}));
+  expectNothingLost(pairing);
+}
+
+TEST(EnclosingPairing, SecondLoadOfAStampIsDroppedAsADuplicate)
+{
+  StampPairing<std::string> pairing(2, 0, large_capacity, longest_gap);
+  const ros::Time stamp(1, 0);
+  EXPECT_TRUE(pairing.add(loads, stamp, "first").empty());
+  EXPECT_TRUE(pairing.add(loads, stamp, "second").empty());
+  const auto sets = pairing.add(poses, stamp, "pose");
+  ASSERT_EQ(sets.size(), 1U);
+  EXPECT_EQ(sets[0], (std::vector<std::string>{"pose", "first", "first"}));
+  EXPECT_EQ(pairing.counts()[DropReason::duplicate], 1U);
 }

@@ -16,7 +16,7 @@ constexpr std::array<const char*, ContactStatistics::statuses> status_names{
     "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
 constexpr std::array<const char*, PairingCounts::reasons> drop_names{
     "no message with a matching stamp",
-    "duplicate stamp",
+    "load to interpolate with the stamp of the load before it",
     "time went back",
     "queue full while waiting for a match",
     "stamp 0, which means that the stamp is unknown",

@@ -11,7 +11,7 @@ namespace wheel_rail_contact
 enum class DropReason
 {
   unmatched,     ///< another channel has no sample with a stamp within the slop
-  duplicate,     ///< the previous sample of the channel has the same stamp
+  duplicate,     ///< of the enclosing channel: the previous sample has the same stamp
   time_jump,     ///< time went back while the sample waited for a match, or the sample was out of order
   queue_full,    ///< newer samples of the channel filled the queue while the sample waited
   unstamped,     ///< the stamp is 0, which in ROS means that it is unknown

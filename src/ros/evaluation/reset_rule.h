@@ -9,8 +9,8 @@ namespace wheel_rail_contact
 ///
 /// A result depends, within the tolerance, on the previous one, from which it is started. Live node and replay must
 /// give identical results, wherever they begin and whatever the number of threads. Both therefore apply one rule, which
-/// depends only on the stamps. The warm start is reset at every whole second, where a stamp does not increase, and
-/// after `slice_capacity` results. The inputs between two resets are called a slice.
+/// depends only on the stamps. The warm start is reset at every whole second, where a stamp decreases, and after
+/// `slice_capacity` results. A repeated stamp causes no reset. The inputs between two resets are called a slice.
 class ResetRule
 {
  public:
@@ -19,7 +19,7 @@ class ResetRule
   /// True if these successive stamps cause a reset, whatever the number of inputs in the slice.
   static bool isBoundary(const ros::Time& before, const ros::Time& stamp)
   {
-    return stamp.sec != before.sec || stamp <= before;
+    return stamp.sec != before.sec || stamp < before;
   }
 
   /// Adds the stamp of the next input. @return true if the warm start is reset before this input.

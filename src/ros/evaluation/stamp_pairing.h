@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,15 +20,21 @@ namespace wheel_rail_contact
 /// `slop`.
 ///
 /// *Matching.* The channels are merged like sorted lists. Whenever every channel has a waiting sample, the oldest
-/// sample of each channel is compared. They form a set if their stamps are within the slop. Otherwise the oldest of
-/// them is dropped as unmatched. The sets therefore depend only on the sequence of each channel, not on the order in
-/// which the channels arrive, nor on a clock. A live node and a replay of its bag form the same sets. A slop below half
-/// the sampling interval is unambiguous.
+/// sample of each channel is compared. They form a set if their stamps are within the slop and their repetitions are
+/// equal. Otherwise the oldest of them is dropped as unmatched. The sets therefore depend only on the sequence of each
+/// channel, not on the order in which the channels arrive, nor on a clock. A live node and a replay of its bag form the
+/// same sets. A slop below half the sampling interval is unambiguous.
+///
+/// *Repeated stamps.* A channel may have several samples with one stamp. The first ones of all channels form a set, the
+/// second ones another one, and so on. A repeated sample without a partner in another channel is dropped as unmatched;
+/// it does not shift the sets of later stamps.
 ///
 /// *Enclosing.* If the last channel encloses the others, it is not matched. A set then contains two of its samples: the
 /// last one up to the stamp of the first channel, and the next one, or twice the same one if its stamp is equal. Their
 /// stamps differ by at most the longest gap. A set waits for the next sample of this channel; one without both samples
-/// is dropped as not enclosed. These sets, too, depend only on the sequence of each channel.
+/// is dropped as not enclosed. These sets, too, depend only on the sequence of each channel. The enclosing channel is a
+/// function of time: of several samples with one stamp, only the first one is used, also for repeated samples of the
+/// other channels. The others are dropped as duplicates.
 ///
 /// *Time that goes back.* See StampQueues.
 ///
@@ -47,7 +54,7 @@ class StampPairing
   /// @param longest_gap the last channel encloses the others, with at most this difference of its stamps [s]; there are
   /// then at least two channels. Empty: all channels are matched
   StampPairing(std::size_t channels, double slop, std::size_t capacity, std::optional<double> longest_gap = {})
-      : queues_(channels, capacity),
+      : queues_(channels, capacity, longest_gap.has_value()),
         slop_(nanoseconds(slop)),
         matched_(static_cast<std::ptrdiff_t>(channels) - (longest_gap ? 1 : 0)),
         longest_gap_(nanoseconds(longest_gap.value_or(0)))
@@ -95,19 +102,31 @@ class StampPairing
   static bool isEmpty(const Channel& channel) { return channel.waiting.empty(); }
   bool isEnclosing() const { return static_cast<std::size_t>(matched_) < queues_.channels().size(); }
 
+  /// True if the oldest sample of a channel is older than that of the other one.
+  static bool isOlder(const Channel& channel, const Channel& other)
+  {
+    const auto &a = channel.waiting.front(), &b = other.waiting.front();
+    return std::tie(a.stamp, a.repetition) < std::tie(b.stamp, b.repetition);
+  }
+  /// True if the oldest samples of both channels may be in one set.
+  /// @param oldest channel whose sample is not newer than that of the other one
+  bool match(const Channel& oldest, const Channel& other) const
+  {
+    const auto &a = oldest.waiting.front(), &b = other.waiting.front();
+    return a.repetition == b.repetition && b.stamp - a.stamp <= slop_;
+  }
+
   /// @param ended true: no further samples follow
   std::vector<Set> merge(bool ended)
   {
-    const auto earlier = [](const Channel& a, const Channel& b)
-    { return a.waiting.front().stamp < b.waiting.front().stamp; };
     const auto first = queues_.channels().begin(), end = first + matched_;
     std::vector<Set> sets;
     while (std::none_of(first, end, isEmpty))
     {
-      const auto ends = std::minmax_element(first, end, earlier);
-      if (ends.second->waiting.front().stamp - ends.first->waiting.front().stamp > slop_)
+      const auto oldest = std::min_element(first, end, isOlder);
+      if (!std::all_of(first, end, [this, &oldest](const Channel& other) { return match(*oldest, other); }))
       {
-        queues_.drop(*ends.first, DropReason::unmatched);
+        queues_.drop(*oldest, DropReason::unmatched);
         continue;
       }
       if (isEnclosing() && !ended && !reaches(first->waiting.front().stamp))

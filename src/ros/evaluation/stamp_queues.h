@@ -17,8 +17,11 @@ namespace wheel_rail_contact
 {
 /// Samples of several channels that wait for a match, in the order of their stamps.
 ///
-/// *Time that goes back.* The stamps of a channel must increase. If a stamp decreases, time has been set back: a bag
-/// loops, or a simulation restarts. The channels do so one after the other.
+/// *Repeated stamps.* A channel may have several samples with one stamp, for example the evaluations of one time step
+/// by a predictor-corrector method. They are numbered from 0: see Entry::repetition.
+///
+/// *Time that goes back.* If a stamp decreases, time has been set back: a bag loops, or a simulation restarts. The
+/// channels do so one after the other.
 /// - The new samples of a channel that has gone back are kept apart until all other channels have gone back, too.
 ///   Meanwhile the samples of the other channels are still matched with the old samples of this channel. No set is lost
 ///   at the end of a loop, and no set combines samples from before and after the jump.
@@ -34,12 +37,13 @@ class StampQueues
   /// A sample that waits.
   struct Entry
   {
-    std::int64_t stamp;     ///< [ns]
-    std::uint64_t arrival;  ///< number among all samples received
+    std::int64_t stamp;        ///< [ns]
+    std::uint64_t repetition;  ///< number of earlier samples of the channel with this stamp, since time went back
+    std::uint64_t arrival;     ///< number among all samples received
     Sample sample;
     bool used;  ///< it is in a set, but may be needed for another one
   };
-  using Queue = std::deque<Entry>;  ///< in order of increasing stamps
+  using Queue = std::deque<Entry>;  ///< in order of stamps, and of repetitions
 
   /// A channel.
   struct Channel
@@ -47,6 +51,7 @@ class StampQueues
     Queue waiting;                     ///< samples that can be matched
     Queue after;                       ///< samples since it went back, until all other channels have gone back
     std::optional<std::int64_t> last;  ///< stamp of the last sample [ns]
+    std::uint64_t repetitions = 0;     ///< number of samples with this stamp, since the channel went back
     bool gone_back = false;            ///< it has gone back, and other channels have not
     std::int64_t left_at = 0;          ///< stamp before it went back [ns]
     std::uint64_t went_at = 0;         ///< arrival number of the sample with which it went back
@@ -55,7 +60,11 @@ class StampQueues
 
   /// @param channels number of channels, >= 1
   /// @param capacity largest number of waiting samples of a channel, >= 1; if it is exceeded, the oldest is dropped
-  StampQueues(std::size_t channels, std::size_t capacity) : channels_(channels), capacity_(capacity) {}
+  /// @param last_is_unique true: the last channel has one sample for each stamp; further ones are dropped as duplicates
+  StampQueues(std::size_t channels, std::size_t capacity, bool last_is_unique)
+      : channels_(channels), capacity_(capacity), last_is_unique_(last_is_unique)
+  {
+  }
 
   /// Adds a sample, or drops it.
   void add(std::size_t channel, const ros::Time& stamp, Sample sample)
@@ -63,10 +72,12 @@ class StampQueues
     ++counts_.received;
     const auto time = static_cast<std::int64_t>(stamp.toNSec());
     Channel& own = channels_[channel];
-    if (stamp.isZero() || (own.last && time == *own.last))
+    const std::uint64_t repetition = own.last && time == *own.last ? own.repetitions : 0;
+    const bool is_duplicate = last_is_unique_ && &own == &channels_.back() && repetition > 0;
+    if (stamp.isZero() || is_duplicate)
     {
       ++own.dropped;
-      ++counts_[stamp.isZero() ? DropReason::unstamped : DropReason::duplicate];
+      ++counts_[is_duplicate ? DropReason::duplicate : DropReason::unstamped];
       return;
     }
     if (own.last && time < *own.last)
@@ -78,12 +89,13 @@ class StampQueues
       rejoin(own);
     }
     own.last = time;
+    own.repetitions = repetition + 1;
     Queue& queue = own.gone_back ? own.after : own.waiting;
     if (queue.size() == capacity_)
     {
       dropOldest(own, queue, DropReason::queue_full);
     }
-    queue.push_back({time, counts_.received, std::move(sample), false});
+    queue.push_back({time, repetition, counts_.received, std::move(sample), false});
     ++counts_.waiting;
   }
 
@@ -142,6 +154,7 @@ class StampQueues
       if (!channel.gone_back && (&channel == &own || !channel.last || *channel.last <= stamp))
       {
         channel.gone_back = true;
+        channel.repetitions = 0;
         channel.left_at = left_at;
         channel.went_at = counts_.received;
       }
@@ -180,6 +193,7 @@ class StampQueues
 
   std::vector<Channel> channels_;
   std::size_t capacity_;
+  bool last_is_unique_;
   PairingCounts counts_;
 };
 }  // namespace wheel_rail_contact

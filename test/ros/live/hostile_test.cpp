@@ -211,9 +211,7 @@ TEST_F(HostileInput, StampsMayDecrease)
     EXPECT_EQ(result->header.stamp, time);
     EXPECT_EQ(result->status, WheelsetContact::OK) << result->status_text;
   }
-  sendPair(0, ros::Time(4e9));  // the same stamp again
   expectAllCounted();
-  EXPECT_EQ(change("messages dropped: duplicate stamp"), 2U);
   // Poses and loads may arrive in another order than they were sent. Not all of these pairs are then formed.
   for (int i = 50; i > 0; --i)
   {

@@ -120,6 +120,23 @@ TEST(LiveNode, BagLoopIsEvaluatedAgain)
   EXPECT_EQ(client.results().size(), 30U);
 }
 
+TEST(LiveNode, EachEvaluationOfALockstepLoopWithARepeatedStampHasAResult)
+{
+  ContactClient client;
+  for (int step = 0; step < 5; ++step)
+  {
+    const ros::Time stamp = ContactClient::nextStamp();
+    for (const double y : {1e-3, 2e-3, 1e-3})  // as by a method with a predictor and two correctors
+    {
+      const auto result = client.request(ContactClient::pose(y, stamp), ContactClient::load(-200e3, stamp));
+      ASSERT_TRUE(result);
+      EXPECT_EQ(result->header.stamp, stamp);
+      EXPECT_DOUBLE_EQ(result->wheelset.position.y, y);
+      EXPECT_EQ(result->status, WheelsetContact::OK) << result->status_text;
+    }
+  }
+}
+
 TEST(LiveNode, EveryMessageIsEvaluatedOrCountedAsDropped)
 {
   ContactClient client;
@@ -128,7 +145,7 @@ TEST(LiveNode, EveryMessageIsEvaluatedOrCountedAsDropped)
   const ros::Time first = ContactClient::nextStamp(), second = ContactClient::nextStamp();
   client.send(ContactClient::pose(0, first));  // without a load
   client.send(ContactClient::pose(0, second));
-  client.send(ContactClient::pose(0, second));  // duplicate
+  client.send(ContactClient::pose(0, second));  // without a second load
   client.send(ContactClient::load(-200e3, second));
   client.send(ContactClient::load(-200e3, first - ros::Duration(5)));  // time goes back, without a pose
   ASSERT_TRUE(client.waitForResults(results + 1));
@@ -141,8 +158,7 @@ TEST(LiveNode, EveryMessageIsEvaluatedOrCountedAsDropped)
   EXPECT_EQ(change("messages received"), 5U);
   EXPECT_EQ(change("results"), 1U);
   EXPECT_EQ(change("messages dropped: no message with a matching stamp"), 1U);
-  EXPECT_EQ(change("messages dropped: duplicate stamp"), 1U);
-  EXPECT_EQ(number(after, "messages waiting for a match"), 1U);
+  EXPECT_EQ(number(after, "messages waiting for a match"), 2U) << "the second pose and the load after the jump";
   EXPECT_TRUE(client.request(0.0)) << "no result for a valid pair";
 }
 
