@@ -55,11 +55,16 @@ struct Serializer<wheel_rail_contact::NeighbourResult>
     std::string status_text;
     geometry_msgs::Pose wheelset;
     double distance = 0;
+    wheel_rail_contact::WheelForces left_wheel, right_wheel;
+    geometry_msgs::Wrench rail_wrench;
     stream.next(header);
     stream.next(result.status);
     stream.next(status_text);
     stream.next(wheelset);
     stream.next(distance);
+    stream.next(left_wheel);
+    stream.next(right_wheel);
+    stream.next(rail_wrench);
     stream.next(result.left_rail);
     stream.next(result.right_rail);
     result.stamp = header.stamp;
