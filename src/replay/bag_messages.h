@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversion of single messages of a bag from bytes.
+// Conversion of single messages of a bag from and to bytes.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -40,6 +40,17 @@ boost::shared_ptr<Message> parse(std::string_view data)
   auto message = boost::make_shared<Message>();
   readStream(data, [&message](auto& stream) { stream.next(*message); });
   return message;
+}
+
+/// Bytes of a message.
+template <typename Message>
+std::string serialized(const Message& message)
+{
+  std::string bytes(ros::serialization::serializationLength(message), '\0');
+  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                     static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
 }
 
 /// Transforms in the bytes of a message tf2_msgs/TFMessage.

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/evaluation_pool.h"
 
-#include <ros/serialization.h>
-
 #include <exception>
 #include <utility>
 
+#include "replay/bag_messages.h"
 #include "replay/csv_rows.h"
 
 namespace wheel_rail_contact
 {
-namespace
-{
-std::string serialized(const WheelsetContact& message)
-{
-  std::string bytes(ros::serialization::serializationLength(message), '\0');
-  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
-                                     static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, message);
-  return bytes;
-}
-}  // namespace
-
 EvaluationPool::EvaluationPool(NodeConfig config, int threads, Format format, OutputQueue& output)
     : config_(std::move(config)), format_(std::move(format)), output_(output), open_(format_.wheelsets.size())
 {

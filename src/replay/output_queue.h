@@ -21,6 +21,8 @@ struct OutputItem : ReplayItem
   std::string csv;             ///< rows of the table
   std::uint8_t status = 0;     ///< status of the result, as in the message
   std::string reason;          ///< status_text of the result; empty if the status is OK
+  bool held = false;           ///< the result is held (HoldLast)
+  bool warm_up = false;        ///< not output, but later results may be completed with it
   std::size_t charged = 0;     ///< memory attributed to the item by the queue [B]
 };
 

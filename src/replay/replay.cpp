@@ -72,7 +72,10 @@ Replay::Replay(ReplayOptions options)
       source_(options_.input, config_, options_.inputs, options_.keep_topics, options_.span,
               warmUpStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
-      queue_(queue_budget)
+      queue_(queue_budget),
+      warm_up_(options_.inputs.wheelsets.size(), WarmUpInputs(HoldLast::memory)),
+      held_(options_.inputs.wheelsets.size(), HeldResults(config_)),
+      resumed_(options_.inputs.wheelsets.size())
 {
   if (options_.resume)
   {
@@ -121,7 +124,7 @@ std::unique_ptr<BagWriter> Replay::resumeOutput()
   }
   resume_point_ = resumePointOf(file);
   auto bag = std::make_unique<BagWriter>(options_.output, options_.compression, resume_point_);
-  counts_ = resumedResults(options_.output, resume_point_, options_.inputs.wheelsets.size());
+  counts_ = resumedResults(options_.output, resume_point_, resumed_);
   return bag;
 }
 
@@ -171,14 +174,20 @@ void Replay::read(EvaluationPool& pool)
   try
   {
     std::uint64_t messages = 0, results = 0;
+    bool has_begun = false;
     std::vector<std::uint32_t> sequence(options_.inputs.wheelsets.size(), 0);
     while (auto event = source_.next())
     {
       if (event->warm_up)
       {
-        pool.add(*event->wheelset, std::move(event->input), nullptr);
+        warm_up_[*event->wheelset].add(std::move(event->input));
         continue;
       }
+      if (!has_begun && !addWarmUp(pool))
+      {
+        return;
+      }
+      has_begun = true;
       const bool wanted = messages++ >= resume_point_.messages;
       OutputItem item;
       static_cast<ReplayItem&>(item) = std::move(static_cast<ReplayItem&>(*event));
@@ -206,8 +215,36 @@ void Replay::read(EvaluationPool& pool)
   }
 }
 
-void Replay::write(const OutputItem& item)
+/// Evaluates the last inputs before the output.
+/// @return false if the queue was stopped
+bool Replay::addWarmUp(EvaluationPool& pool)
 {
+  for (std::size_t i = 0; i < warm_up_.size(); ++i)
+  {
+    for (PreparedInput& input : warm_up_[i].inputs())
+    {
+      OutputItem item;
+      item.wheelset = i;
+      item.warm_up = true;
+      OutputItem* const place = queue_.append(std::move(item));
+      if (!place)
+      {
+        return false;
+      }
+      pool.add(i, std::move(input), place);
+    }
+    warm_up_[i].inputs().clear();
+  }
+  return true;
+}
+
+void Replay::write(OutputItem& item)
+{
+  if (item.warm_up)
+  {
+    held_[*item.wheelset].follow(item.status, item.data);
+    return;
+  }
   const bool is_resumed = written_++ < resume_point_.messages;
   if (item.wheelset)
   {
@@ -216,7 +253,8 @@ void Replay::write(const OutputItem& item)
   }
   if (item.wheelset && !is_resumed)
   {
-    counts_.add(item.status, item.reason);
+    complete(item);
+    counts_.add(item.status, item.reason, item.held);
   }
   if (csv_ && item.wheelset && !is_resumed)
   {
@@ -225,6 +263,19 @@ void Replay::write(const OutputItem& item)
   last_read_ = item.read;
   const auto number = item.wheelset ? static_cast<std::uint32_t>(*item.wheelset) : keptConnection(item);
   bag_->write(number, item.time, item.data);
+}
+
+/// Completes a result with the results before it (HoldLast): those of the warm-up, of the resumed bag, and of this run.
+void Replay::complete(OutputItem& item)
+{
+  HeldResults& held = held_[*item.wheelset];
+  RecordedResults& resumed = resumed_[*item.wheelset];
+  for (const auto& [status, data] : resumed)
+  {
+    held.follow(status, data);
+  }
+  resumed.clear();
+  held.complete(item, options_.inputs.wheelsets[*item.wheelset]);
 }
 
 std::uint32_t Replay::keptConnection(const OutputItem& item)

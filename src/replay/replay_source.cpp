@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "replay/bag_messages.h"
+#include "ros/evaluation/hold_last.h"
 
 namespace wheel_rail_contact
 {
@@ -325,13 +326,15 @@ void ReplaySource::observe(Wheelset& wheelset, const ros::Time& stamp)
   const bool is_reset = wheelset.last_stamp && ResetRule::isBoundary(*wheelset.last_stamp, stamp);
   wheelset.warmed_up =
       wheelset.warmed_up || (is_reset && wheelset.all_matched && wheelset.neighbours.reachBackFrom(stamp));
+  wheelset.results += wheelset.warmed_up && wheelset.results < HoldLast::memory ? 1 : 0;
   wheelset.all_matched = wheelset.all_matched || wheelset.pairing.isSettled();
   wheelset.last_stamp = stamp;
 }
 
 bool ReplaySource::isWarmedUp() const
 {
-  return std::all_of(wheelsets_.begin(), wheelsets_.end(), [](const Wheelset& wheelset) { return wheelset.warmed_up; });
+  return std::all_of(wheelsets_.begin(), wheelsets_.end(),
+                     [](const Wheelset& wheelset) { return wheelset.results == HoldLast::memory; });
 }
 
 std::array<std::uint64_t, PairingCounts::reasons> ReplaySource::dropped(std::size_t wheelset) const

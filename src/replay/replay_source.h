@@ -60,9 +60,10 @@ class ReplaySource
   /// Number of inputs in the span that are evaluated without the forces of a neighbour.
   std::uint64_t lackingNeighbour(std::size_t wheelset) const { return wheelsets_[wheelset].lacking_neighbour; }
   /// True once the next result of every wheelset is the same as if the bag had been read from its beginning. For each
-  /// wheelset, two things must have happened in this order:
+  /// wheelset, three things must have happened in this order:
   /// 1. All messages read so far were matched.
   /// 2. A warm-start reset, at which the results of each neighbour were known for the time in which they are used.
+  /// 3. As many results as HoldLast requires.
   /// Valid only with a slop of 0 and for bags without transforms.
   bool isWarmedUp() const;
   /// Parts of the bag that could not be read so far, as text.
@@ -102,7 +103,8 @@ class ReplaySource
     std::uint64_t lacking_neighbour = 0;                                 ///< see lackingNeighbour()
     std::optional<ros::Time> last_stamp;
     bool all_matched = false;  ///< at some time no message was waiting for a match
-    bool warmed_up = false;    ///< see isWarmedUp()
+    bool warmed_up = false;    ///< a reset after which the results are those of the whole bag has occurred
+    int results = 0;           ///< number of results since then, at most HoldLast::memory
   };
 
   Uses usesOf(const NodeConfig& config, const BagInputs& inputs) const;

@@ -8,6 +8,8 @@
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "bag/bag_stream.h"
 #include "replay/bag_messages.h"
+#include "ros/evaluation/conversions.h"
+#include "ros/evaluation/hold_last.h"
 #include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
@@ -20,24 +22,41 @@ std::string percent(std::uint64_t part, std::uint64_t all)
 }
 
 /// Adds a result from the bytes of its message, of which only the first fields are read.
-void addResult(std::string_view data, ResultCounts& counts)
+/// @return its status
+std::uint8_t addResult(std::string_view data, ResultCounts& counts)
 {
+  std::uint8_t status = 0;
   readStream(data,
-             [&counts](auto& stream)
+             [&counts, &status](auto& stream)
              {
                std_msgs::Header header;
-               std::uint8_t status = 0;
                std::string reason;
+               bool held = false;
                stream.next(header);
                stream.next(status);
                stream.next(reason);
-               counts.add(status, status == WheelsetContact::OK ? std::string() : reason);
+               stream.next(held);
+               counts.add(status, status == WheelsetContact::OK ? std::string() : reason, held);
              });
+  return status;
+}
+void keepLast(std::uint8_t status, std::string data, RecordedResults& last)
+{
+  if (isUsable(status))
+  {
+    last.clear();
+  }
+  last.emplace_back(status, std::move(data));
+  if (last.size() > static_cast<std::size_t>(HoldLast::memory) + 1)
+  {
+    last.pop_front();
+  }
 }
 }  // namespace
 
-void ResultCounts::add(std::uint8_t status, const std::string& reason)
+void ResultCounts::add(std::uint8_t status, const std::string& reason, bool held)
 {
+  held_ += held ? 1U : 0U;
   if (counts_.at(status)++ == 0)
   {
     first_reasons_[status] = reason;
@@ -60,9 +79,14 @@ void ResultCounts::print(std::ostream& out, std::uint64_t poses) const
           << first_reasons_[status] << "\n";
     }
   }
+  if (held_ > 0)
+  {
+    out << "  held: " << held_ << " (" << percent(held_, poses) << " %); forces of the last usable result\n";
+  }
 }
 
-ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point, std::size_t wheelsets)
+ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point,
+                            std::vector<RecordedResults>& last)
 {
   ResultCounts counts;
   if (resume_point.messages == 0)
@@ -74,9 +98,10 @@ ResultCounts resumedResults(const std::string& path, const BagResumePoint& resum
   while (const auto message = stream.next())
   {
     ++messages;
-    if (message->connection_id < wheelsets)
+    if (message->connection_id < last.size())
     {
-      addResult(message->data, counts);
+      const std::uint8_t status = addResult(message->data, counts);
+      keepLast(status, std::string(message->data), last[message->connection_id]);
     }
   }
   if (messages != resume_point.messages)

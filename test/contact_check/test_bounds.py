@@ -54,6 +54,12 @@ class Bounds(unittest.TestCase):
         self.assertIn("1 results with a wheel that carries no load", found["lift_offs"])
         self.assertEqual(violations({"refusals": 1, "lift_offs": 1}, results), {})
 
+    def test_patches_of_a_held_result_are_not_checked(self):
+        held = result(max_pressure=3e9)
+        held.status, held.held = WheelsetContact.NOT_CONVERGED, True
+        parameters = {"refusals": 1, "bounds": {"max_pressure": {"max": 1.5e9}}}
+        self.assertEqual(violations(parameters, [result(), held]), {})
+
     def test_run_without_results_fails(self):
         self.assertEqual(violations({}, []), {"results": "0 results, at least 1 are required"})
 

@@ -27,8 +27,9 @@ class Parts(ReplayCase):
         (self.folder / "grid.yaml").write_text(GRID)
         self.options = ["--no-grids", "--config", self.folder / "grid.yaml"]
 
-    def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, **also):
-        """Writes pairs with stamps from 100 s on. `pace` is the rate of the recorder clock relative to the stamps."""
+    def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, refused=(), **also):
+        """Writes pairs with stamps from 100 s on. `pace` is the rate of the recorder clock relative to the stamps. The
+        wheelset is beside the rails in the pairs with the numbers `refused`."""
         with rosbag.Bag(str(self.bag), "w", chunk_threshold=3000) as bag:
             for name, messages in also.items():
                 for at, message in messages:
@@ -37,6 +38,8 @@ class Parts(ReplayCase):
                 jump = 0 if back_at is None or i < back_at else 7.3e9
                 for wheelset in inputs:
                     for topic, message, late in (("pose", pose(i, frame), 0), ("load", load(i), LATE)):
+                        if topic == "pose" and i in refused:
+                            message.pose.position.y = 0.09
                         message.header.stamp = time(100 * 10**9 + i * STEP - int(jump))
                         if (i, topic) not in left_out:
                             bag.write(f"{wheelset}/{topic}", message, time(START + pace * i * STEP + late))
@@ -74,6 +77,19 @@ class Parts(ReplayCase):
     def test_joined_parts_equal_the_whole_bag_if_stamps_go_back(self):
         self.write(back_at=139)
         self.assert_parts_equal_the_whole(cuts=(6.955, 7.2, 8.5))
+
+    def test_results_that_are_held_in_a_part_are_those_of_the_whole_bag(self):
+        # Runs of refused states at the cuts, across whole seconds, and one that is longer than HoldLast::memory.
+        refused = {*range(75, 86), *range(149, 153), *range(250, 455), *range(530, 560)}
+        self.write(seconds=31, refused=refused)
+        (self.folder / "hold.yaml").write_text("contact: {hold_last: 8}\n")
+        whole, printed = self.assert_parts_equal_the_whole("--config", self.folder / "hold.yaml",
+                                                           cuts=(4.013, 7.52, 7.6, 22.3, 22.6, 26.72, 27.0))
+        held = [i for i, result in enumerate(self.results(whole)) if result.held]
+        self.assertEqual(held, [*range(75, 83), *range(149, 153), *range(250, 258), *range(530, 538)])
+        self.assertIn("held: 28 (4.5 %)", printed)
+        heights = [result.wheelset.position.z for result in self.results(whole)]
+        self.assertEqual([heights[449], heights[450]], [heights[249], 0], "forgotten after 200 results")
 
     def test_parts_with_several_wheelsets_kept_topics_and_compression_are_joined(self):
         remarks = [(k * 10**9 + 1, String(f"remark {k}")) for k in range(11)]

@@ -8,9 +8,11 @@ import time
 
 import rosbag
 
-from replay_case import INTERRUPTED, PROGRAM, RESULTS, ReplayCase
+from replay_case import INTERRUPTED, PROGRAM, RESULTS, ReplayCase, load, pose, stamp
 
 PAIRS = 3000
+REFUSED = 20  # length of a run of refused states
+HELD = 15     # of them
 CHUNK = 2**22  # size at which contact_replay closes a chunk
 
 
@@ -18,7 +20,20 @@ class Interrupted(ReplayCase):
     def setUp(self):
         super().setUp()
         self.bag = self.make_bag(PAIRS)
-        self.options = ["--keep-topics", "--threads", "2"]
+        (self.folder / "hold.yaml").write_text(f"contact: {{hold_last: {HELD}}}\n")
+        self.options = ["--keep-topics", "--threads", "2", "--config", self.folder / "hold.yaml"]
+
+    def make_bag(self, count, name="in.bag"):
+        """Writes pairs; in half of them the wheelset is beside the rails. Most of their results are held."""
+        path = self.folder / name
+        with rosbag.Bag(str(path), "w") as bag:
+            for i in range(count):
+                message = pose(i)
+                if i % (2 * REFUSED) >= REFUSED:
+                    message.pose.position.y = 0.09
+                bag.write("/wheelset/pose", message, stamp(i))
+                bag.write("/wheelset/load", load(i), stamp(i))
+        return path
 
     def interrupt(self, name, signal_number, size=1.5 * CHUNK):
         """Starts a run, and ends it when its bag is larger than `size` [B]. @return path of the bag, and the exit status"""

@@ -107,7 +107,8 @@ ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetRe
   output.state.z = result.z;
   output.state.yaw = result.yaw;
   output.state.roll = result.roll;
-  output.result = isUsable(result.status) ? &result : nullptr;
+  output.held = message.held;
+  output.result = isUsable(result.status) || message.held ? &result : nullptr;
   return output;
 }
 }  // namespace wheel_rail_contact

@@ -20,13 +20,14 @@ struct ContactOutput
   std::uint8_t status = WheelsetContact::INVALID_INPUT;  ///< constant of the message WheelsetContact
   std::string reason;                                    ///< status_text; empty if OK and without a warning
   core::WheelsetState state;                             ///< input of the evaluation; zero if the input was unusable
-  const core::WheelsetResult* result = nullptr;          ///< null unless usable; valid until the next evaluation
+  const core::WheelsetResult* result = nullptr;  ///< null unless usable or held; valid until the next evaluation
   std::string beyond_linear_range;  ///< linearRangeWarning(); empty if both rails are within the linear range
+  bool held = false;                ///< not usable; `result` is the last usable one (HoldLast)
   bool lacks_neighbour = false;     ///< evaluated without the forces of a neighbour (NeighbourForces)
 
   /// Position of the axle centre along the track [m].
   double x() const { return state.x; }
-  /// Wheelset pose, track frame: with the solved height and roll if usable, otherwise as in the input.
+  /// Wheelset pose, track frame: that of the result, otherwise as in the input.
   core::WheelsetPose pose() const;
 };
 
@@ -56,7 +57,7 @@ std::string linearRangeWarning(const core::WheelsetResult& result, const core::S
 /// @param solve_time wall time of the evaluation [s]
 WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double solve_time);
 
-/// Output from which a message was made. Fills `result`; a usable output refers to it.
+/// Output from which a message was made. Fills `result`; a usable or held output refers to it.
 /// @throw std::invalid_argument for an unknown constant or method, or a grid of the wrong size (fromMessage()).
 ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetResult& result);
 }  // namespace wheel_rail_contact

@@ -160,6 +160,7 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   {
     report.add(std::string("results ") + status_names[i], now.results[i]);
   }
+  report.add("results held", now.held);
   report.add("internal errors", now.internal_errors);
   report.add("results beyond the table's linear range", now.beyond_linear_range);
   report.add("last result beyond the table's linear range", now.last_beyond_linear_range);

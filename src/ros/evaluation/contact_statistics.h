@@ -25,6 +25,7 @@ struct ContactStatistics
   PairingCounts pairing;                          ///< single messages
   std::uint64_t overload = 0;                     ///< inputs that newer ones pushed out of the queue
   std::array<std::uint64_t, statuses> results{};  ///< by status constant of the message WheelsetContact
+  std::uint64_t held = 0;                         ///< results with the forces of the last usable one (HoldLast)
   std::uint64_t internal_errors = 0;      ///< inputs whose evaluation threw an exception: a fault of the program
   std::uint64_t beyond_linear_range = 0;  ///< results with |Y|/Q beyond the range of the compliance table
   std::uint64_t above_tolerance = 0;      ///< usable results with an error estimate above contact/tolerance

@@ -54,12 +54,14 @@ struct Serializer<wheel_rail_contact::NeighbourResult>
     std_msgs::Header header;
     std::string status_text;
     geometry_msgs::Pose wheelset;
+    bool held = false;
     double distance = 0;
     wheel_rail_contact::WheelForces left_wheel, right_wheel;
     geometry_msgs::Wrench rail_wrench;
     stream.next(header);
     stream.next(result.status);
     stream.next(status_text);
+    stream.next(held);
     stream.next(wheelset);
     stream.next(distance);
     stream.next(left_wheel);

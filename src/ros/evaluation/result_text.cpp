@@ -29,8 +29,12 @@ std::vector<std::string> resultLines(const ContactOutput& output, const std::vec
   {
     return {statusName(output.status), output.reason};
   }
-  std::vector<std::string> lines{
-      formatted("y %+.2f mm, yaw %+.2f mrad", 1e3 * output.pose().y, 1e3 * output.pose().yaw)};
+  std::vector<std::string> lines;
+  if (output.held)
+  {
+    lines.push_back(std::string(statusName(output.status)) + ", held");
+  }
+  lines.push_back(formatted("y %+.2f mm, yaw %+.2f mrad", 1e3 * output.pose().y, 1e3 * output.pose().yaw));
   for (const core::Side side : sides)
   {
     lines.push_back(railLine(side, output.result->rail.at(static_cast<std::size_t>(side)).deflection));

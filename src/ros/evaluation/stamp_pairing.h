@@ -26,7 +26,7 @@ namespace wheel_rail_contact
 /// same sets. A slop below half the sampling interval is unambiguous.
 ///
 /// *Repeated stamps.* A channel may have several samples with one stamp. The first ones of all channels form a set, the
-/// second ones another one, and so on. A repeated sample without a partner in another channel is dropped as unmatched;
+/// second ones another one, and so on. A repeated sample without a match in another channel is dropped as unmatched;
 /// it does not shift the sets of later stamps.
 ///
 /// *Enclosing.* If the last channel encloses the others, it is not matched. A set then contains two of its samples: the

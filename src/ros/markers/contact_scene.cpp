@@ -146,13 +146,13 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
                          const SceneOptions& options)
 {
   MarkerArray markers;
+  if (options.reason && (!output.result || output.held))
+  {
+    markers.markers.push_back(makeText(output.header, "status", 0, {output.x(), 0, options.patch.lift},
+                                       options.patch.letter_height, output.reason));
+  }
   if (!output.result)
   {
-    if (options.reason)
-    {
-      markers.markers.push_back(makeText(output.header, "status", 0, {output.x(), 0, options.patch.lift},
-                                         options.patch.letter_height, output.reason));
-    }
     return markers;
   }
   const double x = options.at_origin ? 0 : output.x();

@@ -35,7 +35,8 @@ struct SceneOptions
 SceneOptions sceneOptions(const MarkerConfig& config);
 
 /// Markers of an output in the track frame: those of patch_markers.h and track_markers.h, and the points of the trail,
-/// coloured by pressure ("trail"). An unusable output has no markers except its reason.
+/// coloured by pressure ("trail"). An output that is neither usable nor held has no markers except its reason; a held
+/// one also has this marker.
 /// @param model null: wheels and rails are not drawn, and deflections are not magnified
 visualization_msgs::MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model,
                                              const ContactTrail& trail, const SceneOptions& options);

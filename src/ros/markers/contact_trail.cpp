@@ -12,7 +12,7 @@ void ContactTrail::add(const ContactOutput& output, const std::optional<core::Si
     clear();
   }
   last_ = output.header.stamp;
-  if (!output.result)
+  if (!output.result || output.held)
   {
     return;
   }

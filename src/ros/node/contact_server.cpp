@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/contact_server.h"
 
+#include <boost/make_shared.hpp>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -28,6 +29,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       pairing_(config_),
       preparation_(config_),
       evaluator_(config_),
+      hold_(config_),
       listener_(transforms_, nh_),
       inputs_(input_capacity),
       neighbours_(config_),
@@ -190,9 +192,12 @@ void ContactServer::evaluate(const ContactInput& input)
   const ContactOutput output = evaluator_.evaluate(prepare(input));
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
+  const bool with_grids = wants_message || config_.hold_last > 0;
+  const auto message = boost::make_shared<WheelsetContact>(toMessage(output, with_grids, solve_time));
+  hold_.apply(message);
   if (wants_message)
   {
-    contact_publisher_.publish(toMessage(output, true, solve_time));
+    contact_publisher_.publish(*message);
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -201,12 +206,13 @@ void ContactServer::evaluate(const ContactInput& input)
       return;  // the result is not published any more
     }
     statistics_.count(output, solve_time);
+    statistics_.held += message->held ? 1U : 0U;
     statistics_.messages_built += wants_message ? 1U : 0U;
   }
   warn(output.beyond_linear_range);
   if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
   {
-    publishMarkers(output);
+    publishMarkers(output.result ? output : outputFromMessage(*message, held_result_));
   }
 }
 

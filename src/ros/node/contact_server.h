@@ -14,6 +14,7 @@
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/hold_last.h"
 #include "ros/evaluation/neighbour_forces.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/node/immediate_callbacks.h"
@@ -70,6 +71,7 @@ class ContactServer
   InputPairing pairing_;          ///< under `mutex_`, together with pushing to `inputs_`
   InputPreparation preparation_;  ///< worker only
   ContactEvaluator evaluator_;    ///< worker only
+  HoldLast hold_;                 ///< worker only
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
   NewestQueue<ContactInput> inputs_;
@@ -86,9 +88,10 @@ class ContactServer
   ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
-  MarkerKeys shown_markers_;    ///< markers of the last published array; worker only
-  ros::WallTime next_picture_;  ///< earliest time of the next markers; worker only
-  ros::WallTime next_warning_;  ///< earliest time of the next warning; worker only
+  core::WheelsetResult held_result_;  ///< drawn for a result that is not usable; worker only
+  MarkerKeys shown_markers_;          ///< markers of the last published array; worker only
+  ros::WallTime next_picture_;        ///< earliest time of the next markers; worker only
+  ros::WallTime next_warning_;        ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::thread worker_;

@@ -19,6 +19,8 @@ constexpr double longest_time = 60;  ///< of sync/slop and sync/longest_gap [s]
 const NumberRule slop_rule{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= longest_time; }};
 const NumberRule gap_rule{"a number of seconds above 0, at most 60",
                           [](double v) { return v > 0 && v <= longest_time; }};
+const NumberRule hold_rule{"a whole number from 0 to 200",
+                           [](double v) { return v >= 0 && v <= longest_hold && v == std::floor(v); }};
 
 void readLine(ParameterReader& reader, ModelFiles& files)
 {
@@ -198,6 +200,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   readRailBending(reader, config.model.rail_bending, files);
   readNeighbours(reader, config);
   readContact(reader, config.model.contact);
+  reader.read("contact/hold_last", hold_rule, config.hold_last);
   readSync(reader, config);
   readMarkers(reader, config.markers);
 }

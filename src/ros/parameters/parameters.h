@@ -20,6 +20,8 @@ struct NeighbourConfig
   core::Sides<core::ComplianceTable> influence;  ///< compliances of each rail at this distance, from its table
 };
 
+constexpr int longest_hold = 200;  ///< upper limit of contact/hold_last [results]
+
 /// All parameters of the live node and the replay.
 struct NodeConfig
 {
@@ -33,6 +35,7 @@ struct NodeConfig
   double slop = 0;              ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
   bool interpolate_load =
       false;                 ///< true: the load is interpolated at the stamp of the pose; false: matched by its stamp
+  int hold_last = 0;         ///< largest number of results in a row that are held (HoldLast), at most longest_hold
   double longest_gap = 0.1;  ///< largest difference of the stamps of two loads that are interpolated [s], > 0
   MarkerConfig markers;      ///< appearance of the markers
   std::vector<std::string> notes;  ///< what was understood of each profile file, one line each
@@ -68,6 +71,7 @@ struct NodeConfig
 ///                                               or seidel_printed
 ///   contact/tolerance                           relative error [-]
 ///   contact/grid/{along, across}                number of cells; 0: chosen from the tolerance
+///   contact/hold_last                           number of results, 0 to longest_hold
 ///   sync/{slop, longest_gap}                    [s]
 ///   sync/load                                   match or interpolate
 ///   markers/{rate, rail_length, force_scale, max_pressure, zoom, zoom_height, pressure_height}

@@ -141,7 +141,7 @@ def _too_many(kind, allowed, results):
 
 
 def _outside(quantity, is_inside, low, high, results, prefix):
-    patches = [(getattr(p, quantity), r, p) for r in results for p in r.patches]
+    patches = [(getattr(p, quantity), r, p) for r in results if not r.held for p in r.patches]
     outside = [entry for entry in patches if not is_inside(entry[0])]
     if not outside:
         return ""

@@ -95,7 +95,7 @@ def _collect(stream):
         if message.status not in USABLE or message.status_text:
             key = (message.status, re.sub(r"\d+(\.\d+)?", "", message.status_text).replace("-", ""))
             results.reasons.setdefault(key, [0, message.status_text])[0] += 1
-        for patch in message.patches:
+        for patch in () if message.held else message.patches:
             o = patch.pose
             patches.append((index, patch.side, o.position.y, o.position.z, *(getattr(patch, f) for f in PATCH_FIELDS)))
             names.append(patch.method)

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/evaluation/hold_last.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/make_shared.hpp>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+using namespace wheel_rail_contact;
+
+namespace
+{
+constexpr double height = 0.46;          ///< of the axle of a usable result [m]
+constexpr double roll = 1e-3;            ///< of a usable result [rad]
+constexpr double yaw = 2e-3;             ///< of each input [rad]
+constexpr double wheel_force = 100e3;    ///< of a usable result [N]
+constexpr double rounding = 1e-15;       ///< of positions and angles
+constexpr std::uint64_t step = 1000000;  ///< of the stamps [ns]
+
+using Result = boost::shared_ptr<WheelsetContact>;
+
+/// Orientation Rz(yaw) Rx(roll).
+geometry_msgs::Quaternion orientation(double yaw_angle, double roll_angle)
+{
+  geometry_msgs::Quaternion q;
+  q.w = std::cos(yaw_angle / 2) * std::cos(roll_angle / 2);
+  q.x = std::cos(yaw_angle / 2) * std::sin(roll_angle / 2);
+  q.y = std::sin(yaw_angle / 2) * std::sin(roll_angle / 2);
+  q.z = std::sin(yaw_angle / 2) * std::cos(roll_angle / 2);
+  return q;
+}
+
+/// Result with a stamp of `number` steps, at x = `number` metres. A usable one has one patch 1 mm ahead of the axle.
+Result result(int number, std::uint8_t status)
+{
+  auto message = boost::make_shared<WheelsetContact>();
+  message->header.stamp.fromNSec(step * static_cast<std::uint64_t>(number));
+  message->status = status;
+  message->wheelset.position.x = number;
+  message->wheelset.orientation = orientation(yaw, 0);
+  if (status == WheelsetContact::OK)
+  {
+    message->wheelset.position.z = height;
+    message->wheelset.orientation = orientation(yaw, roll);
+    message->left_wheel.vertical_force = message->left_rail.vertical_force = wheel_force;
+    message->rail_wrench.force.z = wheel_force;
+    message->patches.resize(1);
+    message->patches[0].pose.position.x = number + 1e-3;
+    message->patches[0].normal_force = wheel_force;
+  }
+  else
+  {
+    message->status_text = "refused";
+  }
+  return message;
+}
+
+NodeConfig config(int longest)
+{
+  NodeConfig node_config;
+  node_config.hold_last = longest;
+  return node_config;
+}
+
+Result applied(HoldLast& hold, int number, std::uint8_t status)
+{
+  Result message = result(number, status);
+  hold.apply(message);
+  return message;
+}
+
+void expectLastHeight(const WheelsetContact& message)
+{
+  const auto& o = message.wheelset.orientation;
+  EXPECT_DOUBLE_EQ(message.wheelset.position.z, height);
+  EXPECT_NEAR(2 * std::atan2(o.x, o.w), roll, rounding);
+  EXPECT_NEAR(2 * std::atan2(o.z, o.w), yaw, rounding) << "yaw is that of the input";
+}
+}  // namespace
+
+TEST(HoldLast, UnusableResultHasTheHeightAndRollOfTheLastUsableOne)
+{
+  HoldLast hold(config(0));
+  applied(hold, 1, WheelsetContact::OK);
+  for (const std::uint8_t status : {WheelsetContact::NOT_CONVERGED, WheelsetContact::INVALID_INPUT})
+  {
+    const Result refused = applied(hold, 2, status);
+    expectLastHeight(*refused);
+    EXPECT_EQ(refused->wheelset.position.x, 2);
+    EXPECT_EQ(refused->status, status);
+    EXPECT_EQ(refused->status_text, "refused");
+    EXPECT_FALSE(refused->held);
+    EXPECT_TRUE(refused->patches.empty());
+  }
+}
+
+TEST(HoldLast, BeforeTheFirstUsableResultNothingIsChanged)
+{
+  HoldLast hold(config(3));
+  const Result refused = applied(hold, 1, WheelsetContact::NOT_CONVERGED);
+  EXPECT_EQ(refused->wheelset.position.z, 0);
+  EXPECT_FALSE(refused->held);
+}
+
+TEST(HoldLast, UsableResultIsNotChanged)
+{
+  HoldLast hold(config(3));
+  applied(hold, 1, WheelsetContact::OK);
+  const Result lifted = result(2, WheelsetContact::LIFT_OFF);
+  hold.apply(lifted);
+  EXPECT_EQ(lifted->wheelset.position.z, 0);
+  EXPECT_FALSE(lifted->held);
+  EXPECT_TRUE(lifted->patches.empty()) << "a wheel that has lifted off is a result, not a refusal";
+}
+
+TEST(HoldLast, ForcesAndPatchesAreHeldForTheGivenNumberOfResults)
+{
+  HoldLast hold(config(2));
+  applied(hold, 1, WheelsetContact::OK);
+  for (int number = 2; number <= 3; ++number)
+  {
+    const Result held = applied(hold, number, WheelsetContact::OFF_PROFILE);
+    EXPECT_TRUE(held->held);
+    EXPECT_EQ(held->status, WheelsetContact::OFF_PROFILE);
+    EXPECT_EQ(held->left_wheel.vertical_force, wheel_force);
+    EXPECT_EQ(held->left_rail.vertical_force, wheel_force);
+    EXPECT_EQ(held->rail_wrench.force.z, wheel_force);
+    ASSERT_EQ(held->patches.size(), 1U);
+    EXPECT_EQ(held->patches[0].normal_force, wheel_force);
+    EXPECT_NEAR(held->patches[0].pose.position.x, number + 1e-3, 1e-12) << "the patch moves with the wheelset";
+    EXPECT_EQ(held->status_text, "refused; forces and patches are held from the result at 0.001000000 s (" +
+                                     std::to_string(number - 1) + " of at most 2)");
+  }
+  const Result refused = applied(hold, 4, WheelsetContact::OFF_PROFILE);
+  EXPECT_FALSE(refused->held);
+  EXPECT_TRUE(refused->patches.empty());
+  expectLastHeight(*refused);
+}
+
+TEST(HoldLast, UsableResultStartsTheCountAgain)
+{
+  HoldLast hold(config(1));
+  for (int number = 1; number < 9; number += 2)
+  {
+    applied(hold, number, WheelsetContact::OK);
+    EXPECT_TRUE(applied(hold, number + 1, WheelsetContact::NOT_CONVERGED)->held);
+  }
+}
+
+TEST(HoldLast, NothingIsHeldAfterTimeHasGoneBack)
+{
+  HoldLast hold(config(5));
+  applied(hold, 5, WheelsetContact::OK);
+  const Result refused = applied(hold, 4, WheelsetContact::NOT_CONVERGED);
+  EXPECT_FALSE(refused->held);
+  EXPECT_EQ(refused->wheelset.position.z, 0);
+}
+
+TEST(HoldLast, RepeatedStampIsHeld)
+{
+  HoldLast hold(config(5));
+  applied(hold, 5, WheelsetContact::OK);
+  EXPECT_TRUE(applied(hold, 5, WheelsetContact::NOT_CONVERGED)->held);
+}
+
+TEST(HoldLast, LastUsableResultIsForgottenAfterItsMemory)
+{
+  HoldLast hold(config(HoldLast::memory));
+  applied(hold, 1, WheelsetContact::OK);
+  for (int number = 0; number < HoldLast::memory; ++number)
+  {
+    EXPECT_TRUE(applied(hold, 2 + number, WheelsetContact::NOT_CONVERGED)->held);
+  }
+  const Result refused = applied(hold, 2 + HoldLast::memory, WheelsetContact::NOT_CONVERGED);
+  EXPECT_FALSE(refused->held);
+  EXPECT_EQ(refused->wheelset.position.z, 0);
+}
+
+TEST(HoldLast, GivenHeightIsThatOfTheInput)
+{
+  NodeConfig given = config(1);
+  given.model.wheelset.solve_height_and_roll = false;
+  HoldLast hold(given);
+  applied(hold, 1, WheelsetContact::OK);
+  const Result held = applied(hold, 2, WheelsetContact::TOO_DEEP);
+  EXPECT_TRUE(held->held);
+  EXPECT_EQ(held->wheelset.position.z, 0);
+}
