@@ -166,6 +166,10 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   report.add("last result beyond the table's linear range", now.last_beyond_linear_range);
   report.add("results with an error estimate above contact/tolerance", now.above_tolerance);
   report.add("results that lack a neighbour's forces", now.lacking_neighbour);
+  report.add("service results ~evaluate", now.services.evaluate);
+  report.add("service results ~static_start", now.services.static_start);
+  report.add("service results that are not usable", now.services.unusable);
+  report.add("service requests failed: internal error", now.services.failed);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);
   addTimes(now, before, report);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/service_counts.h"
 #include "ros/evaluation/stamp_pairing.h"
 
 namespace wheel_rail_contact
@@ -32,6 +33,7 @@ struct ContactStatistics
   std::uint64_t lacking_neighbour = 0;    ///< results without the forces of a neighbour
   std::uint64_t messages_built = 0;       ///< result messages, built only for subscribers
   std::uint64_t marker_arrays_built = 0;  ///< marker arrays, built only for subscribers
+  ServiceCounts services;                 ///< requests, which none of the other members contains
   double solve_time_sum = 0;              ///< of all results [s]
   double solve_time_max = 0;              ///< since the last report [s]
   std::string last_beyond_linear_range;   ///< warning of the newest result beyond the linear range

@@ -9,17 +9,17 @@
 
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/track_markers.h"
+#include "ros/node/transform_wait.h"
 #include "ros/parameters/node_parameters.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::uint32_t queue_size = 1000;       ///< of the queues of roscpp [messages]
-constexpr std::uint32_t marker_queue_size = 2;   ///< small, because old markers are of no use [messages]
-constexpr double diagnostics_period = 1.0;       ///< [s]
-constexpr double transform_poll_period = 0.002;  ///< [s]
-constexpr double warning_period = 10.0;          ///< shortest time between two warnings [s]
+constexpr std::uint32_t queue_size = 1000;      ///< of the queues of roscpp [messages]
+constexpr std::uint32_t marker_queue_size = 2;  ///< small, because old markers are of no use [messages]
+constexpr double diagnostics_period = 1.0;      ///< [s]
+constexpr double warning_period = 10.0;         ///< shortest time between two warnings [s]
 }  // namespace
 
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -33,6 +33,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       listener_(transforms_, nh_),
       inputs_(input_capacity),
       neighbours_(config_),
+      services_(private_nh_, config_, transforms_, [this](const ros::Time& stamp) { return neighboursAt(stamp); }),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
   for (const std::string& note : config_.notes)
@@ -154,7 +155,7 @@ void ContactServer::work()
   {
     try
     {
-      waitForTransform(*input);
+      waitForTransform(preparation_, *input, transforms_, [this] { return inputs_.closed(); });
       evaluate(*input);
     }
     catch (const std::exception& error)
@@ -167,22 +168,16 @@ void ContactServer::work()
   }
 }
 
-/// The deadline counts from the arrival of the input. A transform that never arrives delays the results but does not
-/// reduce their rate.
-void ContactServer::waitForTransform(const ContactInput& input) const
+NeighbourEffect ContactServer::neighboursAt(const ros::Time& stamp)
 {
-  const ros::WallTime deadline = input.arrival + ros::WallDuration(InputPreparation::transform_timeout);
-  while (!preparation_.isReady(input, transforms_) && ros::WallTime::now() < deadline && !inputs_.closed())
-  {
-    ros::WallDuration(transform_poll_period).sleep();
-  }
+  const std::lock_guard<std::mutex> lock(neighbours_mutex_);
+  return neighbours_.effectAt(stamp);
 }
 
 PreparedInput ContactServer::prepare(const ContactInput& input)
 {
   PreparedInput prepared = preparation_.prepare(input, transforms_);
-  const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-  apply(neighbours_.effectAt(prepared.stamp), prepared);
+  apply(neighboursAt(prepared.stamp), prepared);
   return prepared;
 }
 
@@ -261,6 +256,7 @@ void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
   const std::lock_guard<std::mutex> lock(mutex_);
   statistics_.pairing = pairing_.counts();
   statistics_.overload = inputs_.dropped();
+  statistics_.services = services_.counts();
   diagnose(statistics_, reported_, status);
   reported_ = statistics_;
   statistics_.solve_time_max = 0;

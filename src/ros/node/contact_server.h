@@ -17,13 +17,15 @@
 #include "ros/evaluation/hold_last.h"
 #include "ros/evaluation/neighbour_forces.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/node/contact_services.h"
 #include "ros/node/immediate_callbacks.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {
-/// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics.
+/// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics;
+/// provides the services (ContactServices).
 ///
 /// The callbacks only pair the messages, at arrival. A separate thread evaluates the pairs in order and publishes the
 /// results. If inputs arrive faster than they are evaluated, the newest ones are kept; the dropped ones are counted. No
@@ -57,7 +59,7 @@ class ContactServer
 
   void work();
   void reportUnevaluated();
-  void waitForTransform(const ContactInput& input) const;
+  NeighbourEffect neighboursAt(const ros::Time& stamp);
   PreparedInput prepare(const ContactInput& input);
   void evaluate(const ContactInput& input);
   void warn(const std::string& beyond_linear_range);
@@ -84,6 +86,7 @@ class ContactServer
 
   std::mutex neighbours_mutex_;  ///< guards `neighbours_`
   NeighbourForces neighbours_;
+  ContactServices services_;
 
   ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;

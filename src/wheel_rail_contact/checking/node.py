@@ -24,7 +24,7 @@ def collect(limits, topic="contact"):
         results.append(result)
         last[0] = time.monotonic()
 
-    subscriber = rospy.Subscriber(topic, WheelsetContact, receive, queue_size=1000)
+    subscriber = rospy.Subscriber(topic, WheelsetContact, receive, queue_size=1000, tcp_nodelay=True)
     while not rospy.is_shutdown() and time.monotonic() - last[0] < (limits.idle if results else limits.patience):
         time.sleep(0.02)
     subscriber.unregister()

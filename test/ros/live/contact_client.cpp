@@ -23,7 +23,8 @@ ContactClient::ContactClient(const std::string& inputs, const std::string& node)
   if (!node.empty())
   {
     subscriber_ = nh_.subscribe<WheelsetContact>(
-        node + "/contact", queue_size, [this](const WheelsetContact::ConstPtr& m) { results_.push_back(*m); });
+        node + "/contact", queue_size, [this](const WheelsetContact::ConstPtr& m) { results_.push_back(*m); },
+        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
     ready = ready && spinUntil([this] { return subscriber_.getNumPublishers() > 0; });
   }
   if (!ready)

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <tf2/buffer_core.h>
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include <wheel_rail_contact/EvaluateWheelset.h>
+#include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/contact_input.h"
+#include "ros/evaluation/hold_last.h"
+#include "ros/evaluation/neighbour_forces.h"
+#include "ros/evaluation/service_counts.h"
+#include "ros/parameters/parameters.h"
+
+namespace wheel_rail_contact
+{
+/// Services of the node, of the type EvaluateWheelset:
+/// - `~evaluate` evaluates a state like a pair of the topics: checks, transforms, neighbours, warm start and
+///   contact/hold_last are the same.
+/// - `~static_start` solves height and roll from the load, whatever wheelset/free is. Each request starts cold, and
+///   nothing is held.
+///
+/// One thread handles all requests in the order of their arrival, beside the topics. The services have evaluators of
+/// their own: the results on the topics do not depend on them, and remain those of a replay. Each evaluator is made at
+/// the first request.
+class ContactServices
+{
+ public:
+  /// Effect of the neighbours at a stamp; called in the thread of the services.
+  using Neighbours = std::function<NeighbourEffect(const ros::Time&)>;
+
+  /// Advertises the services.
+  /// @param transforms must outlive the services
+  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const tf2::BufferCore& transforms,
+                  Neighbours neighbours);
+  /// Ends after the current request.
+  ~ContactServices();
+  ContactServices(const ContactServices&) = delete;
+  ContactServices& operator=(const ContactServices&) = delete;
+
+  /// Requests of both services so far. Thread-safe.
+  ServiceCounts counts() const;
+
+ private:
+  /// Evaluation of one service.
+  struct Chain
+  {
+    explicit Chain(const NodeConfig& node_config);
+
+    NodeConfig config;
+    InputPreparation preparation;
+    ContactEvaluator evaluator;
+    HoldLast hold;
+  };
+
+  bool evaluate(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
+  bool startStatic(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
+  WheelsetContact resultOf(const EvaluateWheelset::Request& request, Chain& chain);
+  void fail(const std::exception& error);
+  void count(std::uint64_t ServiceCounts::*requests, const WheelsetContact& result);
+
+  const NodeConfig config_;
+  const tf2::BufferCore& transforms_;
+  const Neighbours neighbours_;
+  std::unique_ptr<Chain> evaluate_, static_start_;  ///< thread of the services only
+  std::atomic<bool> ended_{false};
+  mutable std::mutex mutex_;  ///< guards `counts_`
+  ServiceCounts counts_;
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  ros::ServiceServer evaluate_server_, static_start_server_;
+};
+}  // namespace wheel_rail_contact
