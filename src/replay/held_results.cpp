@@ -44,7 +44,7 @@ boost::shared_ptr<WheelsetContact> HeldResults::complete(const std::string& data
     hold_.apply(parse<WheelsetContact>(last_));
     last_.clear();
   }
-  const auto message = parse<WheelsetContact>(data);
+  auto message = parse<WheelsetContact>(data);
   hold_.apply(message);
   return message;
 }

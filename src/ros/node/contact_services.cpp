@@ -21,14 +21,14 @@ NodeConfig withSolvedHeight(NodeConfig config)
 }
 }  // namespace
 
-ContactServices::Chain::Chain(const NodeConfig& node_config)
-    : config(node_config), preparation(config), evaluator(config), hold(config)
+ContactServices::Chain::Chain(NodeConfig node_config)
+    : config(std::move(node_config)), preparation(config), evaluator(config), hold(config)
 {
 }
 
-ContactServices::ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config,
+ContactServices::ContactServices(const ros::NodeHandle& private_nh, NodeConfig config,
                                  const tf2::BufferCore& transforms, Neighbours neighbours)
-    : config_(config), transforms_(transforms), neighbours_(std::move(neighbours)), spinner_(1, &queue_)
+    : config_(std::move(config)), transforms_(transforms), neighbours_(std::move(neighbours)), spinner_(1, &queue_)
 {
   ros::NodeHandle own(private_nh);
   own.setCallbackQueue(&queue_);

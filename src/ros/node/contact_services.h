@@ -39,7 +39,7 @@ class ContactServices
 
   /// Advertises the services.
   /// @param transforms must outlive the services
-  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const tf2::BufferCore& transforms,
+  ContactServices(const ros::NodeHandle& private_nh, NodeConfig config, const tf2::BufferCore& transforms,
                   Neighbours neighbours);
   /// Ends after the current request.
   ~ContactServices();
@@ -53,7 +53,7 @@ class ContactServices
   /// Evaluation of one service.
   struct Chain
   {
-    explicit Chain(const NodeConfig& node_config);
+    explicit Chain(NodeConfig node_config);
 
     NodeConfig config;
     InputPreparation preparation;

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""static_start: height and roll under a load, whatever wheelset/free is, and refused options."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+NOT_USABLE = 4  # exit status
+
+
+class StaticStart(unittest.TestCase):
+    def run_command(self, *arguments, status=0):
+        """@return output of the command, and its lines as a dictionary: the text after the first word by this word"""
+        run = subprocess.run([sys.executable, os.environ["STATIC_START"], *arguments], capture_output=True, text=True,
+                             check=False)
+        self.assertEqual(run.returncode, status, run.stdout + run.stderr)
+        return run.stdout + run.stderr, dict(line.split(" ", 1) for line in run.stdout.splitlines())
+
+    def values(self, *arguments):
+        _, lines = self.run_command(*arguments)
+        self.assertEqual(lines.pop("status"), "OK")
+        return {name: float(text.split()[0]) for name, text in lines.items()}
+
+    def test_loads_of_the_wheels_are_those_of_force_and_moment(self):
+        values = self.values("--load", "200e3", "--torque=10e3")
+        # Half the distance of the running circles is 0.75 m. The lateral forces of the contacts change the wheel loads by
+        # less than 1 % here.
+        self.assertAlmostEqual(values["left_vertical_force"], 100e3 - 10e3 / 1.5, delta=1e3)
+        self.assertAlmostEqual(values["right_vertical_force"], 100e3 + 10e3 / 1.5, delta=1e3)
+        self.assertGreater(values["roll"], 1e-6, "the left wheel is unloaded, and therefore higher")
+
+    def test_wheelset_sinks_under_a_higher_load(self):
+        low, high = (self.values("--load", load)["z"] for load in ("50e3", "200e3"))
+        self.assertTrue(1e-5 < low - high < 1e-3, (low, high))
+
+    def test_height_is_solved_also_where_the_node_takes_it_from_the_pose(self):
+        with tempfile.TemporaryDirectory() as folder:
+            config = pathlib.Path(folder) / "given.yaml"
+            config.write_text("wheelset: {free: []}\n", encoding="utf-8")
+            given = self.values("--load", "200e3", "--y", "1e-3", "--config", str(config))
+        self.assertEqual(given, self.values("--load", "200e3", "--y", "1e-3"))
+
+    def test_state_without_a_usable_result_has_its_status_and_no_height(self):
+        _, lines = self.run_command("--load", "200e3", "--y", "0.09", status=NOT_USABLE)
+        self.assertNotIn(lines["status"], ("OK", "LIFT_OFF"))
+        self.assertNotEqual(lines["reason"], "")
+        self.assertNotIn("z", lines)
+
+    def test_mistakes_are_named(self):
+        self.assertIn("--load nan: must be a finite number", self.run_command("--load", "nan", status=1)[0])
+        self.assertIn("nowhere.yaml", self.run_command("--load", "1e5", "--config", "nowhere.yaml", status=1)[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
