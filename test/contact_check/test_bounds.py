@@ -47,6 +47,20 @@ class Bounds(unittest.TestCase):
         self.assertIn("flange contact", violations({"flange_contact": False}, steep)["flange_contact"])
         self.assertEqual(violations({"flange_contact": False, "flange_angle": 0.8}, steep), {})
 
+    def test_contact_of_the_back_of_a_flange_counts_as_flange_contact(self):
+        parameters = {"flange_contact": False, "flange_angle": 0.7}
+        for angle, words in ((-0.7, "contact_angle -0.7 rad is not above -0.7 rad"),
+                             (-1.2, "contact_angle -1.2 rad is below -0.7 rad"), (1.2, "contact_angle 1.2 rad is above 0.7")):
+            self.assertIn(words, violations(parameters, [result(contact_angle=angle)])["flange_contact"])
+        self.assertEqual(violations(parameters, [result(contact_angle=-0.69)]), {})
+
+    def test_every_number_of_a_patch_that_describes_its_contact_can_be_bounded(self):
+        for name, unit in (("vertical_force", "N"), ("lateral_force", "N"), ("semi_axis_along", "m"),
+                           ("semi_axis_across", "m"), ("rolling_radius", "m"), ("normal_stiffness", "N/m")):
+            text = violations({"bounds": {name: {"min": 0.5}}}, [result(**{name: 0.25}), result(**{name: 0.75})])[name]
+            self.assertIn(f"{name} 0.25 {unit} is below 0.5 {unit} at 1.000 s", text)
+            self.assertIn("1 of 2 patches", text)
+
     def test_refusals_and_lift_offs_are_counted_separately(self):
         results = [result(), result(WheelsetContact.OFF_PROFILE), result(WheelsetContact.LIFT_OFF)]
         found = violations({}, results)

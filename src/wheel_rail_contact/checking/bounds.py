@@ -12,6 +12,12 @@ QUANTITIES = {  # of each patch -> unit
     "normal_force": "N",
     "approach": "m",
     "error_estimate": "-",
+    "vertical_force": "N",
+    "lateral_force": "N",
+    "semi_axis_along": "m",
+    "semi_axis_across": "m",
+    "rolling_radius": "m",
+    "normal_stiffness": "N/m",
 }
 
 
@@ -58,7 +64,7 @@ class Limits:
     results: int = 1              # minimum number of results
     refusals: int = 0             # maximum number of results that are not usable
     lift_offs: int = 0            # maximum number of results in which a wheel carries no load
-    flange_contact: bool = True   # False: a contact angle of flange_angle or more is a violation
+    flange_contact: bool = True   # False: a contact angle of flange_angle or more, of either sign, is a violation
     flange_angle: float = 0.7     # contact angle from which a patch counts as flange contact [rad]
     patience: float = 60.0        # maximum wall time until the first result [s]
     idle: float = 3.0             # wall time without a result after which the run is considered finished [s]
@@ -117,8 +123,8 @@ def violation(check, limits, results):
         return _too_many("with a wheel that carries no load", limits.lift_offs,
                          [r for r in results if STATUSES[r.status] == "LIFT_OFF"])
     if check == "flange_contact":
-        return _outside("contact_angle", lambda angle: angle < limits.flange_angle, -1e300, limits.flange_angle, results,
-                        "flange contact: ")
+        return _outside("contact_angle", lambda angle: abs(angle) < limits.flange_angle, -limits.flange_angle,
+                        limits.flange_angle, results, "flange contact: ")
     low, high = limits.bounds[check]
     return _outside(check, lambda value: low <= value <= high, low, high, results, "")
 
@@ -147,7 +153,8 @@ def _outside(quantity, is_inside, low, high, results, prefix):
         return ""
     value, result, patch = max(outside, key=lambda entry: max(low - entry[0], entry[0] - high))
     unit = QUANTITIES[quantity]
-    end = f"below {low:g}" if value < low else f"not below {high:g}" if value == high else f"above {high:g}"
+    end = (f"below {low:g}" if value < low else f"not above {low:g}" if value == low
+           else f"not below {high:g}" if value == high else f"above {high:g}")
     return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} {_when(result)}, "
             f"{SIDES[patch.side]} wheel, y = {1e3 * result.wheelset.position.y:.4g} mm "
             f"({len(outside)} of {len(patches)} patches are outside; this is the worst)")
