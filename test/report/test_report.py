@@ -14,7 +14,7 @@ import numpy as np
 import rosbag
 from matplotlib import image
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
-from wheel_rail_contact.report import figures
+from wheel_rail_contact.report import drawing, positions
 from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.results import per_result, read, read_full
 
@@ -128,7 +128,7 @@ class Report(SweepCase):
             results, _ = read(bag)
             self.assertGreater(len(results.patches["side"]), 200)
             for side in (0, 1):
-                for kind, points in zip(("rail", "wheel"), figures.contact_points(results, side)):
+                for kind, points in zip(("rail", "wheel"), positions.contact_points(results, side)):
                     outline = results.outlines[side][kind]
                     distance = np.hypot(*(points[:, None, :] - outline[None, :, :]).T).min(axis=0)
                     # Half the step of the outline is 0.2 mm. The approach of the bodies is at most 0.2 mm.
@@ -145,13 +145,15 @@ class Report(SweepCase):
             self.assertEqual(highest[index], max(p.max_pressure for p in patches))
             self.assertAlmostEqual(area[index], sum(p.area for p in patches), delta=1e-18)
             self.assertEqual(results.rail[index][1][3], message.right_rail.lateral_force)
+            self.assertEqual(results.wheel[index][1].tolist(), [message.right_wheel.lateral_force,
+                                                                message.right_wheel.vertical_force])
 
     def test_long_histories_keep_their_peaks(self):
         x = np.arange(100000.0)
         y = np.sin(x / 5000)
         y[43210], y[43215], y[70000:70100] = 7, -7, np.nan
-        short_x, short_y = figures.thinned(x, y)
-        self.assertLessEqual(len(short_x), figures.MAX_POINTS)
+        short_x, short_y = drawing.thinned(x, y)
+        self.assertLessEqual(len(short_x), drawing.MAX_POINTS)
         self.assertEqual((np.nanmax(short_y), np.nanmin(short_y)), (7, -7))
         self.assertTrue((np.diff(short_x) > 0).all())
 

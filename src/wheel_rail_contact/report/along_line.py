@@ -4,7 +4,9 @@ import numpy as np
 
 from ..command import pyplot
 from ..message_constants import SIDES, USABLE
-from .figures import COLOURS, contact_points, limit_zoom, save, thinned
+from . import marks
+from .drawing import COLOURS, draw_history, is_zero, limit_zoom, save
+from .positions import contact_points
 from .results import RAIL_FIELDS, per_result
 
 LEAST_DISTANCE = 1.0  # [m] a wheelset that moves less is not drawn along the line
@@ -36,16 +38,18 @@ def _draw_contacts(axes, x, results):
     outward = [1e3 * contacts_on_rail(results, side) for side in (0, 1)]
     margin = 0.05 * max(np.ptp(np.concatenate(outward)), 1.0)
     limits = min(map(np.min, filter(len, outward))) - margin, max(map(np.max, filter(len, outward))) + margin
+    origin = "the reference point" if "reference" in results.outlines[0] else "the track centre"
     for side, axis in enumerate(axes):
         chosen = patches["side"] == side
         colours = axis.scatter(x[patches["result"][chosen]], outward[side], c=pressure[chosen], s=5, norm=scale,
                                cmap="viridis")
-        axis.set(ylim=limits, ylabel=f"contact on the\n{SIDES[side]} rail [mm],\noutward")
+        axis.set(ylim=limits, ylabel=f"contact on the\n{SIDES[side]} rail [mm],\noutward from\n{origin}")
     return colours
 
 
 def _histories(results):
-    """Values, name and colour of the lines in each of the lower pictures, with the label of its axis."""
+    """Values, name and colour of the lines in each of the lower pictures, with the label of its axis. Displacements that are
+    zero throughout are left out."""
     patches, sign = results.patches, (1, -1)
 
     def both(values):
@@ -58,24 +62,32 @@ def _histories(results):
                for side in (0, 1)]
     lateral = [sign[side] * given("given_lateral", side) for side in (0, 1)]
     vertical = [given("given_vertical", side) for side in (0, 1)]
+    own = (1e3 * results.y, "y of the wheelset", "k")
     return [("highest pressure\n[MPa]", both(highest)),
-            ("given displacement\nto the left [mm]", [*both(lateral), (1e3 * results.y, "y of the wheelset", "k")]),
-            ("given displacement\nup [mm]", both(vertical))]
+            ("y [mm]", [own]) if is_zero(lateral) else ("given displacement\nto the left [mm]", [*both(lateral), own]),
+            *([] if is_zero(vertical) else [("given displacement\nup [mm]", both(vertical))])]
+
+
+def _draw_lines(axis, x, label, lines, results):
+    for values, name, colour in lines:
+        draw_history(axis, x, values, results, color=colour, label=name, linewidth=1.1)
+    axis.set_ylabel(label)
+    axis.legend(loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, ncol=3, frameon=False, fontsize="small")
+    limit_zoom(axis)
 
 
 def figure(results, path):
     """Contacts, pressures and given displacements of both rails over x. Returns the path."""
-    x = _places(results)
-    picture, axes = pyplot().subplots(5, 1, sharex=True, figsize=(10, 9), constrained_layout=True)
+    x, rows = _places(results), _histories(results)
+    picture, axes = pyplot().subplots(2 + len(rows), 1, sharex=True, figsize=(10, 1.8 * (2 + len(rows))),
+                                      constrained_layout=True)
     colours = _draw_contacts(axes[:2], x, results)
     picture.colorbar(colours, ax=axes[:2], label="highest pressure [MPa]", pad=0.01)
-    for axis, (label, lines) in zip(axes[2:], _histories(results)):
-        for values, name, colour in lines:
-            axis.plot(*thinned(x, values), color=colour, label=name, linewidth=1.1)
-        axis.set_ylabel(label)
-        axis.legend(loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, ncol=3, frameon=False, fontsize="small")
-        limit_zoom(axis)
+    for axis, (label, lines) in zip(axes[2:], rows):
+        _draw_lines(axis, x, label, lines, results)
     for axis in axes:
         axis.grid(alpha=0.3)
+    marks.draw(axes, marks.between(x, results), results)
+    marks.legend(axes[0], results)
     axes[-1].set(xlabel="x [m]", xlim=(np.nanmin(x), np.nanmax(x)))
     return save(picture, path)

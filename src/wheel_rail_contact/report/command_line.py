@@ -6,7 +6,8 @@ import pathlib
 import numpy as np
 
 from ..command import finish, pyplot, writing
-from . import along_line, figures, page, running_band
+from . import along_line, errors, histories, page, positions, pressure, running_band
+from .loops import loop_of
 from .results import read, read_full
 
 WORST = 2  # number of instants with the highest pressures that are shown
@@ -41,8 +42,13 @@ def chosen_results(results, instants):
                    if chosen[other])
         if not near:
             chosen[index] = "high pressure, "
-    return {index: f"{title}{results.stamp[index]:.3f} s, y = {1e3 * results.y[index]:.2f} mm"
+    return {index: f"{title}{_instant(results, index)}, y = {1e3 * results.y[index]:.2f} mm"
             for index, title in sorted(chosen.items())}
+
+
+def _instant(results, index):
+    looped = (np.diff(results.stamp) < 0).any()
+    return f"{results.stamp[index]:.3f} s" + (f" of loop {loop_of(results.stamp, index)}" if looped else "")
 
 
 def make_report(options):
@@ -58,7 +64,8 @@ def make_report(options):
 
 
 def _write(out, options, results, topic, other):
-    pictures = [("Histories", [figures.histories(results, other, out / "histories.png")])]
+    picture, left_out = histories.histories(results, other, out / "histories.png")
+    pictures = [("Histories", [picture, *([f"Zero throughout, and not drawn: {'; '.join(left_out)}."] if left_out else [])])]
     if along_line.travels(results):
         pictures.append(("Along the line", [along_line.figure(results, out / "along_line.png")]))
     if len(results.patches["result"]):
@@ -66,14 +73,14 @@ def _write(out, options, results, topic, other):
         if sides:
             pictures.append(("Running band from above", [running_band.figure(results, side, out / f"running_band_{side}.png")
                                                          for side in sides]))
-        pictures.append(("Contact positions on the profiles", [figures.bands(results, out / "bands.png")]))
+        pictures.append(("Contact positions on the profiles", [positions.figure(results, out / "bands.png")]))
         titles = chosen_results(results, options.at)
-        shown = [figures.pressure_maps(message, titles[index], out / f"pressure_{index}.png")
+        shown = [pressure.figure(message, titles[index], out / f"pressure_{index}.png")
                  if any(patch.grid.nx for patch in message.patches) else
                  f"{titles[index]}: no pressure ({message.status_text or 'the bag contains no grids'})"
                  for index, message in read_full(options.bag, topic, titles).items()]
         pictures.append(("Pressure", shown))
-        pictures.append(("Estimated errors", [figures.quality(results, out / "errors.png")]))
+        pictures.append(("Estimated errors", [errors.figure(results, out / "errors.png")]))
     page.write(out / "report.html", f"{pathlib.Path(options.bag).name}, {topic}", results, pictures,
                pathlib.Path(options.compare).name if options.compare else None)
 

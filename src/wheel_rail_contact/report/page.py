@@ -6,6 +6,10 @@ import html
 import numpy as np
 
 from ..message_constants import SIDES, STATUSES, USABLE
+from .loops import loop_of, loops
+from .results import WHEEL_FIELDS
+
+MOST_LOOPS = 50  # largest number of loops that are listed
 
 STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; margin: 0.6em 0 } td, th { padding: 0.2em 0.8em; border: 1px solid #ccc; text-align: right }
@@ -30,19 +34,43 @@ def _image(path, caption):
     return f'<img alt="{html.escape(caption)}" src="data:image/png;base64,{data}">'
 
 
-def extremes(results):
-    """Rows of the table of extreme values: quantity, value, stamp [s], y [mm]."""
-    rows = []
+def _quantities(results, side):
+    """Title, values, their results, scale and number of digits of each quantity of a side."""
+    chosen = np.flatnonzero(results.patches["side"] == side)
+    of_patch = results.patches["result"][chosen]
     for name, unit, scale, digits in (("max_pressure", "MPa", 1e-6, 0), ("contact_angle", "°", 180 / np.pi, 1),
                                       ("normal_force", "kN", 1e-3, 1), ("approach", "µm", 1e6, 1)):
-        for side in (0, 1):
-            values = np.where(results.patches["side"] == side, results.patches[name], -np.inf)
-            if len(values) and np.isfinite(values.max()):
-                worst = int(values.argmax())
-                result = results.patches["result"][worst]
-                rows.append((f"{name} [{unit}], {SIDES[side]}", f"{scale * values[worst]:.{digits}f}",
-                             f"{results.stamp[result]:.3f}", f"{1e3 * results.y[result]:.2f}"))
+        yield f"{name} [{unit}]", results.patches[name][chosen], of_patch, scale, digits
+    for name, symbol in (("vertical_force", "Q"), ("lateral_force", "Y")):
+        known = np.flatnonzero(np.isfinite(results.wheel[:, side, 0]))
+        yield f"{symbol} of the wheel [kN]", results.wheel[known, side, WHEEL_FIELDS.index(name)], known, 1e-3, 1
+
+
+def extremes(results):
+    """Rows of the table of extreme values: quantity, value, stamp [s], y [mm], and the loop if there are several. The value is
+    the one with the largest magnitude, with its sign."""
+    rows, several = [], len(loops(results.stamp)) > 1
+    sides = [list(_quantities(results, side)) for side in (0, 1)]
+    for pair in zip(*sides):
+        for side, (title, values, result_of, scale, digits) in enumerate(pair):
+            if len(values):
+                worst = int(np.abs(values).argmax())
+                result = int(result_of[worst])
+                rows.append((f"{title}, {SIDES[side]}", f"{scale * values[worst]:.{digits}f}", f"{results.stamp[result]:.3f}",
+                             f"{1e3 * results.y[result]:.2f}", *([loop_of(results.stamp, result)] if several else [])))
     return rows
+
+
+def _loops(results):
+    """Paragraph and table of the loops; empty if there is only one."""
+    pieces = loops(results.stamp)
+    if len(pieces) == 1:
+        return []
+    rows = [(k, f"{results.stamp[piece][0]:.3f}", f"{results.stamp[piece][-1]:.3f}", piece.stop - piece.start)
+            for k, piece in enumerate(pieces[:MOST_LOOPS], 1)]
+    rest = f" The first {MOST_LOOPS} are listed." if len(pieces) > MOST_LOOPS else ""
+    return [f"<p>The recording has {len(pieces)} loops: its stamps go back {len(pieces) - 1} times.{rest}</p>",
+            _table(("loop", "from [s]", "to [s]", "results"), rows)]
 
 
 def _statuses(results):
@@ -66,17 +94,19 @@ def write(path, title, results, pictures, other_title=None):
 
     @param pictures list of (heading, items); an item is the path of a picture, or a sentence instead of it
     """
+    several = (np.diff(results.stamp) < 0).any()
     usable = int(np.isin(results.status, USABLE).sum())
     parts = [f"<h1>{html.escape(title)}</h1>",
-             f"<p>{len(results.status)} results from {results.stamp[0]:.3f} s to {results.stamp[-1]:.3f} s, "
-             f"{usable} of them usable.</p>"]
+             f"<p>{len(results.status)} results from {results.stamp.min():.3f} s to {results.stamp.max():.3f} s, "
+             f"{usable} of them usable.</p>", *_loops(results)]
     if other_title:
         parts.append(f"<p>Dashed: {html.escape(other_title)}.</p>")
     parts += [_table(("status", "results", "share"), _statuses(results))]
     if results.reasons:
         head = "reason, with the numbers of the first result", "results"
         parts += ["<h2>Refusals and remarks</h2>", _table(head, _reasons(results))]
-    parts += ["<h2>Extreme values</h2>", _table(("quantity", "value", "time [s]", "y [mm]"), extremes(results))]
+    parts += ["<h2>Extreme values</h2>", _table(("quantity", "value", "time [s]", "y [mm]", "loop")[:5 if several else 4],
+                                                extremes(results))]
     for heading, images in pictures:
         parts += [f"<h2>{html.escape(heading)}</h2>", *(_shown(image, heading) for image in images)]
     parts += ["<h2>Methods</h2>", _table(("method", "patches", "median of the estimated error"), _methods(results))]

@@ -8,12 +8,13 @@ import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
 from ..command import Failure
-from ..message_constants import USABLE
+from ..message_constants import STATUSES, USABLE
 
 
 @dataclass
 class Results:
-    """SI units, track axes. Histories have one value per result, patches one value per patch of a usable result."""
+    """SI units, track axes. Histories have one value per result, patches one value per patch of a usable result. The pose of an
+    input that was rejected before the evaluation is not known: its y and yaw are NaN."""
     stamp: np.ndarray = None
     status: np.ndarray = None
     x: np.ndarray = None
@@ -22,7 +23,8 @@ class Results:
     roll: np.ndarray = None
     yaw: np.ndarray = None
     distance: np.ndarray = None    # place on the line
-    rail: np.ndarray = None        # (result, side, RAIL_FIELDS)
+    rail: np.ndarray = None        # (result, side, RAIL_FIELDS); NaN if not usable
+    wheel: np.ndarray = None       # (result, side, WHEEL_FIELDS); NaN if not usable
     patches: dict = None           # name -> array; `result` is the index of the result to which the patch belongs
     reasons: dict = field(default_factory=dict)    # (status, text without numbers) -> [count, first text]
     outlines: list = field(default_factory=lambda: [{}, {}])   # left, right: "rail", "wheel", "reference" -> (n, 2) outward y,
@@ -33,9 +35,12 @@ class Results:
 
 
 FAR_BELOW = -0.1  # [m] height below all pictures
-PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations")
+PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
+                "semi_axis_along", "semi_axis_across", "rolling_radius", "wheel_s", "rail_s")
 OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
+REJECTED = (STATUSES.index("INVALID_INPUT"), STATUSES.index("NO_TRANSFORM"))  # may have been rejected before the evaluation
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "given_lateral", "given_vertical")
+WHEEL_FIELDS = ("lateral_force", "vertical_force")
 
 
 def _message(raw):
@@ -85,13 +90,14 @@ def _sections(text):
 
 
 def _collect(stream):
-    histories, rails, patches, names = [], [], [], []
+    histories, rails, wheels, patches, names = [], [], [], [], []
     results = Results()
     for index, message in enumerate(stream):
         p, q = message.wheelset.position, message.wheelset.orientation
         histories.append((message.header.stamp.to_sec(), message.status, p.x, p.y, p.z, 2 * np.arctan2(q.x, q.w),
                           2 * np.arctan2(q.z, q.w), message.distance))
         rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
+        wheels.append([[getattr(wheel, name) for name in WHEEL_FIELDS] for wheel in (message.left_wheel, message.right_wheel)])
         if message.status not in USABLE or message.status_text:
             key = (message.status, re.sub(r"\d+(\.\d+)?", "", message.status_text).replace("-", ""))
             results.reasons.setdefault(key, [0, message.status_text])[0] += 1
@@ -104,8 +110,11 @@ def _collect(stream):
     results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw, results.distance = np.array(
         histories, float).T
     results.status = status.astype(int)
-    results.rail = np.array(rails, float)
-    results.rail[~np.isin(results.status, USABLE)] = np.nan
+    results.rail, results.wheel = np.array(rails, float), np.array(wheels, float)
+    for forces in (results.rail, results.wheel):
+        forces[~np.isin(results.status, USABLE)] = np.nan
+    unknown = np.isin(results.status, REJECTED) & ~np.any([results.x, results.y, results.z, results.roll, results.yaw], axis=0)
+    results.y[unknown] = results.yaw[unknown] = np.nan
     table = np.array(patches, float).reshape(-1, 4 + len(PATCH_FIELDS)).T
     results.patches = dict(zip(("result", "side", "y", "z", *PATCH_FIELDS), table))
     for name in ("result", "side"):
@@ -138,6 +147,21 @@ def per_result(values, results, index, reduce):
     reduced[chosen] = start
     operation.at(reduced, chosen, values[index])
     return reduced
+
+
+def main_patch(results, side):
+    """Index of the patch with the largest normal force of a wheel, for each result (n,); -1 where the wheel has none."""
+    patches = results.patches
+    of_side = np.flatnonzero(patches["side"] == side)
+    chosen = np.full(len(results.stamp), -1)
+    order = of_side[np.argsort(patches["normal_force"][of_side], kind="stable")]
+    chosen[patches["result"][order]] = order  # the last value of each result remains
+    return chosen
+
+
+def of_patches(results, name, index):
+    """Values of patches; NaN where the index is -1."""
+    return np.where(index >= 0, np.append(results.patches[name], np.nan)[index], np.nan)
 
 
 def read_full(path, topic, wanted):

@@ -4,7 +4,9 @@ import numpy as np
 
 from ..command import pyplot
 from ..message_constants import SIDES, USABLE
-from .figures import limit_zoom, save, thinned
+from . import marks
+from .drawing import draw_history, limit_zoom, save
+from .results import per_result
 
 GRID = 5e-4             # [m] distance of the points at which the surface is drawn, across the rail
 COLUMNS = 900           # number of the drawn columns along the rail
@@ -87,15 +89,14 @@ def heads(place, across):
 
 
 def _contacts(results, side):
-    """Place, track y, pressure, area, vertical force and head of each contact of a side, in order along the line."""
+    """Result, place, track y, pressure, area, vertical force and head of each contact of a side, in order along the line."""
     patches = results.patches
-    usable = np.isin(results.status, USABLE)[patches["result"]]
-    chosen = np.flatnonzero((patches["side"] == side) & usable)
+    chosen = np.flatnonzero(patches["side"] == side)
     chosen = chosen[np.argsort(results.distance[patches["result"][chosen]], kind="stable")]
-    place = results.distance[patches["result"][chosen]]
+    result = patches["result"][chosen]
+    place, y = results.distance[result], patches["y"][chosen]
     force = patches["normal_force"][chosen] * np.cos(patches["contact_angle"][chosen])
-    y = patches["y"][chosen]
-    return place, y, patches["max_pressure"][chosen], patches["area"][chosen], force, heads(place, y)
+    return result, place, y, patches["max_pressure"][chosen], patches["area"][chosen], force, heads(place, y)
 
 
 def _shaded(height):
@@ -108,7 +109,7 @@ def _shaded(height):
 
 def _draw_band(axis, results, side, contacts):
     """Surface and contacts; returns the colours of the pressures."""
-    place, y, pressure, area, _, _ = contacts
+    _, place, y, pressure, area, _, _ = contacts
     sign = (1, -1)[side]
     low, high = place.min(), place.max()
     near = [outline for x, outline in results.sections[side] if low <= x <= high] or [o for _, o in results.sections[side]]
@@ -128,39 +129,44 @@ def _draw_band(axis, results, side, contacts):
     return colours
 
 
-def _draw_loads(axis, results, side, contacts):
+def _draw_loads(axis, x, results, contacts):
     """Load of each head; those that carry little are drawn in grey."""
-    place, y, _, _, force, head = contacts
-    all_places, inverse = np.unique(place, return_inverse=True)
+    result, _, y, _, _, force, head = contacts
     for k in range(head.max() + 1):
         on_head = head == k
-        load = np.bincount(inverse[on_head], force[on_head], minlength=len(all_places))
+        load = np.bincount(result[on_head], force[on_head], minlength=len(x))
         from_centre = 1e3 * abs(y[on_head])
         listed = force[on_head].sum() > LEAST_SHARE * force.sum()
         label = f"head at {from_centre[0]:.0f} mm to {from_centre[-1]:.0f} mm"
-        shown = np.convolve(load > 0, np.ones(3), "same") > 0  # also the places next to those with a load
-        axis.plot(all_places, np.where(shown, 1e-3 * load, np.nan), linewidth=1.2 if listed else 0.7, zorder=3 if listed else 2,
-                  label=label if listed else None, color=None if listed else "0.6")
+        shown = np.convolve(load > 0, np.ones(3), "same") > 0  # also the results next to those with a load
+        draw_history(axis, x, np.where(shown, 1e-3 * load, np.nan), results, linewidth=1.2 if listed else 0.7,
+                     zorder=3 if listed else 2, label=label if listed else None, color=None if listed else "0.6")
     axis.set(ylabel="load of\neach head [kN]", ylim=(0, None))
     axis.legend(loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, ncol=4, frameon=False, fontsize="x-small")
+
+
+def _draw_pressures(axis, x, results, side):
+    """Highest pressure of the side in each result."""
+    highest = per_result(results.patches["max_pressure"], results, np.flatnonzero(results.patches["side"] == side), "max")
+    draw_history(axis, x, 1e-6 * highest, results, color="0.2", linewidth=1.1)
+    axis.set(xlabel="place on the line [m]", ylabel="highest pressure\n[MPa]")
+    limit_zoom(axis)
 
 
 def figure(results, side, path):
     """Contacts on the surface of the rail, load of each head, and highest pressure over the place. Returns the path."""
     contacts = _contacts(results, side)
-    place, _, pressure, _, _, _ = contacts
+    x = np.where(np.isin(results.status, USABLE), results.distance, np.nan)
     picture, axes = pyplot().subplots(3, 1, sharex=True, figsize=(11, 8), constrained_layout=True,
                                       gridspec_kw={"height_ratios": (2.4, 1, 1)})
     colours = _draw_band(axes[0], results, side, contacts)
     picture.colorbar(colours, ax=axes[0], label="highest pressure [MPa]", pad=0.01)
     axes[0].set_title(f"{SIDES[side]} rail, from above; lines: height [mm]", fontsize="medium")
-    _draw_loads(axes[1], results, side, contacts)
-    places, inverse = np.unique(place, return_inverse=True)
-    highest = np.zeros(len(places))
-    np.maximum.at(highest, inverse, pressure)
-    axes[2].plot(*thinned(places, 1e-6 * highest), color="0.2", linewidth=1.1)
-    axes[2].set(xlabel="place on the line [m]", ylabel="highest pressure\n[MPa]", xlim=(place.min(), place.max()))
-    limit_zoom(axes[2])
+    _draw_loads(axes[1], x, results, contacts)
+    _draw_pressures(axes[2], x, results, side)
+    marks.draw(axes[1:], marks.between(x, results), results)
+    marks.legend(axes[2], results)
+    axes[2].set_xlim(np.nanmin(x), np.nanmax(x))
     for axis in axes[1:]:
         axis.grid(alpha=0.3)
     return save(picture, path)
