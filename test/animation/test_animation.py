@@ -10,6 +10,7 @@ import rosbag
 from PIL import Image
 from wheel_rail_contact.animation.command_line import main
 from wheel_rail_contact.animation.gif import write_gif
+from wheel_rail_contact.animation.run import read_run
 from wheel_rail_contact.animation.section import section
 from wheel_rail_contact.msg import WheelsetContact
 from wheel_rail_contact.report.results import read, read_full
@@ -85,17 +86,38 @@ class Animation(SweepCase):
                 gif.seek(k)
                 self.assertTrue((np.asarray(gif.convert("RGB")) == frame).all())
 
+    def edited(self, name, edit):
+        """@return path of the results of the sweep, each changed by a function of its index and the message"""
+        path = self.folder / name
+        with rosbag.Bag(str(path), "w") as bag, rosbag.Bag(str(self.rigid)) as source:
+            results = 0
+            for topic, message, time, header in source.read_messages(return_connection_header=True):
+                if message._type == WheelsetContact._type:
+                    edit(results, message)
+                    results += 1
+                bag.write(topic, message, time, connection_header=header)  # contains the profiles
+        return path
+
+    def test_wheel_without_a_contact_and_the_sign_of_the_steepest_angle_are_stated(self):
+        def edit(index, message):
+            if index > 0:
+                message.status, message.patches = message.LIFT_OFF, [patch for patch in message.patches if patch.side == 1]
+            else:
+                message.patches[0].contact_angle = np.radians(-12)
+
+        run = read_run(self.edited("back.bag", edit), "label", 0, 2, None)
+        self.assertIn("angle -12°", run.texts[0])
+        self.assertEqual(run.texts[1], "LIFT_OFF: the left wheel carries no load")
+
     def test_undrawable_input_is_reported_and_writes_no_file(self):
         out = self.folder / "none.gif"
         recorded = self.folder / "recorded.bag"
         with rosbag.Bag(str(recorded), "w") as bag:
             bag.write("/contact_node/contact", WheelsetContact(), genpy.Time(1))
-        lifted = self.folder / "lifted.bag"
-        with rosbag.Bag(str(lifted), "w") as bag, rosbag.Bag(str(self.rigid)) as source:
-            for topic, message, time, header in source.read_messages(return_connection_header=True):
-                if message._type == WheelsetContact._type:
-                    message.patches = [patch for patch in message.patches if patch.side == 1]
-                bag.write(topic, message, time, connection_header=header)  # contains the profiles
+        def lift(_, message):
+            message.patches = [patch for patch in message.patches if patch.side == 1]
+
+        lifted = self.edited("lifted.bag", lift)
         for arguments, words in (((lifted,), "lifted.bag: no result to be shown has a contact on the left side"),
                                  ((self.rigid, self.rigid, self.rigid), "3 bags: must be at most two"),
                                  ((self.rigid, "--label", "a", "--label", "b"), "--label"),

@@ -6,6 +6,8 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import FancyArrowPatch
 
 from ..message_constants import SIDES, USABLE
+from ..report.drawing import interrupted
+from ..report.loops import loops
 
 SIZE, DPI = (9.6, 6.6), 100     # [inch], pixels per inch
 COLOURS = ("#D55E00", "#0072B2")  # of the runs; distinguishable by colour-blind readers (Okabe and Ito 2008)
@@ -58,7 +60,7 @@ class Picture:
                                                      ("highest pressure [MPa]", "pressure"))):
             axis.set_title(title, fontsize=9, color=INK)
             for run, colour in zip(self.runs, COLOURS):
-                axis.plot(run.outward, getattr(run, values), color=colour, linewidth=1.4)
+                axis.plot(*interrupted(run.outward, getattr(run, values), loops(run.stamp)), color=colour, linewidth=1.4)
                 self.cursors.append((axis.plot([], [], "o", color=colour, markersize=6)[0], run, values))
             axis.tick_params(labelsize=8)
             axis.grid(alpha=0.3)

@@ -34,8 +34,11 @@ def instants(count, frames):
 def _text(message, side, lateral, force, pressure):
     if message.status not in USABLE:
         return f"{STATUSES[message.status]}\n{message.status_text}"
-    area = 1e6 * sum(patch.area for patch in message.patches if patch.side == side)
-    angle = max((np.degrees(patch.contact_angle) for patch in message.patches if patch.side == side), default=0)
+    patches = [patch for patch in message.patches if patch.side == side]
+    if not patches:
+        return f"LIFT_OFF: the {SIDES[side]} wheel carries no load"
+    area = 1e6 * sum(patch.area for patch in patches)
+    angle = max((np.degrees(patch.contact_angle) for patch in patches), key=abs)
     return (f"p max {pressure:5.0f} MPa   area {area:4.0f} mm²   angle {angle:3.0f}°\n"
             f"outward: force {force:5.1f} kN   rail head {lateral:5.2f} mm")
 
