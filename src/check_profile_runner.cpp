@@ -21,15 +21,6 @@ using namespace wheel_rail_contact;
 
 constexpr std::size_t least_arguments = 4, clean_table = 4;
 
-core::ProfileReading readOptions(const std::string& options)
-{
-  ParameterReader reader(parameterTree(YAML::Load(options)), "");
-  core::ProfileReading reading;
-  readProfileOptions(reader, "", reading);
-  reader.refuseUnknown();
-  return reading;
-}
-
 void run(const std::vector<std::string>& arguments)
 {
   const std::string &kind = arguments[1], &file = arguments[2];
@@ -37,7 +28,7 @@ void run(const std::vector<std::string>& arguments)
                       : kind == "rail" ? std::optional(core::ProfileKind::rail)
                                        : std::nullopt;
   const core::profile_check::CheckedProfile checked =
-      core::profile_check::checkedProfile(file, stated, readOptions(arguments[3]));
+      core::profile_check::checkedProfile(file, stated, readProfileOptions(parameterTree(YAML::Load(arguments[3]))));
   std::cout << core::profile_check::textOf(file, checked);
   core::profile_check::writeTables(checked, arguments[0]);
   if (arguments.size() > clean_table)

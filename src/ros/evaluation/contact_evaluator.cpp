@@ -17,11 +17,6 @@ std::string rangeWarning(core::Side side, const core::RailResult& rail, double l
                    nameOf(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
                    std::abs(rail.lateral_force / rail.vertical_force), linear_range);
 }
-
-void append(const std::string& sentence, std::string& text)
-{
-  text += text.empty() || sentence.empty() ? sentence : "; " + sentence;
-}
 }  // namespace
 
 std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
@@ -32,7 +27,7 @@ std::string linearRangeWarning(const core::WheelsetResult& result, const core::S
     const core::RailResult& rail = result.rail[static_cast<std::size_t>(side)];
     if (std::abs(rail.lateral_force) > linear_range[side] * std::max(rail.vertical_force, 0.0))
     {
-      append(rangeWarning(side, rail, linear_range[side]), text);
+      text = sentences(text, rangeWarning(side, rail, linear_range[side]));
     }
   }
   return text;
@@ -73,7 +68,7 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   {
     output.result = &result;
     output.beyond_linear_range = linearRangeWarning(result, linear_range_);
-    append(output.beyond_linear_range, output.reason);
+    output.reason = sentences(output.reason, output.beyond_linear_range);
   }
   return output;
 }

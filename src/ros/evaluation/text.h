@@ -18,4 +18,10 @@ std::string formatted(const char* format, Values... values)
   const int length = std::snprintf(text.data(), text.size(), format, values...);
   return {text.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), text.size() - 1)};
 }
+
+/// Two sentences, either of which may be empty, as one text.
+inline std::string sentences(const std::string& first, const std::string& second)
+{
+  return first.empty() || second.empty() ? first + second : first + "; " + second;
+}
 }  // namespace wheel_rail_contact

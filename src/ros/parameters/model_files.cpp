@@ -60,6 +60,12 @@ std::string nameFromNumber(const std::string& value)
   return value;
 }
 
+/// True unless the name can only be that of a standard profile.
+bool isFile(const std::string& name)
+{
+  return name.find_first_of("./") != std::string::npos;
+}
+
 /// Opens profiles, and notes what was understood of each file.
 class ProfileFiles
 {
@@ -77,10 +83,8 @@ class ProfileFiles
                     [&](const std::string& value)
                     {
                       const std::string name = nameFromNumber(value);
-                      const bool is_file = name.find_first_of("./") != std::string::npos;
-                      core::DescribedProfile described =
-                          core::describedProfile(is_file ? resolveFile(name, directory_) : name, kind, file.reading);
-                      if (is_file)
+                      core::DescribedProfile described = openProfile(name, kind, file.reading, directory_);
+                      if (isFile(name))
                       {
                         addNote(file, described.report.text);
                       }
@@ -186,6 +190,12 @@ void openTables(const core::Sides<NamedFile>& files, const std::string& director
   }
 }
 }  // namespace
+
+core::DescribedProfile openProfile(const std::string& name, core::ProfileKind kind, const core::ProfileReading& reading,
+                                   const std::string& directory)
+{
+  return core::describedProfile(isFile(name) ? resolveFile(name, directory) : name, kind, reading);
+}
 
 void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config)
 {

@@ -71,6 +71,12 @@ struct ModelFiles
   core::LineAxes line_axes = core::LineAxes::rep103;
 };
 
+/// Opens a standard profile by its name, or a file if the name contains a dot or a slash.
+/// @param directory  of a relative file name
+/// @throw std::exception with the reason.
+core::DescribedProfile openProfile(const std::string& name, core::ProfileKind kind, const core::ProfileReading& reading,
+                                   const std::string& directory);
+
 /// Opens the files of a configuration. `directory` is that of relative names.
 /// @throw std::invalid_argument with the name of the parameter and the reason.
 void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config);

@@ -76,6 +76,15 @@ void readProfileOptions(ParameterReader& reader, const std::string& prefix, core
   }
 }
 
+core::ProfileReading readProfileOptions(const ParameterTree& group)
+{
+  ParameterReader reader(group, "");
+  core::ProfileReading reading;
+  readProfileOptions(reader, "", reading);
+  reader.refuseUnknown();
+  return reading;
+}
+
 bool hasProfileOptions(const ParameterReader& reader, const std::string& prefix)
 {
   return std::any_of(names.begin(), names.end(), [&](const char* name) { return reader.has(prefix + name); });

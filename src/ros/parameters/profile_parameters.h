@@ -22,6 +22,10 @@ namespace wheel_rail_contact
 /// @param reading  options that are not given stay unchanged
 void readProfileOptions(ParameterReader& reader, const std::string& prefix, core::ProfileReading& reading);
 
+/// Options of a profile file in a group of their own.
+/// @throw std::invalid_argument with the name, the value and the violated rule; for an unknown name.
+core::ProfileReading readProfileOptions(const ParameterTree& group);
+
 /// True if one of the options is given.
 bool hasProfileOptions(const ParameterReader& reader, const std::string& prefix);
 }  // namespace wheel_rail_contact
