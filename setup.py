@@ -4,7 +4,7 @@ from setuptools import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup
 
-SUBPACKAGES = ("animation", "campaign", "chart", "checking", "geometry", "line", "paper", "profile_check", "rail_fe", "report",
+SUBPACKAGES = ("animation", "campaign", "chart", "checking", "core", "geometry", "line", "paper", "profile_check", "rail_fe", "report",
                "states")
 
 setup(**generate_distutils_setup(

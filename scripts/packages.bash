@@ -13,6 +13,7 @@ distribution_packages=(
   libroscpp-dev libroslib-dev libstd-msgs-dev libgeometry-msgs-dev libvisualization-msgs-dev libdiagnostic-msgs-dev
   libtf2-dev libtf2-msgs-dev libtf2-ros-dev libdiagnostic-updater-dev libnodelet-dev libnodeletlib-dev pluginlib-dev
   librviz-dev libopengl-dev qtbase5-dev  # Debian 11: librviz-dev does not depend on libopengl-dev, but requires it
+  pybind11-dev python3-dev  # Python module of the core
   ros-std-msgs ros-geometry-msgs ros-visualization-msgs ros-diagnostic-msgs
   # run
   rosbash rosout rospack-tools libnodeletlib-tools
@@ -152,7 +153,7 @@ install_distribution_packages()
 rosdep_state()
 {
   cat "$root/package.xml"
-  echo "${WHEEL_RAIL_CONTACT_RVIZ:-}"
+  echo "${WHEEL_RAIL_CONTACT_RVIZ:-} ${WHEEL_RAIL_CONTACT_PYTHON:-}"
   dpkg-query --show
 }
 

@@ -1,1 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
+"""Contact of wheels and rails.
+
+For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure and to_array; see doc/python.md. The
+subpackages belong to the commands.
+"""
+# Names and their modules. They are imported when they are used: commands start without numpy.
+_MODULES = {
+    "WheelsetContact": "contact",
+    "read_compliance_table": "profiles",
+    "read_profile": "profiles",
+    "plot_pressure": "pressure",
+    "to_array": "pressure",
+}
+
+
+def __getattr__(name):
+    if name not in _MODULES:
+        raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+    import importlib
+    return getattr(importlib.import_module(f"{__name__}.core.{_MODULES[name]}"), name)
+
+
+def __dir__():
+    return sorted({*globals(), *_MODULES})

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace wheel_rail_contact
+{
+// Parts of the Python module. Its names are described for users in the Python package, which wraps them.
+
+/// Adds the classes of a result.
+void bindResults(pybind11::module& module);
+/// Adds the results of many states.
+void bindMany(pybind11::module& module);
+/// Adds the class that evaluates states.
+void bindContact(pybind11::module& module);
+/// Adds profiles and compliance tables.
+void bindProfiles(pybind11::module& module);
+}  // namespace wheel_rail_contact

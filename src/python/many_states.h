@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ros/parameters/parameters.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
+#include "wheel_rail_contact/core/wheelset_state.h"
+
+namespace wheel_rail_contact
+{
+/// Array of numbers with a row for each state, and a column for each Side.
+using SideColumns = Eigen::ArrayX2d;
+
+/// Numbers of the results of many states, as arrays with a row for each state. NaN where a result is not usable.
+struct ManyResults
+{
+  explicit ManyResults(std::size_t count);
+
+  std::vector<core::ContactStatus> status;
+  std::vector<std::string> reason;  ///< as reasonOf()
+  Eigen::Array<bool, Eigen::Dynamic, 1> above_tolerance;
+  Eigen::ArrayXd z;                              ///< height of the axle centre [m]
+  Eigen::ArrayXd roll;                           ///< roll of the axle [rad]
+  Eigen::Array<int, Eigen::Dynamic, 2> patches;  ///< number of patches; 0 where a result is not usable
+  SideColumns vertical_force;                    ///< Q of the wheel on the rail, down positive [N]
+  SideColumns lateral_force;                     ///< Y of the wheel on the rail, outward positive [N]
+  SideColumns max_pressure;                      ///< highest pressure of all patches; 0 without a patch [Pa]
+  SideColumns area;                              ///< contact area of all patches [m²]
+  SideColumns error_estimate;                    ///< largest one of all patches [-]
+  SideColumns contact_angle;                  ///< of the patch with the largest normal force [rad]; NaN without a patch
+  SideColumns rolling_radius;                 ///< of the patch with the largest normal force [m]; NaN without a patch
+  SideColumns rail_lateral;                   ///< displacement of the rail, outward positive [m]
+  SideColumns rail_vertical;                  ///< displacement of the rail, up positive [m]
+  SideColumns rail_roll;                      ///< rotation of the rail, positive if the crown moves outward [rad]
+  std::vector<core::WheelsetResult> results;  ///< with the pressures; empty unless they are kept
+
+  /// True for each usable result.
+  Eigen::Array<bool, Eigen::Dynamic, 1> usable() const;
+  /// Sets row i.
+  void set(std::size_t i, const core::WheelsetResult& result, const core::Sides<double>& linear_range);
+
+ private:
+  void setSide(Eigen::Index row, core::Side side, const core::WheelsetResult& result);
+};
+
+/// How many states are evaluated.
+struct ManyOptions
+{
+  int threads = 1;            ///< >= 1
+  bool keep_results = false;  ///< true: ManyResults::results is filled
+};
+
+/// Evaluates many states on several threads. Each state starts cold: a result depends neither on the other states nor
+/// on the number of threads.
+/// @param is_interrupted is called at intervals, in the calling thread; true ends the evaluation, and the remaining
+/// results stay as they are at the beginning.
+/// @throw an exception of the evaluation, after all threads have ended.
+ManyResults evaluateMany(const NodeConfig& config, const std::vector<core::WheelsetState>& states,
+                         const ManyOptions& options, const std::function<bool()>& is_interrupted);
+}  // namespace wheel_rail_contact

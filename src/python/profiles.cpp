@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/bindings.h"
+#include "python/read_profile.h"
+#include "ros/parameters/compliance_table_file.h"
+#include "ros/parameters/file_names.h"
+#include "ros/parameters/model_files.h"
+#include "ros/parameters/profile_parameters.h"
+
+namespace py = pybind11;
+
+namespace wheel_rail_contact
+{
+namespace
+{
+core::ProfileKind kindOf(const std::string& name)
+{
+  using core::ProfileKind;
+  const std::vector<std::pair<const char*, ProfileKind>> kinds{
+      {"wheel", ProfileKind::wheel}, {"rail", ProfileKind::rail}, {"rail_section", ProfileKind::rail_section}};
+  for (const auto& [known, kind] : kinds)
+  {
+    if (name == known)
+    {
+      return kind;
+    }
+  }
+  throw std::invalid_argument("kind = '" + name + "': must be 'wheel', 'rail' or 'rail_section'");
+}
+
+ReadProfile readProfile(const std::string& name, const std::string& kind, const std::string& options)
+{
+  const core::ProfileReading reading = readProfileOptions(parameterTree(YAML::Load(options)));
+  core::DescribedProfile described = openProfile(name, kindOf(kind), reading, ".");
+  return {std::make_shared<const core::Profile>(std::move(described.profile)), described.report.text};
+}
+
+core::CurvePoint pointAt(const core::Profile& profile, double u)
+{
+  if (!std::isfinite(u))
+  {
+    throw std::invalid_argument("u = " + std::to_string(u) + ": must be finite");
+  }
+  return profile.at(u);
+}
+
+/// A quantity of a profile at each number of an array of any shape.
+template <typename Quantity>
+py::object along(const ReadProfile& read, const py::array_t<double>& u, const Quantity& quantity)
+{
+  return py::vectorize([&](double each) { return quantity(pointAt(*read.profile, each)); })(u);
+}
+
+py::tuple at(const ReadProfile& read, const py::array_t<double>& u)
+{
+  return py::make_tuple(along(read, u, [](const core::CurvePoint& point) { return point.y; }),
+                        along(read, u, [](const core::CurvePoint& point) { return point.z; }));
+}
+
+void bindProfile(py::module& module)
+{
+  py::class_<ReadProfile>(
+      module, "Profile",
+      "Profile of a wheel or a rail, in the profile frame: y to the field side, z up, the origin on "
+      "the running circle or the crown.")
+      .def_property_readonly(
+          "name", [](const ReadProfile& read) { return read.profile->name(); }, "of the standard profile or the file")
+      .def_readonly("report", &ReadProfile::report, "what was understood of the file, in one line")
+      .def_property_readonly(
+          "length", [](const ReadProfile& read) { return read.profile->length(); },
+          "largest value of the parameter u of the curve [m]; the smallest is 0")
+      .def_property_readonly(
+          "parts",
+          [](const ReadProfile& read)
+          {
+            std::vector<std::pair<double, double>> parts;
+            for (const core::ParameterRange& part : read.profile->parts())
+            {
+              parts.emplace_back(part.begin, part.end);
+            }
+            return parts;
+          },
+          "list of (first u, last u) of the separate parts [m]")
+      .def("at", &at, py::arg("u"), "y and z [m] at the parameter u [m], as arrays of its shape")
+      .def(
+          "slope",
+          [](const ReadProfile& read, const py::array_t<double>& u)
+          { return along(read, u, [](const core::CurvePoint& point) { return point.slope(); }); },
+          py::arg("u"), "dz/dy [-] at the parameter u [m]")
+      .def(
+          "curvature",
+          [](const ReadProfile& read, const py::array_t<double>& u)
+          { return along(read, u, [](const core::CurvePoint& point) { return point.curvature(); }); },
+          py::arg("u"), "curvature at the parameter u [m], positive where the curve bends up for growing y [1/m]")
+      .def("__repr__", [](const ReadProfile& read) { return "<Profile " + read.profile->name() + ">"; });
+  module.def("read_profile", &readProfile);
+}
+
+void bindTable(py::module& module)
+{
+  using Table = ComplianceTableFile;
+  py::class_<Table>(module, "ComplianceTable", "Compliance of a rail head; see doc/rail_bending.md.")
+      .def_readonly("name", &Table::name, "of the rail and its supports")
+      .def_readonly("linear_range", &Table::linear_range, "largest |Y|/Q for which the table is valid [-]")
+      .def_property_readonly(
+          "lateral_lateral", [](const Table& file) { return file.table.lateral_lateral; },
+          "lateral displacement per lateral force [m/N]")
+      .def_property_readonly(
+          "lateral_roll", [](const Table& file) { return file.table.lateral_roll; }, "roll per lateral force [rad/N]")
+      .def_property_readonly(
+          "roll_roll", [](const Table& file) { return file.table.roll_roll; }, "roll per moment [rad/(N m)]")
+      .def_property_readonly(
+          "vertical_vertical", [](const Table& file) { return file.table.vertical_vertical; },
+          "downward displacement per vertical force [m/N]")
+      .def(
+          "displacement",
+          [](const Table& file, double lateral_force, double vertical_force, double moment, double inclination) {
+            return core::deflectionInTrack(file.table, {lateral_force, vertical_force, moment}, inclination);
+          },
+          py::arg("lateral_force") = 0.0, py::arg("vertical_force") = 0.0, py::arg("moment") = 0.0,
+          py::arg("inclination") = 0.0,
+          "RailDeflection by a lateral force (outward positive) [N], a vertical force (down positive) [N] and their "
+          "moment about the reference point (outward roll positive) [N m], of a rail with an inclination [rad]")
+      .def("__repr__", [](const Table& file) { return "<ComplianceTable " + file.name + ">"; });
+  module.def("read_compliance_table",
+             [](const std::string& file) { return readComplianceTable(resolveFile(file, ".")); });
+}
+}  // namespace
+
+void bindProfiles(py::module& module)
+{
+  bindProfile(module);
+  bindTable(module);
+}
+}  // namespace wheel_rail_contact

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "wheel_rail_contact/core/profile.h"
+
+namespace wheel_rail_contact
+{
+/// Profile for Python.
+struct ReadProfile
+{
+  std::shared_ptr<const core::Profile> profile;  ///< not null
+  std::string report;                            ///< what was understood of its file, in one line; may be empty
+};
+}  // namespace wheel_rail_contact

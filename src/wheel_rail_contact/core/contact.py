@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contact of a wheelset with both rails, from its parameters and states."""
+import json
+import numbers
+import os
+import warnings
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..command import shipped
+from .extension import core
+from .states import MANY, ONE, table
+
+DEFAULTS = "config/default.yaml"
+MOST_THREADS = 1024
+
+
+class WheelsetContact:
+    """Contact of one wheelset with both rails.
+
+    All quantities are in SI units and radians. Track frame: x forward, y left, z up; z = 0 at the tops of undeflected rails.
+    An object may be used by several threads; their calls wait for each other.
+    """
+
+    def __init__(self, config=()):
+        """Reads the parameters of the node, which config/default.yaml lists, and checks them as the node does.
+
+        config: name of a YAML file (str or path), dict of groups and values, or list of such. Each is applied over those
+            before, and all over config/default.yaml. Files are found as by contact_replay.
+
+        Raises ValueError with the name of the parameter, its value and the broken rule, and TypeError for a config that is
+        none of these.
+        """
+        items = [config] if isinstance(config, (str, os.PathLike, Mapping)) else config
+        if not isinstance(items, (list, tuple)):
+            raise TypeError(f"config = {config!r}: must be the name of a file, a dict, or a list of these")
+        sources = [core.ParameterSource(True, str(shipped(DEFAULTS))), *map(_source, items)]
+        self._model = core.ContactModel(sources)
+        if self._model.has_neighbours:
+            warnings.warn("rail_bending/neighbours is not used: give the displacement by other wheelsets as rail_displacement",
+                          stacklevel=2)
+
+    def evaluate(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
+                 rail_lateral_force=None, rail_displacement=None):
+        """Evaluates one state. The calculation starts from the previous result, which saves time; see reset().
+
+        y: lateral displacement of the axle centre, to the left positive [m]
+        yaw: rotation of the axle about z, positive to the left [rad]
+        force_z: vertical force on the axle centre, up positive [N]: that of the vehicle and the weight of the wheelset, both
+            negative. Required if height and roll are solved from the load (wheelset/free: [z, roll]), else not used
+        torque_x: moment on the axle centre about x [N m]; a positive moment unloads the left wheel. Not used if height and
+            roll are given
+        z: height of the axle centre [m]. Required if height and roll are given (wheelset/free: []), else not used
+        roll: rotation of the axle about x, positive if the left wheel is raised [rad]. Not used if it is solved
+        x: position of the axle centre along the track, copied to the result [m]
+        distance: place on the line, and on rails with sections [m]; default: x. Required with track/distance: topic
+        rail_lateral_force: (left, right) lateral forces on the rails, outward positive [N]. Required with
+            rail_bending/lateral_force: topic and a compliance table, else refused
+        rail_displacement: (2, 3) displacement of the rails besides their deflection: rows left, right; columns lateral (outward
+            positive) [m], vertical (up positive) [m], roll (positive if the crown moves outward) [rad]. Required with
+            track/displacement: topic
+
+        Returns a WheelsetResult: a value of its own, which later calls do not change. A state that is out of range, or
+        without a solution, is no error: see its status and reason.
+
+        Raises TypeError if a required argument is missing, or one is not a number; ValueError for a wrong shape, or an
+        argument that the parameters do not permit.
+        """
+        arguments = {name: value for name, value in locals().items() if name != "self"}
+        return self._model.evaluate(table(self._model, arguments, ONE))
+
+    def evaluate_many(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
+                      rail_lateral_force=None, rail_displacement=None, threads=None, results=False):
+        """Evaluates n states on several threads, without the lock of the interpreter. Ctrl-C ends the evaluation.
+
+        Each state starts cold, as after reset(): a result depends neither on the other states nor on the number of threads. The
+        previous result of evaluate() stays as it is.
+
+        y, yaw, ...: as in evaluate(). Numbers, or arrays (n,), all with the same n; rail_lateral_force (2,) or (n, 2);
+            rail_displacement (2, 3) or (n, 2, 3)
+        threads: number of threads, 1 to 1024; default: that of the processor cores
+        results: True keeps the WheelsetResult of each state, with the pressures, in `results`
+
+        Returns ManyResults: arrays of the numbers of all states. Raises as evaluate().
+        """
+        arguments = {name: value for name, value in locals().items() if name not in ("self", "threads", "results")}
+        return self._model.evaluate_many(table(self._model, arguments, MANY), _threads(threads), bool(results))
+
+    def reset(self):
+        """Discards the previous result: the next evaluation starts cold."""
+        self._model.reset()
+
+    def stiffness(self, side):
+        """Stiffness of the contact of one wheel in the last result of evaluate(), with the rail held.
+
+        side: "left" or "right"
+
+        Returns (3, 3), symmetric: how the force along y [N], the force along z [N] and the moment about x [N m] of the rail on
+        the wheelset fall per movement of the axle along y [m], along z [m] and about x [rad]. Zero if the wheel carries no
+        load or the last result is not usable. Raises ValueError for another side.
+        """
+        return self._model.stiffness(side)
+
+    @property
+    def config(self):
+        """Parameters by full name, as text: {"wheel/profile": "S1002", ...}. They include those of config/default.yaml."""
+        return self._model.parameters
+
+    @property
+    def notes(self):
+        """What was understood of each profile file, one line each."""
+        return self._model.notes
+
+    @property
+    def wheel_profiles(self):
+        """(left, right) Profile of the wheels."""
+        return self._model.wheel_profiles
+
+    @property
+    def rail_profiles(self):
+        """(left, right) Profile of the upright rails; None for a rail whose profile changes along the line."""
+        return self._model.rail_profiles
+
+    def __repr__(self):
+        names = [", ".join(sorted({profile.name if profile else "sections" for profile in pair}))
+                 for pair in (self.wheel_profiles, self.rail_profiles)]
+        return f"<WheelsetContact: wheels {names[0]}, rails {names[1]}, method {self.config['contact/method']}>"
+
+
+def _source(item):
+    if isinstance(item, Mapping):
+        return core.ParameterSource(False, json.dumps(item, default=_plain, ensure_ascii=False))
+    if isinstance(item, (str, os.PathLike)):
+        return core.ParameterSource(True, os.fspath(item))
+    raise TypeError(f"config: {item!r} must be the name of a file or a dict")
+
+
+def _plain(value):
+    """A value that JSON does not know, as one that it knows."""
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, numbers.Integral):
+        return int(value)
+    if isinstance(value, numbers.Real):
+        return float(value)
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    raise TypeError(f"config: {value!r} cannot be the value of a parameter")
+
+
+def _threads(threads):
+    if threads is None:
+        return min(len(os.sched_getaffinity(0)), MOST_THREADS)
+    if isinstance(threads, bool) or not isinstance(threads, numbers.Integral):
+        raise TypeError(f"threads = {threads!r}: must be an integer")
+    if not 1 <= threads <= MOST_THREADS:
+        raise ValueError(f"threads = {threads}: must be from 1 to {MOST_THREADS}")
+    return int(threads)

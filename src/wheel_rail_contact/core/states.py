@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""States for the core, from the arguments of evaluate() and evaluate_many()."""
+import numpy as np
+
+from .extension import core
+
+ONE, MANY = False, True
+SHAPES = {"rail_lateral_force": (2,), "rail_displacement": (2, 3)}  # of one state; all others are numbers
+COLUMNS = {name: [i for i, column in enumerate(core.STATE_COLUMNS) if column == name] for name in core.STATE_COLUMNS}
+
+
+def table(model, arguments, many):
+    """States as an array (n, len(STATE_COLUMNS)).
+
+    model: ContactModel, whose parameters state which arguments are required
+    arguments: name -> value as given; None: not given
+    many: ONE permits only the values of one state, MANY also arrays with a first dimension n
+
+    Raises TypeError, ValueError: see WheelsetContact.evaluate().
+    """
+    _check_given(model, arguments)
+    if arguments["distance"] is None:
+        arguments["distance"] = arguments["x"]
+    arrays = {name: _array(name, value, many) for name, value in arguments.items() if value is not None}
+    lengths = {name: len(array) for name, array in arrays.items() if array.ndim > len(SHAPES.get(name, ()))}
+    states = np.zeros((_common(lengths), len(core.STATE_COLUMNS)))
+    for name, array in arrays.items():
+        states[:, COLUMNS[name]] = array.reshape(lengths.get(name, 1), len(COLUMNS[name]))
+    return states
+
+
+def _check_given(model, arguments):
+    needed = [("rail_displacement", model.requires_displacement, "track/displacement is topic"),
+              ("distance", model.requires_distance, "track/distance is topic"),
+              ("rail_lateral_force", model.takes_lateral_forces, "rail_bending/lateral_force is topic")]
+    needed += [("force_z", True, "height and roll are solved from the load: wheelset/free is [z, roll]")
+               if model.solves_height_and_roll else ("z", True, "height and roll are given: wheelset/free is []")]
+    for name, required, reason in needed:
+        if required and arguments[name] is None:
+            raise TypeError(f"{name} is missing: it is required, because {reason}")
+    if arguments["rail_lateral_force"] is not None and not model.takes_lateral_forces:
+        raise ValueError("rail_lateral_force: must be omitted, because it would not be used; set rail_bending/lateral_force to "
+                         "topic, and rail_bending/model to compliance")
+
+
+def _array(name, value, many):
+    """Array of float with the shape of one state, or with n before it."""
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} = {value!r}: must be a number{_words(name)}") from None
+    shape = SHAPES.get(name, ())
+    if array.shape != shape and not (many and array.shape[1:] == shape and array.ndim == len(shape) + 1):
+        expected = "a number" if not shape else f"an array {shape}"
+        raise ValueError(f"{name}: has the shape {array.shape}, but must be {expected}"
+                         + (f" or an array {('n', *shape)}".replace("'n'", "n") if many else ""))
+    return array
+
+
+def _words(name):
+    return " or an array of numbers" if name in SHAPES else ""
+
+
+def _common(lengths):
+    """The common length of all arrays; 1 without any."""
+    found = sorted(set(lengths.values()))
+    if len(found) > 1:
+        texts = ", ".join(f"{name} has {length}" for name, length in lengths.items())
+        raise ValueError(f"arrays must have the same length: {texts}")
+    return found[0] if found else 1

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""WheelsetContact.evaluate()."""
+import gc
+import json
+import math
+import os
+import pathlib
+import resource
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+import rosbag
+from wheel_rail_contact import WheelsetContact, to_array
+from wheel_rail_contact.message_constants import SIDES, STATUSES
+from wheel_rail_contact.states.state import State, write_bag
+
+REPLAY = os.environ["CONTACT_REPLAY"]
+LOAD = -200e3  # of the axle [N]
+PADS = {"rail_bending": {"model": "compliance", "table": "config/rails/pads_40_100.yaml"}}
+PATCH_FIELDS = ("method", "contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
+                "residual", "half_space_ratio", "vertical_force", "lateral_force", "semi_axis_along", "semi_axis_across",
+                "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
+RAIL_FIELDS = ("lateral", "vertical", "roll")
+ROUNDING = 1e-7  # of numbers in messages, relative: the pressures are float32, poses are quaternions
+
+
+def replayed(states, config):
+    """Messages that contact_replay writes for states of one second."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        write_bag(folder / "in.bag", states)
+        (folder / "config.yaml").write_text(json.dumps(config))
+        subprocess.run([REPLAY, folder / "in.bag", folder / "out.bag", "--config", folder / "config.yaml"], check=True,
+                       stdout=subprocess.DEVNULL)
+        with rosbag.Bag(str(folder / "out.bag")) as bag:
+            return [message for _, message, _ in bag.read_messages("/contact_node/contact")]
+
+
+class EvaluateEqualsReplay(unittest.TestCase):
+    def assert_close(self, value, expected, name):
+        np.testing.assert_allclose(value, expected, rtol=ROUNDING, atol=ROUNDING * np.abs(expected).max(), err_msg=name)
+
+    def assert_equal_patch(self, patch, message):
+        self.assertEqual(patch.side, SIDES[message.side])
+        for name in PATCH_FIELDS:
+            if name == "method":
+                self.assertEqual(patch.method, message.method)
+            else:
+                self.assert_close(getattr(patch, name), getattr(message, name), name)
+        grid, position = message.grid, message.pose.position
+        self.assert_close(patch.pressure, to_array(grid), "pressure")  # float32 in the message
+        self.assert_close(patch.x, grid.x0 + grid.dx * np.arange(grid.nx), "x")
+        self.assert_close(patch.y, grid.y0 + grid.dy * np.arange(grid.ny), "y")
+        self.assert_close([patch.pose.y, patch.pose.z], [position.y, position.z], "pose")
+
+    def assert_equal_result(self, result, message):
+        self.assertEqual(result.status, STATUSES[message.status])
+        self.assertEqual(result.reason, message.status_text)
+        self.assert_close(result.z, message.wheelset.position.z, "z")
+        orientation = message.wheelset.orientation
+        self.assertAlmostEqual(result.roll, 2 * math.atan2(orientation.x, orientation.w), delta=1e-10)  # [rad]
+        for side in SIDES:
+            rail, wheel = getattr(result, f"{side}_rail"), getattr(result, f"{side}_wheel")
+            expected_rail, expected_wheel = getattr(message, f"{side}_rail"), getattr(message, f"{side}_wheel")
+            for name in RAIL_FIELDS:
+                self.assert_close(getattr(rail.deflection, name), getattr(expected_rail, name), name)
+            self.assert_close(rail.lateral_force, expected_rail.lateral_force, "lateral_force")
+            self.assert_close([wheel.vertical_force, wheel.lateral_force],
+                              [expected_wheel.vertical_force, expected_wheel.lateral_force], "wheel")
+        force = message.rail_wrench.force
+        self.assert_close(result.rail_wrench.force, [force.x, force.y, force.z], "rail_wrench")
+        self.assertEqual(len(result.patches), len(message.patches))
+        for patch, expected in zip(result.patches, message.patches):
+            self.assert_equal_patch(patch, expected)
+
+    def test_the_same_states_give_the_same_results(self):
+        # From the right flange to the left one, and a wheel without load.
+        lateral = np.linspace(-6.5e-3, 6.5e-3, 21)
+        states = [State(1_000_000_000 + i * 10_000_000, y=y, force_z=LOAD, torque_x=torque)
+                  for i, (y, torque) in enumerate([*((y, 1e6 * y) for y in lateral), (0.0, 3e5)])]
+        messages = replayed(states, PADS)
+        contact = WheelsetContact(PADS)
+        self.assertEqual(len(messages), len(states))
+        self.assertEqual({STATUSES[message.status] for message in messages}, {"OK", "LIFT_OFF"})
+        for state, message in zip(states, messages):
+            result = contact.evaluate(y=state.y, force_z=state.force_z, torque_x=state.torque_x)
+            self.assert_equal_result(result, message)
+
+    def test_yaw_has_the_same_sense(self):
+        message, = replayed([State(1_000_000_000, y=5e-3, yaw=0.02, force_z=LOAD)], {})
+        result = WheelsetContact().evaluate(y=5e-3, yaw=0.02, force_z=LOAD)
+        for patch, expected in zip(result.patches, message.patches):
+            self.assertGreater(abs(expected.pose.position.x), 1e-4)
+            # The quaternion rounds the yaw. The tolerance of the solution is 1 %.
+            np.testing.assert_allclose([patch.pose.x, patch.max_pressure], [expected.pose.position.x, expected.max_pressure],
+                                       rtol=0.01)
+
+
+class ResultIsAValue(unittest.TestCase):
+    def test_a_result_survives_later_calls_and_its_contact(self):
+        contact = WheelsetContact()
+        result = contact.evaluate(y=3e-3, force_z=LOAD)
+        pressure, z, text = result.patches[0].pressure, result.z, repr(result)
+        copy = pressure.copy()
+        for y in (-6e-3, 0.0, 6e-3):
+            contact.evaluate(y=y, force_z=LOAD)
+        del contact, result
+        gc.collect()
+        np.testing.assert_array_equal(pressure, copy)
+        self.assertEqual((z > 0.4, text[:19]), (True, "<WheelsetResult OK:"))
+
+    def test_pressures_are_read_only(self):
+        pressure = WheelsetContact().evaluate(force_z=LOAD).patches[0].pressure
+        with self.assertRaisesRegex(ValueError, "read-only"):
+            pressure[0, 0] = 1
+
+    def test_evaluations_leak_no_memory(self):
+        contact = WheelsetContact()
+
+        def evaluate(count):
+            for i in range(count):
+                contact.evaluate(y=1e-3 + 1e-7 * (i % 10), force_z=LOAD)
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # [kB]
+
+        before = evaluate(1000)
+        # 10 000 results take about 50 MB.
+        self.assertLess(evaluate(10_000) - before, 4000)
+
+    def test_the_pressure_carries_the_load(self):
+        patch = WheelsetContact().evaluate(force_z=LOAD).patches[0]
+        self.assertEqual(patch.pressure.shape, (len(patch.x), len(patch.y)))
+        force = patch.pressure.sum() * patch.dx * patch.dy
+        np.testing.assert_allclose(force, patch.normal_force, rtol=0.01)  # each column has its own normal
+
+    def test_texts_are_short(self):
+        result = WheelsetContact().evaluate(force_z=LOAD)
+        self.assertRegex(repr(result), r"^<WheelsetResult OK: y 0\.000 mm, z \d+\.\d+ mm, .* 2 patches, \d+ MPa>$")
+        self.assertRegex(repr(result.patches[0]), r"^<PatchResult left: \d+ MPa, 10\d\.\d+ kN, \d+\.\d mm², \d\.\d+°>$")
+        self.assertEqual(repr(WheelsetContact()), "<WheelsetContact: wheels S1002, rails 60E1, method auto>")
+        for value in (result.left_wheel, result.right_rail, result.left_rail.deflection, result.rail_wrench, result.patches[0].pose):
+            self.assertRegex(repr(value), rf"^<{type(value).__name__}: [^<>]*>$")
+
+
+class StartOfTheCalculation(unittest.TestCase):
+    def test_after_a_reset_the_result_is_that_of_a_new_object(self):
+        contact, new = WheelsetContact(), WheelsetContact()
+        contact.evaluate(y=5e-3, force_z=LOAD)
+        contact.reset()
+        a, b = contact.evaluate(y=2e-3, force_z=LOAD), new.evaluate(y=2e-3, force_z=LOAD)
+        np.testing.assert_array_equal(a.patches[0].pressure, b.patches[0].pressure)
+
+    def test_stiffness_is_that_of_the_last_result(self):
+        contact = WheelsetContact()
+        self.assertFalse(contact.stiffness("left").any())
+        contact.evaluate(force_z=LOAD)
+        stiffness = contact.stiffness("left")
+        np.testing.assert_allclose(stiffness, stiffness.T)
+        self.assertGreater(stiffness[1, 1], 1e9)  # of a wheel of 100 kN that approaches by less than 0.1 mm
+        mirror = np.diag([-1, 1, -1])
+        np.testing.assert_allclose(contact.stiffness("right"), mirror @ stiffness @ mirror, rtol=1e-6)
+        with self.assertRaisesRegex(ValueError, "side = 'middle': must be 'left' or 'right'"):
+            contact.stiffness("middle")
+
+
+class Misuse(unittest.TestCase):
+    def setUp(self):
+        self.contact = WheelsetContact()
+
+    def test_an_unknown_argument_is_refused_by_name(self):
+        with self.assertRaisesRegex(TypeError, "lateral"):
+            self.contact.evaluate(lateral=1e-3, force_z=LOAD)
+
+    def test_values_of_a_wrong_type_or_shape_are_refused(self):
+        for name, value, error, text in (("y", "left", TypeError, "y = 'left': must be a number"),
+                                         ("yaw", 1j, TypeError, "yaw = 1j: must be a number"),
+                                         ("y", [1e-3, 2e-3], ValueError, r"y: has the shape \(2,\), but must be a number"),
+                                         ("rail_displacement", [1, 2], ValueError, r"must be an array \(2, 3\)")):
+            with self.subTest(name=name, value=value), self.assertRaisesRegex(error, text):
+                self.contact.evaluate(force_z=LOAD, **{name: value})
+
+    def test_required_values_are_named(self):
+        given = WheelsetContact({"wheelset": {"free": []}})
+        topics = WheelsetContact([PADS, {"rail_bending": {"lateral_force": "topic"}, "track": {"distance": "topic"}}])
+        for contact, arguments, name in ((self.contact, {}, "force_z"), (given, {"force_z": LOAD}, "z"),
+                                         (topics, {"force_z": LOAD, "distance": 1.0}, "rail_lateral_force"),
+                                         (topics, {"force_z": LOAD, "rail_lateral_force": (0, 0)}, "distance")):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"{name} is missing: it is required"):
+                contact.evaluate(**arguments)
+
+    def test_a_force_that_would_not_be_used_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "rail_lateral_force: must be omitted"):
+            self.contact.evaluate(force_z=LOAD, rail_lateral_force=(1e3, 1e3))
+
+    def test_a_state_out_of_range_is_a_status(self):
+        for arguments in ({"y": math.nan}, {"y": 5.0}, {"yaw": 1.0}):
+            result = self.contact.evaluate(force_z=LOAD, **arguments)
+            self.assertEqual((result.status, result.usable, result.patches), ("INVALID_INPUT", False, []))
+            self.assertTrue(result.reason)
+
+
+class Inputs(unittest.TestCase):
+    def test_given_height_and_roll_give_the_forces_of_the_solved_ones(self):
+        fine = {"contact": {"tolerance": 1e-3}}
+        solved = WheelsetContact(fine).evaluate(y=2e-3, force_z=LOAD)
+        given = WheelsetContact([fine, {"wheelset": {"free": []}}]).evaluate(y=2e-3, z=solved.z, roll=solved.roll)
+        for a, b in zip(solved.patches, given.patches):
+            np.testing.assert_allclose(b.normal_force, a.normal_force, rtol=3e-3)  # a few tolerances
+
+    def test_a_displacement_of_both_rails_moves_the_contact(self):
+        contact = WheelsetContact()
+        at_rest = contact.evaluate(y=0.0, force_z=LOAD)
+        moved = contact.evaluate(y=1e-3, force_z=LOAD, rail_displacement=[[1e-3, 0, 0], [-1e-3, 0, 0]])
+        self.assertAlmostEqual(moved.patches[0].pose.y - at_rest.patches[0].pose.y, 1e-3, delta=1e-6)
+        self.assertAlmostEqual(moved.left_rail.deflection.lateral, 1e-3)
+        self.assertAlmostEqual(moved.right_rail.deflection.lateral, -1e-3)
+
+    def test_a_lateral_force_deflects_its_rail_outward(self):
+        contact = WheelsetContact([PADS, {"rail_bending": {"lateral_force": "topic"}}])
+        result = contact.evaluate(force_z=LOAD, rail_lateral_force=(20e3, 0.0))
+        self.assertGreater(result.left_rail.deflection.lateral, result.right_rail.deflection.lateral + 1e-4)
+        self.assertEqual(result.left_rail.lateral_force, 20e3)
