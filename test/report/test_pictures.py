@@ -152,6 +152,14 @@ class Pictures(SweepCase):
             labels = [axis.get_ylabel() for axis in drawn(histories, histories.histories, *pair).axes]
             self.assertEqual([label for label in labels if "rail" in label], ["rail roll [mrad],\noutward"])
 
+    def test_held_results_are_marked_and_have_no_patches(self):
+        held = self.message(1, WheelsetContact.NOT_CONVERGED, (0,))
+        held.held = True
+        results = self.results([self.message(0), held, self.message(2)])
+        self.assertEqual([(label, chosen.tolist()) for label, _, chosen in marks.marks(results)],
+                         [("refused and held", [False, True, False])])
+        self.assertNotIn(1, results.patches["result"])
+
     def test_lift_off_and_refusals_are_marked_in_every_history(self):
         refused = self.message(3, WheelsetContact.NOT_CONVERGED, ())
         lifted = [self.message(index, WheelsetContact.LIFT_OFF, (0,)) for index in (1, 2)]

@@ -7,7 +7,7 @@ from ..message_constants import SIDES, STATUSES, USABLE
 from .drawing import COLOURS
 from .loops import loops
 
-REFUSED = "tab:red"
+REFUSED, HELD = "tab:red", "tab:purple"
 SHADE = 0.18  # opacity of a span [-]
 ROUNDING = 1e-6  # of the median step: spans with a smaller distance are one
 
@@ -23,7 +23,8 @@ def marks(results):
     """Label, colour and results (n,) of each kind of mark that occurs."""
     kinds = [(f"{name} wheel lifted off", colour, lifted(results, side))
              for side, (name, colour) in enumerate(zip(SIDES, COLOURS))]
-    kinds.append(("refused", REFUSED, ~np.isin(results.status, USABLE)))
+    kinds.append(("refused", REFUSED, ~np.isin(results.status, USABLE) & ~results.held))
+    kinds.append(("refused and held", HELD, results.held))
     return [kind for kind in kinds if kind[2].any()]
 
 

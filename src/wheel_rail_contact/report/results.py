@@ -23,6 +23,7 @@ class Results:
     roll: np.ndarray = None
     yaw: np.ndarray = None
     distance: np.ndarray = None    # place on the line
+    held: np.ndarray = None        # True: refused, and the forces of the last usable result were repeated
     rail: np.ndarray = None        # (result, side, RAIL_FIELDS); NaN if not usable
     wheel: np.ndarray = None       # (result, side, WHEEL_FIELDS); NaN if not usable
     patches: dict = None           # name -> array; `result` is the index of the result to which the patch belongs
@@ -95,7 +96,7 @@ def _collect(stream):
     for index, message in enumerate(stream):
         p, q = message.wheelset.position, message.wheelset.orientation
         histories.append((message.header.stamp.to_sec(), message.status, p.x, p.y, p.z, 2 * np.arctan2(q.x, q.w),
-                          2 * np.arctan2(q.z, q.w), message.distance))
+                          2 * np.arctan2(q.z, q.w), message.distance, message.held))
         rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
         wheels.append([[getattr(wheel, name) for name in WHEEL_FIELDS] for wheel in (message.left_wheel, message.right_wheel)])
         if message.status not in USABLE or message.status_text:
@@ -107,9 +108,9 @@ def _collect(stream):
             names.append(patch.method)
     if not histories:
         raise Failure("the bag contains no results")
-    results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw, results.distance = np.array(
+    results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw, results.distance, held = np.array(
         histories, float).T
-    results.status = status.astype(int)
+    results.status, results.held = status.astype(int), held.astype(bool)
     results.rail, results.wheel = np.array(rails, float), np.array(wheels, float)
     for forces in (results.rail, results.wheel):
         forces[~np.isin(results.status, USABLE)] = np.nan
