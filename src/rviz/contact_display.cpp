@@ -7,8 +7,8 @@
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
+#include "ros/markers/scene_colors.h"
 #include "ros/parameters/node_parameters.h"
-#include "rviz/panel_picture.h"
 
 namespace wheel_rail_contact
 {
@@ -47,6 +47,8 @@ void ContactDisplay::clear()
 {
   output_.reset();
   trail_.clear();
+  view_.clear();
+  scale_ = PressureScale(properties_.scale());
   changed_ = false;
   if (drawing_)
   {
@@ -134,14 +136,47 @@ void ContactDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
   }
 }
 
+visualization_msgs::MarkerArray ContactDisplay::markers(const SceneOptions& options)
+{
+  const std::optional<double> spacing = properties_.contactSpacing();
+  return spacing ? view_.markers(*output_, model(), trail_, options, *spacing)
+                 : sceneMarkers(*output_, model(), trail_, options);
+}
+
+PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
+{
+  PanelContents contents;
+  contents.lines = resultLines(*output_, options.track.sides);
+  contents.caption = trail_.points().empty() ? "pressure [MPa]" : "pressure [MPa]; dots: earlier contact points";
+  contents.max_pressure = options.patch.max_pressure;
+  contents.highest_pressure = highestPressure(*output_, options.track.sides);
+  if (options.forces)
+  {
+    contents.legend.push_back({scene_colors::force(), "normal force"});
+  }
+  if (model() && options.wheels)
+  {
+    contents.legend.push_back({scene_colors::wheelSection(), "wheel section"});
+  }
+  if (model() && options.rails_at_rest)
+  {
+    contents.legend.push_back({scene_colors::railAtRest(), "rail at rest"});
+  }
+  return contents;
+}
+
 void ContactDisplay::draw()
 {
-  const SceneOptions options = properties_.options();
-  drawing_->show(sceneMarkers(*output_, model(), trail_, options));
+  SceneOptions options = properties_.options();
+  if (scale_.fixed() != properties_.scale())
+  {
+    scale_ = PressureScale(properties_.scale());
+  }
+  options.patch.max_pressure = scale_.update(output_->header.stamp, highestPressure(*output_, options.track.sides));
+  drawing_->show(markers(options));
   if (properties_.panelLetters() > 0)
   {
-    panel_->show(panelPicture(resultLines(*output_, options.track.sides), options.patch.max_pressure,
-                              properties_.panelLetters()));
+    panel_->show(panelPicture(panelContents(options), properties_.panelLetters()));
   }
   else
   {

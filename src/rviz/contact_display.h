@@ -8,10 +8,13 @@
 #include <rviz/message_filter_display.h>
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "ros/markers/contact_trail.h"
+#include "ros/markers/contact_view.h"
+#include "ros/markers/pressure_scale.h"
 #include "ros/parameters/parameters.h"
 
 #include "rviz/display_properties.h"
 #include "rviz/marker_drawing.h"
+#include "rviz/panel_picture.h"
 #include "rviz/screen_panel.h"
 
 namespace wheel_rail_contact
@@ -40,6 +43,9 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   std::string parameterNamespace() const;
   void reportResult();
   void draw();
+  visualization_msgs::MarkerArray markers(const SceneOptions& options);
+  /// The screen panel for a picture.
+  PanelContents panelContents(const SceneOptions& options) const;
 
   DisplayProperties properties_;
   std::unique_ptr<MarkerDrawing> drawing_;
@@ -49,6 +55,8 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   core::WheelsetResult result_;
   std::optional<ContactOutput> output_;  ///< refers to `result_`
   ContactTrail trail_;
+  PressureScale scale_{0};
+  ContactView view_;
   bool changed_ = false;  ///< result or properties have changed since the last drawing
 };
 }  // namespace wheel_rail_contact

@@ -52,6 +52,12 @@ DisplayProperties::DisplayProperties(Property* parent)
   side_->addOption("both", both_sides);
   follow_ =
       new BoolProperty("Follow Wheelset", false, "Draw the wheelset at x = 0, which keeps it in the view", parent);
+  follow_contact_ = new BoolProperty("Follow Contact", false,
+                                     "Draw the contact of each side at a fixed place, with its normal upward, so that "
+                                     "the view follows it to the flange; both sides: side by side",
+                                     parent);
+  contact_spacing_ = makeFloat("Spacing", 0.2F, 0, 10, "Distance between the contacts of both sides in the picture [m]",
+                               follow_contact_);
   line_width_ = makeFloat("Line Width", 0.002F, 1e-6F, 1, "Width of all lines [m]", parent);
   makePatchProperties(parent);
   makeTrackProperties(parent);
@@ -61,11 +67,14 @@ DisplayProperties::DisplayProperties(Property* parent)
 void DisplayProperties::makePatchProperties(Property* parent)
 {
   patches_ = new BoolProperty("Pressure", true, "Pressure of each patch as height and colour", parent);
-  size_ = makeFloat("Size", 30, 1, 1000, "Magnification of a patch in its plane; 1: true size", patches_);
-  height_ = makeFloat("Height", 0.15F, 0, 10, "Height of the highest pressure of the colour scale [m]", patches_);
-  lift_ = makeFloat("Lift", 0.18F, 0, 10,
+  size_ = makeFloat("Size", 15, 1, 1000, "Magnification of a patch in its plane; 1: true size", patches_);
+  height_ = makeFloat("Height", 0.1F, 0, 10, "Height of the upper end of the colour scale [m]", patches_);
+  lift_ = makeFloat("Lift", 0.12F, 0, 10,
                     "Height of a magnified patch above its true position [m]; 0: at its true position", patches_);
-  max_pressure_ = makeFloat("Scale", 2000, 1, 1e6F, "Highest pressure of the colour scale [MPa]", patches_);
+  max_pressure_ = makeFloat("Scale", 0, 0, 1e6F,
+                            "Upper end of the colour scale [MPa], pressures above it are magenta; 0: it follows the "
+                            "pressures, doubled or halved",
+                            patches_);
   outlines_ = new BoolProperty("Outline", true, "Edge of each contact", parent);
   forces_ = new BoolProperty("Forces", true, "Normal force of the wheel on the rail, from each patch", parent);
   force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of the arrows [mm/kN]", forces_);
@@ -76,6 +85,8 @@ void DisplayProperties::makeTrackProperties(Property* parent)
 {
   wheels_ = new BoolProperty("Wheelset", true, "Wheels, swept from their profile, and the axle", parent);
   wheel_sweep_ = makeFloat("Sweep", 17, 0.1F, 180, "Half the drawn angle about the axle [degree]", wheels_);
+  wheel_cut_ = new BoolProperty("Cut", false,
+                                "Draw only the part ahead of the contact, with the section at the contact", wheels_);
   wheel_alpha_ = makeFloat("Alpha", 0.5F, 0, 1, "Opacity of the wheels", wheels_);
   rails_ = new BoolProperty("Rails", true, "Deflected rails, swept from their profile", parent);
   rail_length_ = makeFloat("Length", 0.4F, 0.001F, 100, "Drawn length of the rails [m]", rails_);
@@ -101,8 +112,9 @@ void DisplayProperties::makeTextProperties(Property* parent)
 
 void DisplayProperties::onChange(const std::function<void()>& changed)
 {
-  for (Property* property : std::initializer_list<Property*>{side_, follow_, line_width_, patches_, outlines_, forces_,
-                                                             wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
+  for (Property* property :
+       std::initializer_list<Property*>{side_, follow_, follow_contact_, line_width_, patches_, outlines_, forces_,
+                                        wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
   {
     connectBelow(property, changed);
   }
@@ -126,7 +138,6 @@ PatchStyle DisplayProperties::patchStyle() const
   style.zoom = size_->getFloat();
   style.lift = lift_->getFloat();
   style.pressure_height = height_->getFloat();
-  style.max_pressure = max_pressure_->getFloat() * 1e6;
   style.points = 64;
   style.force_scale = force_length_->getFloat() * 1e-6;
   style.arrow_width = arrow_width_->getFloat();
@@ -141,6 +152,7 @@ TrackStyle DisplayProperties::trackStyle() const
   style.sides = sides();
   style.rail_length = rail_length_->getFloat();
   style.wheel_sweep = wheel_sweep_->getFloat() * degree;
+  style.wheel_cut = wheel_cut_->getBool();
   style.wheel_alpha = wheel_alpha_->getFloat();
   style.rail_alpha = rail_alpha_->getFloat();
   style.profile_line_width = line_width_->getFloat();
@@ -164,6 +176,16 @@ SceneOptions DisplayProperties::options() const
   options.trail_width = trail_width_->getFloat();
   options.at_origin = follow_->getBool();
   return options;
+}
+
+double DisplayProperties::scale() const
+{
+  return max_pressure_->getFloat() * 1e6;
+}
+
+std::optional<double> DisplayProperties::contactSpacing() const
+{
+  return follow_contact_->getBool() ? std::optional<double>(contact_spacing_->getFloat()) : std::nullopt;
 }
 
 std::size_t DisplayProperties::trailLength() const

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "ros/markers/contact_scene.h"
@@ -27,8 +28,12 @@ class DisplayProperties
   /// Calls `changed` after each change of parameters().
   void onParametersChange(const std::function<void()>& changed);
 
-  /// Contents and style of the picture.
+  /// Contents and style of the picture. The upper end of the colour scale is not yet that of scale().
   SceneOptions options() const;
+  /// Upper end of the colour scale [Pa]; 0: it follows the pressures.
+  double scale() const;
+  /// Distance of both contacts in a picture that follows them (ContactView) [m]; none: the picture follows the track.
+  std::optional<double> contactSpacing() const;
   /// Number of points of the trail; 0: no trail.
   std::size_t trailLength() const;
   /// Height of the letters of the panel [pixels]; 0: no panel.
@@ -46,13 +51,13 @@ class DisplayProperties
 
   rviz::StringProperty* parameters_;
   rviz::EnumProperty* side_;
-  rviz::BoolProperty* follow_;
-  rviz::FloatProperty* line_width_;
+  rviz::BoolProperty *follow_, *follow_contact_;
+  rviz::FloatProperty *contact_spacing_, *line_width_;
   rviz::BoolProperty *patches_, *outlines_;
   rviz::FloatProperty *size_, *height_, *lift_, *max_pressure_;
   rviz::BoolProperty* forces_;
   rviz::FloatProperty *force_length_, *arrow_width_;
-  rviz::BoolProperty* wheels_;
+  rviz::BoolProperty *wheels_, *wheel_cut_;
   rviz::FloatProperty *wheel_sweep_, *wheel_alpha_;
   rviz::BoolProperty *rails_, *rails_at_rest_;
   rviz::FloatProperty *rail_length_, *rail_alpha_, *deflection_scale_;

@@ -6,85 +6,153 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ros/markers/color_map.h"
+#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr int ticks = 5;            ///< number of labels of the colour scale
-constexpr int bar_in_letters = 24;  ///< length of the colour scale / height of the letters [-]
-const QColor background(20, 23, 27, 200);
-const QColor foreground(235, 235, 235);
+constexpr int ticks = 5;              ///< number of labels of the colour scale
+constexpr int bar_in_letters = 24;    ///< length of the colour scale / height of the letters [-]
+constexpr double banner_size = 1.35;  ///< height of the first line / height of the other letters [-]
+const QColor background(20, 23, 27, 215);
 
-QFont panelFont(int letter_size)
+QFont panelFont(double letter_size)
 {
   QFont font("DejaVu Sans Mono");
   font.setStyleHint(QFont::Monospace);
-  font.setPixelSize(letter_size);
+  font.setPixelSize(static_cast<int>(letter_size));
   return font;
 }
 
-QColor pressureColor(double share)
+QColor toColor(const std_msgs::ColorRGBA& color)
 {
-  const std_msgs::ColorRGBA color = colorOf(share);
   return QColor::fromRgbF(color.r, color.g, color.b);
 }
 
-QString tickText(int tick, double max_pressure)
+QColor colorOfTone(Tone tone)
 {
-  const QString number = QString::number(max_pressure * tick / (ticks - 1) / 1e6, 'f', 0);
-  return tick + 1 == ticks ? number + " MPa" : number;
+  return toColor(tone == Tone::error     ? scene_colors::error()
+                 : tone == Tone::warning ? scene_colors::warning()
+                                         : scene_colors::text());
 }
 
-/// Colour scale with its upper left corner at (x, y), and its labels below it.
-void paintBar(QPainter& painter, int x, int y, int length, int height, double max_pressure)
+/// Paints the parts of the panel one below another. Without a painter it only measures them.
+class PanelWriter
 {
-  for (int i = 0; i < length; ++i)
-  {
-    painter.fillRect(x + i, y, 1, height, pressureColor((i + 0.5) / length));
-  }
-  const QFontMetrics metrics = painter.fontMetrics();
-  for (int tick = 0; tick < ticks; ++tick)
-  {
-    const int place = x + length * tick / (ticks - 1);
-    painter.fillRect(place, y, 1, height + height / 3, foreground);
-    painter.drawText(tick == 0 ? place : place - metrics.averageCharWidth(), y + height + metrics.height(),
-                     tickText(tick, max_pressure));
-  }
-}
+ public:
+  PanelWriter(int letter_size, QPainter* painter) : size_(letter_size), painter_(painter), y_(letter_size) {}
 
-int widthOf(const std::vector<std::string>& lines, const QFontMetrics& metrics)
-{
-  int width = 0;
-  for (const std::string& line : lines)
+  void text(const std::string& line, const QColor& color, double relative_size = 1)
   {
-    width = std::max(width, metrics.horizontalAdvance(QString::fromStdString(line)));
+    write(QString::fromStdString(line), size_, color, relative_size);
   }
-  return width;
+
+  /// Entries one beside another.
+  void legend(const std::vector<LegendEntry>& entries)
+  {
+    const int top = y_;
+    int x = size_;
+    for (const LegendEntry& entry : entries)
+    {
+      y_ = top;
+      const QString text = QString::fromStdString(entry.text);
+      field(x, y_ + size_ / 3, 2 * size_, size_ / 2, toColor(entry.color));
+      write(text, x + 3 * size_, colorOfTone(Tone::normal), 1);
+      x += 5 * size_ + width(text);
+    }
+  }
+
+  /// Colour scale with its labels below it.
+  void scale(const PanelContents& contents)
+  {
+    const int length = bar_in_letters * size_;
+    for (int i = 0; i < length; ++i)
+    {
+      field(size_ + i, y_, 1, size_, toColor(colorOf((i + 0.5) / length)));
+    }
+    if (contents.highest_pressure > contents.max_pressure)
+    {
+      noteAbove(length, contents.highest_pressure);
+    }
+    const int top = y_;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+      const int place = size_ + length * tick / (ticks - 1);
+      field(place, top, 1, size_ + size_ / 3, colorOfTone(Tone::normal));
+      y_ = top + size_ + size_ / 3;
+      const QString number = QString::number(contents.max_pressure * tick / (ticks - 1) / 1e6, 'f', 0);
+      write(number, tick == 0 ? place : place - width(number) / 2, colorOfTone(Tone::normal), 1);
+    }
+  }
+
+  void space() { y_ += size_ / 2; }
+
+  QSize size() const { return {widest_ + size_, y_ + size_ / 2}; }
+
+ private:
+  int width(const QString& text) const { return QFontMetrics(panelFont(size_)).horizontalAdvance(text); }
+
+  void field(int x, int y, int width, int height, const QColor& color)
+  {
+    if (painter_)
+    {
+      painter_->fillRect(x, y, width, height, color);
+    }
+    widest_ = std::max(widest_, x + width);
+  }
+
+  void noteAbove(int length, double highest)
+  {
+    const int top = y_;
+    field(size_ + length, top, 2 * size_, size_, toColor(aboveScaleColor()));
+    y_ -= size_ / 6;
+    write(QString("above scale: %1 MPa").arg(highest / 1e6, 0, 'f', 0), length + 4 * size_, toColor(aboveScaleColor()),
+          1);
+    y_ = top;
+  }
+
+  void write(const QString& text, int x, const QColor& color, double relative_size)
+  {
+    const QFont font = panelFont(relative_size * size_);
+    const QFontMetrics metrics(font);
+    if (painter_)
+    {
+      painter_->setFont(font);
+      painter_->setPen(color);
+      painter_->drawText(x, y_ + metrics.ascent(), text);
+    }
+    widest_ = std::max(widest_, x + metrics.horizontalAdvance(text));
+    y_ += metrics.lineSpacing();
+  }
+
+  int size_;
+  QPainter* painter_;
+  int y_, widest_ = 0;
+};
+
+/// Paints all parts, or measures them without a painter.
+QSize paint(const PanelContents& contents, int letter_size, QPainter* painter)
+{
+  PanelWriter writer(letter_size, painter);
+  for (const TextLine& line : contents.lines)
+  {
+    writer.text(line.text, colorOfTone(line.tone), &line == contents.lines.data() ? banner_size : 1);
+  }
+  writer.space();
+  writer.text(contents.caption, colorOfTone(Tone::normal));
+  writer.scale(contents);
+  writer.legend(contents.legend);
+  return writer.size();
 }
 }  // namespace
 
-QImage panelPicture(const std::vector<std::string>& lines, double max_pressure, int letter_size)
+QImage panelPicture(const PanelContents& contents, int letter_size)
 {
-  const QFont font = panelFont(letter_size);
-  const QFontMetrics metrics(font);
-  const int margin = letter_size, bar_length = bar_in_letters * letter_size;
-  const int bar_width = bar_length + metrics.horizontalAdvance(tickText(ticks - 1, max_pressure));
-  const int text_height = static_cast<int>(lines.size()) * metrics.lineSpacing();
-  QImage image(2 * margin + std::max(widthOf(lines, metrics), bar_width),
-               text_height + 3 * margin + metrics.height() + letter_size, QImage::Format_ARGB32);
+  QImage image(paint(contents, letter_size, nullptr), QImage::Format_ARGB32);
   image.fill(background);
   QPainter painter(&image);
-  painter.setFont(font);
-  painter.setPen(foreground);
-  int y = margin + metrics.ascent();
-  for (const std::string& line : lines)
-  {
-    painter.drawText(margin, y, QString::fromStdString(line));
-    y += metrics.lineSpacing();
-  }
-  paintBar(painter, margin, margin + text_height + letter_size / 2, bar_length, letter_size, max_pressure);
+  paint(contents, letter_size, &painter);
   return image;
 }
 }  // namespace wheel_rail_contact

@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <std_msgs/ColorRGBA.h>
+
 #include <QImage>
 #include <string>
 #include <vector>
 
+#include "ros/evaluation/result_text.h"
+
 namespace wheel_rail_contact
 {
-/// Lines of text above a colour scale of the pressure in MPa, on a dark translucent background.
-/// @param max_pressure pressure at the upper end of the scale [Pa]
+/// Meaning of a colour of the scene.
+struct LegendEntry
+{
+  std_msgs::ColorRGBA color;  ///< colour of the field before the text
+  std::string text;           ///< UTF-8
+};
+
+/// Contents of the screen panel.
+struct PanelContents
+{
+  std::vector<TextLine> lines;      ///< text; the first line is drawn larger
+  std::string caption;              ///< of the colour scale
+  double max_pressure = 1e9;        ///< upper end of the colour scale [Pa], > 0
+  double highest_pressure = 0;      ///< if it is above the scale, the scale has a note [Pa]
+  std::vector<LegendEntry> legend;  ///< below the colour scale
+};
+
+/// Lines of text above a colour scale of the pressure in MPa and a legend, on a dark translucent background.
 /// @param letter_size height of the letters [pixels]
-QImage panelPicture(const std::vector<std::string>& lines, double max_pressure, int letter_size);
+QImage panelPicture(const PanelContents& contents, int letter_size);
 }  // namespace wheel_rail_contact

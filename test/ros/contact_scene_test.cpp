@@ -8,7 +8,6 @@
 
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
-#include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
 
 using namespace wheel_rail_contact;
@@ -126,8 +125,8 @@ TEST_F(Scene, OnlyTheSelectedSideIsDrawn)
   {
     EXPECT_EQ(count(markers, ns), 1U) << ns;
   }
-  EXPECT_EQ(findMarker(markers, "trail", 0).points.size(), 1U);
-  EXPECT_LT(findMarker(markers, "trail", 0).points[0].y, 0);
+  EXPECT_EQ(findMarker(markers, "trail", 1).points.size(), 1U);
+  EXPECT_LT(findMarker(markers, "trail", 1).points[0].y, 0);
 }
 
 TEST_F(Scene, OutlineHasTheLengthOfTheEllipse)
@@ -160,25 +159,54 @@ TEST_F(Scene, WithoutModelAndGridsOnlyForcesAndLabelsAreDrawn)
   EXPECT_EQ(markers.markers.size(), 4U);
 }
 
-TEST_F(Scene, UnusableResultIsTextOnly)
+TEST_F(Scene, UnusableResultKeepsRailsTrailAndWheelsetButNoPatches)
 {
+  trail.add(output, {});
+  const auto usable = findMarker(draw(), "wheel_profile", 0).points[0];
   output.result = nullptr;
   output.status = WheelsetContact::OFF_PROFILE;
-  output.reason = "beyond the profile";
-  EXPECT_TRUE(draw().markers.empty());
-  const std::vector<std::string> expected{"OFF_PROFILE", "beyond the profile"};
-  EXPECT_EQ(resultLines(output, options.track.sides), expected);
+  output.state.y = 0.06;
+  output.state.z = 0.47;
+  const MarkerArray markers = draw();
+  for (const char* ns : {"rail", "rail_at_rest", "wheel", "wheel_profile"})
+  {
+    EXPECT_EQ(count(markers, ns), 2U) << ns;
+  }
+  EXPECT_EQ(count(markers, "trail"), 1U);
+  for (const char* ns : {"patch", "zoom", "zoom_line", "outline", "force", "label"})
+  {
+    EXPECT_EQ(count(markers, ns), 0U) << ns;
+  }
+  const auto refused = findMarker(markers, "wheel_profile", 0).points[0];
+  EXPECT_NEAR(refused.y - usable.y, 0.06, 1e-12) << "the wheelset is at the pose of the output";
+  EXPECT_NEAR(refused.z - usable.z, 0.01, 1e-12);
 }
 
-TEST_F(Scene, TextContainsPressureAreaForceErrorAndMethod)
+TEST_F(Scene, OutputWithoutPoseShowsOnlyTheRails)
 {
-  result.patches[0].method = "hertz";
-  result.patches[0].error_estimate = 0.012;
-  const std::vector<std::string> lines = resultLines(output, {core::Side::left});
-  ASSERT_EQ(lines.size(), 3U);
-  for (const char* part : {"982 MPa", "192 mm²", "100.0 kN", "±1.2 %", "hertz"})
+  output.result = nullptr;
+  output.status = WheelsetContact::INVALID_INPUT;
+  output.state = core::WheelsetState();
+  const MarkerArray markers = draw();
+  EXPECT_EQ(count(markers, "rail"), 2U);
+  EXPECT_EQ(markers.markers.size(), count(markers, "rail") + count(markers, "rail_at_rest"));
+}
+
+TEST_F(Scene, CutWheelEndsWithItsSectionAtTheContact)
+{
+  options.track.wheel_cut = true;
+  const MarkerArray markers = draw();
+  EXPECT_EQ(count(markers, "wheel_lines"), 0U);
+  double last = output.x();
+  for (const auto& p : findMarker(markers, "wheel", 0).points)
   {
-    EXPECT_NE(lines[2].find(part), std::string::npos) << part << " in: " << lines[2];
+    EXPECT_GE(p.x, output.x() - 1e-12) << "nothing is drawn behind the contact";
+    last = std::max(last, p.x);
+  }
+  EXPECT_GT(last, output.x() + 0.1);
+  for (const auto& p : findMarker(markers, "wheel_profile", 0).points)
+  {
+    EXPECT_NEAR(p.x, output.x(), 1e-12);
   }
 }
 

@@ -21,10 +21,12 @@ namespace
 class Picture : public ResultScene
 {
  protected:
+  double max_pressure = 2e9;  ///< upper end of the colour scale [Pa]
+
   MarkerArray draw() const { return draw(config); }
   MarkerArray draw(const NodeConfig& node) const
   {
-    return sceneMarkers(output, &node.model, ContactTrail(), sceneOptions(node.markers));
+    return sceneMarkers(output, &node.model, ContactTrail(), sceneOptions(node.markers, max_pressure));
   }
 };
 
@@ -114,11 +116,9 @@ TEST_F(Picture, MagnifiedPatchIsAboveItsRail)
   const Marker& zoomed = findMarker(markers, "zoom", 0);
   // The patch is 8 mm wide. On each side the drawn edge is at most a quarter of a cell of 1 mm outside.
   EXPECT_NEAR(width(zoomed), config.markers.zoom * 8e-3, config.markers.zoom * 0.5e-3);
-  // The bound of 0.005 m allows for half the magnified width of 8 mm * 30 at an inclination of 0.03 rad, and for the
-  // distance of the cell centres from the centre of the patch.
-  const double height =
-      config.markers.pressure_height * result.patches[0].pressure.maxCoeff() / config.markers.max_pressure;
-  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + height, 0.005);
+  // The grid is symmetric about the origin of the patch, which is 0.1 mm below the track plane.
+  const double height = config.markers.pressure_height * result.patches[0].pressure.maxCoeff() / max_pressure;
+  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + height - 1e-4, 1e-9);
 }
 
 TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)
@@ -141,10 +141,44 @@ TEST_F(Picture, ColourRepresentsThePressure)
   const auto top = std::max_element(zoomed.points.begin(), zoomed.points.end(),
                                     [](const auto& a, const auto& b) { return a.z < b.z; });
   const auto& color = zoomed.colors[static_cast<std::size_t>(top - zoomed.points.begin())];
-  const auto expected = colorOf(result.patches[0].pressure.maxCoeff() / config.markers.max_pressure);
+  const auto expected = colorOf(result.patches[0].pressure.maxCoeff() / max_pressure);
   EXPECT_NEAR(color.r, expected.r, 1e-6);
   EXPECT_NEAR(color.g, expected.g, 1e-6);
   EXPECT_NEAR(color.b, expected.b, 1e-6);
+}
+
+TEST_F(Picture, PressureAboveTheScaleHasItsOwnColourAndANote)
+{
+  max_pressure = 5e8;
+  const MarkerArray markers = draw();
+  const Marker& zoomed = findMarker(markers, "zoom", 0);
+  std::size_t above = 0;
+  for (std::size_t i = 0; i < zoomed.points.size(); ++i)
+  {
+    const bool marked = zoomed.colors[i].r > 0.99F && zoomed.colors[i].b > 0.5F;  // no colour of viridis
+    above += marked ? 1U : 0U;
+    EXPECT_EQ(marked, zoomed.points[i].z > config.markers.zoom_height + config.markers.pressure_height - 1e-4 - 1e-9);
+  }
+  EXPECT_GT(above, zoomed.points.size() / 2) << "0.74 of the area of a Hertzian contact is above half its peak";
+  EXPECT_LT(above, zoomed.points.size());
+  EXPECT_EQ(findMarker(markers, "label", 0).text, "982 MPa, above scale\n192 mm²");
+  EXPECT_EQ(findMarker(markers, "scale", 6).text, "above scale: 982 MPa");
+  EXPECT_EQ(findMarker(markers, "scale", 5).text, "500 MPa");
+  max_pressure = 1e9;
+  EXPECT_THROW(findMarker(draw(), "scale", 6), std::out_of_range) << "nothing is above the scale";
+}
+
+TEST_F(Picture, SteepPatchIsMagnifiedFlatAboveTheRail)
+{
+  result.patches[0].pose.angle = 1.2;
+  const MarkerArray markers = draw();
+  const Marker& zoomed = findMarker(markers, "zoom", 0);
+  EXPECT_NEAR(width(zoomed), config.markers.zoom * 8e-3, config.markers.zoom * 0.5e-3)
+      << "seen from above in full width";
+  for (const auto& p : zoomed.points)
+  {
+    EXPECT_GT(p.z, config.markers.zoom_height - 2e-4) << "nothing reaches down to the rail";
+  }
 }
 
 TEST_F(Picture, ForceArrowPointsIntoTheRailAndHasTheLengthOfTheForce)
@@ -190,14 +224,28 @@ TEST_F(Picture, VanishedPatchIsDeleted)
   EXPECT_EQ(third.markers.size(), count) << "a marker is deleted only once";
 }
 
-TEST_F(Picture, UnusableResultShowsItsReason)
+TEST_F(Picture, UnusableResultShowsStatusAndReasonInRed)
 {
   output.result = nullptr;
+  output.status = WheelsetContact::INVALID_INPUT;
   output.reason = "pose: position is not finite";
   const MarkerArray markers = draw();
-  ASSERT_EQ(markers.markers.size(), 1U);
-  EXPECT_EQ(markers.markers[0].text, output.reason);
+  const Marker& status = findMarker(markers, "status", 0);
+  EXPECT_EQ(status.text, "INVALID_INPUT\n" + output.reason);
+  EXPECT_GT(status.color.r, 2 * status.color.g);
+  EXPECT_GT(status.color.r, 2 * status.color.b);
   expectDrawable(markers);
+}
+
+TEST_F(Picture, StatusIsShownForLiftOffAndWarningsOnly)
+{
+  output.status = WheelsetContact::OK;
+  EXPECT_THROW(findMarker(draw(), "status", 0), std::out_of_range);
+  output.reason = "a warning";
+  EXPECT_EQ(findMarker(draw(), "status", 0).text, "OK\na warning");
+  output.status = WheelsetContact::LIFT_OFF;
+  output.reason = "the left wheel carries no load";
+  EXPECT_EQ(findMarker(draw(), "status", 0).text, "LIFT_OFF\n" + output.reason);
 }
 
 TEST_F(Picture, PartsCanBeSwitchedOff)

@@ -252,7 +252,7 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"markers: {rate: 0}", "markers/rate", "0"},
       {"markers: {rail_length: 0}", "markers/rail_length", "0"},
       {"markers: {force_scale: -1}", "markers/force_scale", "-1"},
-      {"markers: {max_pressure: 0}", "markers/max_pressure", "0"},
+      {"markers: {max_pressure: -1}", "markers/max_pressure", "-1"},
       {"markers: {zoom: much}", "markers/zoom", "much"},
       {"markers: {zoom_height: .nan}", "markers/zoom_height", "nan"},
       {"markers: {pressure_height: -1}", "markers/pressure_height", "-1"},

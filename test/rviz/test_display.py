@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """rviz loads the display and draws the results of a bag played by replay.launch.
 
-The colours of the pressure appear on the screen, and the logs contain no warnings or errors.
+The colours of the pressure appear on the screen, and the logs contain no warnings or errors. A result that is not usable
+leaves the rails, and is red in the panel.
 """
 
 import math
@@ -22,9 +23,9 @@ import rostest
 from wheel_rail_contact.msg import ContactPatch, WheelsetContact
 
 SCREEN = (1280, 720)
-PANEL = 175     # height of the panel at the top, which has other colours [px]
-PRESSURE = 1e9  # [Pa] middle of the scale of 2 GPa: drawn in blue-green
-TIMEOUT = 60    # [s] for rviz on a busy machine without graphics hardware
+PANEL = 240       # height of the panel at the top, which has other colours [px]
+PRESSURE = 1.1e9  # [Pa] middle of the scale, which follows it to 2 GPa: drawn in blue-green
+TIMEOUT = 60      # [s] for rviz on a busy machine without graphics hardware
 
 
 def elliptic_patch(side, y):
@@ -61,6 +62,19 @@ def coloured(picture, half):
     width = SCREEN[0] // 2
     red, green, blue = numpy.moveaxis(picture[PANEL:, half * width:(half + 1) * width], 2, 0)
     return int(numpy.count_nonzero((green - red > 60) & (blue < 170) & (abs(green - blue) < 40)))
+
+
+def rail_grey(picture, half):
+    """Number of pixels with the colour of the rails, in the left (0) or right (1) half below the panel."""
+    width = SCREEN[0] // 2
+    part = picture[PANEL:, half * width:(half + 1) * width]
+    return int(numpy.count_nonzero((part.min(axis=2) > 110) & (part.max(axis=2) < 200) & (numpy.ptp(part, axis=2) < 20)))
+
+
+def red(picture):
+    """Number of red pixels in the panel."""
+    red_part, green, blue = numpy.moveaxis(picture[:PANEL], 2, 0)
+    return int(numpy.count_nonzero((red_part > 180) & (green < 120) & (blue < 120)))
 
 
 class RvizDisplay(unittest.TestCase):
@@ -103,12 +117,13 @@ class RvizDisplay(unittest.TestCase):
             self.assertLess(time.time(), end, failure + "; logs:\n" + self.output())
             time.sleep(0.5)
 
-    def test_pressure_is_drawn_and_unusable_results_are_cleared(self):
-        counts = []
+    def test_pressure_is_drawn_and_an_unusable_result_leaves_the_rails_and_a_red_reason(self):
+        counts, red_before = [], []
 
         def drawn():
             picture = screenshot()
             counts[:] = [coloured(picture, half) for half in (0, 1)]
+            red_before[:] = [red(picture)]
             return min(counts) > 1000
 
         self.wait_for(drawn, "no pressure is drawn")
@@ -116,12 +131,19 @@ class RvizDisplay(unittest.TestCase):
         publisher = rospy.Publisher("contact_node/contact", WheelsetContact, queue_size=1)
         self.wait_for(publisher.get_num_connections, "rviz has not subscribed")
 
-        def cleared():
-            publisher.publish(WheelsetContact(header=result().header, status=WheelsetContact.OFF_PROFILE))
-            drawn()
-            return sum(counts) == 0
+        refused = WheelsetContact(status=WheelsetContact.OFF_PROFILE, status_text="beyond the end of the profile",
+                                  wheelset=result().wheelset)
 
-        self.wait_for(cleared, "a result that is not usable is drawn")
+        def cleared():
+            refused.header = result().header
+            publisher.publish(refused)
+            picture = screenshot()
+            return sum(coloured(picture, half) for half in (0, 1)) == 0 and red(picture) > red_before[0] + 100
+
+        self.wait_for(cleared, "the pressure of a result that is not usable is drawn, or its reason is not red")
+        picture = screenshot()
+        for half in (0, 1):
+            self.assertGreater(rail_grey(picture, half), 1000, "the rails have vanished")
         faults = [line for line in self.output().splitlines() if re.search(r"\[ ?(ERROR|FATAL|WARN)|Ogre.*Exception", line)]
         self.assertEqual(faults, [])
 

@@ -44,6 +44,11 @@ core::WheelsetPose ContactOutput::pose() const
                 : core::WheelsetPose{state.y, state.z, state.yaw, state.roll};
 }
 
+bool hasPose(const ContactOutput& output)
+{
+  return output.pose().z != 0;
+}
+
 ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
 {
   if (input.resets)

@@ -31,6 +31,10 @@ struct ContactOutput
   core::WheelsetPose pose() const;
 };
 
+/// False for an output without a pose of the wheelset: an input that was rejected before the evaluation, or without a
+/// height. Its height z is exactly 0.
+bool hasPose(const ContactOutput& output);
+
 /// Evaluates inputs, for the live node and for the replay. Not thread-safe.
 class ContactEvaluator
 {

@@ -35,4 +35,14 @@ std_msgs::ColorRGBA colorOf(double value)
   color.a = 1;
   return color;
 }
+
+std_msgs::ColorRGBA aboveScaleColor()
+{
+  std_msgs::ColorRGBA color;
+  color.r = 1;
+  color.g = 0.1F;
+  color.b = 0.8F;
+  color.a = 1;
+  return color;
+}
 }  // namespace wheel_rail_contact

@@ -11,4 +11,7 @@ namespace wheel_rail_contact
 /// 2015, public domain), with deviations of at most 0.017. Viridis is perceptually uniform, and readable in grey and
 /// with the common types of colour blindness.
 std_msgs::ColorRGBA colorOf(double value);
+
+/// Magenta, which is not a colour of colorOf(): values above the scale.
+std_msgs::ColorRGBA aboveScaleColor();
 }  // namespace wheel_rail_contact

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "ros/markers/color_map.h"
+#include "ros/evaluation/result_text.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/markers/pressure_scale.h"
 #include "ros/markers/rail_motion.h"
+#include "ros/markers/scale_markers.h"
+#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {
@@ -15,28 +18,13 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
+constexpr std::size_t status_width = 50;  ///< of the lines of the status [characters]
+constexpr double status_height = 0.60;    ///< of the status above the track plane [m]
+
 bool isShown(core::Side side, const SceneOptions& options)
 {
   const auto& sides = options.track.sides;
   return std::find(sides.begin(), sides.end(), side) != sides.end();
-}
-
-/// The result with magnified rail deflections, and with patches that have moved with these rails.
-core::WheelsetResult withMagnifiedDeflection(const core::WheelsetResult& result,
-                                             const core::Sides<core::PlacedRail>& at_rest, double scale)
-{
-  core::WheelsetResult drawn = result;
-  for (core::RailResult& rail : drawn.rail)
-  {
-    rail.deflection = magnified(rail, scale);
-  }
-  for (core::PatchResult& patch : drawn.patches)
-  {
-    const std::size_t k = index(patch.side);
-    patch.pose = carriedByRail(at_rest[patch.side], patch.side, result.rail.at(k).deflection,
-                               drawn.rail.at(k).deflection, patch.pose);
-  }
-  return drawn;
 }
 
 /// Surfaces and outline of the pressure of a patch.
@@ -88,7 +76,8 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
               const std::optional<core::Sides<core::PlacedRail>>& at_rest, double shift, const SceneOptions& options,
               const std_msgs::Header& header, MarkerArray& markers)
 {
-  Marker marker = makeMarker(header, "trail", 0, Marker::SPHERE_LIST, makeColor(1, 1, 1));
+  Marker marker = makeMarker(header, "trail", static_cast<int>(options.track.sides.front()), Marker::SPHERE_LIST,
+                             makeColor(1, 1, 1));
   marker.scale.x = marker.scale.y = marker.scale.z = options.trail_width;
   for (const TrailPoint& point : trail.points())
   {
@@ -98,7 +87,7 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
       const core::PatchPose pose =
           at_rest ? carriedByRail((*at_rest)[point.side], point.side, {}, now, point.pose) : point.pose;
       marker.points.push_back(toPoint({pose.x + shift, pose.y, pose.z}));
-      marker.colors.push_back(colorOf(point.max_pressure / options.patch.max_pressure));
+      marker.colors.push_back(pressureColor(point.max_pressure, options.patch.max_pressure));
     }
   }
   if (!marker.points.empty())
@@ -107,7 +96,8 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
   }
 }
 
-void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult& drawn, const core::WheelsetPose& pose,
+/// @param pose null: without the wheelset
+void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult& drawn, const core::WheelsetPose* pose,
               const DrawnPlace& place, const SceneOptions& options, const std_msgs::Header& header,
               MarkerArray& markers)
 {
@@ -120,52 +110,70 @@ void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult&
     const double behind = 0.5 * options.track.rail_length;
     addRailsAtRest(model, options.track, header, {place.x - behind, place.distance - behind}, markers);
   }
-  if (options.wheels)
+  if (options.wheels && pose)
   {
-    addWheelset(model, options.track, header, place.x, pose, markers);
+    addWheelset(model, options.track, header, place.x, *pose, markers);
+  }
+}
+
+/// Status and reason of an output that is not OK, or of a warning, above the axle.
+void addStatus(const ContactOutput& output, double x, const SceneOptions& options, MarkerArray& markers)
+{
+  const std::vector<TextLine> lines = statusLines(output, status_width);
+  const Tone tone = lines.front().tone;
+  if (tone != Tone::normal)
+  {
+    std::string text;
+    for (const TextLine& line : lines)
+    {
+      text += (text.empty() ? "" : "\n") + line.text;
+    }
+    const std_msgs::ColorRGBA color = tone == Tone::error ? scene_colors::error() : scene_colors::warning();
+    markers.markers.push_back(
+        makeText(output.header, "status", 0, {x, 0, status_height}, options.patch.letter_height, text, color));
   }
 }
 }  // namespace
 
-SceneOptions sceneOptions(const MarkerConfig& config)
+SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure)
 {
   SceneOptions options;
   options.patch.zoom = config.zoom;
   options.patch.lift = config.zoom_height;
   options.patch.pressure_height = config.pressure_height;
-  options.patch.max_pressure = config.max_pressure;
+  options.patch.max_pressure = max_pressure;
   options.patch.force_scale = config.force_scale;
   options.track.rail_length = config.rail_length;
   options.outlines = false;
   options.rails_at_rest = false;
-  options.reason = true;
+  options.status = true;
+  options.scale = true;
   return options;
+}
+
+core::WheelsetResult drawnResult(const ContactOutput& output, const core::ContactModelConfig* model,
+                                 double deflection_scale)
+{
+  if (!output.result)
+  {
+    return {};
+  }
+  const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model, output.state.distance);
+  return at_rest && deflection_scale != 1 ? withMagnifiedDeflection(*output.result, *at_rest, deflection_scale)
+                                          : *output.result;
 }
 
 MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model, const ContactTrail& trail,
                          const SceneOptions& options)
 {
   MarkerArray markers;
-  if (options.reason && (!output.result || output.held))
-  {
-    markers.markers.push_back(makeText(output.header, "status", 0, {output.x(), 0, options.patch.lift},
-                                       options.patch.letter_height, output.reason));
-  }
-  if (!output.result)
-  {
-    return markers;
-  }
   const double x = options.at_origin ? 0 : output.x();
-  const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model, output.state.distance);
-  std::optional<core::WheelsetResult> magnified_result;
-  if (at_rest && options.deflection_scale != 1)
-  {
-    magnified_result = withMagnifiedDeflection(*output.result, *at_rest, options.deflection_scale);
-  }
-  const core::WheelsetResult& drawn = magnified_result ? *magnified_result : *output.result;
+  const core::WheelsetResult drawn = drawnResult(output, model, options.deflection_scale);
   if (model)
   {
-    addTrack(*model, drawn, output.pose(), {x, output.state.distance}, options, output.header, markers);
+    const core::WheelsetPose pose = output.pose();
+    addTrack(*model, drawn, hasPose(output) ? &pose : nullptr, {x, output.state.distance}, options, output.header,
+             markers);
   }
   for (const core::Side side : options.track.sides)
   {
@@ -174,7 +182,16 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
       addPatch(picture, options, output.header, markers);
     }
   }
-  addTrail(trail, drawn, at_rest, x - output.x(), options, output.header, markers);
+  addTrail(trail, drawn, restingRails(model, output.state.distance), x - output.x(), options, output.header, markers);
+  if (options.scale)
+  {
+    addScale(x, options.patch.max_pressure, highestPressure(output, options.track.sides), output.header, markers);
+  }
+  if (options.status)
+  {
+    addStatus(output, x, options, markers);
+  }
+  move(options.view.inverse(), markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

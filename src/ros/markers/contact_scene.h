@@ -3,6 +3,8 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <Eigen/Geometry>
+
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/markers/contact_trail.h"
 #include "ros/markers/patch_markers.h"
@@ -23,20 +25,30 @@ struct SceneOptions
   bool wheels = true;         ///< wheels and axle
   bool rails = true;          ///< deflected rails
   bool rails_at_rest = true;  ///< section of the undeflected rails
-  bool reason = false;        ///< reason of an unusable result, as text ("status")
+  bool status = false;        ///< status and its reason unless OK without a warning, as text ("status")
+  bool scale = false;         ///< colour scale of the pressure ("scale")
   /// Magnification of the deflection of the rails [-], >= 0. A given displacement is drawn in its true size. Patches
   /// and trail move with the rail, the wheels do not.
   double deflection_scale = 1;
   double trail_width = 0.001;  ///< diameter of the points of the trail [m], > 0
   bool at_origin = false;      ///< draw the wheelset at x = 0
+  /// Frame in the track frame that becomes the origin of the picture, for example contactFrame().
+  Eigen::Isometry3d view = Eigen::Isometry3d::Identity();
 };
 
 /// Contents of the picture that the node publishes on ~markers.
-SceneOptions sceneOptions(const MarkerConfig& config);
+/// @param max_pressure upper end of the colour scale (PressureScale) [Pa], > 0
+SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure);
+
+/// The result as it is drawn: with magnified deflections of the rails, and patches on these rails. Without patches and
+/// with rails at rest if the output is not usable.
+/// @param model null: deflections are not magnified
+core::WheelsetResult drawnResult(const ContactOutput& output, const core::ContactModelConfig* model,
+                                 double deflection_scale);
 
 /// Markers of an output in the track frame: those of patch_markers.h and track_markers.h, and the points of the trail,
-/// coloured by pressure ("trail"). An output that is neither usable nor held has no markers except its reason; a held
-/// one also has this marker.
+/// coloured by pressure ("trail"). An unusable output has no patches; rails, trail and, if it has a pose, the wheelset
+/// remain.
 /// @param model null: wheels and rails are not drawn, and deflections are not magnified
 visualization_msgs::MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model,
                                              const ContactTrail& trail, const SceneOptions& options);

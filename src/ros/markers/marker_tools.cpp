@@ -33,6 +33,16 @@ std_msgs::ColorRGBA makeColor(double r, double g, double b, double a)
   return color;
 }
 
+geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& turn)
+{
+  geometry_msgs::Quaternion message;
+  message.w = turn.w();
+  message.x = turn.x();
+  message.y = turn.y();
+  message.z = turn.z();
+  return message;
+}
+
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p)
 {
   geometry_msgs::Point point;
@@ -58,9 +68,9 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id,
 }
 
 Marker makeText(const std_msgs::Header& header, const std::string& ns, int id, const Vector3d& place, double height,
-                const std::string& text)
+                const std::string& text, const std_msgs::ColorRGBA& color)
 {
-  Marker marker = makeMarker(header, ns, id, Marker::TEXT_VIEW_FACING, makeColor(0.95, 0.95, 0.95));
+  Marker marker = makeMarker(header, ns, id, Marker::TEXT_VIEW_FACING, color);
   marker.pose.position = toPoint(place);
   marker.scale.z = height;
   marker.text = text;
@@ -89,6 +99,19 @@ void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::ve
   {
     marker.points.push_back(toPoint(corners.at(corner)));
     marker.colors.push_back(colors.at(corner));
+  }
+}
+
+void move(const Eigen::Isometry3d& motion, visualization_msgs::MarkerArray& markers)
+{
+  const Eigen::Quaterniond turn(motion.linear());
+  for (Marker& marker : markers.markers)
+  {
+    geometry_msgs::Pose& pose = marker.pose;
+    const geometry_msgs::Point& p = pose.position;
+    const geometry_msgs::Quaternion& q = pose.orientation;
+    pose.position = toPoint(motion * Vector3d(p.x, p.y, p.z));
+    pose.orientation = toQuaternion(turn * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
   }
 }
 

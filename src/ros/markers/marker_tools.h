@@ -3,7 +3,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,6 +13,8 @@ namespace wheel_rail_contact
 {
 /// Colour from the shares of red, green, blue and opacity [-], each in [0, 1].
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
+/// Rotation as a message.
+geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& turn);
 /// Point as a message.
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 
@@ -23,7 +25,8 @@ visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std:
 /// A text marker.
 /// @param height height of the letters [m]
 visualization_msgs::Marker makeText(const std_msgs::Header& header, const std::string& ns, int id,
-                                    const Eigen::Vector3d& place, double height, const std::string& text);
+                                    const Eigen::Vector3d& place, double height, const std::string& text,
+                                    const std_msgs::ColorRGBA& color);
 
 /// Points of a surface, row by row. All rows have the same length.
 using SurfacePoints = std::vector<std::vector<Eigen::Vector3d>>;
@@ -43,6 +46,10 @@ void addQuadrilateral(const std::vector<Eigen::Vector3d>& corners, const std::ve
 using MarkerKey = std::pair<std::string, int>;
 /// Keys of several markers.
 using MarkerKeys = std::set<MarkerKey>;
+
+/// Moves markers as a rigid body.
+/// @param motion from the old to the new place, in the frame of the markers
+void move(const Eigen::Isometry3d& motion, visualization_msgs::MarkerArray& markers);
 
 /// Keys of all markers of an array.
 MarkerKeys keysOf(const visualization_msgs::MarkerArray& markers);

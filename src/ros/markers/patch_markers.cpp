@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ros/markers/color_map.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {
@@ -41,7 +41,7 @@ std::vector<PatchPicture> patchesOf(const core::WheelsetResult& result, core::Si
       const int id = static_cast<int>(side) * ids_per_side + static_cast<int>(pictures.size());
       const Eigen::Isometry3d to_track(Eigen::Translation3d(x + patch.pose.x, patch.pose.y, patch.pose.z) *
                                        Eigen::AngleAxisd(patch.pose.angle, Vector3d::UnitX()));
-      pictures.push_back({&patch, id, to_track, to_track * gridMiddle(patch.grid)});
+      pictures.push_back({&patch, id, to_track, to_track * gridMiddle(patch.grid), to_track.linear()});
     }
   }
   std::sort(pictures.begin(), pictures.end(),
@@ -59,17 +59,15 @@ void addPressure(const PressureSurface& surface, double zoom, double height, dou
   {
     const double share = std::min(p.pressure / max_pressure, 1.0);
     marker.points.push_back(toPoint(to_track * Vector3d(zoom * p.x, zoom * p.y, height * share)));
-    marker.colors.push_back(colorOf(share));
+    marker.colors.push_back(pressureColor(p.pressure, max_pressure));
   }
 }
 
 /// Transform from the patch frame with magnified lengths to the track frame.
 Eigen::Isometry3d zoomedToTrack(const PatchPicture& picture, double zoom)
 {
-  const Vector3d middle = zoom * gridMiddle(picture.patch->grid);
-  Eigen::Isometry3d placed = picture.to_track * Eigen::Translation3d(-middle);
-  placed.translation() += picture.zoom_place - picture.to_track.translation();
-  return placed;
+  return Eigen::Translation3d(picture.zoom_place) * Eigen::Isometry3d(picture.zoom_turn) *
+         Eigen::Translation3d(-zoom * gridMiddle(picture.patch->grid));
 }
 
 Eigen::Isometry3d liftedToTrack(const PatchPicture& picture)
@@ -111,7 +109,11 @@ std::vector<PatchPicture> arrangePatches(const core::WheelsetResult& result, cor
   std::vector<PatchPicture> pictures = patchesOf(result, side, x);
   for (PatchPicture& picture : pictures)
   {
-    picture.zoom_place.z() += style.lift;
+    if (style.lift > 0)
+    {
+      picture.zoom_place.z() += style.lift;
+      picture.zoom_turn.setIdentity();
+    }
   }
   if (pictures.size() > 1 && style.zoom > 1)
   {
@@ -160,7 +162,7 @@ Marker zoomLine(const PatchPicture& picture, const PatchStyle& style, const std_
 
 Marker forceArrow(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
 {
-  Marker marker = makeMarker(header, "force", picture.id, Marker::ARROW, makeColor(0.90, 0.30, 0.20));
+  Marker marker = makeMarker(header, "force", picture.id, Marker::ARROW, scene_colors::force());
   const double length = style.force_scale * picture.patch->normal_force;
   const double head = head_ratio * style.arrow_width;
   marker.points = {toPoint(picture.to_track.translation()), toPoint(picture.to_track * Vector3d(0, 0, -length))};
@@ -173,11 +175,13 @@ Marker forceArrow(const PatchPicture& picture, const PatchStyle& style, const st
 Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
 {
   char text[64];
-  std::snprintf(text, sizeof text, "%.0f MPa\n%.0f mm²", picture.patch->max_pressure / 1e6, picture.patch->area * 1e6);
+  std::snprintf(text, sizeof text, "%.0f MPa%s\n%.0f mm²", picture.patch->max_pressure / 1e6,
+                picture.patch->max_pressure > style.max_pressure ? ", above scale" : "", picture.patch->area * 1e6);
   const double half_width = 0.5 * zoomedWidth(*picture.patch, style.zoom);
-  const double edge_height = half_width * std::abs(std::sin(picture.patch->pose.angle));
+  const double edge_height = half_width * std::abs(picture.zoom_turn(2, 1));
   const double share = std::min(picture.patch->max_pressure / style.max_pressure, 1.0);
-  const Vector3d above(0, 0, style.pressure_height * share + edge_height + 1.8 * style.letter_height);
-  return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, text);
+  const Vector3d above(0, 0, style.pressure_height * share + edge_height + 2.2 * style.letter_height);
+  return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, text,
+                  scene_colors::text());
 }
 }  // namespace wheel_rail_contact

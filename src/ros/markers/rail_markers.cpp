@@ -9,6 +9,7 @@
 
 #include "core/balance/rail_support.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/markers/scene_colors.h"
 #include "ros/markers/track_markers.h"
 
 namespace wheel_rail_contact
@@ -93,7 +94,7 @@ void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& sty
     int id = static_cast<int>(side);
     for (const Outline& part : railOutlines(core::restingRail(model, side, place.distance), side, place.x))
     {
-      Marker marker = makeMarker(header, "rail_at_rest", id, Marker::LINE_STRIP, makeColor(0.95, 0.65, 0.2, 0.9));
+      Marker marker = makeMarker(header, "rail_at_rest", id, Marker::LINE_STRIP, scene_colors::railAtRest());
       marker.scale.x = style.line_width;
       std::transform(part.begin(), part.end(), std::back_inserter(marker.points), toPoint);
       markers.markers.push_back(marker);

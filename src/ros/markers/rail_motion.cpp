@@ -34,4 +34,21 @@ core::PatchPose carriedByRail(const core::PlacedRail& at_rest, core::Side side, 
       Eigen::Vector2d(b.y, b.z) + Eigen::Rotation2Dd(turn) * Eigen::Vector2d(sign * pose.y - a.y, pose.z - a.z);
   return {pose.x, sign * moved.x(), moved.y(), pose.angle + sign * turn};
 }
+
+core::WheelsetResult withMagnifiedDeflection(const core::WheelsetResult& result,
+                                             const core::Sides<core::PlacedRail>& at_rest, double scale)
+{
+  core::WheelsetResult drawn = result;
+  for (core::RailResult& rail : drawn.rail)
+  {
+    rail.deflection = magnified(rail, scale);
+  }
+  for (core::PatchResult& patch : drawn.patches)
+  {
+    const std::size_t k = index(patch.side);
+    patch.pose = carriedByRail(at_rest[patch.side], patch.side, result.rail.at(k).deflection,
+                               drawn.rail.at(k).deflection, patch.pose);
+  }
+  return drawn;
+}
 }  // namespace wheel_rail_contact

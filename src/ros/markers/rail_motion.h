@@ -20,4 +20,8 @@ core::RailDeflection magnified(const core::RailResult& rail, double scale);
 /// @param pose track frame
 core::PatchPose carriedByRail(const core::PlacedRail& at_rest, core::Side side, const core::RailDeflection& from,
                               const core::RailDeflection& to, const core::PatchPose& pose);
+
+/// The result with magnified deflections of the rails (magnified()), and with patches that move with these rails.
+core::WheelsetResult withMagnifiedDeflection(const core::WheelsetResult& result,
+                                             const core::Sides<core::PlacedRail>& at_rest, double scale);
 }  // namespace wheel_rail_contact

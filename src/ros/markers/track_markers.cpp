@@ -4,11 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/track/placement.h"
-#include "ros/markers/color_map.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {
@@ -26,15 +25,16 @@ constexpr double pi = 3.14159265358979323846;
 
 std_msgs::ColorRGBA wheelColor(double alpha)
 {
-  return makeColor(0.50, 0.65, 0.85, alpha);
+  return makeColor(0.60, 0.75, 0.95, alpha);
 }
 std_msgs::ColorRGBA lineColor()
 {
   return makeColor(0.62, 0.70, 0.80, 0.35);
 }
-std_msgs::ColorRGBA profileColor()
+/// Angle of the rear end of the drawn part of a wheel [rad].
+double rearEnd(const TrackStyle& style)
 {
-  return makeColor(0.45, 0.80, 1.0);
+  return style.wheel_cut ? 0.0 : -style.wheel_sweep;
 }
 
 double parameterAt(const core::Profile& profile, int i)
@@ -59,14 +59,15 @@ Vector3d wheelPoint(const core::WheelsetConfig& wheelset, core::Side side, const
 Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
              core::Side side, const Eigen::Isometry3d& to_track)
 {
-  const int intervals = std::max(1, static_cast<int>(std::lround(2 * style.wheel_sweep / row_spacing)));
+  const double begin = rearEnd(style), angle = style.wheel_sweep - begin;
+  const int intervals = std::max(1, static_cast<int>(std::lround(angle / row_spacing)));
   Marker marker =
       makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor(style.wheel_alpha));
   const core::Profile& profile = *model.wheel_profile[side];
   SurfacePoints points;
   for (int row = 0; row <= intervals; ++row)
   {
-    const double turn = style.wheel_sweep * (2.0 * row / intervals - 1);
+    const double turn = begin + angle * row / intervals;
     points.emplace_back();
     for (int i = 0; i < profile_points; ++i)
     {
@@ -82,13 +83,14 @@ Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, con
 Marker wheelProfile(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
                     core::Side side, const Eigen::Isometry3d& to_track)
 {
-  Marker marker = makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, profileColor());
+  Marker marker =
+      makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, scene_colors::wheelSection());
   marker.scale.x = style.profile_line_width;
   const core::Profile& profile = *model.wheel_profile[side];
   for (int i = 0; i < profile_points; ++i)
   {
     const core::CurvePoint p = profile.at(parameterAt(profile, i));
-    marker.points.push_back(toPoint(to_track * wheelPoint(model.wheelset, side, p, -style.wheel_sweep)));
+    marker.points.push_back(toPoint(to_track * wheelPoint(model.wheelset, side, p, rearEnd(style))));
   }
   return marker;
 }
@@ -130,37 +132,10 @@ Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& heade
   const Eigen::Quaterniond turned(to_track.linear() *
                                   Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitX()).toRotationMatrix());
   marker.pose.position = toPoint(to_track.translation());
-  marker.pose.orientation.w = turned.w();
-  marker.pose.orientation.x = turned.x();
-  marker.pose.orientation.y = turned.y();
-  marker.pose.orientation.z = turned.z();
+  marker.pose.orientation = toQuaternion(turned);
   marker.scale.x = marker.scale.y = 2 * axle_radius;
   marker.scale.z = 2 * model.wheelset.halfBase();
   return marker;
-}
-
-/// Colour scale of the pressure between the rails, with labels in MPa.
-void addScale(double max_pressure, const std_msgs::Header& header, MarkerArray& markers)
-{
-  constexpr int steps = 32, labels = 5;
-  constexpr double bottom = 0.06, height = 0.30, width = 0.03, text_height = 0.035;  // [m]
-  Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
-  for (int i = 0; i < steps; ++i)
-  {
-    const double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
-    const double z_low = bottom + height * low, z_high = bottom + height * high;
-    addQuadrilateral({{0, 0, z_low}, {0, -width, z_low}, {0, -width, z_high}, {0, 0, z_high}},
-                     {colorOf(low), colorOf(low), colorOf(high), colorOf(high)}, bar);
-  }
-  markers.markers.push_back(bar);
-  for (int i = 0; i < labels; ++i)
-  {
-    const double share = static_cast<double>(i) / (labels - 1);
-    char text[32];
-    std::snprintf(text, sizeof text, i + 1 == labels ? "%.0f MPa" : "%.0f", share * max_pressure / 1e6);
-    markers.markers.push_back(
-        makeText(header, "scale", i + 1, {0, -width - 2.7 * text_height, bottom + height * share}, text_height, text));
-  }
 }
 }  // namespace
 
@@ -172,9 +147,15 @@ void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style,
   {
     markers.markers.push_back(tread(model, style, header, side, to_track));
     markers.markers.push_back(wheelProfile(model, style, header, side, to_track));
-    markers.markers.push_back(circles(model, style, header, side, to_track));
+    if (!style.wheel_cut)
+    {
+      markers.markers.push_back(circles(model, style, header, side, to_track));
+    }
   }
-  markers.markers.push_back(axle(model, header, to_track));
+  if (!style.wheel_cut)
+  {
+    markers.markers.push_back(axle(model, header, to_track));
+  }
 }
 
 MarkerArray profileMarkers(const NodeConfig& config)
@@ -183,7 +164,6 @@ MarkerArray profileMarkers(const NodeConfig& config)
   header.frame_id = config.track_frame;
   MarkerArray markers;
   addRailsAtRest(config.model, TrackStyle(), header, {-0.5 * config.markers.rail_length, 0}, markers);
-  addScale(config.markers.max_pressure, header, markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

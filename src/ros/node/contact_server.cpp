@@ -34,6 +34,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       inputs_(input_capacity),
       neighbours_(config_),
       services_(private_nh_, config_, transforms_, [this](const ros::Time& stamp) { return neighboursAt(stamp); }),
+      pressure_scale_(config_.markers.max_pressure),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
   for (const std::string& note : config_.notes)
@@ -242,8 +243,10 @@ bool ContactServer::pictureIsDue()
 
 void ContactServer::publishMarkers(const ContactOutput& output)
 {
-  visualization_msgs::MarkerArray markers =
-      sceneMarkers(output, &config_.model, ContactTrail(), sceneOptions(config_.markers));
+  const SceneOptions options = sceneOptions(
+      config_.markers,
+      pressure_scale_.update(output.header.stamp, highestPressure(output, {core::Side::left, core::Side::right})));
+  visualization_msgs::MarkerArray markers = sceneMarkers(output, &config_.model, ContactTrail(), options);
   shown_markers_ = appendDeletions(shown_markers_, output.header, markers);
   marker_publisher_.publish(markers);
   next_picture_ = ros::WallTime::now() + ros::WallDuration(1 / config_.markers.rate);

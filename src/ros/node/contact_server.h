@@ -17,6 +17,7 @@
 #include "ros/evaluation/hold_last.h"
 #include "ros/evaluation/neighbour_forces.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/markers/pressure_scale.h"
 #include "ros/node/contact_services.h"
 #include "ros/node/immediate_callbacks.h"
 #include "ros/node/newest_queue.h"
@@ -93,6 +94,7 @@ class ContactServer
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
   core::WheelsetResult held_result_;  ///< drawn for a result that is not usable; worker only
   MarkerKeys shown_markers_;          ///< markers of the last published array; worker only
+  PressureScale pressure_scale_;      ///< of the markers; worker only
   ros::WallTime next_picture_;        ///< earliest time of the next markers; worker only
   ros::WallTime next_warning_;        ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;

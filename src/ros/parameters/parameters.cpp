@@ -184,7 +184,7 @@ void readMarkers(ParameterReader& reader, MarkerConfig& markers)
   reader.read("markers/rate", rules::positive, markers.rate);
   reader.read("markers/rail_length", rules::positive, markers.rail_length);
   reader.read("markers/force_scale", rules::not_negative, markers.force_scale);
-  reader.read("markers/max_pressure", rules::positive, markers.max_pressure);
+  reader.read("markers/max_pressure", rules::not_negative, markers.max_pressure);
   reader.read("markers/zoom", rules::not_negative, markers.zoom);
   reader.read("markers/zoom_height", rules::not_negative, markers.zoom_height);
   reader.read("markers/pressure_height", rules::not_negative, markers.pressure_height);

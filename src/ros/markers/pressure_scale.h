@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <vector>
+
+#include "ros/evaluation/contact_evaluator.h"
+
+namespace wheel_rail_contact
+{
+/// Upper end of the colour scale of the pressure: fixed, or following the pressures of the results.
+///
+/// An upper end that follows is 1 GPa times a power of two. It rises with the first pressure above it. It falls after
+/// two seconds in which half of it was sufficient, so that a reader can follow it. Time that goes back restarts it.
+class PressureScale
+{
+ public:
+  /// @param fixed upper end [Pa], >= 0; 0: it follows
+  explicit PressureScale(double fixed) : fixed_(fixed) {}
+
+  /// Fixed upper end [Pa]; 0: it follows.
+  double fixed() const { return fixed_; }
+  /// Upper end for a result [Pa], > 0.
+  /// @param stamp time of the result
+  /// @param highest highest pressure of the result [Pa]; 0 (no patch) does not change the scale
+  double update(const ros::Time& stamp, double highest);
+
+ private:
+  double fixed_;             ///< [Pa]
+  double upper_ = 0;         ///< current upper end [Pa]; 0: no pressure so far
+  ros::Time needed_, last_;  ///< last results that needed the current upper end, and last result
+};
+
+/// Highest pressure of the patches of these sides [Pa]: that of the result or of its cells, whichever is higher; 0
+/// without patches.
+double highestPressure(const ContactOutput& output, const std::vector<core::Side>& sides);
+}  // namespace wheel_rail_contact

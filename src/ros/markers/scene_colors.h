@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ros/markers/color_map.h"
+#include "ros/markers/marker_tools.h"
+
+namespace wheel_rail_contact
+{
+/// Colours that the markers and the legend of the screen panel share.
+namespace scene_colors
+{
+/// Text without a fault.
+inline std_msgs::ColorRGBA text()
+{
+  return makeColor(0.95, 0.95, 0.95);
+}
+/// A usable result with a warning, or with a wheel that carries no load.
+inline std_msgs::ColorRGBA warning()
+{
+  return makeColor(1.0, 0.75, 0.25);
+}
+/// A result that is not usable.
+inline std_msgs::ColorRGBA error()
+{
+  return makeColor(1.0, 0.35, 0.30);
+}
+/// Normal force of a wheel on its rail.
+inline std_msgs::ColorRGBA force()
+{
+  return makeColor(0.90, 0.30, 0.20);
+}
+/// Section of a rail at rest.
+inline std_msgs::ColorRGBA railAtRest()
+{
+  return makeColor(0.95, 0.65, 0.2, 0.9);
+}
+/// Section of a wheel.
+inline std_msgs::ColorRGBA wheelSection()
+{
+  return makeColor(0.45, 0.80, 1.0);
+}
+}  // namespace scene_colors
+
+/// Colour of a pressure: colorOf() within the scale, and aboveScaleColor() above its upper end.
+/// @param pressure [Pa]
+/// @param max_pressure upper end of the scale [Pa], > 0
+inline std_msgs::ColorRGBA pressureColor(double pressure, double max_pressure)
+{
+  return pressure > max_pressure ? aboveScaleColor() : colorOf(pressure / max_pressure);
+}
+}  // namespace wheel_rail_contact
