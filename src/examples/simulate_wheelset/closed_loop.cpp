@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "examples/simulate_wheelset/closed_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "examples/simulate_wheelset/held_contact.h"
+#include "examples/simulate_wheelset/wheelset_dynamics.h"
+
+namespace simulate_wheelset
+{
+namespace
+{
+constexpr double friction_limit = 3;  ///< value of CreepForce::demand from which the force is constant
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void count(const ContactReply& contact, const RailForces& forces, RunSummary& summary)
+{
+  const auto is_saturated = [](const CreepForce& force) { return force.demand >= friction_limit; };
+  const auto is_outside = [](const ContactPoint& point)
+  { return !KalkerTable::contains(point.semi_axis_along / point.semi_axis_across); };
+  summary.saturated += std::any_of(forces.creep.begin(), forces.creep.end(), is_saturated) ? 1 : 0;
+  summary.outside_table += std::any_of(contact.points.begin(), contact.points.end(), is_outside) ? 1 : 0;
+  ++summary.steps;
+}
+}  // namespace
+
+RunSummary runClosedLoop(const Parameters& parameters, ContactSource& source, MotionTable* table)
+{
+  RunSummary summary;
+  WheelsetDynamics dynamics(parameters);
+  HeldContact held(source, static_cast<int>(parameters.run.held_steps));
+  const auto step = std::llround(1e9 * parameters.run.step);
+  const auto steps = static_cast<int>(std::ceil(parameters.run.duration / parameters.run.step - 1e-9));
+  double roll = 0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const Clock::time_point begin = Clock::now();
+    const Motion motion = dynamics.motion();
+    const ContactRequest request = dynamics.request(i * step, roll);
+    const ContactReply& contact = held.evaluate(request);
+    roll = contact.roll;
+    dynamics.advance(contact);
+    summary.times.add(secondsSince(begin));
+    count(contact, dynamics.forces(), summary);
+    if (3 * i >= 2 * steps)
+    {
+      summary.waves.add(request.distance, motion.y, dynamics.forces());
+    }
+    if (table != nullptr)
+    {
+      table->add(request, motion, contact, dynamics.forces(), held.isHeld());
+    }
+  }
+  summary.held = held.held();
+  return summary;
+}
+}  // namespace simulate_wheelset

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "examples/simulate_wheelset/contact_source.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
+
+namespace simulate_wheelset
+{
+/// The core library in this process.
+class InProcessContact : public ContactSource
+{
+ public:
+  /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
+  explicit InProcessContact(wheel_rail_contact::core::ContactModelConfig config);
+
+  ContactReply evaluate(const ContactRequest& request) override;
+
+ private:
+  wheel_rail_contact::core::WheelsetContact contact_;
+};
+
+/// Reads parameters of the contact node for use in this process: wheel/profile, rail/profile, track/line, track/gauge,
+/// wheelset/rolling_radius and contact/tolerance; all others have their default. A file name is relative to the working
+/// directory.
+/// @param file YAML file; empty: wheel S1002, rail 60E1
+/// @throw std::invalid_argument with the file, the name, the value and the broken rule, also for other parameters.
+wheel_rail_contact::core::ContactModelConfig readContactParameters(const std::string& file);
+}  // namespace simulate_wheelset

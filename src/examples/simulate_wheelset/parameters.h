@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace simulate_wheelset
+{
+/// Mass and inertia of the wheelset.
+struct WheelsetParameters
+{
+  double mass = 1500;             ///< [kg]
+  double yaw_inertia = 900;       ///< about the vertical axis through the centre [kg m^2]
+  double spin_inertia = 110;      ///< about the axle [kg m^2]
+  double rolling_radius = 0.460;  ///< at the running circle, as in the contact calculation [m]
+  /// Vertical force on the axle centre, down positive: share of the vehicle and weight of the wheelset [N].
+  double axle_load = 200e3;
+};
+
+/// Primary suspension to a bogie frame that moves steadily along the track, per axle box.
+struct SuspensionParameters
+{
+  double half_spacing = 1.0;              ///< lateral distance of an axle box from the centre [m]
+  double longitudinal_stiffness = 0.1e6;  ///< [N/m], >= 0
+  double lateral_stiffness = 0.1e6;       ///< [N/m], >= 0
+  double vertical_stiffness = 1.0e6;      ///< [N/m], >= 0
+  double longitudinal_damping = 0;        ///< [N s/m], >= 0
+  double lateral_damping = 0;             ///< [N s/m], >= 0
+};
+
+/// Friction and material of the creep forces.
+struct CreepParameters
+{
+  double friction = 0.3;          ///< coefficient of friction [-]
+  double shear_modulus = 8.2e10;  ///< of wheel and rail [Pa]
+  double poisson = 0.28;          ///< Poisson's ratio of wheel and rail [-], 0 to 0.5
+};
+
+/// Start and run of the simulation.
+struct RunParameters
+{
+  double speed = 40;       ///< running speed V [m/s]
+  double duration = 10;    ///< simulated time [s]
+  double step = 1e-3;      ///< [s]; a whole number of nanoseconds is used
+  double start = 0;        ///< place along the track at the start [m]
+  double y = 0.003;        ///< lateral displacement at the start, to the left positive [m]
+  double yaw = 0;          ///< yaw at the start, to the left positive [rad]
+  double held_steps = 20;  ///< largest number of successive steps without a usable result
+};
+
+/// All parameters of the simulation.
+struct Parameters
+{
+  WheelsetParameters wheelset;
+  SuspensionParameters suspension;
+  CreepParameters creep;
+  RunParameters run;
+};
+
+/// Reads a YAML file with the groups wheelset, suspension, creep and run. Values that are not given keep their default.
+/// @throw std::invalid_argument with the file, the name, the value and the broken rule.
+Parameters readParameters(const std::string& file);
+
+/// @throw std::invalid_argument if a value breaks its rule, with the name and the value.
+void validate(const Parameters& parameters);
+}  // namespace simulate_wheelset

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <wheel_rail_contact/WheelsetContact.h>
+
+#include <string>
+
+#include "examples/simulate_wheelset/contact_source.h"
+
+namespace simulate_wheelset
+{
+/// A contact node, over its topics, in lockstep: publishes pose and load, and waits for the result with their stamp.
+///
+/// The subscriber uses TCP without delay. Without this option each result may wait up to 40 ms in the socket.
+class TopicContact : public ContactSource
+{
+ public:
+  /// Waits until the node replies.
+  /// @param node  name of the contact node
+  /// @param frame its parameter track/frame
+  /// @throw std::runtime_error if there is no reply within a minute, or the node balances moments.
+  TopicContact(const std::string& node, std::string frame);
+
+  /// @throw std::runtime_error if there is no result within 10 s.
+  ContactReply evaluate(const ContactRequest& request) override;
+
+ private:
+  void send(const ContactRequest& request);
+  bool waitFor(const ros::Time& stamp, double seconds);
+
+  std::string frame_;
+  ros::CallbackQueue queue_;
+  ros::NodeHandle nh_;
+  ros::Publisher pose_publisher_, load_publisher_;
+  ros::Subscriber subscriber_;
+  wheel_rail_contact::WheelsetContact::ConstPtr latest_;  ///< latest result; null before the first one
+};
+}  // namespace simulate_wheelset
