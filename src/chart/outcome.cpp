@@ -46,20 +46,20 @@ void addWheels(const std::vector<PatchResult>& patches, Outcome& outcome)
 
 WheelOutcome combined(int index, const std::vector<PatchOutcome>& patches)
 {
-  const auto measuresOf = [](const PatchOutcome& patch) {
+  const auto measures_of = [](const PatchOutcome& patch) {
     return ContactMeasures{patch.max_pressure, patch.area, patch.force};
   };
   ContactMeasures all;
   for (const PatchOutcome& patch : patches)
   {
-    all.add(measuresOf(patch));
+    all.add(measures_of(patch));
   }
   WheelOutcome wheel{index, all.max_pressure, all.area, 0, 0};
   WheelError error(all);
   for (const PatchOutcome& patch : patches)
   {
     wheel.approach += patch.approach * patch.force / all.force;
-    error.add(measuresOf(patch), patch.error);
+    error.add(measures_of(patch), patch.error);
   }
   wheel.estimate = error.largest();
   return wheel;

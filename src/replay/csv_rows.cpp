@@ -90,12 +90,11 @@ std::string angles(const geometry_msgs::Quaternion& q)
 std::string csvRows(const WheelsetContact& result, std::uint64_t number, const std::string& wheelset)
 {
   const auto& position = result.wheelset.position;
-  const std::string start = std::to_string(number) + "," + wheelset + "," + stamp(result.header.stamp) + "," +
-                            statusName(result.status) + "," + quoted(result.status_text) +
-                            (result.held ? ",1," : ",0,") + cell(position.x) + cell(position.y) + cell(position.z) +
-                            angles(result.wheelset.orientation) + cell(result.distance) + cells(result.left_rail) +
-                            cells(result.right_rail) + cells(result.left_wheel) + cells(result.right_wheel) +
-                            cells(result.rail_wrench);
+  const std::string start =
+      std::to_string(number) + "," + wheelset + "," + stamp(result.header.stamp) + "," + statusName(result.status) +
+      "," + quoted(result.status_text) + (result.held ? ",1," : ",0,") + cell(position.x) + cell(position.y) +
+      cell(position.z) + angles(result.wheelset.orientation) + cell(result.distance) + cells(result.left_rail) +
+      cells(result.right_rail) + cells(result.left_wheel) + cells(result.right_wheel) + cells(result.rail_wrench);
   if (result.patches.empty())
   {
     return start + no_patch + "\n";

@@ -112,16 +112,21 @@ struct PatchResult
   double half_space_ratio = 0;
   double vertical_force = 0;  ///< vertical part Q of normal_force, on the rail, down positive [N]
   double lateral_force = 0;   ///< lateral part Y of normal_force, on the rail, outward positive [N]
-  /// Semi-axes of the ellipse with the area of the patch and the ratio of its second moments about x and y [m].
-  double semi_axis_along = 0, semi_axis_across = 0;
-  double rolling_radius = 0;  ///< distance of the centre of pressure from the axis of the axle [m]
-  /// Place of the centre of pressure on each profile: arc length from the origin of the profile, outward positive [m].
-  double wheel_s = 0, rail_s = 0;
+  /// Semi-axis a along the track of the ellipse with the area of the patch and the ratio of its second moments about x
+  /// and y of the patch frame [m].
+  double semi_axis_along = 0;
+  double semi_axis_across = 0;  ///< semi-axis b of this ellipse, across the track [m]
+  double rolling_radius = 0;    ///< radius of the undeformed wheel at the centre of pressure [m]
+  /// Place of the centre of pressure on the wheel's profile: arc length from the origin of the profile, outward
+  /// positive [m].
+  double wheel_s = 0;
+  double rail_s = 0;  ///< the same on the rail's profile [m]
   double wheel_angle =
       0;  ///< place around the wheel: angle about the axle from its lowest line, forward positive [rad]
-  /// Combined curvatures of wheel and rail at the centre of pressure [1/m], convex positive: along x (that of the
-  /// wheel, for the axle without yaw), and across (the sum of both profiles).
-  double curvature_along = 0, curvature_across = 0;
+  /// Combined curvature of wheel and rail along the track at the centre of pressure, for an axle without yaw [1/m];
+  /// convex positive.
+  double curvature_along = 0;
+  double curvature_across = 0;  ///< combined curvature of both profiles [1/m], convex positive
   /// Change of normal_force per approach along the normal, with the rail held and the other contacts unloaded [N/m]:
   /// that of a flat punch with the ellipse above (Barber 2003; Johnson 1985, eq. 3.60).
   double normal_stiffness = 0;

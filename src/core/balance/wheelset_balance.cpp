@@ -153,18 +153,18 @@ double WheelsetBalance::estimate(Side side)
   islands_[k].find(contact.problem(), contact.solution());
   const NormalSolution& solution = islands_[k].solution();
   levels_.solver().estimateErrors(islands_[k].problem(), solution, errors_[k]);
-  const auto measuresOf = [](const PatchPressure& patch) {
+  const auto measures_of = [](const PatchPressure& patch) {
     return ContactMeasures{patch.max_pressure, patch.area, patch.force};
   };
   ContactMeasures wheel;
   for (const PatchPressure& patch : solution.patches)
   {
-    wheel.add(measuresOf(patch));
+    wheel.add(measures_of(patch));
   }
   WheelError error(wheel);
   for (std::size_t i = 0; i < solution.patches.size(); ++i)
   {
-    error.add(measuresOf(solution.patches[i]), errors_[k][i]);
+    error.add(measures_of(solution.patches[i]), errors_[k][i]);
   }
   return error.largest();
 }
