@@ -81,13 +81,13 @@ std::string formatted(const char* format, Values... values)
   return text.data();
 }
 
-/// Reason why a height is rejected at which the bodies overlap [m].
-std::string tooDeep(double height, double overlap)
+/// Reason why a height [m] is rejected that is `depth` [m] below that of first touch.
+std::string tooDeep(double height, double depth)
 {
   return formatted(
-      "wheel and rail overlap by %.1f mm at the given height z = %.4f m: it was never set, or is not that of the "
-      "axle centre",
-      1e3 * overlap, height);
+      "the given height z = %.4f m is %.1f mm below first touch: it was never set, or is not that of the axle "
+      "centre",
+      height, 1e3 * depth);
 }
 
 /// Places along the line for which a rail is known.
@@ -142,6 +142,7 @@ class WheelsetContact::Chain
       sumForces(Side::right);
       result_.near_branch = other_ && hasOther(state);
       result_.reason = remark();
+      addImplausibleForces();
     }
     result_.patches.resize(patch_count_);
     return result_;
@@ -251,15 +252,11 @@ class WheelsetContact::Chain
            other_force * force;
   }
 
-  /// Remark on a usable result: implausible forces, wheels that carry no load, missing points of a profile, another
-  /// equilibrium, or an error estimate above the tolerance; otherwise empty.
+  /// Remark on a usable result: a wheel that carries no load, missing points of a profile, another equilibrium, or an
+  /// error estimate above the tolerance; otherwise empty.
   std::string_view remark() const
   {
     const bool left = balance_.wheel(Side::left).loaded(), right = balance_.wheel(Side::right).loaded();
-    if (result_.implausible_force)
-    {
-      return "the contact force of a wheel is implausible: it is above 1 MN";
-    }
     if (left && right)
     {
       return result_.points_missing    ? "points of a profile are missing at a contact: its shape is not known there"
@@ -277,6 +274,23 @@ class WheelsetContact::Chain
                   : "the left wheel lifts: the moments about the axle centre are not in balance";
     }
     return left ? "the right wheel carries no load" : "the left wheel carries no load";
+  }
+
+  /// Adds forces beyond the plausible bound to the reason.
+  void addImplausibleForces()
+  {
+    for (const Side side : sides)
+    {
+      const WheelForces& wheel = result_.wheel[index(side)];
+      const double force = std::hypot(wheel.vertical, wheel.lateral);
+      if (force > plausible_force)
+      {
+        result_.implausible_force = true;
+        result_.reason += (result_.reason.empty() ? "" : "; ") +
+                          formatted("implausible force of the %s wheel: %.3g MN, above %.3g MN",
+                                    side == Side::left ? "left" : "right", 1e-6 * force, 1e-6 * plausible_force);
+      }
+    }
   }
 
   void addPatches(Side side)
@@ -299,7 +313,7 @@ class WheelsetContact::Chain
   void sumForces(Side side)
   {
     WheelForces& wheel = result_.wheel[index(side)];
-    Wrench& wrench = result_.rail_wrench;
+    Wrench wrench;
     for (std::size_t k = 0; k < patch_count_; ++k)
     {
       const PatchResult& patch = result_.patches[k];
@@ -312,9 +326,9 @@ class WheelsetContact::Chain
         wrench.moment += Eigen::Vector3d(0, -patch.pose.x * force.z(), patch.pose.x * force.y());
       }
     }
-    wrench.moment.x() += sideSign(side) * balance_.wheel(side).moment();
-    result_.implausible_force =
-        result_.implausible_force || std::hypot(wheel.vertical, wheel.lateral) > plausible_force;
+    wrench.moment.x() = sideSign(side) * balance_.wheel(side).moment();
+    result_.rail_wrench.force += wrench.force;
+    result_.rail_wrench.moment += wrench.moment;
   }
 
   ContactModelConfig config_;

@@ -158,6 +158,7 @@ ManyResults::ManyResults(std::size_t count) : status(count), reason(count)
 {
   const auto rows = static_cast<Eigen::Index>(count);
   above_tolerance.setConstant(rows, 1, false);
+  implausible_force.setConstant(rows, 1, false);
   z.setConstant(rows, nan);
   roll.setConstant(rows, nan);
   patches.setZero(rows, 2);
@@ -186,6 +187,7 @@ void ManyResults::set(std::size_t i, const core::WheelsetResult& result, const c
   }
   const auto row = static_cast<Eigen::Index>(i);
   above_tolerance(row) = result.above_tolerance;
+  implausible_force(row) = result.implausible_force;
   z(row) = result.z;
   roll(row) = result.roll;
   for (const core::Side side : core::sides)

@@ -22,7 +22,7 @@ struct ManyResults
 
   std::vector<core::ContactStatus> status;
   std::vector<std::string> reason;  ///< as reasonOf()
-  Eigen::Array<bool, Eigen::Dynamic, 1> above_tolerance;
+  Eigen::Array<bool, Eigen::Dynamic, 1> above_tolerance, implausible_force;
   Eigen::ArrayXd z;                              ///< height of the axle centre [m]
   Eigen::ArrayXd roll;                           ///< roll of the axle [rad]
   Eigen::Array<int, Eigen::Dynamic, 2> patches;  ///< number of patches; 0 where a result is not usable

@@ -45,9 +45,10 @@ ReadProfile readProfile(const std::string& name, const std::string& kind, const 
 
 core::CurvePoint pointAt(const core::Profile& profile, double u)
 {
-  if (!std::isfinite(u))
+  if (!(u >= 0 && u <= profile.length()))
   {
-    throw std::invalid_argument("u = " + std::to_string(u) + ": must be finite");
+    throw std::invalid_argument("u = " + std::to_string(u) + ": must be within the profile, 0 to " +
+                                std::to_string(profile.length()) + " m");
   }
   return profile.at(u);
 }

@@ -11,7 +11,7 @@ from wheel_rail_contact import WheelsetContact
 
 LOAD = -200e3  # of the axle [N]
 COLUMNS = ("z", "roll", "patches", "vertical_force", "lateral_force", "max_pressure", "area", "error_estimate", "contact_angle",
-           "rolling_radius", "rail_lateral", "rail_vertical", "rail_roll", "above_tolerance")
+           "rolling_radius", "rail_lateral", "rail_vertical", "rail_roll", "above_tolerance", "implausible_force")
 
 
 class ManyEqualsOne(unittest.TestCase):

@@ -51,8 +51,10 @@ class Profiles(unittest.TestCase):
                                          (("60E1", "rail"), {"unit": "mm"}, "apply to files")):
             with self.subTest(arguments=arguments), self.assertRaisesRegex(ValueError, text):
                 read_profile(*arguments, **options)
-        with self.assertRaisesRegex(ValueError, "u = nan: must be finite"):
+        with self.assertRaisesRegex(ValueError, "u = nan: must be within the profile"):
             read_profile("60E1", "rail").at(np.nan)
+        with self.assertRaisesRegex(ValueError, "u = 5.000000: must be within the profile"):
+            read_profile("60E1", "rail").at(5.0)
 
 
 class ComplianceTables(unittest.TestCase):

@@ -19,7 +19,7 @@ enum class ContactStatus
   lift_off,       ///< at least one wheel carries no load, the other one is solved; usable
   off_profile,    ///< the contact would be beyond the end of a profile; not usable
   not_converged,  ///< normal solution, balance or coupling with the rails did not converge; not usable
-  too_deep,       ///< the given height lies centimetres too deep, or was never set; not usable
+  too_deep,       ///< the given height is more than 10 mm below first touch, or was never set; not usable
   outside_line,   ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
   invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
 };
@@ -59,12 +59,13 @@ inline bool isUsable(ContactStatus status)
   return status == ContactStatus::ok || status == ContactStatus::lift_off;
 }
 
-/// Pose of a patch frame in the track frame. Origin: centre of pressure, on the rail. Axes: x forward, y left in the
+/// Pose of a patch frame, in track axes. Origin: centre of pressure, on the rail. Axes: x forward, y left in the
 /// tangent plane, z along the resultant of the pressure, out of the rail. The frame is rotated about x only.
 struct PatchPose
 {
-  double x = 0, y = 0, z = 0;  ///< position of the origin [m]
-  double angle = 0;            ///< rotation about x, right-handed [rad]
+  double x = 0;         ///< position of the origin, from the axle centre [m]
+  double y = 0, z = 0;  ///< position of the origin, track frame [m]
+  double angle = 0;     ///< rotation about x, right-handed [rad]
 };
 
 /// Grid of the pressure of a patch: nx × ny equal rectangular cells. The centre of cell (i, j) is at (x(i), y(j)): x
@@ -128,7 +129,7 @@ struct PatchResult
   double curvature_along = 0;
   double curvature_across = 0;  ///< combined curvature of both profiles [1/m], convex positive
   /// Change of normal_force per approach along the normal, with the rail held and the other contacts unloaded [N/m]:
-  /// that of a flat punch with the ellipse above (Barber 2003; Johnson 1985, eq. 3.60).
+  /// that of a flat punch with the shape of the ellipse above (Barber 2003).
   double normal_stiffness = 0;
   PatchGrid grid;            ///< grid of `pressure`
   Eigen::ArrayXXd pressure;  ///< nx × ny pressures [Pa], compressive positive; pressure(i, j) belongs to cell (i, j)

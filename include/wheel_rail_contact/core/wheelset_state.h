@@ -22,8 +22,9 @@ struct WheelsetState
   /// Rotation of the axle about x, positive if the left wheel is raised [rad]; |roll| <= 0.2. Used only if
   /// WheelsetConfig::solve_height_and_roll is false.
   double roll = 0;
-  /// Vertical force on the axle centre, up positive [N], which the rails carry: that of the vehicle and the weight of
-  /// the wheelset itself, both negative. |force_z| <= 1e8. Not required if height and roll are given.
+  /// Vertical force on the axle centre, up positive [N], of everything but the normal pressure of the rails: of the
+  /// vehicle, the weight of the wheelset itself (negative), inertia, and friction. |force_z| <= 1e8. Not required if
+  /// height and roll are given.
   double force_z = 0;
   /// Moment on the axle centre about x [N m]: a positive moment unloads the left wheel. |torque_x| <= 1e8. Not required
   /// if height and roll are given. With Balance::wheel_loads, it is the moment that the vertical forces of the rails

@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core
 /// Where the centre of pressure of a patch lies on both profiles.
 struct ProfilePlaces
 {
-  double wheel_u = 0;  ///< parameter of the wheel profile [m]
+  double wheel_u = 0;  ///< parameter of the wheel profile, approximately [m]
   double rail_u = 0;   ///< parameter of the rail profile [m]
 };
 
@@ -21,6 +21,6 @@ struct ProfilePlaces
 /// the normal and the radius (Meusnier's theorem); the yaw of the axle is neglected.
 /// @param axle   pose of the wheelset, track axes
 /// @param patch  its side and pose are set
-void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, const Profile& rail,
+void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, const PlacedRail& rail,
                    const ProfilePlaces& places, PatchResult& patch);
 }  // namespace wheel_rail_contact::core

@@ -6,11 +6,17 @@
 
 namespace wheel_rail_contact::core
 {
-void LoadTransfer::begin(double load, double torque, double levers, double uneven)
+namespace
+{
+constexpr int most_corrections = 5;  ///< a bracket or a step is seldom wrong twice
+}  // namespace
+
+void LoadTransfer::begin(double load, double torque, double levers, double lever_difference)
 {
   half_load_ = 0.5 * load;
+  corrections_ = 0;
   widen();
-  transfer_ = within(levers > 0 ? (torque + uneven * half_load_) / levers : 0);
+  transfer_ = within(levers > 0 ? (torque + lever_difference * half_load_) / levers : 0);
 }
 
 void LoadTransfer::widen()
@@ -25,26 +31,59 @@ double LoadTransfer::within(double transfer) const
   return std::clamp(transfer, -half_load_, half_load_);
 }
 
-double LoadTransfer::improve(double open, double levers)
+/// The transfer that closes the open moment, by a secant or by the lever arms.
+double LoadTransfer::next(double levers) const
 {
-  const double here = transfer_;
-  lifts_ = std::abs(here) >= half_load_ && open * here >= 0;
+  const double secant = has_before_ ? (open_ - open_before_) / (transfer_ - before_) : 0;
+  const double slope = secant < 0 ? secant : -levers;
+  const double step = within(slope < 0 ? transfer_ - open_ / slope : open_ > 0 ? half_load_ : -half_load_);
+  const bool is_new = step >= least_ && step <= most_ && step != transfer_ && step != before_;
+  return is_new ? step : 0.5 * (least_ + most_);
+}
+
+void LoadTransfer::moveTo(double transfer)
+{
+  before_ = transfer_;
+  open_before_ = open_;
+  has_before_ = true;
+  transfer_ = transfer;
+}
+
+LoadTransfer::Step LoadTransfer::advance(double open, double levers, double accuracy, double acceptable)
+{
+  open_ = open;
+  lifts_ = std::abs(transfer_) >= half_load_ && open * transfer_ >= 0;
   if (lifts_)
   {
-    return 0;
+    return Step::closed;
   }
-  (open > 0 ? least_ : most_) = here;
-  const double secant = has_before_ ? (open - open_before_) / (here - before_) : 0;
-  const double slope = secant < 0 ? secant : -levers;
-  double next = slope < 0 ? within(here - open / slope) : (open > 0 ? half_load_ : -half_load_);
-  if (!(next >= least_ && next <= most_) || next == before_)
+  (open > 0 ? least_ : most_) = transfer_;
+  double to = next(levers);
+  if (std::abs(to - transfer_) <= accuracy)
   {
-    next = 0.5 * (least_ + most_);
+    if (std::abs(open) <= acceptable)
+    {
+      return Step::closed;
+    }
+    if (++corrections_ > most_corrections)
+    {
+      return Step::failed;
+    }
+    widen();
+    (open > 0 ? least_ : most_) = transfer_;
+    to = next(levers);
   }
-  before_ = here;
-  open_before_ = open;
-  has_before_ = true;
-  transfer_ = next;
-  return next - here;
+  moveTo(to);
+  return Step::moved;
+}
+
+LoadTransfer::Step LoadTransfer::retreat()
+{
+  if (!has_before_ || ++corrections_ > most_corrections)
+  {
+    return Step::failed;
+  }
+  transfer_ = 0.5 * (transfer_ + before_);
+  return Step::moved;
 }
 }  // namespace wheel_rail_contact::core

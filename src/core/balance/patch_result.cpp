@@ -122,7 +122,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.normal_force = std::hypot(force.outward, force.down);
   out.vertical_force = force.down;
   out.lateral_force = force.outward;
-  placeOnBodies(balance.config(), balance.pose(), contact.rail().profile(), places, out);
+  placeOnBodies(balance.config(), balance.pose(), contact.rail(), places, out);
   out.approach =
       gap.weight * solution.approach +
       std::max(-leastGap(gap.grid, gap.gap),

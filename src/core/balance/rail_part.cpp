@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/balance/tuning.h"
-#include "core/normal/solvers/elliptic.h"
+#include "core/normal/measures/elliptic.h"
 
 namespace wheel_rail_contact::core
 {

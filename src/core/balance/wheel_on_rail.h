@@ -64,7 +64,7 @@ class WheelOnRail
   bool loaded() const { return loaded_; }
   /// Forces and deflection of the rail.
   RailResult rail() const;
-  /// Moment of the contact on the wheel about the axle centre, in the sense of a positive roll [N m].
+  /// Moment of the contact on the wheel about the axle centre, side axes: positive if it lifts the wheel [N m].
   double moment() const { return loaded_ ? contact_.forces()[wheel_roll] : 0; }
 
   WheelContact& contact() { return contact_; }

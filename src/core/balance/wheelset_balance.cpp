@@ -9,6 +9,11 @@
 
 namespace wheel_rail_contact::core
 {
+namespace
+{
+constexpr double deepest = 0.01;  ///< of a given height below that of first touch [m]
+}  // namespace
+
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
     : config_(config),
       levels_(levels),
@@ -45,7 +50,6 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
       break;
     }
   }
-  reset();
   switch (status)
   {
     case WheelStatus::beside_rail:
@@ -63,6 +67,19 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
   const int solved_before = count();
+  const bool was_warm = warm_;
+  ContactStatus status = solveOnce(state);
+  if (status == ContactStatus::not_converged && was_warm)
+  {
+    status = solveOnce(state);
+  }
+  solutions_ = count() - solved_before;
+  return status;
+}
+
+/// Solves from the last result. After a failure, the next call starts cold.
+ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
+{
   const bool given = !config_.wheelset.solve_height_and_roll;
   const WheelsetState before = state_;
   state_ = state;
@@ -87,16 +104,16 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   {
     status = given ? hold() : balance();
   } while (isUsable(status) && (layOwnGrids() || refine()));
-  solutions_ = count() - solved_before;
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
-  if (given && isTooDeep(status))
+  depth_ = given ? depthOfHeight(status) : 0;
+  if (depth_ > deepest)
   {
     reset();
-    reason_ = "the given height is too low";
     return ContactStatus::too_deep;
   }
   if (failed != ContactStatus::ok)
   {
+    reset();
     return failed;
   }
   if (wheels_[0].contact().reachesEnd() || wheels_[1].contact().reachesEnd())

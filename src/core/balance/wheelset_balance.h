@@ -36,7 +36,8 @@ class WheelsetBalance
   /// The next solution starts cold, at a roll [rad].
   void reset(double roll = 0);
 
-  /// Solves a valid state. The last result is the start. If the status is not ok, reason() gives the reason.
+  /// Solves a valid state. The last result is the start; if no balance is found from there, a cold start follows. If
+  /// the status is not ok, reason() gives the reason.
   ContactStatus solve(const WheelsetState& state);
 
   /// One sentence; empty if the status is ok.
@@ -60,20 +61,22 @@ class WheelsetBalance
   double balanceError(Side side) const { return open_[index(side)]; }
   /// True if the moments stay open, because the wheelset lifts a wheel (WheelsetConfig::Balance::moments).
   bool lifts() const { return balances_moments_ && transfer_.lifts(); }
-  /// With the status too_deep: largest overlap of a wheel and its rail at the given height [m].
+  /// With the status too_deep: depth of the given height below that of first touch, of the wheel that is less deep [m].
   double depth() const { return depth_; }
   /// Number of normal problems of both wheels in the last call.
   int solutions() const { return solutions_; }
 
  private:
+  ContactStatus solveOnce(const WheelsetState& state);
   void beginTransfer();
   double leverOf(Side side) const;
-  void carry(double transfer);
+  void distribute(double sum, double transfer);
   WheelStatus balance();
+  LoadTransfer::Step advanceTransfer(double sum);
   WheelStatus search();
   WheelStatus pass(bool keep_grids);
   WheelStatus hold();
-  bool isTooDeep(WheelStatus status);
+  double depthOfHeight(WheelStatus status);
   void placeOnLine();
   double tilt(const WheelsetState& state) const { return tiltOf(state.rail_displacement, config_.wheelset.halfBase()); }
   void predict(const WheelsetState& before);

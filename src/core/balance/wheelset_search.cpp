@@ -16,11 +16,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr double finest_bracket = 1e-9;       ///< width at which a bracket without a zero ends the search [rad]
 constexpr double roll_limit = 0.2;            ///< [rad]
-constexpr double least_load = 1e-9;           ///< smaller loads are taken as zero [N]
+constexpr double least_load = 0.1;            ///< smaller wheel loads are taken as zero: no overlap resolves them [N]
 constexpr double unloaded_accuracy = 1e-7;    ///< of the height of a wheel without load [m]
 constexpr double overlap_per_load = 2.0 / 3;  ///< relative change of the overlap per one of the load, Hertz [-]
 constexpr double least_share = 1e-3;          ///< loads below this part of the whole load count as it [-]
-constexpr double deepest = 0.01;              ///< of a given height below that of first touch [m]
 }  // namespace
 
 /// Sets the loads of both wheels. With WheelsetConfig::Balance::moments, these are the first ones of a search: those
@@ -28,14 +27,14 @@ constexpr double deepest = 0.01;              ///< of a given height below that 
 void WheelsetBalance::beginTransfer()
 {
   const double base = 2 * config_.wheelset.halfBase(), load = std::max(-state_.force_z, 0.0);
-  if (balances_moments_ && load > least_load)
+  if (balances_moments_)
   {
     const double left = warm_ ? leverOf(Side::left) : 0.5 * base, right = warm_ ? leverOf(Side::right) : 0.5 * base;
     transfer_.begin(load, state_.torque_x, left + right, left - right);
-    carry(transfer_.transfer());
+    distribute(load, transfer_.transfer());
     return;
   }
-  carry(state_.torque_x / base);
+  distribute(-state_.force_z, state_.torque_x / base);
 }
 
 /// Lever arm of a wheel: the moment of its contact, positive if it lifts the wheel, over its load [m].
@@ -46,12 +45,12 @@ double WheelsetBalance::leverOf(Side side) const
   return known ? wheel.moment() / loads_[index(side)] : config_.wheelset.halfBase();
 }
 
-/// Gives the wheels their loads, of which `transfer` [N] moves from the left to the right wheel.
-void WheelsetBalance::carry(double transfer)
+/// Sets the wheel loads: half of the sum [N], of which `transfer` [N] moves from the left to the right wheel.
+void WheelsetBalance::distribute(double sum, double transfer)
 {
   for (const Side side : sides)
   {
-    const double load = -0.5 * state_.force_z - sideSign(side) * transfer;
+    const double load = 0.5 * sum - sideSign(side) * transfer;
     loads_[index(side)] = load > least_load ? load : 0;
     solved_[index(side)] = false;
   }
@@ -60,27 +59,48 @@ void WheelsetBalance::carry(double transfer)
 /// Finds height and roll under the loads, and with WheelsetConfig::Balance::moments also the loads.
 WheelStatus WheelsetBalance::balance()
 {
-  if (!balances_moments_ || !(-state_.force_z > least_load))
+  const double sum = -state_.force_z;
+  if (!balances_moments_ || !(sum > least_load))
   {
     return search();
   }
   transfer_.widen();
+  double roll = roll_;
+  std::array<double, 2> heights = heights_;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    if (const WheelStatus status = search(); !isUsable(status))
+    const WheelStatus status = search();
+    LoadTransfer::Step step = LoadTransfer::Step::failed;
+    if (isUsable(status))
     {
-      return status;
+      roll = roll_;
+      heights = heights_;
+      step = advanceTransfer(sum);
     }
-    const double open = state_.torque_x + wheels_[0].moment() - wheels_[1].moment();
-    const double step = transfer_.improve(open, leverOf(Side::left) + leverOf(Side::right));
-    const double smaller = std::max(std::min(loads_[0], loads_[1]), -least_share * state_.force_z);
-    if (overlap_per_load * std::abs(step) <= accuracy_ * smaller)
+    else
     {
-      return WheelStatus::solved;
+      roll_ = roll;
+      heights_ = heights;
+      step = transfer_.retreat();
     }
-    carry(transfer_.transfer());
+    if (step != LoadTransfer::Step::moved)
+    {
+      return step == LoadTransfer::Step::closed || !isUsable(status) ? status : WheelStatus::unbalanced;
+    }
+    distribute(sum, transfer_.transfer());
   }
   return WheelStatus::unbalanced;
+}
+
+/// Takes the last solution under the sum of the loads [N], and chooses the next transfer. Where the forces jump because
+/// the grid changes, the moment stays open by as much.
+LoadTransfer::Step WheelsetBalance::advanceTransfer(double sum)
+{
+  const double open = state_.torque_x + (wheels_[0].moment() - wheels_[1].moment());
+  const double smaller = std::max(std::min(loads_[0], loads_[1]), least_share * sum);
+  const double accuracy = accuracy_ * smaller / overlap_per_load;
+  return transfer_.advance(open, leverOf(Side::left) + leverOf(Side::right), accuracy,
+                           2 * config_.wheelset.halfBase() * tuning::jump_share * accuracy);
 }
 
 WheelStatus WheelsetBalance::hold()
@@ -103,25 +123,26 @@ WheelStatus WheelsetBalance::hold()
   return WheelStatus::solved;
 }
 
-/// True if the given height lies so deep that no contact is meant. After a failure, the heights of first touch replace
-/// the last solutions.
-bool WheelsetBalance::isTooDeep(WheelStatus status)
+/// Depth of the given height below that of first touch, of the wheel that is less deep [m]. A wrong lateral position
+/// lets only one wheel overlap its rail. After a failure, the positions of first touch replace the last solutions.
+double WheelsetBalance::depthOfHeight(WheelStatus status)
 {
-  depth_ = 0;
+  double depth = infinity;
   for (const Side side : sides)
   {
     WheelOnRail& wheel = wheels_[index(side)];
     const WheelsetPose above{state_.y, config_.wheelset.meanRadius(), state_.yaw, state_.roll};
     if (isUsable(status))
     {
-      depth_ = std::max(depth_, wheel.loaded() ? wheel.contact().overlap() : 0);
+      depth = std::min(depth, wheel.loaded() ? wheel.contact().overlap() : 0);
     }
-    else if (isUsable(wheel.carry(toSide(side, above), 0, accuracy_, false)))
+    else
     {
-      depth_ = std::max(depth_, wheel.height() - state_.z);
+      const bool touches = isUsable(wheel.carry(toSide(side, above), 0, accuracy_, false));
+      depth = std::min(depth, touches ? wheel.height() - state_.z : 0);
     }
   }
-  return depth_ > deepest;
+  return depth;
 }
 
 /// True if a wheel must be solved again because the roll has changed its contact.

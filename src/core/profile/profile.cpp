@@ -206,14 +206,15 @@ void Profile::findOrigins()
   for (ParameterRange& part : parts_)
   {
     double nearest = infinity;
-    for (const double u : start_)
+    const auto first = std::lower_bound(start_.begin(), start_.end(), part.begin);
+    const auto last = std::upper_bound(first, start_.end(), part.end);
+    for (auto u = first; u != last; ++u)
     {
-      const CurvePoint point = at(u);
-      const double distance = std::hypot(point.y, point.z);
-      if (u >= part.begin && u <= part.end && distance < nearest)
+      const CurvePoint point = at(*u);
+      if (const double distance = std::hypot(point.y, point.z); distance < nearest)
       {
         nearest = distance;
-        part.origin = u;
+        part.origin = *u;
       }
     }
     for (int i = 0; i < most_steps; ++i)

@@ -88,6 +88,30 @@ TEST(CreepInputsTest, AYawedFlangeTouchesAheadOfTheAxle)
   EXPECT_NEAR(ahead, patch.rolling_radius * std::sin(patch.wheel_angle), 1e-4);
 }
 
+// Two contacts of a yawed wheel are at different places along the track, also if they share a grid. The radius at each
+// is the distance from the axle, less the overlap of the undeformed bodies.
+TEST(CreepInputsTest, RollingRadiiOfAYawedWheelBelongToThePlacesOfItsContacts)
+{
+  WheelsetContact contact(manchesterScene());
+  bool two_on_a_wheel = false;
+  for (int i = 0; i <= 60; ++i)
+  {
+    const WheelsetResult& result = contact.evaluate(stateAt(4e-3 + 5e-5 * i, 5e4, 40e-3));
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    two_on_a_wheel = two_on_a_wheel || result.patches.size() > 2;
+    const Eigen::Vector3d axle = (Eigen::AngleAxisd(result.yaw, Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(result.roll, Eigen::Vector3d::UnitX())) *
+                                 Eigen::Vector3d::UnitY();
+    for (const PatchResult& patch : result.patches)
+    {
+      const Eigen::Vector3d place(patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z);
+      const double distance = place.cross(axle).norm();
+      EXPECT_NEAR(patch.rolling_radius, distance, patch.approach / std::cos(patch.contact_angle) + 2e-5);
+    }
+  }
+  EXPECT_TRUE(two_on_a_wheel);
+}
+
 // Contact of two areas on one wheel: each is a contact of its own, and their forces add up to those of the wheel. Rails
 // are prisms: no force along them.
 TEST(CreepInputsTest, ForcesOfAllContactsAddUpToTheWrenchOnTheAxle)

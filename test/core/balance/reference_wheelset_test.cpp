@@ -272,32 +272,22 @@ TEST_P(ReferenceStateTest, OutwardForceDiffersOnlyByTheChoiceOfTheNormal)
   }
 }
 
-// What creep forces require: semi-axes, and the direction of the force. The reference gives no semi-axes, but area,
-// normal force and approach. An ellipse has the area pi a b. On a contact of Hertz, whose highest pressure is 3/2 of
-// the mean pressure, the stiffness 3/2 N / approach depends on a and b (Johnson 1985, eq. 4.26). The other limits are
-// those above.
-TEST_P(ReferenceStateTest, SemiAxesAgreeWithAreaAndApproachOfTheReference)
+// The reference gives no semi-axes, but area, normal force and approach. On a contact of Hertz, whose highest pressure
+// is 3/2 of the mean pressure, the stiffness 3/2 N / approach depends on both semi-axes (Johnson 1985, eq. 4.26); their
+// product is the area. Errors found: up to 0.7 %. The own error of the reference is 0.7 % for Hertz contacts.
+TEST_P(ReferenceStateTest, SemiAxesAgreeWithTheStiffnessOfTheReference)
 {
   for (const PatchResult& patch : result_.patches)
   {
     const ReferenceWheel& reference = row(patch.side);
-    if (reference.several)
-    {
-      continue;
-    }
-    EXPECT_LT(std::abs(relative(M_PI * patch.semi_axis_along * patch.semi_axis_across, reference.area)),
-              reference.area < 50e-6 ? 0.05 : 0.02);
     const double normal_force = std::hypot(reference.load, reference.outward_force);
-    if (std::abs(relative(reference.max_pressure, 1.5 * normal_force / reference.area)) < 0.02)
+    if (!reference.several && std::abs(relative(reference.max_pressure, 1.5 * normal_force / reference.area)) < 0.02)
     {
-      EXPECT_LT(std::abs(relative(patch.normal_stiffness, 1.5 * normal_force / reference.approach)), 0.02);
+      const double error = relative(patch.normal_stiffness, 1.5 * normal_force / reference.approach);
+      EXPECT_LT(std::abs(error), 0.015);
       std::printf("y %5.1f mm: a %.3f mm, b %.3f mm, stiffness %+.2f %% against Hertz\n", 1e3 * reference.y,
-                  1e3 * patch.semi_axis_along, 1e3 * patch.semi_axis_across,
-                  100 * relative(patch.normal_stiffness, 1.5 * normal_force / reference.approach));
+                  1e3 * patch.semi_axis_along, 1e3 * patch.semi_axis_across, 100 * error);
     }
-    const double turn =
-        std::atan2(patch.lateral_force, patch.vertical_force) - std::atan2(reference.outward_force, reference.load);
-    EXPECT_LT(std::abs(turn), onFlange() ? 0.015 : 0.0025);
   }
 }
 

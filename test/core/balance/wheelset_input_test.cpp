@@ -185,7 +185,7 @@ TEST_F(WheelsetInputTest, InvalidGridsAndRailsAreRejectedByName)
   expectRefused(config, "lateral_roll");
 }
 
-// A height of 0 was never set. One that is centimetres too low is that of another point. Below 10 mm the forces are
+// A height of 0 was never set. One that is more than 10 mm too low is that of another point. Above it the forces are
 // computed, and flagged above 1 MN.
 TEST_F(WheelsetInputTest, AHeightFarBelowTheRailsHasItsOwnStatus)
 {
@@ -209,5 +209,24 @@ TEST_F(WheelsetInputTest, AHeightFarBelowTheRailsHasItsOwnStatus)
     const WheelsetResult& shallow = contact.evaluate(state);
     EXPECT_TRUE(isUsable(shallow.status)) << shallow.reason;
     EXPECT_EQ(shallow.implausible_force, y > 6e-3);
+  }
+}
+
+// At the right height, a wrong lateral position presses only the flange into its rail. Its own reason must not be
+// hidden.
+TEST_F(WheelsetInputTest, AWrongLateralPositionIsNotAWrongHeight)
+{
+  WheelsetContact loaded(scene_);
+  const double height = loaded.evaluate(stateAt(0, 5e4)).z;
+  scene_.wheelset.solve_height_and_roll = false;
+  WheelsetContact contact(scene_);
+  for (const double y : {12e-3, 20e-3, 30e-3, 50e-3, 90e-3})
+  {
+    WheelsetState state;
+    state.y = y;
+    state.z = height;
+    const WheelsetResult& result = contact.evaluate(state);
+    EXPECT_NE(result.status, ContactStatus::too_deep) << "y = " << y << " m: " << result.reason;
+    EXPECT_TRUE(!isUsable(result.status) || result.implausible_force) << "y = " << y << " m";
   }
 }

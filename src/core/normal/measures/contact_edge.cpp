@@ -89,7 +89,7 @@ double reach(const EdgeCrossing& crossing)
 {
   const double* loaded = crossing.loaded;
   const std::ptrdiff_t inward = -crossing.outward;
-  return std::min(edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]), 1.0);
+  return edgeDistance(loaded[0], loaded[inward], loaded[2 * inward]);
 }
 }  // namespace
 
@@ -110,7 +110,7 @@ double edgeDistance(double p1, double p2, double p3)
   // Factor of the term distance^(3/2). The divisor is the value of the bracket for this term.
   const double bend = (p3 - 1.42487 * p2 + 0.26582 * p1) / 1.42;
   const double x1 = std::max(straight, 0.0), x2 = 1 + straight;
-  return straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2));
+  return std::min(straightEdge(p1 - bend * x1 * std::sqrt(x1), p2 - bend * x2 * std::sqrt(x2)), 1.0);
 }
 
 void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)

@@ -9,7 +9,8 @@
 
 namespace wheel_rail_contact::core
 {
-/// Position of the edge of the contact, in cells outward from the centre of the outermost loaded cell of a line.
+/// Position of the edge of the contact, in cells outward from the centre of the outermost loaded cell of a line, at
+/// most 1.
 /// @param p1  pressure of this cell, > 0
 /// @param p2,p3  pressures of the next two cells inward; zero if they are not loaded
 double edgeDistance(double p1, double p2, double p3);

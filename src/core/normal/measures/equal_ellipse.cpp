@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/normal/measures/contact_edge.h"
+#include "core/normal/measures/elliptic.h"
 
 namespace wheel_rail_contact::core
 {
@@ -43,7 +44,7 @@ void addLine(const Line& p, bool mirrored, Moments& sum)
     return stored >= 0 && stored < count ? p[stored] : 0.0;
   };
   const auto edge = [&](Eigen::Index outermost, Eigen::Index inward)
-  { return std::min(edgeDistance(at(outermost), at(outermost + inward), at(outermost + 2 * inward)), 1.0); };
+  { return edgeDistance(at(outermost), at(outermost + inward), at(outermost + 2 * inward)); };
   Eigen::Index i = 0;
   while (i < count)
   {
@@ -92,7 +93,6 @@ SemiAxes equalEllipse(const PatchPressure& patch)
 double punchStiffness(const SemiAxes& axes, double modulus)
 {
   const double longer = std::max(axes.along, axes.across), shorter = std::min(axes.along, axes.across);
-  const double share = shorter / longer;
-  return pi * modulus * longer / std::comp_ellint_1(std::sqrt(1 - share * share));
+  return shorter > 0 ? pi * modulus * longer / elliptic(shorter / longer).k : 0;
 }
 }  // namespace wheel_rail_contact::core

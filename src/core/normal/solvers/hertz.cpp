@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/solvers/elliptic.h"
+#include "core/normal/measures/elliptic.h"
 
 namespace wheel_rail_contact::core
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/normal/solvers/elliptic.h"
+#include "core/normal/measures/elliptic.h"
 #include "core/normal/solvers/hertz.h"
 
 namespace wheel_rail_contact::core

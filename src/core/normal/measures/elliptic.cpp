@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/solvers/elliptic.h"
+#include "core/normal/measures/elliptic.h"
 
 #include <cmath>
 
