@@ -177,11 +177,12 @@ class Pictures(SweepCase):
                                        results.stamp[0] + step * np.array([[0.5, 2.5], [2.5, 3.5]]), rtol=1e-9)
 
     def test_pose_of_an_input_rejected_before_the_evaluation_is_not_drawn(self):
-        rejected = WheelsetContact(status=WheelsetContact.INVALID_INPUT)
-        rejected.header = self.messages[1].header
-        rejected.wheelset.orientation.w = 1
-        results = self.results([self.message(0), rejected, self.message(2, WheelsetContact.OFF_PROFILE, ())])
-        self.assertEqual(np.isnan(results.y).tolist(), [False, True, False])
+        rejected = [WheelsetContact(status=status, header=self.messages[1].header)
+                    for status in (WheelsetContact.INVALID_INPUT, WheelsetContact.NO_TRANSFORM, WheelsetContact.INVALID_INPUT)]
+        rejected[2].wheelset.orientation.w = 1  # by the evaluation, at the origin
+        results = self.results([self.message(0), *rejected, self.message(2, WheelsetContact.OFF_PROFILE, ())])
+        self.assertEqual(np.isnan(results.y).tolist(), [False, True, True, False, False])
+        self.assertEqual(np.isnan(results.yaw).tolist(), [False, True, True, False, False])
         self.assertTrue(np.isnan(results.wheel[1:]).all())
 
     def test_loads_on_a_rail_that_changes_are_not_added_over_the_loops(self):

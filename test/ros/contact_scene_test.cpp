@@ -8,6 +8,7 @@
 
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
+#include "ros/evaluation/conversions.h"
 #include "ros/markers/rail_motion.h"
 
 using namespace wheel_rail_contact;
@@ -258,4 +259,18 @@ TEST_F(Scene, OutputIsRestoredFromItsMessage)
   output.result = nullptr;
   output.status = WheelsetContact::NO_TRANSFORM;
   EXPECT_EQ(outputFromMessage(toMessage(output, true, 0), received).result, nullptr);
+}
+
+TEST_F(Scene, MessageOfARejectedInputHasNoPoseAndIsDrawnWithoutAWheelset)
+{
+  output.result = nullptr;
+  output.status = WheelsetContact::NO_TRANSFORM;
+  output.state = core::WheelsetState();
+  output.rejected = true;
+  const WheelsetContact message = toMessage(output, true, 0);
+  EXPECT_FALSE(hasPose(message.wheelset));
+  core::WheelsetResult received;
+  output = outputFromMessage(message, received);
+  EXPECT_FALSE(hasPose(output));
+  EXPECT_EQ(count(draw(), "wheel_profile"), 0U);
 }

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+
+#include "message_bytes.h"
 
 using namespace wheel_rail_contact;
 
@@ -71,6 +75,18 @@ Result applied(HoldLast& hold, int number, std::uint8_t status)
   return message;
 }
 
+/// Statuses of inputs that may be rejected before the evaluation: NaN, and no transform.
+constexpr std::array<std::uint8_t, 2> rejections{WheelsetContact::INVALID_INPUT, WheelsetContact::NO_TRANSFORM};
+
+/// Applied result of an input that was rejected before the evaluation, with a stamp of `number` steps.
+Result appliedRejection(HoldLast& hold, int number, std::uint8_t status)
+{
+  Result message = result(number, status);
+  message->wheelset = geometry_msgs::Pose();
+  hold.apply(message);
+  return message;
+}
+
 void expectLastHeight(const WheelsetContact& message)
 {
   const auto& o = message.wheelset.orientation;
@@ -94,6 +110,68 @@ TEST(HoldLast, UnusableResultHasTheHeightAndRollOfTheLastUsableOne)
     EXPECT_FALSE(refused->held);
     EXPECT_TRUE(refused->patches.empty());
   }
+}
+
+TEST(HoldLast, ResultWithoutAPoseStaysWithoutOneUnlessItIsHeld)
+{
+  for (const std::uint8_t status : rejections)
+  {
+    HoldLast hold(config(0));
+    applied(hold, 52, WheelsetContact::OK);
+    const Result refused = appliedRejection(hold, 53, status);
+    EXPECT_EQ(bytesOf(refused->wheelset), bytesOf(geometry_msgs::Pose()));
+    EXPECT_EQ(refused->status_text, "refused");
+  }
+}
+
+TEST(HoldLast, HeldResultWithoutAPoseHasThePoseAndThePatchesOfTheLastUsableOne)
+{
+  for (const std::uint8_t status : rejections)
+  {
+    HoldLast hold(config(1));
+    const Result usable = result(52, WheelsetContact::OK);
+    usable->distance = 1052;
+    hold.apply(usable);
+    const Result held = appliedRejection(hold, 53, status);
+    EXPECT_TRUE(held->held);
+    EXPECT_EQ(held->status, status);
+    EXPECT_EQ(bytesOf(held->wheelset), bytesOf(usable->wheelset));
+    EXPECT_EQ(held->distance, 1052);
+    ASSERT_EQ(held->patches.size(), 1U);
+    EXPECT_EQ(held->patches[0].pose.position.x, usable->patches[0].pose.position.x) << "the patch does not move";
+    EXPECT_EQ(held->status_text,
+              "refused; pose, forces and patches are held from the result at 0.052000000 s (1 of at most 1)");
+    EXPECT_EQ(bytesOf(appliedRejection(hold, 54, status)->wheelset), bytesOf(geometry_msgs::Pose()))
+        << "no longer held";
+  }
+}
+
+TEST(HoldLast, InputAtTheOriginHasAPose)
+{
+  HoldLast hold(config(0));
+  applied(hold, 1, WheelsetContact::OK);
+  const Result refused = result(2, WheelsetContact::INVALID_INPUT);
+  refused->wheelset = geometry_msgs::Pose();
+  refused->wheelset.orientation.w = 1;
+  hold.apply(refused);
+  EXPECT_EQ(refused->wheelset.position.x, 0);
+  EXPECT_DOUBLE_EQ(refused->wheelset.position.z, height);
+}
+
+TEST(HoldLast, ResultWithoutAMessageGivesHeightAndRollToTheNext)
+{
+  HoldLast hold(config(0));
+  hold.follow(ros::Time(0, step), WheelsetContact::OK, {0, height, yaw, roll});
+  hold.follow(ros::Time(0, 2 * step), WheelsetContact::NOT_CONVERGED, {});
+  expectLastHeight(*applied(hold, 3, WheelsetContact::NOT_CONVERGED));
+  hold.follow(ros::Time(0, step), WheelsetContact::NOT_CONVERGED, {});  // time goes back
+  EXPECT_EQ(applied(hold, 4, WheelsetContact::NOT_CONVERGED)->wheelset.position.z, 0);
+}
+
+TEST(HoldLast, ResultsWithoutAMessageAreRefusedIfResultsAreHeld)
+{
+  HoldLast hold(config(1));
+  EXPECT_THROW(hold.follow(ros::Time(1), WheelsetContact::OK, {}), std::logic_error);
 }
 
 TEST(HoldLast, BeforeTheFirstUsableResultNothingIsChanged)

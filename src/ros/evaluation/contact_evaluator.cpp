@@ -46,7 +46,7 @@ core::WheelsetPose ContactOutput::pose() const
 
 bool hasPose(const ContactOutput& output)
 {
-  return output.pose().z != 0;
+  return !output.rejected && output.pose().z != 0;
 }
 
 ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
@@ -62,6 +62,7 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   output.reason = input.reason;
   if (input.status != WheelsetContact::OK)
   {
+    output.rejected = true;
     return output;
   }
   const core::WheelsetResult& result = contact_.evaluate(input.state);
@@ -85,7 +86,7 @@ WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double s
   {
     message = toMessage(*output.result, output.x(), with_grids);
   }
-  message.wheelset = toMessage(output.pose(), output.x());
+  message.wheelset = output.rejected ? geometry_msgs::Pose() : toMessage(output.pose(), output.x());
   message.distance = output.state.distance;
   message.header = output.header;
   message.status = output.status;
@@ -101,6 +102,7 @@ ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetRe
   output.header = message.header;
   output.status = message.status;
   output.reason = message.status_text;
+  output.rejected = !hasPose(message.wheelset);
   output.state.x = result.x = message.wheelset.position.x;
   output.state.distance = message.distance;
   output.state.y = result.y;

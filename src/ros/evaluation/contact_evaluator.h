@@ -19,7 +19,8 @@ struct ContactOutput
   std_msgs::Header header;                               ///< stamp of the pose; frame_id is the track frame
   std::uint8_t status = WheelsetContact::INVALID_INPUT;  ///< constant of the message WheelsetContact
   std::string reason;                                    ///< status_text; empty if OK and without a warning
-  core::WheelsetState state;                             ///< input of the evaluation; zero if the input was unusable
+  bool rejected = false;                                 ///< the input was rejected before the evaluation
+  core::WheelsetState state;                             ///< input of the evaluation; zero if it was rejected
   const core::WheelsetResult* result = nullptr;  ///< null unless usable or held; valid until the next evaluation
   std::string beyond_linear_range;  ///< linearRangeWarning(); empty if both rails are within the linear range
   bool held = false;                ///< not usable; `result` is the last usable one (HoldLast)
@@ -32,7 +33,7 @@ struct ContactOutput
 };
 
 /// False for an output without a pose of the wheelset: an input that was rejected before the evaluation, or without a
-/// height. Its height z is exactly 0.
+/// height (the height z is exactly 0).
 bool hasPose(const ContactOutput& output);
 
 /// Evaluates inputs, for the live node and for the replay. Not thread-safe.

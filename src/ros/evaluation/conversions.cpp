@@ -76,6 +76,12 @@ core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose)
           std::asin(std::clamp(axle.z(), -1.0, 1.0))};
 }
 
+bool hasPose(const geometry_msgs::Pose& pose)
+{
+  const auto& o = pose.orientation;
+  return o.x != 0 || o.y != 0 || o.z != 0 || o.w != 0;
+}
+
 geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x)
 {
   geometry_msgs::Pose message;
@@ -85,6 +91,17 @@ geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x)
   message.orientation = toMessage(Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) *
                                   Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX()));
   return message;
+}
+
+core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose)
+{
+  if (!hasPose(pose))
+  {
+    return {};
+  }
+  const auto& p = pose.position;
+  const auto& o = pose.orientation;
+  return toWheelsetPose(Eigen::Translation3d(p.x, p.y, p.z) * Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized());
 }
 
 geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x)
@@ -301,10 +318,7 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   core::WheelsetResult result;
   result.status = statusFromMessage(message.status);
   result.reason = message.status_text;
-  const auto& p = message.wheelset.position;
-  const auto& o = message.wheelset.orientation;
-  const core::WheelsetPose pose =
-      toWheelsetPose(Eigen::Translation3d(p.x, p.y, p.z) * Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized());
+  const core::WheelsetPose pose = wheelsetPoseFromMessage(message.wheelset);
   result.y = pose.y;
   result.z = pose.z;
   result.yaw = pose.yaw;
@@ -315,7 +329,7 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
   for (const ContactPatch& patch : message.patches)
   {
-    result.patches.push_back(fromMessage(patch, p.x));
+    result.patches.push_back(fromMessage(patch, message.wheelset.position.x));
   }
   return result;
 }

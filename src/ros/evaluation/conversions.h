@@ -27,8 +27,12 @@ bool isUsable(std::uint8_t status);
 /// the axle matters: roll = asin(az), yaw = atan2(-ax, ay). For the orientation Rz(yaw) Rx(roll) Ry(rotation about the
 /// axle) these are the fixed-axis angles.
 core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
+/// True if a message has a pose. Without one, all its numbers are zero, also those of the quaternion.
+bool hasPose(const geometry_msgs::Pose& pose);
 /// Pose of the axle centre in the track frame, with the orientation Rz(yaw) Rx(roll).
 geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x);
+/// Wheelset pose of a message; zero without a pose (hasPose()).
+core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose);
 
 /// Pose of a patch frame in the track frame.
 geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x);

@@ -8,13 +8,13 @@ import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
 from ..command import Failure
-from ..message_constants import STATUSES, USABLE
+from ..message_constants import USABLE
 
 
 @dataclass
 class Results:
     """SI units, track axes. Histories have one value per result, patches one value per patch of a usable result. The pose of an
-    input that was rejected before the evaluation is not known: its y and yaw are NaN."""
+    input that was rejected before the evaluation is not known, unless it is held: its y and yaw are NaN."""
     stamp: np.ndarray = None
     status: np.ndarray = None
     x: np.ndarray = None
@@ -39,7 +39,6 @@ FAR_BELOW = -0.1  # [m] height below all pictures
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
                 "semi_axis_along", "semi_axis_across", "rolling_radius", "wheel_s", "rail_s")
 OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
-REJECTED = (STATUSES.index("INVALID_INPUT"), STATUSES.index("NO_TRANSFORM"))  # may have been rejected before the evaluation
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "given_lateral", "given_vertical")
 WHEEL_FIELDS = ("lateral_force", "vertical_force")
 
@@ -91,12 +90,13 @@ def _sections(text):
 
 
 def _collect(stream):
-    histories, rails, wheels, patches, names = [], [], [], [], []
+    histories, rails, wheels, patches, names, has_pose = [], [], [], [], [], []
     results = Results()
     for index, message in enumerate(stream):
         p, q = message.wheelset.position, message.wheelset.orientation
         histories.append((message.header.stamp.to_sec(), message.status, p.x, p.y, p.z, 2 * np.arctan2(q.x, q.w),
                           2 * np.arctan2(q.z, q.w), message.distance, message.held))
+        has_pose.append(any((q.x, q.y, q.z, q.w)))
         rails.append([[getattr(rail, name) for name in RAIL_FIELDS] for rail in (message.left_rail, message.right_rail)])
         wheels.append([[getattr(wheel, name) for name in WHEEL_FIELDS] for wheel in (message.left_wheel, message.right_wheel)])
         if message.status not in USABLE or message.status_text:
@@ -114,7 +114,7 @@ def _collect(stream):
     results.rail, results.wheel = np.array(rails, float), np.array(wheels, float)
     for forces in (results.rail, results.wheel):
         forces[~np.isin(results.status, USABLE)] = np.nan
-    unknown = np.isin(results.status, REJECTED) & ~np.any([results.x, results.y, results.z, results.roll, results.yaw], axis=0)
+    unknown = ~np.array(has_pose)
     results.y[unknown] = results.yaw[unknown] = np.nan
     table = np.array(patches, float).reshape(-1, 4 + len(PATCH_FIELDS)).T
     results.patches = dict(zip(("result", "side", "y", "z", *PATCH_FIELDS), table))
