@@ -188,9 +188,17 @@ void ContactServer::evaluate(const ContactInput& input)
   const ContactOutput output = evaluator_.evaluate(prepare(input));
   const double solve_time = (ros::WallTime::now() - start).toSec();
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
-  const bool with_grids = wants_message || config_.hold_last > 0;
-  const auto message = boost::make_shared<WheelsetContact>(toMessage(output, with_grids, solve_time));
-  hold_.apply(message);
+  const bool wants_markers = marker_publisher_.getNumSubscribers() > 0;
+  boost::shared_ptr<WheelsetContact> message;
+  if (wants_message || hold_.holds() || (wants_markers && !output.result))
+  {
+    message = boost::make_shared<WheelsetContact>(toMessage(output, true, solve_time));
+    hold_.apply(message);
+  }
+  else
+  {
+    hold_.follow(output.header.stamp, output.status, output.pose());
+  }
   if (wants_message)
   {
     contact_publisher_.publish(*message);
@@ -202,11 +210,11 @@ void ContactServer::evaluate(const ContactInput& input)
       return;  // the result is not published any more
     }
     statistics_.count(output, solve_time);
-    statistics_.held += message->held ? 1U : 0U;
-    statistics_.messages_built += wants_message ? 1U : 0U;
+    statistics_.held += message && message->held ? 1U : 0U;
+    statistics_.messages_built += message ? 1U : 0U;
   }
   warn(output.beyond_linear_range);
-  if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
+  if (wants_markers && pictureIsDue())
   {
     publishMarkers(output.result ? output : outputFromMessage(*message, held_result_));
   }
