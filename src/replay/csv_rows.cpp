@@ -17,7 +17,8 @@ namespace
 {
 /// Column names with units: first the columns of the result, then those of the patch.
 constexpr const char* header =
-    "result [-],wheelset,stamp [s],status,reason,held [-],x [m],y [m],z [m],roll [rad],yaw [rad],distance [m],"
+    "result [-],wheelset,stamp [s],status,reason,held [-],implausible_force [-],x [m],y [m],z [m],roll [rad],yaw "
+    "[rad],distance [m],"
     "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
     "left_given_lateral [m],left_given_vertical [m],left_given_roll [rad],"
     "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
@@ -92,9 +93,10 @@ std::string csvRows(const WheelsetContact& result, std::uint64_t number, const s
   const auto& position = result.wheelset.position;
   const std::string start =
       std::to_string(number) + "," + wheelset + "," + stamp(result.header.stamp) + "," + statusName(result.status) +
-      "," + quoted(result.status_text) + (result.held ? ",1," : ",0,") + cell(position.x) + cell(position.y) +
-      cell(position.z) + angles(result.wheelset.orientation) + cell(result.distance) + cells(result.left_rail) +
-      cells(result.right_rail) + cells(result.left_wheel) + cells(result.right_wheel) + cells(result.rail_wrench);
+      "," + quoted(result.status_text) + (result.held ? ",1," : ",0,") + (result.implausible_force ? "1," : "0,") +
+      cell(position.x) + cell(position.y) + cell(position.z) + angles(result.wheelset.orientation) +
+      cell(result.distance) + cells(result.left_rail) + cells(result.right_rail) + cells(result.left_wheel) +
+      cells(result.right_wheel) + cells(result.rail_wrench);
   if (result.patches.empty())
   {
     return start + no_patch + "\n";

@@ -41,6 +41,15 @@ class Bounds(unittest.TestCase):
     def test_nan_violates_every_bound(self):
         self.assertIn("area", violations({"bounds": {"area": {"max": 1}}}, [result(area=float("nan"))]))
 
+    def test_implausible_force_is_a_violation_unless_it_is_allowed(self):
+        flagged = result(max_pressure=1e9)
+        flagged.implausible_force, flagged.status_text = True, "the left wheel carries 18 MN"
+        self.assertEqual(violations({}, [result(max_pressure=1e9)]), {})
+        self.assertEqual(violations({}, [flagged])["implausible_forces"],
+                         "1 results with an implausible contact force, 0 allowed; the first at 1.000 s: OK: the left wheel "
+                         "carries 18 MN")
+        self.assertEqual(violations({"implausible_forces": 1}, [flagged]), {})
+
     def test_flange_contact_is_detected_by_its_angle(self):
         steep = [result(contact_angle=0.7)]
         self.assertEqual(violations({}, steep), {})

@@ -106,6 +106,7 @@ class WholeBags(ReplayCase):
         self.assertEqual(len(rows), len(patches))
         for row, (result, patch) in zip(rows, patches):
             self.assertEqual(row["side"], ("left", "right")[patch.side])
+            self.assertEqual((row["held [-]"], row["implausible_force [-]"]), ("0", "0"))
             for column, value in (("y [m]", result.wheelset.position.y), ("area [m^2]", patch.area),
                                   ("z [m]", result.wheelset.position.z), ("normal_force [N]", patch.normal_force),
                                   ("max_pressure [Pa]", patch.max_pressure),

@@ -125,6 +125,30 @@ TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
   EXPECT_EQ(valueOf(report, "results that lack a neighbour's forces"), "1");
 }
 
+TEST(ContactStatistics, ServiceResultsWithoutTheForcesOfANeighbourAreCounted)
+{
+  ContactStatistics now;
+  now.services.lacking_neighbour = 3;
+  EXPECT_EQ(valueOf(reportOf(now, {}), "service results that lack a neighbour's forces"), "3");
+}
+
+TEST(ContactStatistics, ImplausibleWheelForceWarnsWithItsReason)
+{
+  ContactStatistics now;
+  core::WheelsetResult result;
+  ContactOutput output = resultWith(WheelsetContact::OK, "");
+  output.result = &result;
+  now.count(output, 0.001);
+  EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::OK);
+  result.implausible_force = true;
+  output.reason = "the left wheel carries 18 MN";
+  now.count(output, 0.001);
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(report.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(report.message, "1 of 2 results with an implausible wheel force: the left wheel carries 18 MN");
+  EXPECT_EQ(valueOf(report, "results with an implausible wheel force"), "1");
+}
+
 TEST(ContactStatistics, RailBeyondTheRangeOfItsTableWarns)
 {
   ContactStatistics now;

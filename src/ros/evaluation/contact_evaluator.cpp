@@ -70,6 +70,10 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   output.reason = result.reason;
   output.state = input.state;
   output.lacks_neighbour = input.lacks_neighbour;
+  if (output.lacks_neighbour)
+  {
+    output.reason = sentences(output.reason, "forces of a neighbour are unknown, and taken as zero");
+  }
   if (isUsable(result.status))
   {
     output.result = &result;

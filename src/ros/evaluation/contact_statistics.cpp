@@ -16,7 +16,7 @@ constexpr std::array<const char*, ContactStatistics::statuses> status_names{
     "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
 constexpr std::array<const char*, PairingCounts::reasons> drop_names{
     "no message with a matching stamp",
-    "load to interpolate with the stamp of the load before it",
+    "second load with the same stamp (sync/load: interpolate)",
     "time went back",
     "queue full while waiting for a match",
     "stamp 0, which means that the stamp is unknown",
@@ -49,6 +49,11 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
   {
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results not usable: %s", unusable, evaluated,
                     now.last_reason.c_str());
+  }
+  else if (now.implausible_force > before.implausible_force)
+  {
+    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results with an implausible wheel force: %s",
+                    now.implausible_force - before.implausible_force, evaluated, now.last_reason.c_str());
   }
   else if (unstamped > 0)
   {
@@ -115,6 +120,7 @@ void ContactStatistics::count(const ContactOutput& output, double solve_time)
     last_beyond_linear_range = output.beyond_linear_range;
   }
   above_tolerance += output.result && output.result->above_tolerance ? 1U : 0U;
+  implausible_force += output.result && output.result->implausible_force ? 1U : 0U;
   lacking_neighbour += output.lacks_neighbour ? 1U : 0U;
   solve_time_sum += solve_time;
   solve_time_max = std::max(solve_time_max, solve_time);
@@ -165,10 +171,12 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   report.add("results beyond the table's linear range", now.beyond_linear_range);
   report.add("last result beyond the table's linear range", now.last_beyond_linear_range);
   report.add("results with an error estimate above contact/tolerance", now.above_tolerance);
+  report.add("results with an implausible wheel force", now.implausible_force);
   report.add("results that lack a neighbour's forces", now.lacking_neighbour);
   report.add("service results ~evaluate", now.services.evaluate);
   report.add("service results ~static_start", now.services.static_start);
   report.add("service results that are not usable", now.services.unusable);
+  report.add("service results that lack a neighbour's forces", now.services.lacking_neighbour);
   report.add("service requests failed: internal error", now.services.failed);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);

@@ -30,8 +30,11 @@ struct ContactStatistics
   std::uint64_t internal_errors = 0;      ///< inputs whose evaluation threw an exception: a fault of the program
   std::uint64_t beyond_linear_range = 0;  ///< results with |Y|/Q beyond the range of the compliance table
   std::uint64_t above_tolerance = 0;      ///< usable results with an error estimate above contact/tolerance
+  std::uint64_t implausible_force = 0;    ///< usable results with a wheel force beyond the plausible bound
   std::uint64_t lacking_neighbour = 0;    ///< results without the forces of a neighbour
-  std::uint64_t messages_built = 0;       ///< result messages, built only for subscribers
+  /// Result messages that were built: for subscribers, for held results (all if contact/hold_last > 0), or to draw a
+  /// result that is not usable.
+  std::uint64_t messages_built = 0;
   std::uint64_t marker_arrays_built = 0;  ///< marker arrays, built only for subscribers
   ServiceCounts services;                 ///< requests, which none of the other members contains
   double solve_time_sum = 0;              ///< of all results [s]
@@ -54,8 +57,8 @@ struct ContactStatistics
 /// Fills a diagnostic report on the time since the last report.
 ///
 /// ERROR: an internal error, or results of which none is usable. WARN: unusable results, dropped inputs or messages,
-/// messages but no results, unknown forces of a neighbour, a rail beyond the range of its table, or an error estimate
-/// above the tolerance. OK: otherwise.
+/// messages but no results, an implausible wheel force, unknown forces of a neighbour, a rail beyond the range of its
+/// table, or an error estimate above the tolerance. OK: otherwise.
 /// @param before statistics at the last report
 void diagnose(const ContactStatistics& now, const ContactStatistics& before,
               diagnostic_updater::DiagnosticStatusWrapper& report);

@@ -101,6 +101,11 @@ WheelsetContact ContactServices::resultOf(const EvaluateWheelset::Request& reque
   PreparedInput prepared = chain.preparation.prepare(input, transforms_);
   apply(neighbours_(prepared.stamp), prepared);
   const ContactOutput output = chain.evaluator.evaluate(prepared);
+  if (output.lacks_neighbour)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++counts_.lacking_neighbour;
+  }
   return toMessage(output, true, (ros::WallTime::now() - start).toSec());
 }
 

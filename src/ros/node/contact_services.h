@@ -63,6 +63,7 @@ class ContactServices
 
   bool evaluate(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
   bool startStatic(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
+  /// Result of a request. Counts it if it lacks the forces of a neighbour.
   WheelsetContact resultOf(const EvaluateWheelset::Request& request, Chain& chain);
   void fail(const std::exception& error);
   void count(std::uint64_t ServiceCounts::*requests, const WheelsetContact& result);

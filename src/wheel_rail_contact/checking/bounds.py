@@ -64,6 +64,7 @@ class Limits:
     results: int = 1              # minimum number of results
     refusals: int = 0             # maximum number of results that are not usable
     lift_offs: int = 0            # maximum number of results in which a wheel carries no load
+    implausible_forces: int = 0   # maximum number of usable results with an implausible contact force (implausible_force)
     flange_contact: bool = True   # False: a contact angle of flange_angle or more, of either sign, is a violation
     flange_angle: float = 0.7     # contact angle from which a patch counts as flange contact [rad]
     patience: float = 60.0        # maximum wall time until the first result [s]
@@ -71,8 +72,8 @@ class Limits:
     bounds: dict = field(default_factory=dict)  # name in QUANTITIES -> (min, max)
 
 
-PARSERS = {"results": whole_number, "refusals": whole_number, "lift_offs": whole_number, "flange_contact": yes_or_no,
-           "flange_angle": number, "patience": seconds, "idle": seconds}
+PARSERS = {"results": whole_number, "refusals": whole_number, "lift_offs": whole_number, "implausible_forces": whole_number,
+           "flange_contact": yes_or_no, "flange_angle": number, "patience": seconds, "idle": seconds}
 
 
 def read_limits(parameters):
@@ -110,7 +111,7 @@ def _read_bounds(groups):
 def check_names(limits):
     """Names of the checks. Each one is a test of the rostest."""
     flange = [] if limits.flange_contact else ["flange_contact"]
-    return ["results", "refusals", "lift_offs", *flange, *limits.bounds]
+    return ["results", "refusals", "lift_offs", "implausible_forces", *flange, *limits.bounds]
 
 
 def violation(check, limits, results):
@@ -122,6 +123,9 @@ def violation(check, limits, results):
     if check == "lift_offs":
         return _too_many("with a wheel that carries no load", limits.lift_offs,
                          [r for r in results if STATUSES[r.status] == "LIFT_OFF"])
+    if check == "implausible_forces":
+        return _too_many("with an implausible contact force", limits.implausible_forces,
+                         [r for r in results if r.status in USABLE and r.implausible_force])
     if check == "flange_contact":
         return _outside("contact_angle", lambda angle: abs(angle) < limits.flange_angle, -limits.flange_angle,
                         limits.flange_angle, results, "flange contact: ")

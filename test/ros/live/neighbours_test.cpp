@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <ros/package.h>
 
+#include <wheel_rail_contact/EvaluateWheelset.h>
 #include "contact_client.h"
 #include "ros/evaluation/conversions.h"
 #include "ros/parameters/compliance_table_file.h"
@@ -104,4 +105,30 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetDeflectTheRailsAsInTheTable)
   expectSameRails(requestBehind(1e-3, front->header.stamp + ros::Duration(1.5)), alone_result_);
   EXPECT_EQ(std::stoi(nextReport("/behind/contact_node").values[lacking]), lacked + 1);
   EXPECT_EQ(nextReport("/alone/contact_node").values[lacking], "0");
+}
+
+TEST_F(LiveNeighbours, ServiceResultsWithoutTheirForcesHaveAWarningAndAreCounted)
+{
+  ASSERT_TRUE(front_.request(1e-3));
+  const std::string lacking = "service results that lack a neighbour's forces";
+  const std::string warning = "forces of a neighbour are unknown, and taken as zero";
+  const int before = std::stoi(nextReport("/behind/contact_node").values[lacking]);
+  const auto text_at = [](const ros::Time& stamp, const std::string& service)
+  {
+    EvaluateWheelset call;
+    call.request.pose = ContactClient::pose(1e-3, stamp);
+    call.request.load = ContactClient::load(-200e3, stamp);
+    EXPECT_TRUE(ros::service::call("/behind/contact_node/" + service, call));
+    EXPECT_EQ(call.response.contact.status, WheelsetContact::OK);
+    return call.response.contact.status_text;
+  };
+  const ros::Time stamp = ContactClient::nextStamp();
+  // The result of the neighbour may reach the node later than this program.
+  EXPECT_TRUE(spinUntil([&] { return text_at(stamp, "evaluate").empty(); }, 10));
+  const int late = std::stoi(nextReport("/behind/contact_node").values[lacking]);
+  EXPECT_EQ(text_at(ros::Time(), "evaluate"), warning) << "the time is unknown";
+  EXPECT_EQ(text_at(ros::Time(), "static_start"), warning);
+  EXPECT_EQ(text_at(stamp, "static_start"), "");
+  EXPECT_GE(late, before);
+  EXPECT_EQ(std::stoi(nextReport("/behind/contact_node").values[lacking]), late + 2);
 }
