@@ -12,6 +12,7 @@
 
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/evaluation/conversions.h"
+#include "ros/evaluation/text.h"
 #include "ros/parameters/file_names.h"
 #include "ros/parameters/parameters.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
@@ -65,16 +66,43 @@ void print(const core::WheelsetResult& result)
   }
 }
 
-int run(const std::vector<std::string>& arguments)
+/// Inputs of a node with this configuration that the command does not have, one text each.
+std::vector<std::string> missingInputs(const NodeConfig& config, const core::WheelsetState& state)
 {
-  NodeConfig config = readConfig(arguments);
-  for (const std::string& note : config.notes)
+  std::vector<std::string> texts;
+  if (!config.neighbours.empty())
+  {
+    texts.emplace_back("rail_bending/neighbours: the forces of the neighbours are unknown, and taken as zero");
+  }
+  if (config.displacement_topic)
+  {
+    texts.emplace_back("track/displacement = topic: the displacements of the rails are unknown, and taken as zero");
+  }
+  if (config.distance_topic)
+  {
+    texts.push_back(
+        formatted("track/distance = topic: the place on the line is that of --distance, %g m", state.distance));
+  }
+  return texts;
+}
+
+void printNotes(const std::vector<std::string>& notes)
+{
+  for (const std::string& note : notes)
   {
     std::cerr << "static_start: " << note << '\n';
   }
+}
+
+int run(const std::vector<std::string>& arguments)
+{
+  NodeConfig config = readConfig(arguments);
+  const core::WheelsetState state = readState(arguments);
+  printNotes(config.notes);
+  printNotes(missingInputs(config, state));
   config.model.wheelset.solve_height_and_roll = true;
   core::WheelsetContact contact(config.model);
-  const core::WheelsetResult& result = contact.evaluate(readState(arguments));
+  const core::WheelsetResult& result = contact.evaluate(state);
   print(result);
   return isUsable(result.status) ? 0 : not_usable;
 }

@@ -37,11 +37,13 @@ def _parser():
                         help="vertical force on the axle, with the weight of the wheelset, down positive [N]")
     parser.add_argument("--torque", type=float, default=0.0, metavar="NM",
                         help="moment on the axle centre about the x axis [N m]; a positive one unloads the left wheel")
-    parser.add_argument("--y", type=float, default=0.0, metavar="M", help="lateral position of the axle centre, left positive [m]")
+    parser.add_argument("--y", type=float, default=0.0, metavar="M",
+                        help="lateral position of the axle centre, left positive [m]")
     parser.add_argument("--yaw", type=float, default=0.0, metavar="RAD",
                         help="yaw about the z axis, positive when the left wheel is behind [rad]")
     parser.add_argument("--distance", type=float, default=0.0, metavar="M", help="place on the line [m]")
     for side in ("left", "right"):
         parser.add_argument(f"--{side}-force", type=float, default=0.0, metavar="N",
-                            help=f"lateral force on the {side} rail, outward positive, for rail_bending/lateral_force: topic [N]")
+                            help=f"lateral force on the {side} rail, outward positive, for rail_bending/lateral_force: "
+                            "topic [N]")
     return parser
