@@ -41,6 +41,24 @@ EvaluateWheelset::Request stateAt(int step)
   return state;
 }
 
+/// Wall time of an evaluation in the node [s].
+/// @throw std::runtime_error if the result is not usable, or not that of the state.
+double evaluationTime(const WheelsetContact& result, const EvaluateWheelset::Request& state)
+{
+  if (result.header.stamp != state.pose.header.stamp)
+  {
+    throw std::runtime_error("stamp of the result = " + std::to_string(result.header.stamp.toSec()) +
+                             " s: must be that of the state, " + std::to_string(state.pose.header.stamp.toSec()) +
+                             " s. Is there another publisher on the topics?");
+  }
+  if (result.status != WheelsetContact::OK && result.status != WheelsetContact::LIFT_OFF)
+  {
+    throw std::runtime_error("status of the result = " + std::to_string(result.status) +
+                             ": must be usable; reason: " + result.status_text);
+  }
+  return result.solve_time;
+}
+
 /// Client of the topics of a node.
 class TopicClient
 {
@@ -56,14 +74,14 @@ class TopicClient
     ros::WallDuration(0.5).sleep();  // the node completes the connection a moment later
   }
 
-  /// Sends a state and waits for its result. @return wall time of the evaluation in the node [s]
+  /// Sends a state and waits for its result. @return evaluationTime()
   double request(const EvaluateWheelset::Request& state)
   {
     result_.reset();
     pose_.publish(state.pose);
     load_.publish(state.load);
     waitUntil([this] { return result_ != nullptr; });
-    return result_->solve_time;
+    return evaluationTime(*result_, state);
   }
 
  private:
@@ -96,7 +114,7 @@ class ServiceClient
   {
   }
 
-  /// Sends a state and waits for its result. @return wall time of the evaluation in the node [s]
+  /// Sends a state and waits for its result. @return evaluationTime()
   double request(const EvaluateWheelset::Request& state)
   {
     EvaluateWheelset call;
@@ -105,7 +123,7 @@ class ServiceClient
     {
       throw std::runtime_error("no result from the service " + evaluate_.getService());
     }
-    return call.response.contact.solve_time;
+    return evaluationTime(call.response.contact, state);
   }
 
  private:
