@@ -6,47 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "pairing_helpers.h"
+
 using namespace wheel_rail_contact;
-
-namespace
-{
-/// Each sample is its own stamp [ms].
-using Pairing = StampPairing<int>;
-using Sets = std::vector<std::vector<int>>;
-
-constexpr std::size_t large_capacity = 1000;
-
-ros::Time at(int milliseconds)
-{
-  return ros::Time().fromNSec(static_cast<std::uint64_t>(milliseconds) * 1000000);
-}
-
-void add(Pairing& pairing, std::size_t channel, int milliseconds, Sets& sets)
-{
-  for (const auto& set : pairing.add(channel, at(milliseconds), milliseconds))
-  {
-    sets.push_back(set);
-  }
-}
-
-std::uint64_t dropped(const Pairing& pairing, DropReason reason)
-{
-  return pairing.counts()[reason];
-}
-
-void expectNothingLost(const Pairing& pairing)
-{
-  const PairingCounts& counts = pairing.counts();
-  EXPECT_EQ(counts.received, counts.paired + counts.waiting +
-                                 std::accumulate(counts.dropped.begin(), counts.dropped.end(), std::uint64_t{0}));
-}
-}  // namespace
 
 TEST(StampPairing, EqualStampsArePairedInOrder)
 {
@@ -178,81 +144,6 @@ TEST(StampPairing, SetsDoNotDependOnTheOrderOfArrival)
     ASSERT_EQ(sets, first);
   }
   EXPECT_GT(first.size(), 50U);
-}
-
-TEST(StampPairing, RepeatedStampFormsAnotherSet)
-{
-  Pairing pairing(2, 0, large_capacity);
-  Sets sets;
-  for (int evaluation = 0; evaluation < 3; ++evaluation)
-  {
-    add(pairing, 0, 1, sets);
-    add(pairing, 1, 1, sets);
-    EXPECT_EQ(sets.size(), 1U + static_cast<std::size_t>(evaluation));
-    EXPECT_TRUE(pairing.isSettled());
-  }
-  EXPECT_EQ(pairing.counts().paired, 6U);
-  expectNothingLost(pairing);
-}
-
-TEST(StampPairing, SamplesOfARepeatedStampAreMatchedInTheirOrder)
-{
-  StampPairing<std::string> pairing(2, 0, large_capacity);
-  std::vector<std::vector<std::string>> sets;
-  const std::vector<std::pair<std::size_t, std::string>> arrivals{
-      {0, "pose 1"}, {0, "pose 2"}, {1, "load 1"}, {1, "load 2"}};
-  for (const auto& [channel, name] : arrivals)
-  {
-    for (const auto& set : pairing.add(channel, at(1), name))
-    {
-      sets.push_back(set);
-    }
-  }
-  EXPECT_EQ(sets, (std::vector<std::vector<std::string>>{{"pose 1", "load 1"}, {"pose 2", "load 2"}}));
-}
-
-TEST(StampPairing, RepeatedSampleOfOneChannelDoesNotShiftLaterSets)
-{
-  // The slop is above the sampling interval, so that the stamps alone permit a shift.
-  Pairing pairing(2, 0.0015, large_capacity);
-  Sets sets;
-  for (const int t : {1, 2, 2, 3, 4})
-  {
-    add(pairing, 1, t, sets);
-  }
-  for (const int t : {1, 2, 3, 4})
-  {
-    add(pairing, 0, t, sets);
-  }
-  EXPECT_EQ(sets, (Sets{{1, 1}, {2, 2}, {3, 3}, {4, 4}}));
-  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U);
-  expectNothingLost(pairing);
-}
-
-TEST(StampPairing, RepeatedStampsArePairedWithinTheSlop)
-{
-  Pairing pairing(2, 0.003, large_capacity);
-  Sets sets;
-  for (const int t : {100, 100, 110, 110})
-  {
-    add(pairing, 0, t, sets);
-    add(pairing, 1, t + 2, sets);
-  }
-  EXPECT_EQ(sets, (Sets{{100, 102}, {100, 102}, {110, 112}, {110, 112}}));
-  expectNothingLost(pairing);
-}
-
-TEST(StampPairing, SampleAtTheStampToWhichAnotherChannelWentBackIsNotARepetition)
-{
-  Pairing pairing(2, 0, large_capacity);
-  Sets sets;
-  add(pairing, 0, 10, sets);
-  add(pairing, 1, 10, sets);
-  add(pairing, 0, 20, sets);
-  add(pairing, 0, 10, sets);  // time goes back to the last stamp of the other channel
-  add(pairing, 1, 10, sets);
-  EXPECT_EQ(sets, (Sets{{10, 10}, {10, 10}}));
-  expectNothingLost(pairing);
 }
 
 TEST(StampPairing, FullQueueKeepsTheNewest)
