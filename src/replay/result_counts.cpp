@@ -40,6 +40,7 @@ std::uint8_t addResult(std::string_view data, ResultCounts& counts)
              });
   return status;
 }
+
 void keepLast(std::uint8_t status, std::string data, RecordedResults& last)
 {
   if (isUsable(status))

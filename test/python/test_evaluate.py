@@ -139,7 +139,8 @@ class ResultIsAValue(unittest.TestCase):
         self.assertRegex(repr(result), r"^<WheelsetResult OK: y 0\.000 mm, z \d+\.\d+ mm, .* 2 patches, \d+ MPa>$")
         self.assertRegex(repr(result.patches[0]), r"^<PatchResult left: \d+ MPa, 10\d\.\d+ kN, \d+\.\d mm², \d\.\d+°>$")
         self.assertEqual(repr(WheelsetContact()), "<WheelsetContact: wheels S1002, rails 60E1, method auto>")
-        for value in (result.left_wheel, result.right_rail, result.left_rail.deflection, result.rail_wrench, result.patches[0].pose):
+        for value in (result.left_wheel, result.right_rail, result.left_rail.deflection, result.rail_wrench,
+                      result.patches[0].pose):
             self.assertRegex(repr(value), rf"^<{type(value).__name__}: [^<>]*>$")
 
 

@@ -19,6 +19,7 @@ class Example(unittest.TestCase):
         self.assertIn("2106 states in", run.stdout)
 
     def test_an_unknown_option_is_refused(self):
-        run = subprocess.run([sys.executable, EXAMPLE, "--output", "x"], stderr=subprocess.PIPE, universal_newlines=True, check=False)
+        run = subprocess.run([sys.executable, EXAMPLE, "--output", "x"], stderr=subprocess.PIPE, universal_newlines=True,
+                             check=False)
         self.assertEqual(run.returncode, 2)
         self.assertIn("unrecognized arguments: --output", run.stderr)

@@ -19,7 +19,8 @@ class ToArray(unittest.TestCase):
 
     def test_a_grid_without_its_values_is_refused(self):
         for grid in (PressureGrid(), PressureGrid(nx=2, ny=2, pressure=[1, 2, 3])):
-            with self.assertRaisesRegex(ValueError, f"has {len(grid.pressure)} values, but must have nx ny = {grid.nx * grid.ny}"):
+            message = f"has {len(grid.pressure)} values, but must have nx ny = {grid.nx * grid.ny}"
+            with self.assertRaisesRegex(ValueError, message):
                 to_array(grid)
 
 

@@ -87,7 +87,8 @@ class Commands(unittest.TestCase):
         config = self.config("run: {yaw: 0.02, speed: 60, duration: 2}\nwheelset: {mass: 20.0e+3}\n")
         status, _, error = run(PROGRAM, "--config", config)
         self.assertEqual(status, 1)
-        self.assertRegex(error, r"no usable contact in 21 successive steps, at \d.* mm: (a wheel is beside its rail|contact lies beyond)")
+        self.assertRegex(error, r"no usable contact in 21 successive steps, at \d.* mm: "
+                         r"(a wheel is beside its rail|contact lies beyond)")
 
     def test_pictures_are_drawn(self):
         from matplotlib import image

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double unit = 1e9;         ///< upper end of the scale, times a power of two [Pa]
 constexpr double least_upper = 1e6;  ///< smaller pressures do not make the scale smaller [Pa]
-const ros::Duration patience(2);     ///< a lower end must be sufficient for this time
+const ros::Duration fall_delay(2);   ///< a lower end must be sufficient for this time
 
 double smallestUpper(double highest)
 {
@@ -32,7 +32,7 @@ double PressureScale::update(const ros::Time& stamp, double highest)
   if (highest > 0)
   {
     const double wanted = smallestUpper(highest);
-    if (wanted >= upper_ || stamp - needed_ > patience)
+    if (wanted >= upper_ || stamp - needed_ > fall_delay)
     {
       upper_ = wanted;
       needed_ = stamp;

@@ -107,7 +107,8 @@ def _draw_refusals(axis, results, origin):
     refused = ~np.isin(results.status, USABLE) & np.isfinite(results.y)
     if not refused.any():
         return []
-    return axis.plot(results.stamp[refused] - origin, 1e3 * results.y[refused], ".", color=marks.REFUSED, label="y of a refusal")
+    return axis.plot(results.stamp[refused] - origin, 1e3 * results.y[refused], ".", color=marks.REFUSED,
+                     label="y of a refusal")
 
 
 def _line_entries(rows, other):

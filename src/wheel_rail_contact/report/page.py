@@ -13,7 +13,8 @@ MOST_LOOPS = 50  # largest number of loops that are listed
 
 STYLE = """body { font: 15px/1.45 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; margin: 0.6em 0 } td, th { padding: 0.2em 0.8em; border: 1px solid #ccc; text-align: right }
-td:first-child, th:first-child { text-align: left } img { max-width: 100% } pre { background: #f4f4f4; padding: 0.8em; overflow-x: auto }"""
+td:first-child, th:first-child { text-align: left } img { max-width: 100% }
+pre { background: #f4f4f4; padding: 0.8em; overflow-x: auto }"""
 
 
 def _table(head, rows):
