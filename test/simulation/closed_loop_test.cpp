@@ -5,23 +5,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
 
 #include "examples/simulate_wheelset/in_process_contact.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
+#include "simulation/sweep.h"
 #include "wheel_rail_contact/core/track_line.h"
 
 namespace simulate_wheelset
 {
 namespace
 {
-const double pi = std::acos(-1.0);
-constexpr double r0 = 0.46;         ///< rolling radius [m]
-constexpr double half_base = 0.75;  ///< of the running circles, with the default wheelset [m]
-
 std::unique_ptr<ContactSource> standardContact()
 {
   return std::make_unique<InProcessContact>(readContactParameters(""));
@@ -37,95 +33,14 @@ Parameters freeWheelset(double speed, double y)
   return p;
 }
 
-/// Contacts over the lateral displacement without yaw, from 0 to `last` [m], in steps of 0.05 mm. The profiles are
-/// mirror images, and so are the contacts at negative displacements.
-class Sweep
-{
- public:
-  explicit Sweep(double last)
-  {
-    const auto contact = standardContact();
-    ContactRequest request;
-    request.force_z = -Parameters().wheelset.axle_load;
-    for (request.y = 0; request.y <= last; request.y += step)
-    {
-      const ContactReply reply = contact->evaluate(request);
-      if (!reply.is_usable)
-      {
-        break;
-      }
-      add(reply);
-    }
-  }
-
-  /// Wavelength of the kinematic motion of an amplitude A.
-  ///
-  /// A wheelset that rolls without creepage obeys y' + r0 roll' = yaw and yaw' = -dr / (2 b r0), with the rolling
-  /// radius difference dr = r_left - r_right and derivatives along the track. Klingel (1883) neglects the roll, which
-  /// lengthens the wave by 1 % on the tread. With the equivalent conicity c and the slope s of the roll over y the
-  /// wavelength is L = 2 pi sqrt(b r0 (1 + r0 s) / c). Both are those of harmonic linearisation: c = 1 / (2 pi A) times
-  /// the integral over one period of dr(A sin t) sin t dt, and s = 1 / (pi A) times that of roll(A sin t) sin t dt.
-  double kinematicWavelength(double amplitude) const
-  {
-    const double conicity = 0.5 * harmonic(difference_, amplitude) / amplitude;
-    const double slope = harmonic(roll_, amplitude) / amplitude;
-    return 2 * pi * std::sqrt(half_base * r0 * (1 + r0 * slope) / conicity);
-  }
-
-  /// Smallest displacement with a contact steeper than `angle` [m].
-  double steepFrom(double angle) const
-  {
-    const auto place = std::find_if(angle_.begin(), angle_.end(), [&](double value) { return value > angle; });
-    return step * static_cast<double>(place - angle_.begin());
-  }
-
- private:
-  static constexpr double step = 5e-5;  ///< [m]
-
-  void add(const ContactReply& reply)
-  {
-    std::array<double, 2> force{}, moment{};
-    double angle = 0;
-    for (const ContactPoint& point : reply.points)
-    {
-      const std::size_t side = point.is_left ? 0 : 1;
-      force[side] += point.normal_force;
-      moment[side] += point.normal_force * point.rolling_radius;
-      angle = std::max(angle, point.angle);
-    }
-    difference_.push_back(moment[0] / force[0] - moment[1] / force[1]);
-    roll_.push_back(reply.roll);
-    angle_.push_back(angle);
-  }
-
-  /// Amplitude of the first harmonic of an odd function of y, for y = amplitude sin t.
-  static double harmonic(const std::vector<double>& values, double amplitude)
-  {
-    const int parts = 400;  // of a quarter of the period; the other three are equal
-    double sum = 0;
-    for (int i = 0; i < parts; ++i)
-    {
-      const double sine = std::sin(0.5 * pi * (i + 0.5) / parts);
-      const double place = std::min(amplitude * sine / step, static_cast<double>(values.size()) - 1.001);
-      const auto k = static_cast<std::size_t>(place);
-      sum += (values[k] + (place - static_cast<double>(k)) * (values[k + 1] - values[k])) * sine;
-    }
-    return 2 * sum / parts;
-  }
-
-  std::vector<double> difference_;  ///< of the rolling radii [m]
-  std::vector<double> roll_;        ///< [rad]
-  std::vector<double> angle_;       ///< largest contact angle [rad]
-};
-
 TEST(ClosedLoop, FreeWheelsetAtLowSpeedFollowsKlingel)
 {
   Parameters parameters = freeWheelset(2, 0.003);
   parameters.run.step = 2e-3;
   parameters.run.duration = 14;
-  WheelsetDynamics dynamics(parameters);
   const auto contact = standardContact();
-  const Sweep sweep(0.0032);
+  WheelsetDynamics dynamics(parameters, contact->rollingRadius());
+  const Sweep sweep(*standardContact(), 0.0032);
   // Half waves between zero crossings, with the amplitude of their extreme. The amplitude falls by a fifth per wave.
   std::vector<double> crossings, amplitudes;
   double extreme = 0, last = 0, roll = 0;
@@ -150,7 +65,9 @@ TEST(ClosedLoop, FreeWheelsetAtLowSpeedFollowsKlingel)
   for (std::size_t i = 1; i < crossings.size(); ++i)
   {
     const double kinematic = sweep.kinematicWavelength(amplitudes[i]);
-    EXPECT_NEAR(2 * (crossings[i] - crossings[i - 1]) / kinematic, 1, 0.02) << amplitudes[i];
+    // The amplitude falls by 9 % in a half wave, and with it the wavelength by 0.8 %: which amplitude within the half
+    // wave counts is open within this.
+    EXPECT_NEAR(2 * (crossings[i] - crossings[i - 1]) / kinematic, 1, 0.01) << amplitudes[i];
   }
 }
 
@@ -183,10 +100,10 @@ TEST(ClosedLoop, SoftGuidanceEndsInOneLimitCycleFromBothSides)
 
   // Amplitude: waves grow until the gauge corner carries load (the left contact turns steeper than the tread), and the
   // flange, which is steeper than 45 degrees, ends the growth.
-  const Sweep sweep(0.0068);
+  const Sweep sweep(*standardContact(), 0.0068);
   const double amplitude = growing.waves.largestY();
   EXPECT_GT(amplitude, sweep.steepFrom(0.2));
-  EXPECT_LT(amplitude, sweep.steepFrom(0.25 * pi));
+  EXPECT_LT(amplitude, sweep.steepFrom(std::atan(1.0)));
 
   // Wavelength: harmonic balance of m y'' + d1 y' + K1 y = V d1 psi and I psi'' + d2 psi' + K2 psi = -(V d2 / l^2) y.
   // Here l is the kinematic wavelength over 2 pi, and the dampings d1, d2 of the creep forces may have any size, as the

@@ -16,6 +16,7 @@ class Prescribed : public ContactSource
  public:
   explicit Prescribed(std::vector<bool> usable) : usable_(std::move(usable)) {}
 
+  double rollingRadius() const override { return 0.46; }
   ContactReply evaluate(const ContactRequest& /*request*/) override
   {
     ContactReply reply;

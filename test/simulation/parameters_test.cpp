@@ -11,6 +11,7 @@
 
 #include "examples/simulate_wheelset/in_process_contact.h"
 #include "examples/simulate_wheelset/options.h"
+#include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 namespace simulate_wheelset
 {
@@ -60,7 +61,6 @@ TEST_F(SimulationParameters, ShippedFileStatesTheDefaults)
   EXPECT_EQ(file.wheelset.mass, defaults.wheelset.mass);
   EXPECT_EQ(file.wheelset.yaw_inertia, defaults.wheelset.yaw_inertia);
   EXPECT_EQ(file.wheelset.spin_inertia, defaults.wheelset.spin_inertia);
-  EXPECT_EQ(file.wheelset.rolling_radius, defaults.wheelset.rolling_radius);
   EXPECT_EQ(file.wheelset.axle_load, defaults.wheelset.axle_load);
   EXPECT_EQ(file.suspension.half_spacing, defaults.suspension.half_spacing);
   EXPECT_EQ(file.suspension.longitudinal_stiffness, defaults.suspension.longitudinal_stiffness);
@@ -91,6 +91,13 @@ TEST_F(SimulationParameters, MistakesAreRefusedByName)
   EXPECT_TRUE(contains(refusal("suspension: {lateral_damping: -1}"), "suspension/lateral_damping = -1 must be"));
   EXPECT_TRUE(contains(refusal("creep: {poisson: 0.6}"), "must be from 0 to 0.5"));
   EXPECT_TRUE(contains(refusal("run: 3"), "group run must be a map"));
+  EXPECT_TRUE(contains(refusal("hello"), "the file must be a map of groups"));
+  EXPECT_TRUE(contains(refusal(""), "the file must be a map of groups"));
+  EXPECT_TRUE(contains(refusal("run: {held_steps: 2.5}"), "run/held_steps = 2.5 must be a whole number from 0 to"));
+  EXPECT_TRUE(
+      contains(refusal("run: {held_steps: 1.0e+10}"), "run/held_steps = 1e+10 must be a whole number from 0 to"));
+  EXPECT_TRUE(contains(refusal("run: {duration: 1.0e+9}"), "run/duration = 1e+09 must be at most"));
+  EXPECT_TRUE(contains(refusal("run: {step: 1.0e-9}"), "run/step = 1e-09 must be at least 1e-06 s"));
   EXPECT_TRUE(contains(refusal("run: {step: 20, duration: 10}"), "run/step"));
   EXPECT_TRUE(contains(refusal("run: [\n"), "file.yaml"));
   EXPECT_TRUE(contains(messageOf([] { readParameters("missing.yaml"); }), "missing.yaml"));
@@ -122,9 +129,37 @@ TEST_F(SimulationParameters, ContactParametersAreThoseOfTheNodeOrRefused)
   EXPECT_EQ(config.contact.tolerance, 0.02);
   EXPECT_EQ(config.wheel_profile.left->name(), "cone_1_20");
   EXPECT_EQ(config.rail_profile.right->name(), "60E2");
-  EXPECT_NE(messageOf([&] { readContactParameters(file("rail_bending: {model: none}\n")); })
-                .find("parameter rail_bending/model is not supported with --contact in_process"),
-            std::string::npos);
+}
+
+TEST_F(SimulationParameters, StepIsAWholeNumberOfNanoseconds)
+{
+  Parameters parameters;
+  parameters.run.step = 1.0 / 3000;
+  parameters.run.duration = 0.1;
+  EXPECT_EQ(parameters.run.stepNanoseconds(), 333333);
+  EXPECT_EQ(parameters.run.steps(), 301);  // 300 steps of 333333 ns end 100 ns before 0.1 s
+  const ContactReply nothing;
+  WheelsetDynamics dynamics(parameters, 0.46);
+  dynamics.advance(nothing);
+  // The rounding changes the step by 1e-6.
+  const double way = dynamics.motion().y - parameters.run.y;
+  EXPECT_NEAR(way / (333333e-9 * dynamics.motion().y_rate), 1, 1e-8);
+}
+
+TEST_F(SimulationParameters, MistakesInContactParametersAreRefusedByName)
+{
+  const auto refusal = [this](const std::string& text)
+  { return messageOf([&] { readContactParameters(file(text)); }).substr(file("").size() + 2); };
+  EXPECT_EQ(refusal("rail_bending: {model: none}"),
+            "parameter rail_bending/model is not supported with --contact in_process");
+  EXPECT_EQ(refusal("wheelset: {free: []}"), "parameter wheelset/free is not supported with --contact in_process");
+  EXPECT_EQ(refusal("wheelset: {balance: moments}"),
+            "parameter wheelset/balance is not supported with --contact in_process");
+  EXPECT_EQ(refusal("track: {gauge: wide}"), "parameter track/gauge = wide has the wrong type");
+  EXPECT_EQ(refusal("wheel: NOSUCH"), "group wheel must be a map of names and values");
+  EXPECT_EQ(refusal("track: 3"), "group track must be a map of names and values");
+  EXPECT_EQ(refusal("hello"), "the file must be a map of groups");
+  EXPECT_EQ(refusal(""), "the file must be a map of groups");
 }
 }  // namespace
 }  // namespace simulate_wheelset

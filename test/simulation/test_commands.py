@@ -12,8 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
+from wheel_rail_contact.command import Failure
 from wheel_rail_contact.csv_table import CsvTable
 from wheel_rail_contact.simulation.command_line import main
+from wheel_rail_contact.simulation.contact import open_contact, rolling_radius
+from wheel_rail_contact.simulation.parameters import read_parameters
 
 PROGRAM = os.environ["SIMULATE_WHEELSET"]
 PYTHON_LOOP = Path(__file__).resolve().parents[2] / "scripts" / "simulate_wheelset_python"
@@ -69,11 +72,41 @@ class Commands(unittest.TestCase):
         np.testing.assert_allclose(tables[1]["yaw"], tables[0]["yaw"], atol=1e-6)
         self.assertGreater(np.ptp(tables[0]["y"]), 3e-3)
 
+    def test_python_loop_and_program_refuse_parameters_with_one_text(self):
+        for text in ("run: {sped: 3}\n", "runs: {step: 3}\n", "run: {step: -0.001}\n", "run: {step: 20}\n",
+                     "run: {duration: 1.0e+9}\n", "run: {held_steps: 2.5}\n", "run: {speed: fast}\n", "run: {speed: true}\n",
+                     "run: {yaw: .nan}\n", "wheelset: {mass: 0}\n", "suspension: {lateral_damping: -1}\n",
+                     "creep: {poisson: 0.6}\n", "run: 3\n", "run:\n", "hello\n", ""):
+            path = self.config(text)
+            status, _, error = run(PROGRAM, "--config", path)
+            self.assertEqual(status, 1, text)
+            with self.assertRaises(Failure) as failure:
+                read_parameters(path)
+            self.assertEqual(error, f"simulate_wheelset: {failure.exception}\n", text)
+
+    def test_python_loop_refuses_files_that_are_no_yaml(self):
+        for content in (b"run: [\n", b"run: \xff\n"):
+            path = self.folder / "config.yaml"
+            path.write_bytes(content)
+            with self.assertRaisesRegex(Failure, "config.yaml: "):
+                read_parameters(path)
+
     @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
-    def test_python_loop_refuses_unknown_parameters(self):
-        status, _, error = run(PYTHON_LOOP, "--config", self.config("run: {sped: 3}\n"))
-        self.assertEqual(status, 1)
-        self.assertIn("parameter run/sped has an unknown name", error)
+    def test_python_loop_refuses_contact_parameters_that_it_is_not_written_for(self):
+        for text, message in (("wheelset: {balance: moments}\n", "wheelset/balance = moments must be wheel_loads"),
+                              ("wheelset: {free: []}\n", r"wheelset/free = \[\] must be \[z, roll\]"),
+                              ("track: {displacement: topic}\n", "rail_displacement is missing"),
+                              ("wheel: NOSUCH\n", "wheel"), ("hello\n", "config.yaml")):
+            with self.assertRaisesRegex(Failure, message):
+                open_contact(self.config(text))
+        status, out, error = run(PYTHON_LOOP, "--contact-config", self.config("wheelset: {balance: moments}\n"))
+        self.assertEqual((status, out), (1, ""))
+        self.assertRegex(error, "^simulate_wheelset_python: wheelset/balance = moments must be")
+
+    @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
+    def test_rolling_radius_of_the_python_loop_is_that_of_the_contact(self):
+        contact = open_contact(self.config("wheelset: {rolling_radius: 0.5}\nwheel: {left: {rolling_radius: 0.498}}\n"))
+        self.assertAlmostEqual(rolling_radius(contact), 0.499, delta=1e-12)
 
     def test_program_reports_mistakes_and_a_full_folder(self):
         for arguments, message in ((("--speed", "fast"), "--speed fast: must be a number"),
@@ -88,7 +121,7 @@ class Commands(unittest.TestCase):
         status, _, error = run(PROGRAM, "--config", config)
         self.assertEqual(status, 1)
         self.assertRegex(error, r"no usable contact in 21 successive steps, at \d.* mm: "
-                         r"(a wheel is beside its rail|contact lies beyond)")
+                                r"OFF_PROFILE: (a wheel is beside its rail|contact lies beyond)")
 
     def test_pictures_are_drawn(self):
         from matplotlib import image

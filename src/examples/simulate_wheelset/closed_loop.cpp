@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "examples/simulate_wheelset/held_contact.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
@@ -12,8 +11,6 @@ namespace simulate_wheelset
 {
 namespace
 {
-constexpr double friction_limit = 3;  ///< value of CreepForce::demand from which the force is constant
-
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point begin)
@@ -23,7 +20,7 @@ double secondsSince(Clock::time_point begin)
 
 void count(const ContactReply& contact, const RailForces& forces, RunSummary& summary)
 {
-  const auto is_saturated = [](const CreepForce& force) { return force.demand >= friction_limit; };
+  const auto is_saturated = [](const CreepForce& force) { return force.isSaturated(); };
   const auto is_outside = [](const ContactPoint& point)
   { return !KalkerTable::contains(point.semi_axis_along / point.semi_axis_across); };
   summary.saturated += std::any_of(forces.creep.begin(), forces.creep.end(), is_saturated) ? 1 : 0;
@@ -35,10 +32,10 @@ void count(const ContactReply& contact, const RailForces& forces, RunSummary& su
 RunSummary runClosedLoop(const Parameters& parameters, ContactSource& source, MotionTable* table)
 {
   RunSummary summary;
-  WheelsetDynamics dynamics(parameters);
+  WheelsetDynamics dynamics(parameters, source.rollingRadius());
   HeldContact held(source, static_cast<int>(parameters.run.held_steps));
-  const auto step = std::llround(1e9 * parameters.run.step);
-  const auto steps = static_cast<int>(std::ceil(parameters.run.duration / parameters.run.step - 1e-9));
+  const std::int64_t step = parameters.run.stepNanoseconds();
+  const int steps = parameters.run.steps();
   double roll = 0;
   for (int i = 0; i < steps; ++i)
   {

@@ -56,8 +56,16 @@ void set(const std::string& name, const YAML::Node& value, Config& config, std::
 
 void read(const YAML::Node& document, Config& config, std::string& line)
 {
+  if (!document.IsMap())
+  {
+    throw std::invalid_argument("the file must be a map of groups");
+  }
   for (const auto& group : document)
   {
+    if (!group.second.IsMap())
+    {
+      throw std::invalid_argument("group " + group.first.as<std::string>() + " must be a map of names and values");
+    }
     for (const auto& pair : group.second)
     {
       const std::string name = group.first.as<std::string>() + "/" + pair.first.as<std::string>();

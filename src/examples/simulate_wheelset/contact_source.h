@@ -35,13 +35,19 @@ struct ContactPoint
 struct ContactReply
 {
   bool is_usable = false;            ///< whether z, roll and contacts are valid
-  std::string status;                ///< status and its reason, in words
+  std::string status;                ///< name of the status, and its reason if there is one: "OFF_PROFILE: ..."
   double z = 0;                      ///< solved height of the axle centre, track frame [m]
   double roll = 0;                   ///< solved rotation about x, positive if the left wheel is raised [rad]
   std::vector<ContactPoint> points;  ///< left side first
 };
 
-/// A way to the contact calculation. The dynamics know no other.
+/// Text of ContactReply::status.
+inline std::string statusText(const std::string& name, const std::string& reason)
+{
+  return reason.empty() ? name : name + ": " + reason;
+}
+
+/// A way to the contact calculation: all that the dynamics use of it.
 class ContactSource
 {
  public:
@@ -49,6 +55,9 @@ class ContactSource
   ContactSource() = default;
   ContactSource(const ContactSource&) = delete;
   ContactSource& operator=(const ContactSource&) = delete;
+
+  /// Nominal rolling radius of the contact calculation, the mean of both wheels [m], > 0.
+  virtual double rollingRadius() const = 0;
 
   /// Contact in one state.
   /// @throw std::runtime_error if the calculation cannot be reached. A state without a usable result does not throw.

@@ -10,7 +10,7 @@ namespace
 /// Resultant over the friction limit, for its linear value `demand` over the limit (Vermeulen and Johnson 1964).
 double saturated(double demand)
 {
-  return demand < 3 ? demand * (1 - demand / 3 + demand * demand / 27) : 1;
+  return demand < CreepForce::saturation ? demand * (1 - demand / 3 + demand * demand / 27) : 1;
 }
 }  // namespace
 

@@ -21,7 +21,12 @@ struct CreepForce
   double along = 0;   ///< along x [N]
   double across = 0;  ///< along y [N]
   double moment = 0;  ///< about z, right-handed [N m]
-  double demand = 0;  ///< force of the linear theory over the friction limit [-]; saturated where it is 3 or more
+  double demand = 0;  ///< force of the linear theory over the friction limit [-]
+
+  /// Demand from which the force is the friction limit (Vermeulen and Johnson 1964).
+  static constexpr double saturation = 3;
+  /// Whether the force is the friction limit.
+  bool isSaturated() const { return demand >= saturation; }
 };
 
 /// Ellipse and normal force of a contact.

@@ -9,6 +9,29 @@ namespace core = wheel_rail_contact::core;
 
 namespace
 {
+/// Name of a status, as that of the messages.
+std::string nameOf(core::ContactStatus status)
+{
+  switch (status)
+  {
+    case core::ContactStatus::ok:
+      return "OK";
+    case core::ContactStatus::lift_off:
+      return "LIFT_OFF";
+    case core::ContactStatus::off_profile:
+      return "OFF_PROFILE";
+    case core::ContactStatus::not_converged:
+      return "NOT_CONVERGED";
+    case core::ContactStatus::too_deep:
+      return "TOO_DEEP";
+    case core::ContactStatus::outside_line:
+      return "OUTSIDE_LINE";
+    case core::ContactStatus::invalid_input:
+      break;
+  }
+  return "INVALID_INPUT";
+}
+
 ContactPoint pointOf(const core::PatchResult& patch, const core::WheelsetResult& result)
 {
   ContactPoint point;
@@ -23,7 +46,10 @@ ContactPoint pointOf(const core::PatchResult& patch, const core::WheelsetResult&
 }
 }  // namespace
 
-InProcessContact::InProcessContact(core::ContactModelConfig config) : contact_(std::move(config)) {}
+InProcessContact::InProcessContact(core::ContactModelConfig config)
+    : rolling_radius_(config.wheelset.meanRadius()), contact_(std::move(config))
+{
+}
 
 ContactReply InProcessContact::evaluate(const ContactRequest& request)
 {
@@ -36,7 +62,7 @@ ContactReply InProcessContact::evaluate(const ContactRequest& request)
   const core::WheelsetResult& result = contact_.evaluate(state);
   ContactReply reply;
   reply.is_usable = core::isUsable(result.status);
-  reply.status = result.reason;
+  reply.status = statusText(nameOf(result.status), result.reason);
   reply.z = result.z;
   reply.roll = result.roll;
   for (const core::PatchResult& patch : result.patches)

@@ -15,9 +15,11 @@ class InProcessContact : public ContactSource
   /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
   explicit InProcessContact(wheel_rail_contact::core::ContactModelConfig config);
 
+  double rollingRadius() const override { return rolling_radius_; }
   ContactReply evaluate(const ContactRequest& request) override;
 
  private:
+  const double rolling_radius_;  ///< [m]
   wheel_rail_contact::core::WheelsetContact contact_;
 };
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/simulate_wheelset/message_reply.h"
 
-#include <ros/names.h>
-#include <ros/param.h>
-
+#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <utility>
 
 namespace simulate_wheelset
 {
@@ -15,6 +13,26 @@ using wheel_rail_contact::ContactPatch;
 using wheel_rail_contact::WheelsetContact;
 
 constexpr std::int64_t first_stamp = 1'000'000'000'000;  ///< [ns]
+
+std::string nameOf(std::uint8_t status)
+{
+  const std::array<std::pair<std::uint8_t, const char*>, 8> names = {{{WheelsetContact::OK, "OK"},
+                                                                      {WheelsetContact::LIFT_OFF, "LIFT_OFF"},
+                                                                      {WheelsetContact::OFF_PROFILE, "OFF_PROFILE"},
+                                                                      {WheelsetContact::NOT_CONVERGED, "NOT_CONVERGED"},
+                                                                      {WheelsetContact::INVALID_INPUT, "INVALID_INPUT"},
+                                                                      {WheelsetContact::NO_TRANSFORM, "NO_TRANSFORM"},
+                                                                      {WheelsetContact::OUTSIDE_LINE, "OUTSIDE_LINE"},
+                                                                      {WheelsetContact::TOO_DEEP, "TOO_DEEP"}}};
+  for (const auto& [value, name] : names)
+  {
+    if (value == status)
+    {
+      return name;
+    }
+  }
+  return "status " + std::to_string(status);
+}
 
 /// Rotation about x of a pose that is rotated about x and z only [rad].
 double rollOf(const geometry_msgs::Quaternion& q)
@@ -69,7 +87,7 @@ ContactReply replyOf(const WheelsetContact& message)
 {
   ContactReply reply;
   reply.is_usable = message.status == WheelsetContact::OK || message.status == WheelsetContact::LIFT_OFF;
-  reply.status = message.status_text;
+  reply.status = statusText(nameOf(message.status), message.status_text);
   reply.z = message.wheelset.position.z;
   reply.roll = rollOf(message.wheelset.orientation);
   for (const ContactPatch& patch : message.patches)
@@ -77,15 +95,5 @@ ContactReply replyOf(const WheelsetContact& message)
     reply.points.push_back(pointOf(patch, message.wheelset.position));
   }
   return reply;
-}
-
-void refuseBalanceOfMoments(const std::string& node)
-{
-  const std::string name = ros::names::resolve(node) + "/wheelset/balance", expected = "wheel_loads";
-  const std::string value = ros::param::param(name, expected);
-  if (value != expected)
-  {
-    throw std::runtime_error(name + " = " + value + " must be " + expected + ": the load of this program is for it");
-  }
 }
 }  // namespace simulate_wheelset

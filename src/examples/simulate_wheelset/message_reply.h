@@ -11,7 +11,8 @@
 
 namespace simulate_wheelset
 {
-/// Stamp of a time since the start [ns]. Stamps begin at 1000 s: 0 is no valid stamp.
+/// Stamp of a time since the start [ns]. Stamps begin at 1000 s: messages with a stamp of 0 are dropped, and the trial
+/// states of TopicContact have stamps before the start.
 ros::Time stampOf(std::int64_t time);
 
 /// Pose of the axle in the track frame. Height and roll are zero: they are results.
@@ -22,9 +23,4 @@ geometry_msgs::WrenchStamped loadMessage(const ContactRequest& request, const st
 
 /// The reply in a message of the contact node.
 ContactReply replyOf(const wheel_rail_contact::WheelsetContact& message);
-
-/// The load of the dynamics is that of wheelset/balance: wheel_loads, the default (see WheelsetDynamics::request()).
-/// @param node name of the contact node
-/// @throw std::runtime_error if the node has another value on the parameter server.
-void refuseBalanceOfMoments(const std::string& node);
 }  // namespace simulate_wheelset

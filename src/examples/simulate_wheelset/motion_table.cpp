@@ -16,8 +16,9 @@ struct Wheel
 {
   double normal_force = 0;          ///< sum [N]
   double radius = 0;                ///< mean rolling radius, weighted with the normal forces [m]
-  double creep_x = 0, creep_y = 0;  ///< creep force on the wheel along and across the track, in the tangent planes [N]
+  double creep_x = 0, creep_y = 0;  ///< creep force on the wheel along x and y of the track [N]
   double demand = 0;                ///< largest of the contacts [-]
+  bool is_saturated = false;        ///< whether the creep force of a contact is at the friction limit
 };
 
 Wheel wheelOf(bool is_left, const ContactReply& contact, const RailForces& forces)
@@ -31,8 +32,9 @@ Wheel wheelOf(bool is_left, const ContactReply& contact, const RailForces& force
       wheel.normal_force += point.normal_force;
       wheel.radius += point.normal_force * point.rolling_radius;
       wheel.creep_x += forces.creep[i].along;
-      wheel.creep_y += forces.creep[i].across;
+      wheel.creep_y += forces.creep[i].across * std::cos(point.angle);
       wheel.demand = std::max(wheel.demand, forces.creep[i].demand);
+      wheel.is_saturated = wheel.is_saturated || forces.creep[i].isSaturated();
     }
   }
   wheel.radius = wheel.normal_force > 0 ? wheel.radius / wheel.normal_force : std::nan("");
@@ -48,7 +50,7 @@ MotionTable::MotionTable(const std::string& file) : file_(file), stream_(file)
   for (const char* side : {"left", "right"})
   {
     stream_ << ',' << side << "_normal_force [N]," << side << "_rolling_radius [m]," << side << "_creep_x [N]," << side
-            << "_creep_y [N]," << side << "_demand [-]";
+            << "_creep_y [N]," << side << "_demand [-]," << side << "_saturated [-]";
   }
   stream_ << ",held [-]\n";
   check();
@@ -68,7 +70,7 @@ void MotionTable::add(const ContactRequest& request, const Motion& motion, const
   {
     const Wheel wheel = wheelOf(is_left, contact, forces);
     stream_ << ',' << wheel.normal_force << ',' << wheel.radius << ',' << wheel.creep_x << ',' << wheel.creep_y << ','
-            << wheel.demand;
+            << wheel.demand << ',' << (wheel.is_saturated ? 1 : 0);
   }
   stream_ << ',' << (is_held ? 1 : 0) << '\n';
   check();

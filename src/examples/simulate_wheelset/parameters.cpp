@@ -13,13 +13,56 @@ namespace simulate_wheelset
 {
 namespace
 {
+constexpr double shortest_step = 1e-6;  ///< [s]: rounding to a nanosecond then changes it by less than 0.1 %
+
 /// Rule of a number.
 enum class Rule
 {
   finite,
   positive,
-  not_negative
+  not_negative,
+  count  ///< a whole number of steps
 };
+
+bool holds(Rule rule, double value)
+{
+  switch (rule)
+  {
+    case Rule::finite:
+      return std::isfinite(value);
+    case Rule::positive:
+      return std::isfinite(value) && value > 0;
+    case Rule::not_negative:
+      return std::isfinite(value) && value >= 0;
+    case Rule::count:
+      break;
+  }
+  return value >= 0 && value <= most_steps && value == std::floor(value);
+}
+
+std::string textOf(Rule rule)
+{
+  switch (rule)
+  {
+    case Rule::finite:
+      return "a finite number";
+    case Rule::positive:
+      return "a finite number > 0";
+    case Rule::not_negative:
+      return "a finite number >= 0";
+    case Rule::count:
+      break;
+  }
+  return "a whole number from 0 to " + std::to_string(most_steps);
+}
+
+/// Shortest usual form of a number.
+std::string textOf(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 /// A parameter by its name in the file.
 struct Entry
@@ -37,7 +80,6 @@ std::vector<Entry> entriesOf(Parameters& p)
   return {{"wheelset", "mass", &p.wheelset.mass, Rule::positive},
           {"wheelset", "yaw_inertia", &p.wheelset.yaw_inertia, Rule::positive},
           {"wheelset", "spin_inertia", &p.wheelset.spin_inertia, Rule::positive},
-          {"wheelset", "rolling_radius", &p.wheelset.rolling_radius, Rule::positive},
           {"wheelset", "axle_load", &p.wheelset.axle_load, Rule::positive},
           {"suspension", "half_spacing", &p.suspension.half_spacing, Rule::positive},
           {"suspension", "longitudinal_stiffness", &p.suspension.longitudinal_stiffness, Rule::not_negative},
@@ -54,7 +96,7 @@ std::vector<Entry> entriesOf(Parameters& p)
           {"run", "start", &p.run.start, Rule::finite},
           {"run", "y", &p.run.y, Rule::finite},
           {"run", "yaw", &p.run.yaw, Rule::finite},
-          {"run", "held_steps", &p.run.held_steps, Rule::not_negative}};
+          {"run", "held_steps", &p.run.held_steps, Rule::count}};
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& rule)
@@ -69,16 +111,9 @@ std::vector<Entry> entriesOf(Parameters& p)
 
 void check(const Entry& entry)
 {
-  const double value = *entry.value;
-  const bool holds = std::isfinite(value) &&
-                     (entry.rule == Rule::finite || value > 0 || (entry.rule == Rule::not_negative && value == 0));
-  if (!holds)
+  if (!holds(entry.rule, *entry.value))
   {
-    std::ostringstream text;
-    text << value;
-    refuse(entry.fullName(), text.str(),
-           entry.rule == Rule::positive ? "a finite number > 0"
-                                        : (entry.rule == Rule::finite ? "a finite number" : "a finite number >= 0"));
+    refuse(entry.fullName(), textOf(*entry.value), textOf(entry.rule));
   }
 }
 
@@ -116,6 +151,10 @@ Parameters readParameters(const std::string& file)
   {
     const YAML::Node document = YAML::LoadFile(file);
     const std::vector<Entry> entries = entriesOf(parameters);
+    if (!document.IsMap())
+    {
+      throw std::invalid_argument("the file must be a map of groups");
+    }
     for (const auto& pair : document)
     {
       readGroup(pair.first.as<std::string>(), pair.second, entries);
@@ -138,11 +177,26 @@ void validate(const Parameters& parameters)
   }
   if (parameters.creep.poisson > 0.5)
   {
-    refuse("creep/poisson", std::to_string(parameters.creep.poisson), "from 0 to 0.5");
+    refuse("creep/poisson", textOf(parameters.creep.poisson), "from 0 to 0.5");
   }
-  if (parameters.run.step < 1e-6 || parameters.run.step > parameters.run.duration)
+  const RunParameters& run = parameters.run;
+  if (run.step < shortest_step || run.step > run.duration)
   {
-    refuse("run/step", std::to_string(parameters.run.step), "at least 1e-6 s, and at most run/duration");
+    refuse("run/step", textOf(run.step), "at least " + textOf(shortest_step) + " s, and at most run/duration");
   }
+  if (run.duration / run.step > most_steps)
+  {
+    refuse("run/duration", textOf(run.duration), "at most " + std::to_string(most_steps) + " times run/step");
+  }
+}
+
+std::int64_t RunParameters::stepNanoseconds() const
+{
+  return std::llround(1e9 * step);
+}
+
+int RunParameters::steps() const
+{
+  return static_cast<int>(std::ceil(1e9 * duration / static_cast<double>(stepNanoseconds()) - 1e-9));
 }
 }  // namespace simulate_wheelset

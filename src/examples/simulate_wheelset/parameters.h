@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace simulate_wheelset
@@ -8,10 +9,9 @@ namespace simulate_wheelset
 /// Mass and inertia of the wheelset.
 struct WheelsetParameters
 {
-  double mass = 1500;             ///< [kg]
-  double yaw_inertia = 900;       ///< about the vertical axis through the centre [kg m^2]
-  double spin_inertia = 110;      ///< about the axle [kg m^2]
-  double rolling_radius = 0.460;  ///< at the running circle, as in the contact calculation [m]
+  double mass = 1500;         ///< [kg]
+  double yaw_inertia = 900;   ///< about the vertical axis through the centre [kg m^2]
+  double spin_inertia = 110;  ///< about the axle [kg m^2]
   /// Vertical force on the axle centre, down positive: share of the vehicle and weight of the wheelset [N].
   double axle_load = 200e3;
 };
@@ -35,16 +35,24 @@ struct CreepParameters
   double poisson = 0.28;          ///< Poisson's ratio of wheel and rail [-], 0 to 0.5
 };
 
+/// Largest number of steps of a run.
+constexpr int most_steps = 10'000'000;
+
 /// Start and run of the simulation.
 struct RunParameters
 {
   double speed = 40;       ///< running speed V [m/s]
   double duration = 10;    ///< simulated time [s]
-  double step = 1e-3;      ///< [s]; a whole number of nanoseconds is used
+  double step = 1e-3;      ///< [s]; used is stepNanoseconds()
   double start = 0;        ///< place along the track at the start [m]
   double y = 0.003;        ///< lateral displacement at the start, to the left positive [m]
   double yaw = 0;          ///< yaw at the start, to the left positive [rad]
-  double held_steps = 20;  ///< largest number of successive steps without a usable result
+  double held_steps = 20;  ///< largest number of successive steps without a usable result, a whole number
+
+  /// Time step, rounded to the resolution of stamps [ns].
+  std::int64_t stepNanoseconds() const;
+  /// Number of steps that cover the duration, at most most_steps.
+  int steps() const;
 };
 
 /// All parameters of the simulation.

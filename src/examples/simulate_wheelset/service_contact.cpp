@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "examples/simulate_wheelset/message_reply.h"
+#include "examples/simulate_wheelset/node_parameters.h"
 
 namespace simulate_wheelset
 {
@@ -18,15 +19,16 @@ constexpr double longest_wait = 60;  ///< for the service [s]
 }  // namespace
 
 ServiceContact::ServiceContact(const std::string& node, std::string frame)
-    : frame_(std::move(frame)), client_(nh_.serviceClient<EvaluateWheelset>(node + "/evaluate", true))
+    : frame_(std::move(frame)), rolling_radius_(rollingRadiusOf(node))
 {
-  if (!ros::service::waitForService(client_.getService(), ros::Duration(longest_wait)))
+  const std::string service = nh_.resolveName(node + "/evaluate");
+  if (!ros::service::waitForService(service, ros::Duration(longest_wait)))
   {
-    throw std::runtime_error("no service " + client_.getService() + " within a minute");
+    throw std::runtime_error("no service " + service + " within a minute");
   }
-  client_ =
-      nh_.serviceClient<EvaluateWheelset>(node + "/evaluate", true);  // the first one found no service to stay with
-  refuseBalanceOfMoments(node);
+  requireWheelLoads(node);
+  // A persistent client connects when it is made: the service must exist.
+  client_ = nh_.serviceClient<EvaluateWheelset>(service, true);
 }
 
 ContactReply ServiceContact::evaluate(const ContactRequest& request)

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "examples/simulate_wheelset/message_reply.h"
+#include "examples/simulate_wheelset/node_parameters.h"
 
 namespace simulate_wheelset
 {
@@ -14,12 +15,14 @@ constexpr std::uint32_t queue_size = 1;   // in lockstep no second message waits
 constexpr double longest_wait = 10;       ///< for one result [s]; builds with sanitizers are slow
 constexpr double attempt_duration = 0.1;  ///< between attempts to reach the node [s]
 constexpr int attempts = 600;
+constexpr double trial_force_z = -100e3;              ///< a light wheelset [N]; the result of the trial is not used
 constexpr std::int64_t attempt_time = 1'000'000'000;  ///< between the stamps of attempts [ns]
 }  // namespace
 
-TopicContact::TopicContact(const std::string& node, std::string frame) : frame_(std::move(frame))
+TopicContact::TopicContact(const std::string& node, std::string frame)
+    : frame_(std::move(frame)), rolling_radius_(rollingRadiusOf(node))
 {
-  refuseBalanceOfMoments(node);
+  requireWheelLoads(node);
   nh_.setCallbackQueue(&queue_);
   pose_publisher_ = nh_.advertise<geometry_msgs::PoseStamped>("wheelset/pose", queue_size);
   load_publisher_ = nh_.advertise<geometry_msgs::WrenchStamped>("wheelset/load", queue_size);
@@ -27,9 +30,10 @@ TopicContact::TopicContact(const std::string& node, std::string frame) : frame_(
       node + "/contact", queue_size,
       [this](const wheel_rail_contact::WheelsetContact::ConstPtr& message) { latest_ = message; }, ros::VoidConstPtr(),
       ros::TransportHints().tcpNoDelay());
-  // Messages are lost until all connections exist. Trial requests with stamps before the start find out.
+  // Messages are lost until all connections exist. Trial states are sent until the first result, with stamps before the
+  // start.
   ContactRequest trial;
-  trial.force_z = -100e3;
+  trial.force_z = trial_force_z;
   for (int i = 0; i < attempts; ++i)
   {
     trial.time = (i - attempts) * attempt_time;

@@ -20,9 +20,11 @@ class TopicContact : public ContactSource
   /// Waits until the node replies.
   /// @param node  name of the contact node
   /// @param frame its parameter track/frame
-  /// @throw std::runtime_error if there is no reply within a minute, or the node balances moments.
+  /// @throw std::runtime_error if there is no reply within a minute, or the node expects another load
+  /// (requireWheelLoads()).
   TopicContact(const std::string& node, std::string frame);
 
+  double rollingRadius() const override { return rolling_radius_; }
   /// @throw std::runtime_error if there is no result within 10 s.
   ContactReply evaluate(const ContactRequest& request) override;
 
@@ -31,6 +33,7 @@ class TopicContact : public ContactSource
   bool waitFor(const ros::Time& stamp, double seconds);
 
   std::string frame_;
+  const double rolling_radius_;  ///< [m]
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
   ros::Publisher pose_publisher_, load_publisher_;

@@ -14,11 +14,15 @@ constexpr double tolerance = 1e-11;  ///< of the velocities at the circumference
 constexpr double difference = 1e-7;  ///< for the derivatives, of the same velocities
 }  // namespace
 
-WheelsetDynamics::WheelsetDynamics(const Parameters& parameters) : parameters_(parameters), law_(parameters.creep)
+WheelsetDynamics::WheelsetDynamics(const Parameters& parameters, double rolling_radius)
+    : parameters_(parameters),
+      rolling_radius_(rolling_radius),
+      step_(1e-9 * static_cast<double>(parameters.run.stepNanoseconds())),
+      law_(parameters.creep)
 {
   motion_.y = parameters.run.y;
   motion_.yaw = parameters.run.yaw;
-  motion_.spin = parameters.run.speed / parameters.wheelset.rolling_radius;
+  motion_.spin = parameters.run.speed / rolling_radius;
 }
 
 ContactRequest WheelsetDynamics::request(std::int64_t time, double roll) const
@@ -31,7 +35,7 @@ ContactRequest WheelsetDynamics::request(std::int64_t time, double roll) const
   request.yaw = motion_.yaw;
   request.force_z = -parameters_.wheelset.axle_load + forces_.creep_force.z();
   request.torque_x = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * roll +
-                     parameters_.wheelset.rolling_radius * forces_.force().y();
+                     rolling_radius_ * forces_.normal_force.y() + forces_.creep_moment.x();
   return request;
 }
 
@@ -41,7 +45,7 @@ Motion WheelsetDynamics::trialAt(const Eigen::Vector3d& velocities) const
   trial.y_rate = velocities.x();
   trial.yaw_rate = velocities.y();
   trial.spin = velocities.z();
-  trial.yaw += parameters_.run.step * velocities.y();
+  trial.yaw += step_ * velocities.y();
   return trial;
 }
 
@@ -60,12 +64,12 @@ Eigen::Vector3d WheelsetDynamics::accelerations(const ContactReply& contact, con
 
 void WheelsetDynamics::advance(const ContactReply& contact)
 {
-  const double step = parameters_.run.step, speed = parameters_.run.speed;
+  const double speed = parameters_.run.speed;
   // Velocities at the circumference have one scale.
-  const Eigen::Vector3d scale(1, 1, parameters_.wheelset.rolling_radius);
+  const Eigen::Vector3d scale(1, 1, rolling_radius_);
   const Eigen::Vector3d old(motion_.y_rate, motion_.yaw_rate, motion_.spin);
   const auto residual = [&](const Eigen::Vector3d& v, RailForces& forces) -> Eigen::Vector3d
-  { return v - old - step * accelerations(contact, trialAt(v), forces); };
+  { return v - old - step_ * accelerations(contact, trialAt(v), forces); };
   Eigen::Vector3d velocities = old;
   for (int i = 0; i < most_iterations; ++i)
   {
@@ -82,11 +86,11 @@ void WheelsetDynamics::advance(const ContactReply& contact)
     if (change.cwiseProduct(scale).norm() <= tolerance * speed)
     {
       motion_ = trialAt(velocities);
-      motion_.y += step * velocities.x();
+      motion_.y += step_ * velocities.x();
       return;
     }
   }
-  throw std::runtime_error("the velocities of the wheelset do not converge in a step of " + std::to_string(step) +
+  throw std::runtime_error("the velocities of the wheelset do not converge in a step of " + std::to_string(step_) +
                            " s");
 }
 }  // namespace simulate_wheelset

@@ -28,7 +28,7 @@ def _read(path):
     try:
         table = CsvTable(path)
         if len(table) > 1:
-            table["left_demand"]  # a column that only simulate_wheelset writes
+            table["left_saturated"]  # a column that only simulate_wheelset writes
             return table
     except (KeyError, ValueError, StopIteration):
         pass

@@ -52,7 +52,7 @@ def draw_phase(plot, runs, path):
 def _mark_saturated(axis, run, rows):
     """Shades the steps in which the creep force of a contact is at the friction limit."""
     distance = run["distance"][rows]
-    limited = np.maximum(run["left_demand"], run["right_demand"])[rows] >= 3
+    limited = np.maximum(run["left_saturated"], run["right_saturated"])[rows] > 0
     axis.fill_between(distance, 0, 1, where=limited, transform=axis.get_xaxis_transform(), color="0.85", step="mid",
                       linewidth=0)
 

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "examples/simulate_wheelset/closed_loop.h"
 #include "examples/simulate_wheelset/in_process_contact.h"
-#include "examples/simulate_wheelset/message_reply.h"
+#include "examples/simulate_wheelset/node_parameters.h"
 #include "examples/simulate_wheelset/service_contact.h"
 #include "examples/simulate_wheelset/topic_contact.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
+#include "simulation/sweep.h"
 
 namespace simulate_wheelset
 {
@@ -23,7 +26,7 @@ constexpr int steps = 1200;  ///< with a whole second, and several times 200 res
 /// Motions of a wheelset at 40 m/s that starts displaced by 3 mm.
 std::vector<Motion> motionsWith(ContactSource& source)
 {
-  WheelsetDynamics dynamics((Parameters()));
+  WheelsetDynamics dynamics(Parameters(), source.rollingRadius());
   std::vector<Motion> motions;
   double roll = 0;
   for (int i = 0; i < steps; ++i)
@@ -77,29 +80,69 @@ TEST(ContactWays, ServiceGivesTheMotionOfTheLibrary)
   expectMotionsInProcess(motionsWith(contact));
 }
 
-TEST(ContactWays, NodeThatBalancesMomentsIsRefused)
+TEST(ContactWays, NodeThatExpectsAnotherLoadIsRefused)
 {
-  ros::param::set("/other_node/wheelset/balance", "moments");
-  EXPECT_THROW(TopicContact("other_node", "track"), std::runtime_error);
-  EXPECT_NO_THROW(refuseBalanceOfMoments("contact_node"));
+  ros::param::set("/moments/wheelset/balance", "moments");
+  EXPECT_THROW(TopicContact("moments", "track"), std::runtime_error);
+  ros::param::set("/given_height/wheelset/free", std::vector<std::string>());
+  EXPECT_THROW(TopicContact("given_height", "track"), std::runtime_error);
+  EXPECT_NO_THROW(requireWheelLoads("contact_node"));
 }
 
-template <typename Contact>
-void expectReasonOfUnusableState()
+TEST(ContactWays, RollingRadiusIsThatOfTheNode)
 {
-  Contact contact("contact_node", "track");
+  EXPECT_EQ(ServiceContact("contact_node", "track").rollingRadius(), 0.46);
+  EXPECT_EQ(rollingRadiusOf("without_parameters"), 0.46);
+  ros::param::set("/large/wheelset/rolling_radius", "500e-3");  // as a YAML file gives it
+  EXPECT_EQ(rollingRadiusOf("large"), 0.5);
+  ros::param::set("/large/wheel/left/rolling_radius", 0.498);
+  EXPECT_DOUBLE_EQ(rollingRadiusOf("large"), 0.499);
+  ros::param::set("/large/wheel/left/rolling_radius", "wide");
+  EXPECT_THROW(rollingRadiusOf("large"), std::runtime_error);
+  ros::param::set("/large/wheel/left/rolling_radius", true);
+  EXPECT_THROW(rollingRadiusOf("large"), std::runtime_error);
+}
+
+TEST(ContactWays, WheelsetHuntsInALimitCycleWithTheNode)
+{
+  ServiceContact contact("contact_node", "track");
+  Parameters parameters;
+  parameters.run.y = 0.0055;
+  parameters.run.duration = 2;
+  const RunSummary run = runClosedLoop(parameters, contact, nullptr);
+  EXPECT_EQ(run.held, 0);
+  EXPECT_GT(run.saturated, 0);
+  ASSERT_GE(run.waves.count(), 2);
+  // The reasons for these bounds are those of ClosedLoop.SoftGuidanceEndsInOneLimitCycleFromBothSides.
+  const Sweep sweep(contact, 0.0068);
+  EXPECT_GT(run.waves.largestY(), sweep.steepFrom(0.2));
+  EXPECT_LT(run.waves.largestY(), sweep.steepFrom(std::atan(1.0)));
+  EXPECT_GT(run.waves.wavelength(), sweep.kinematicWavelength(run.waves.largestY()));
+  EXPECT_LT(run.waves.wavelength(), sweep.kinematicWavelength(0.002));
+}
+
+/// Reply beside the rails.
+ContactReply unusableReply(ContactSource& contact)
+{
   ContactRequest request;
   request.y = 0.5;
   request.force_z = -200e3;
-  const ContactReply reply = contact.evaluate(request);
-  EXPECT_FALSE(reply.is_usable);
-  EXPECT_NE(reply.status, "");
+  return contact.evaluate(request);
 }
 
-TEST(ContactWays, UnusableStateIsReportedWithItsReason)
+TEST(ContactWays, UnusableStateHasItsStatusAndReason)
 {
-  expectReasonOfUnusableState<TopicContact>();
-  expectReasonOfUnusableState<ServiceContact>();
+  InProcessContact library(readContactParameters(""));
+  const std::string expected = unusableReply(library).status;
+  EXPECT_EQ(expected.rfind("INVALID_INPUT: ", 0), 0U) << expected;
+  TopicContact topics("contact_node", "track");
+  ServiceContact service("contact_node", "track");
+  for (ContactSource* contact : {static_cast<ContactSource*>(&topics), static_cast<ContactSource*>(&service)})
+  {
+    const ContactReply reply = unusableReply(*contact);
+    EXPECT_FALSE(reply.is_usable);
+    EXPECT_EQ(reply.status, expected);
+  }
 }
 }  // namespace
 }  // namespace simulate_wheelset

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Parameters of the closed loop in Python, for the example simulate_wheelset_python.
+
+Names and rules are those of src/examples/simulate_wheelset/parameters.cpp.
+"""
+import math
+
+import yaml
+
+from ..command import Failure, shipped
+
+DEFAULTS = "config/simulate_wheelset.yaml"
+MOST_STEPS = 10_000_000
+SHORTEST_STEP = 1e-6  # [s]
+
+FINITE = ("a finite number", math.isfinite)
+POSITIVE = ("a finite number > 0", lambda value: math.isfinite(value) and value > 0)
+NOT_NEGATIVE = ("a finite number >= 0", lambda value: math.isfinite(value) and value >= 0)
+COUNT = (f"a whole number from 0 to {MOST_STEPS}", lambda value: 0 <= value <= MOST_STEPS and value == math.floor(value))
+
+RULES = {
+    "wheelset": dict.fromkeys(("mass", "yaw_inertia", "spin_inertia", "axle_load"), POSITIVE),
+    "suspension": {"half_spacing": POSITIVE,
+                   **dict.fromkeys(("longitudinal_stiffness", "lateral_stiffness", "vertical_stiffness",
+                                    "longitudinal_damping", "lateral_damping"), NOT_NEGATIVE)},
+    "creep": {"friction": POSITIVE, "shear_modulus": POSITIVE, "poisson": NOT_NEGATIVE},
+    "run": {**dict.fromkeys(("speed", "duration", "step"), POSITIVE), **dict.fromkeys(("start", "y", "yaw"), FINITE),
+            "held_steps": COUNT},
+}
+
+
+def read_parameters(path=None):
+    """Groups of the parameters, {group: {name: number}}: those of a file over the shipped ones. SI units.
+
+    Raises Failure with the file, the name, the value and the broken rule.
+    """
+    groups = _read(shipped(DEFAULTS))
+    if path:
+        for group, values in _read(path).items():
+            groups[group].update(values)
+    try:
+        _check(groups)
+    except Failure as failure:
+        raise Failure(f"{path}: {failure}") from failure
+    groups["run"]["step"] = round(1e9 * groups["run"]["step"]) / 1e9  # as the stamps of the C++ program
+    return groups
+
+
+def _read(path):
+    try:
+        with open(path, encoding="utf-8") as stream:
+            document = yaml.safe_load(stream)
+        if not isinstance(document, dict):
+            raise Failure("the file must be a map of groups")
+        return {group: _group(group, values) for group, values in document.items()}
+    except (Failure, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise Failure(f"{path}: {error}") from error
+
+
+def _group(group, values):
+    if not isinstance(values, dict):
+        raise Failure(f"group {group} must be a map of names and values")
+    for name in values:
+        if name not in RULES.get(group, {}):
+            raise Failure(f"parameter {group}/{name} has an unknown name")
+    return {name: _number(f"{group}/{name}", value) for name, value in values.items()}
+
+
+def _number(name, value):
+    try:
+        if not isinstance(value, bool):
+            return float(value)
+    except (TypeError, ValueError):
+        pass
+    text = yaml.safe_dump(value).splitlines()[0]
+    raise Failure(f"{name} = {text} must be a number")
+
+
+def _check(groups):
+    for group, rules in RULES.items():
+        for name, (text, holds) in rules.items():
+            _require(holds(groups[group][name]), f"{group}/{name}", groups[group][name], text)
+    run, poisson = groups["run"], groups["creep"]["poisson"]
+    _require(poisson <= 0.5, "creep/poisson", poisson, "from 0 to 0.5")
+    _require(SHORTEST_STEP <= run["step"] <= run["duration"], "run/step", run["step"],
+             f"at least {SHORTEST_STEP:g} s, and at most run/duration")
+    _require(run["duration"] / run["step"] <= MOST_STEPS, "run/duration", run["duration"],
+             f"at most {MOST_STEPS} times run/step")
+
+
+def _require(holds, name, value, rule):
+    if not holds:
+        raise Failure(f"{name} = {value:g} must be {rule}")

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "examples/simulate_wheelset/wheelset_dynamics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace simulate_wheelset
+{
+namespace
+{
+constexpr double radius = 0.46;
+
+ContactPoint pointAt(bool is_left, const Eigen::Vector3d& position, double angle, double normal_force)
+{
+  ContactPoint point;
+  point.is_left = is_left;
+  point.position = position;
+  point.angle = angle;
+  point.normal_force = normal_force;
+  point.semi_axis_along = 0.006;
+  point.semi_axis_across = 0.004;
+  point.rolling_radius = -position.z();
+  return point;
+}
+
+/// The left wheel runs on its tread and its flange, the right one on its tread.
+ContactReply flangeContact()
+{
+  ContactReply contact;
+  contact.is_usable = true;
+  contact.roll = 0.002;
+  contact.points = {pointAt(true, {0.004, 0.71, -0.472}, 1.1, 60e3), pointAt(true, {0, 0.745, -0.46}, 0.05, 70e3),
+                    pointAt(false, {0, -0.755, -0.459}, -0.02, 100e3)};
+  return contact;
+}
+
+TEST(WheelsetDynamics, LoadHoldsAllForcesThatTheContactCalculationLeavesOut)
+{
+  const Parameters parameters;
+  WheelsetDynamics dynamics(parameters, radius);
+  const ContactReply contact = flangeContact();
+  dynamics.advance(contact);
+  // Sums over the contacts, from the patch frames: the lateral normal force, and the creep force and its moment.
+  double normal_y = 0, creep_z = 0, moment_of_z = 0, moment_of_y = 0;
+  for (std::size_t i = 0; i < contact.points.size(); ++i)
+  {
+    const ContactPoint& p = contact.points[i];
+    const double across = dynamics.forces().creep[i].across;
+    normal_y -= p.normal_force * std::sin(p.angle);
+    creep_z += across * std::sin(p.angle);
+    moment_of_z += p.position.y() * across * std::sin(p.angle);
+    moment_of_y -= p.position.z() * across * std::cos(p.angle);
+  }
+  // At the flange, neither part of the moment is small.
+  EXPECT_GT(std::abs(moment_of_z), 3e3);
+  EXPECT_GT(std::abs(moment_of_y), 3e3);
+  const ContactRequest request = dynamics.request(0, contact.roll);
+  const SuspensionParameters& s = parameters.suspension;
+  const double suspension = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * contact.roll;
+  EXPECT_NEAR(request.torque_x, suspension + radius * normal_y + moment_of_z + moment_of_y, 1e-6);
+  EXPECT_NEAR(request.torque_x, suspension + radius * normal_y + dynamics.forces().creep_moment.x(), 1e-6);
+  EXPECT_NEAR(request.force_z, -parameters.wheelset.axle_load + creep_z, 1e-6);
+}
+
+TEST(WheelsetDynamics, StartsWithTheSpinOfFreeRolling)
+{
+  const Parameters parameters;
+  EXPECT_DOUBLE_EQ(WheelsetDynamics(parameters, 0.5).motion().spin, parameters.run.speed / 0.5);
+}
+}  // namespace
+}  // namespace simulate_wheelset
