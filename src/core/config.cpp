@@ -35,6 +35,7 @@ void validate(const ContactModelConfig& config)
   validate(config.track);
   validate(config.wheelset);
   validate(config.contact);
+  validate(config.stress);
   validate(config.rail_bending);
 }
 }  // namespace wheel_rail_contact::core

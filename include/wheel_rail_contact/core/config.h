@@ -9,6 +9,7 @@
 #include "wheel_rail_contact/core/rail_compliance.h"
 #include "wheel_rail_contact/core/rail_sections.h"
 #include "wheel_rail_contact/core/sides.h"
+#include "wheel_rail_contact/core/stress.h"
 #include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
@@ -30,6 +31,7 @@ struct ContactModelConfig
   TrackConfig track;               ///< position and inclination of the rails
   WheelsetConfig wheelset;         ///< dimensions of the wheelset; whether its height and roll are solved or given
   ContactConfig contact;           ///< method and tolerance of the contact solution
+  StressConfig stress;             ///< stress beneath the patches; default: not computed
   RailBendingConfig rail_bending;  ///< deflection of the rails; default: rigid rails
 };
 

@@ -12,15 +12,16 @@ struct Material
 {
   double young = 2.1e11;  ///< Young's modulus [Pa], finite, > 0
   double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
+  double yield = 0;       ///< yield stress in tension [Pa], finite, >= 0; 0: not known. Only shakedown figures use it
 };
 
-/// True if both constants are equal.
+/// True if all constants are equal.
 inline bool operator==(const Material& a, const Material& b)
 {
-  return a.young == b.young && a.poisson == b.poisson;
+  return a.young == b.young && a.poisson == b.poisson && a.yield == b.yield;
 }
 
-/// Checks that both constants are within their range. `option` is the name of the material in the message.
+/// Checks that all constants are within their range. `option` is the name of the material in the message.
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const Material& material, const std::string& option);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wheel_rail_contact/core/rail_compliance.h"
+#include "wheel_rail_contact/core/stress.h"
 #include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
@@ -131,6 +132,8 @@ struct PatchResult
   /// Change of normal_force per approach along the normal, with the rail held and the other contacts unloaded [N/m]:
   /// that of a flat punch with the shape of the ellipse above (Barber 2003).
   double normal_stiffness = 0;
+  PatchStress wheel_stress;  ///< in the wheel; all zero without StressConfig::depths
+  PatchStress rail_stress;   ///< the same in the rail
   PatchGrid grid;            ///< grid of `pressure`
   Eigen::ArrayXXd pressure;  ///< nx × ny pressures [Pa], compressive positive; pressure(i, j) belongs to cell (i, j)
 };

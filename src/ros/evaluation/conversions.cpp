@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "ros/evaluation/stress_conversions.h"
+
 namespace wheel_rail_contact
 {
 namespace
@@ -252,6 +254,8 @@ ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
   message.curvature_along = patch.curvature_along;
   message.curvature_across = patch.curvature_across;
   message.normal_stiffness = patch.normal_stiffness;
+  message.wheel_stress = toMessage(patch.wheel_stress, with_grid);
+  message.rail_stress = toMessage(patch.rail_stress, with_grid);
   if (with_grid)
   {
     message.grid = toMessage(patch.grid, patch.pressure);
@@ -290,6 +294,8 @@ core::PatchResult fromMessage(const ContactPatch& message, double x)
   patch.curvature_across = message.curvature_across;
   patch.normal_stiffness = message.normal_stiffness;
   fromMessage(message.grid, patch.grid, patch.pressure);
+  patch.wheel_stress = fromMessage(message.wheel_stress, patch.grid);
+  patch.rail_stress = fromMessage(message.rail_stress, patch.grid);
   return patch;
 }
 

@@ -42,6 +42,7 @@ void readMaterial(ParameterReader& reader, const std::string& group, core::Mater
 {
   reader.read(group + "/young", rules::finite, material.young);
   reader.read(group + "/poisson", rules::finite, material.poisson);
+  reader.read(group + "/yield", rules::finite, material.yield);
 }
 
 /// Materials of a body ("wheel" or "rail") on both sides.

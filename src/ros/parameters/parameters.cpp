@@ -167,6 +167,13 @@ void readContact(ParameterReader& reader, core::ContactConfig& contact)
               contact.check_branches);
 }
 
+void readStress(ParameterReader& reader, core::StressConfig& stress)
+{
+  reader.read("stress/depths", rules::whole, stress.depths);
+  reader.read("stress/field", std::vector<std::pair<std::string, bool>>{{"false", false}, {"true", true}},
+              stress.field);
+}
+
 void readSync(ParameterReader& reader, NodeConfig& config)
 {
   reader.read("sync/slop", slop_rule, config.slop);
@@ -200,6 +207,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   readRailBending(reader, config.model.rail_bending, files);
   readNeighbours(reader, config);
   readContact(reader, config.model.contact);
+  readStress(reader, config.model.stress);
   reader.read("contact/hold_last", hold_rule, config.hold_last);
   readSync(reader, config);
   readMarkers(reader, config.markers);

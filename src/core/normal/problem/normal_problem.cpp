@@ -19,6 +19,8 @@ void validate(const Material& material, const std::string& option)
   requirePositive(option + "/young", material.young);
   require(material.poisson > -1 && material.poisson <= 0.5, option + "/poisson", material.poisson,
           "must be above -1 and at most 0.5");
+  require(std::isfinite(material.yield) && material.yield >= 0, option + "/yield", material.yield,
+          "must be finite and at least 0");
 }
 
 double contactModulus(const Material& first, const Material& second)
