@@ -12,6 +12,7 @@
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/shape_effect.h"
+#include "core/balance/stress_beneath.h"
 #include "core/balance/wheelset_balance.h"
 
 namespace wheel_rail_contact::core
@@ -108,7 +109,7 @@ class WheelsetContact::Chain
 {
  public:
   explicit Chain(ContactModelConfig config)
-      : config_(checked(std::move(config))), levels_(config_), balance_(config_, levels_)
+      : config_(checked(std::move(config))), levels_(config_), balance_(config_, levels_), stress_(config_)
   {
     if (config_.contact.check_branches && config_.wheelset.solve_height_and_roll)
     {
@@ -305,6 +306,7 @@ class WheelsetContact::Chain
       patch.error_estimate = std::hypot(patch.error_estimate, shape.max_pressure);
       result_.points_missing = result_.points_missing || shape.missing;
       patch.method = levels_.solver().name();
+      stress_.fill(side, balance_, k, patch);
     }
     result_.above_tolerance = result_.above_tolerance || balance_.wheelError(side) > config_.contact.tolerance;
   }
@@ -334,6 +336,7 @@ class WheelsetContact::Chain
   ContactModelConfig config_;
   GridLevels levels_;
   WheelsetBalance balance_;
+  StressBeneath stress_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
   WheelsetResult result_;
   std::size_t patch_count_ = 0;

@@ -99,8 +99,11 @@ struct PatchStress
   /// p0 / k [-]: highest pressure over the yield stress in shear, k = yield / sqrt 3. 0 if Material::yield is not
   /// given.
   double load_factor = 0;
-  /// Largest load factor at which the body shakes down to an elastic state under repeated frictionless rolling along
-  /// the track [-]: p0 over the highest |xz|. 4.00 for a line contact, 4.67 for a circular one. See doc/theory.md.
+  /// Load factor above which the body cannot shake down to an elastic state under repeated frictionless rolling along
+  /// the track [-]. It is p0 over half the largest range of the stress during a passage, as a shear stress: the highest
+  /// |xz|, or the highest von Mises stress over 2 sqrt 3. It is 4.00 for a line contact across the track and 4.68 for a
+  /// circular one. There it is the shakedown limit itself (Johnson 1985, sec. 9.2; Ponter, Hearle and Johnson 1985),
+  /// elsewhere an upper bound of it.
   double shakedown_limit = 0;
   std::vector<StressLayer> field;  ///< only with StressConfig::field: on PatchResult::grid
 };

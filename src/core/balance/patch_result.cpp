@@ -6,6 +6,7 @@
 
 #include "core/balance/contact_place.h"
 #include "core/balance/least_gap.h"
+#include "core/balance/whole_pressure.h"
 #include "core/normal/measures/equal_ellipse.h"
 #include "wheel_rail_contact/core/sides.h"
 
@@ -71,27 +72,13 @@ double deepestWithin(double u_first, double u_last, const std::vector<OverlapInt
   return depth;
 }
 
-/// Copies the whole pressure field of a patch, in track axes, from the centre of pressure. A symmetric grid stores only
-/// half of the cells. On the right side the field is mirrored.
+/// Copies the whole pressure field of a patch, in track axes, from the centre of pressure.
 void spread(Side side, const Grid& grid, const Centre& centre, const Eigen::ArrayXXd& stored, PatchResult& result)
 {
-  const double first = (0.5 - 0.5 * grid.nx) * grid.dx;
-  result.grid = {grid.nx, grid.ny, grid.dx, grid.dy, first - centre.x, grid.y0 - centre.y};
-  result.pressure.resize(grid.nx, grid.ny);
-  if (grid.symmetric)
-  {
-    result.pressure.bottomRows(grid.rows()) = stored;
-    result.pressure.topRows(grid.rows()) = stored.colwise().reverse();
-  }
-  else
-  {
-    result.pressure = stored;
-  }
-  if (side == Side::right)
-  {
-    result.grid.y0 = -(result.grid.y0 + (grid.ny - 1) * grid.dy);
-    result.pressure.rowwise().reverseInPlace();
-  }
+  const double first = (0.5 - 0.5 * grid.nx) * grid.dx, y0 = grid.y0 - centre.y;
+  const double mirrored = -(y0 + (grid.ny - 1) * grid.dy);
+  result.grid = {grid.nx, grid.ny, grid.dx, grid.dy, first - centre.x, side == Side::left ? y0 : mirrored};
+  wholePressure(side, grid, stored, result.pressure);
 }
 }  // namespace
 

@@ -72,8 +72,7 @@ LayerProducts::LayerProducts(const Eigen::ArrayXXd& field)
 
 Eigen::ArrayXXd LayerProducts::product(const Eigen::ArrayXXd& kernel, Parity parity) const
 {
-  const Eigen::MatrixXd factors =
-      x_.kernelSums(parity.x).transpose() * kernel.matrix() * y_.kernelSums(parity.y);
+  const Eigen::MatrixXd factors = x_.kernelSums(parity.x).transpose() * kernel.matrix() * y_.kernelSums(parity.y);
   std::array<Eigen::MatrixXd, 2> along;
   for (const int px : parities)
   {
@@ -84,8 +83,7 @@ Eigen::ArrayXXd LayerProducts::product(const Eigen::ArrayXXd& kernel, Parity par
       const int from_x = px ^ parity.x, from_y = py ^ parity.y;
       const double sign = (parity.x == 1 && from_x == 1 ? -1 : 1) * (parity.y == 1 && from_y == 1 ? -1 : 1);
       const Eigen::MatrixXd modes =
-          sign * factors.cwiseProduct(
-                     field_modes_[static_cast<std::size_t>(from_x)][static_cast<std::size_t>(from_y)]);
+          sign * factors.cwiseProduct(field_modes_[static_cast<std::size_t>(from_x)][static_cast<std::size_t>(from_y)]);
       across[static_cast<std::size_t>(py)] = y_.modes(py) * modes.transpose();
     }
     along[static_cast<std::size_t>(px)] = x_.modes(px) * unfold(across[0], across[1], y_.cells()).transpose();

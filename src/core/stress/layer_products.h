@@ -28,8 +28,8 @@ class ParitySums
   std::array<Eigen::MatrixXd, 2> modes_, kernel_sums_;
 };
 
-/// Products of a field on a grid with kernels that depend on the distances of the cells along x and y, and are even or odd
-/// in each of them: the discrete convolution, exact.
+/// Products of a field on a grid with kernels that depend on the distances of the cells along x and y, and are even or
+/// odd in each of them: the discrete convolution, exact.
 class LayerProducts
 {
  public:

@@ -65,6 +65,13 @@ TEST(HotPath, AYawedWheelsetAllocatesNothing)
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid(), 0.005), 0);
 }
 
+TEST(HotPath, TheStressBeneathThePatchesAllocatesNothing)
+{
+  ContactModelConfig config = onOneGrid();
+  config.stress.depths = 16;
+  EXPECT_EQ(allocationsOnThirdSweep(config, 0.005), 0);
+}
+
 // Grids without symmetry are prepared in advance, too. The first yawed message allocates only memory for twice the
 // cells.
 TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)

@@ -128,9 +128,10 @@ void unfold(int pairs, int block, const double* sign, const double* in, double* 
   }
 }
 
+#include "core/normal/operator/point_force_loop_body.h"
 #include "core/normal/operator/solver_loops_body.h"
 #include "core/normal/operator/transform_loops_body.h"
 
 constexpr LaneKernels kKernels = {kName,     multiply, fold,       unfold,     butterfly, turn,  turnBack, split,
                                   join,      combine,  multiplyBy, sum,        scale,     add,   dot,      countBelow,
-                                  rootDepth, advance,  residual,   maskedSums, trial,     chord, stepSums};
+                                  rootDepth, advance,  residual,   maskedSums, trial,     chord, stepSums, pointForces};

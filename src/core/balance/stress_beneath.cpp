@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/balance/stress_beneath.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/balance/whole_pressure.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double deepest = 2;  ///< depth of the last layer of a field, in units of the shorter semi-axis [-]
+
+/// Equally spaced depths from the surface [m].
+std::vector<double> layerDepths(const SemiAxes& axes, int count)
+{
+  std::vector<double> depths;
+  for (int k = 0; k < count; ++k)
+  {
+    depths.push_back(k * deepest * std::min(axes.along, axes.across) / (count - 1));
+  }
+  return depths;
+}
+}  // namespace
+
+void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& patch)
+{
+  patch.wheel_stress = patch.rail_stress = PatchStress();
+  const SemiAxes axes{patch.semi_axis_along, patch.semi_axis_across};
+  if (config_.stress.depths == 0 || !(std::min(axes.along, axes.across) > 0))
+  {
+    return;
+  }
+  const Island& of = balance.islands(side).islands()[island];
+  const PatchPressure& whole = balance.wheel(side).contact().solution().patches[of.patch];
+  const PatchColumns columns{side == Side::left ? of.begin : whole.grid.ny - of.begin - of.columns, of.columns};
+  wholePressure(side, whole.grid, whole.pressure, pressure_);
+  grid_ = patch.grid;
+  grid_.ny = whole.grid.ny;
+  grid_.y0 -= static_cast<double>(columns.begin) * grid_.dy;
+  search_.set(grid_, pressure_, columns, axes);
+  fillBody(config_.rail_material[side], columns, axes, patch.max_pressure, patch.rail_stress);
+  if (config_.wheel_material[side] == config_.rail_material[side])
+  {
+    patch.wheel_stress = patch.rail_stress;
+  }
+  else
+  {
+    fillBody(config_.wheel_material[side], columns, axes, patch.max_pressure, patch.wheel_stress);
+  }
+}
+
+void StressBeneath::fillBody(const Material& material, const PatchColumns& columns, const SemiAxes& axes,
+                             double max_pressure, PatchStress& stress)
+{
+  const HighestStresses highest = search_.find(material.poisson);
+  stress.von_mises = highest.von_mises;
+  stress.shear = highest.shear;
+  stress.load_factor = material.yield > 0 ? max_pressure * std::sqrt(3.0) / material.yield : 0;
+  const double range = std::max(highest.orthogonal.value, highest.von_mises.value / (2 * std::sqrt(3.0)));
+  stress.shakedown_limit = range > 0 ? max_pressure / range : 0;
+  if (!config_.stress.field)
+  {
+    return;
+  }
+  stress.field = stressLayers(grid_, pressure_, material.poisson, layerDepths(axes, config_.stress.depths));
+  for (StressLayer& layer : stress.field)
+  {
+    for (Eigen::ArrayXXd& component : layer.components)
+    {
+      component = component.middleCols(columns.begin, columns.count).eval();
+    }
+  }
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "core/normal/operator/lanes.h"
+#include "wheel_rail_contact/core/stress.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
+
+namespace wheel_rail_contact::core
+{
+/// Pressure on the cells of a grid, replaced by point forces: a fast approximation of stressAt().
+///
+/// The forces of a column are those of a semi-ellipse with its force, its centre and its variance along x, at the nodes
+/// of the Gauss-Chebyshev quadrature of the second kind. Below few cells along the track it is closer to the stress of
+/// a smooth pressure than stressAt(), above all |xz| at the ends of a column. The sum over a lattice of forces with the
+/// distance d differs from that over a smooth pressure by up to 4 (1 + k z) exp(-k z), k = 2 pi / d, of the pressure at
+/// the depth z (Poisson's summation formula): 5 % for z = d, 1 % for z = 1.3 d.
+class PointSources
+{
+ public:
+  /// Places in units of the length that set() was given.
+  using Places = PointsBelow;
+
+  /// Takes a pressure [Pa], nx × ny. Narrow columns are joined, wide ones divided, with forces, centres and variances
+  /// between those of their neighbours, so that the distance of the forces is at most `spacing`. Allocates only for
+  /// more forces than ever before.
+  /// @param unit     unit of all lengths [m]
+  /// @param spacing  in this unit [-]
+  void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing);
+
+  /// Stress [Pa] at the places.
+  std::array<Stress, kPoints> at(const Places& places, double poisson) const;
+
+ private:
+  /// Pressure of a column, or of several joined ones, in units of the length.
+  struct Line
+  {
+    double y = 0;       ///< place
+    double force = 0;   ///< [Pa]
+    double centre = 0;  ///< along x
+    double half = 0;    ///< half length of the semi-ellipse
+  };
+  Line lineOf(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index begin, Eigen::Index end) const;
+  void addParts(std::size_t number, int parts, double width, double spacing);
+  void addLine(const Line& line, double spacing);
+
+  std::vector<Line> lines_;
+  double unit_ = 1;
+  std::vector<float> x_, y_, force_;
+};
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/stress/stress_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+// Lengths in units of the shorter semi-axis, except steps along the logarithm of the depth.
+constexpr double rough_spacing = 0.35;      ///< of the forces of the first search
+constexpr double fine_spacing = 0.2;        ///< of the forces for the maxima; halved for maxima close to the surface
+constexpr double near_depth = 1.3;          ///< the spacing is halved for a maximum at less than so many spacings
+constexpr double least_depth = 1;           ///< least depth of the search, in spacings
+constexpr double column_spacing = 0.6;      ///< longest distance of the columns of the first search
+constexpr Eigen::Index column_count = 10;   ///< of the first search, at least, if so many are loaded
+constexpr std::size_t below = kPoints / 2;  ///< points below the centre of a column; the others are for |xz|
+/// Depths of the first search. Von Mises and shear stress have their maxima at 0.45 to 0.8 below ellipses, deeper below
+/// a flat pressure, and less deep below a part of the patch; |xz| at 0.35 to 0.7.
+constexpr std::array<double, below> first_depths{0.38, 0.46, 0.57, 0.72, 0.9, 1.15, 1.5, 1.9};
+constexpr std::array<double, below / 2> orthogonal_depths{0.3, 0.42, 0.58, 0.8};
+constexpr double orthogonal_x = 0.85;  ///< where |xz| is first searched for, in units of the half length of a column
+constexpr double other_peak = 0.85;    ///< a local maximum of the first search is refined if it is so near the highest
+constexpr double first_step = 0.2;     ///< of the parabolas along x and y, in units of the semi-axes
+constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of the depth
+constexpr int most_rounds = 6;         ///< of parabolas
+constexpr double least_gain = 1e-3;    ///< the search ends where a step promises less, relative to the highest value
+
+void put(PointSources::Places& places, std::size_t k, double x, double y, double depth)
+{
+  places.x[k] = static_cast<float>(x);
+  places.y[k] = static_cast<float>(y);
+  places.depth[k] = static_cast<float>(depth);
+}
+
+void take(double value, const PointSources::Places& places, std::size_t k, StressPeak& peak)
+{
+  if (value > peak.value)
+  {
+    peak = {value, places.x[k], places.y[k], places.depth[k]};
+  }
+}
+
+double alternating(const Stress& stress)
+{
+  return std::abs(stress.xz);
+}
+}  // namespace
+
+void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, const PatchColumns& patch,
+                       const SemiAxes& axes)
+{
+  unit_ = std::min(axes.along, axes.across);
+  longer_x_ = axes.along / unit_;
+  longer_y_ = axes.across / unit_;
+  rough_.set(grid, pressure, unit_, rough_spacing);
+  grid_ = &grid;
+  pressure_ = &pressure;
+  columns_.clear();
+  const auto of_patch = pressure.middleCols(patch.begin, patch.count);
+  const Eigen::Index loaded = (of_patch.colwise().maxCoeff() > 0).count();
+  const auto step = std::max(Eigen::Index{1}, std::min((loaded + column_count - 1) / column_count,
+                                                       static_cast<Eigen::Index>(column_spacing * unit_ / grid.dy)));
+  Eigen::Index highest_row = 0, highest = 0;
+  of_patch.maxCoeff(&highest_row, &highest);
+  for (Eigen::Index j = highest % step; j < patch.count; j += step)  // with the column of the highest pressure
+  {
+    addColumn(grid, pressure, patch.begin + j);
+  }
+}
+
+void StressSearch::addColumn(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index column)
+{
+  double sum = 0, first = 0, second = 0;
+  for (int i = 0; i < grid.nx; ++i)
+  {
+    const double p = pressure(i, column), x = grid.x(i) / unit_;
+    sum += p;
+    first += p * x;
+    second += p * x * x;
+  }
+  if (sum > 0)
+  {
+    const double centre = first / sum, variance = std::max(second / sum - centre * centre, 0.0);
+    columns_.push_back({centre, grid.y(static_cast<int>(column)) / unit_, 2 * std::sqrt(variance), {}, {}});
+  }
+}
+
+HighestStresses StressSearch::find(double poisson)
+{
+  for (Column& column : columns_)
+  {
+    searchBelow(column, poisson);
+  }
+  tops_.clear();
+  addTops(&Column::von_mises, vonMises);
+  addTops(&Column::alternating, alternating);
+  const double least_spacing = 0.5 * std::min(grid_->dx, grid_->dy) / unit_;
+  bool selected = selectTops(0, true);
+  for (double spacing = fine_spacing; selected; spacing *= 0.5)
+  {
+    fine_.set(*grid_, *pressure_, unit_, spacing);
+    for (std::size_t k = 0; k < open_.size(); k += 2)
+    {
+      refine(open_.data() + k, std::min<std::size_t>(2, open_.size() - k), spacing, poisson);
+    }
+    selected = 0.5 * spacing > least_spacing && selectTops(spacing, false);
+  }
+  HighestStresses highest;
+  for (const Top& top : tops_)
+  {
+    StressPeak& peak = top.measure == vonMises ? highest.von_mises : highest.orthogonal;
+    peak = top.peak.value > peak.value ? top.peak : peak;
+    highest.shear = top.shear.value > highest.shear.value ? top.shear : highest.shear;
+  }
+  return {scaled(highest.von_mises), scaled(highest.shear), scaled(highest.orthogonal)};
+}
+
+void StressSearch::searchBelow(Column& column, double poisson) const
+{
+  PointSources::Places places;
+  for (std::size_t k = 0; k < below; ++k)
+  {
+    put(places, k, column.x, column.y, first_depths[k]);
+    const double side = k % 2 == 0 ? -orthogonal_x : orthogonal_x;
+    put(places, below + k, column.x + side * column.half, column.y, orthogonal_depths[k / 2]);
+  }
+  const std::array<Stress, kPoints> stresses = rough_.at(places, poisson);
+  column.von_mises = column.alternating = {};
+  for (std::size_t k = 0; k < below; ++k)
+  {
+    take(vonMises(stresses[k]), places, k, column.von_mises);
+    take(alternating(stresses[below + k]), places, below + k, column.alternating);
+  }
+}
+
+/// Adds the local maxima among the columns that may be the highest.
+void StressSearch::addTops(StressPeak Column::*of, Measure measure)
+{
+  const auto at = [&](std::size_t k) { return k < columns_.size() ? (columns_[k].*of).value : 0; };
+  double rough = 0;
+  for (std::size_t k = 0; k < columns_.size(); ++k)
+  {
+    rough = std::max(rough, at(k));
+  }
+  for (std::size_t k = 0; k < columns_.size(); ++k)
+  {
+    if (at(k) > other_peak * rough && at(k) >= at(k + 1) && (k == 0 || at(k) > at(k - 1)))
+    {
+      const StressPeak& start = columns_[k].*of;
+      Top top;
+      top.measure = measure;
+      top.centre = {start.x, start.y, start.depth};
+      tops_.push_back(top);
+    }
+  }
+}
+
+/// Selects the maxima that are refined: all of them, or those that may be the highest and are too close to the surface
+/// for the last distance of the forces.
+/// @return false if there are none
+bool StressSearch::selectTops(double spacing, bool all)
+{
+  open_.clear();
+  for (Top& top : tops_)
+  {
+    const auto exceeds = [&top](const Top& other)
+    { return other.measure == top.measure && other.peak.value * other_peak > top.peak.value; };
+    if (all || (top.peak.depth < near_depth * spacing && std::none_of(tops_.begin(), tops_.end(), exceeds)))
+    {
+      open_.push_back(&top);
+    }
+  }
+  for (Top* top : open_)
+  {
+    top->peak = {};
+    top->steps = {first_step * longer_x_, first_step * longer_y_, depth_step};
+  }
+  return !open_.empty();
+}
+
+/// Moves up to two places to the tops of parabolas. Half of the points belong to each place.
+void StressSearch::refine(Top* const* tops, std::size_t count, double spacing, double poisson) const
+{
+  for (int round = 0; round < most_rounds; ++round)
+  {
+    PointSources::Places places;
+    for (std::size_t k = 0; k < kPoints; ++k)
+    {
+      const Eigen::Vector3d place = tops[std::min(k / star_size, count - 1)]->place(k % star_size);
+      put(places, k, place.x(), place.y(), std::max(place.z(), least_depth * spacing));
+    }
+    const std::array<Stress, kPoints> stresses = fine_.at(places, poisson);
+    bool ends = true;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      ends = tops[k]->advance(stresses.data() + k * star_size, least_depth * spacing) && ends;
+    }
+    if (ends)
+    {
+      return;
+    }
+  }
+}
+
+/// Point of the star of a place: 0 and 7 are its centre, then two points along x, along y, and along the depth.
+Eigen::Vector3d StressSearch::Top::place(std::size_t number) const
+{
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  if (number > 0 && number + 1 < star_size)
+  {
+    offset[static_cast<Eigen::Index>((number - 1) / 2)] = number % 2 == 1 ? -1 : 1;
+  }
+  return moved(offset);
+}
+
+/// Centre of the star, moved by a number of steps. The steps of the depth are factors.
+Eigen::Vector3d StressSearch::Top::moved(const Eigen::Vector3d& offset) const
+{
+  return {centre.x() + offset.x() * steps.x(), centre.y() + offset.y() * steps.y(),
+          centre.z() * std::exp(offset.z() * steps.z())};
+}
+
+/// Top of the parabolas through the values of a star, at most one step from its centre.
+StressSearch::Parabolas StressSearch::parabolas(const Stress* star, Measure measure)
+{
+  Parabolas result;
+  const double middle = measure(star[0]);
+  result.value = middle;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+  {
+    const double low = measure(star[2 * axis + 1]), high = measure(star[2 * axis + 2]);
+    const double bend = low + high - 2 * middle, slope = 0.5 * (high - low);
+    const double top = bend < 0 ? std::clamp(-slope / bend, -1.0, 1.0) : (slope > 0 ? 1 : -1);
+    result.offset[axis] = top;
+    result.value += top * (slope + 0.5 * bend * top);
+    result.inside = result.inside && std::abs(top) < 1;
+  }
+  return result;
+}
+
+/// Moves the centre of the star to the top of the parabolas. If this is inside the star, the next star is half as
+/// large.
+/// @return true if the maximum is found
+bool StressSearch::Top::advance(const Stress* star, double least)
+{
+  const Parabolas next = parabolas(star, measure);
+  const double middle = measure(star[0]);
+  if (middle > peak.value)
+  {
+    peak = {middle, centre.x(), centre.y(), centre.z()};
+  }
+  if (measure == vonMises)
+  {
+    const Parabolas of_shear = parabolas(star, maxShear);
+    const Eigen::Vector3d place = moved(of_shear.offset);
+    shear = {of_shear.value, place.x(), place.y(), place.z()};
+  }
+  centre = moved(next.offset);
+  centre.z() = std::max(centre.z(), least);
+  steps *= next.inside ? 0.5 : 1;
+  return next.inside && next.value < (1 + least_gain) * peak.value;
+}
+
+StressPeak StressSearch::scaled(const StressPeak& peak) const
+{
+  return {peak.value, unit_ * peak.x, unit_ * peak.y, unit_ * peak.depth};
+}
+}  // namespace wheel_rail_contact::core
