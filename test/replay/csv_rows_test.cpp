@@ -3,7 +3,41 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <vector>
+
 using namespace wheel_rail_contact;
+
+namespace
+{
+std::vector<std::string> cellsOf(const std::string& line)
+{
+  std::vector<std::string> cells;
+  std::istringstream text(line.substr(0, line.find('\n')) + ",");
+  for (std::string cell; std::getline(text, cell, ',');)
+  {
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+/// Names of the columns, from the first line of a new table.
+std::vector<std::string> columns()
+{
+  const std::string path = testing::TempDir() + "csv_rows_test.csv";
+  std::remove(path.c_str());
+  CsvFile(path, false).finish(0);
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  std::remove(path.c_str());
+  return cellsOf(line);
+}
+}  // namespace
 
 TEST(CsvRows, HeldAndImplausibleResultsAreMarkedBesideTheReason)
 {
@@ -15,4 +49,40 @@ TEST(CsvRows, HeldAndImplausibleResultsAreMarkedBesideTheReason)
   EXPECT_EQ(csvRows(result, 7, "front").substr(0, 42), "7,front,2.000000000,OK,\"a reason\",0,1,0,0,");
   result.held = true;
   EXPECT_EQ(csvRows(result, 7, "front").substr(0, 42), "7,front,2.000000000,OK,\"a reason\",1,1,0,0,");
+}
+
+TEST(CsvRows, RowsWithAndWithoutAPatchHaveACellForEachColumn)
+{
+  WheelsetContact result;
+  EXPECT_EQ(cellsOf(csvRows(result, 0, "")).size(), columns().size());
+  result.patches.resize(1);
+  EXPECT_EQ(cellsOf(csvRows(result, 0, "")).size(), columns().size());
+}
+
+TEST(CsvRows, StressOfBothBodiesIsUnderItsColumns)
+{
+  WheelsetContact result;
+  ContactPatch& patch = result.patches.emplace_back();
+  const std::vector<std::string> names = columns();
+  double value = 0;
+  std::map<std::string, double> expected;
+  for (const std::string body : {"wheel_", "rail_"})
+  {
+    PatchStress& stress = body == "wheel_" ? patch.wheel_stress : patch.rail_stress;
+    expected[body + "von_mises [Pa]"] = stress.von_mises.value = ++value;
+    expected[body + "von_mises_x [m]"] = stress.von_mises.x = ++value;
+    expected[body + "von_mises_y [m]"] = stress.von_mises.y = ++value;
+    expected[body + "von_mises_depth [m]"] = stress.von_mises.depth = ++value;
+    expected[body + "shear [Pa]"] = stress.shear.value = ++value;
+    expected[body + "shear_depth [m]"] = stress.shear.depth = ++value;
+    expected[body + "load_factor [-]"] = stress.load_factor = ++value;
+    expected[body + "shakedown_limit [-]"] = stress.shakedown_limit = ++value;
+  }
+  const std::vector<std::string> row = cellsOf(csvRows(result, 0, ""));
+  for (const auto& [name, cell] : expected)
+  {
+    const auto column = std::find(names.begin(), names.end(), name);
+    ASSERT_NE(column, names.end()) << name;
+    EXPECT_EQ(std::stod(row.at(static_cast<std::size_t>(column - names.begin()))), cell) << name;
+  }
 }
