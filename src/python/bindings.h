@@ -7,7 +7,9 @@ namespace wheel_rail_contact
 {
 // Parts of the Python module. Its names are described for users in the Python package, which wraps them.
 
-/// Adds the classes of a result.
+/// Adds the stress beneath a patch, and functions of stresses.
+void bindStress(pybind11::module& module);
+/// Adds the classes of a result. The stress is added before.
 void bindResults(pybind11::module& module);
 /// Adds the results of many states.
 void bindMany(pybind11::module& module);

@@ -51,6 +51,10 @@ void bindMany(py::module& module)
                     "(n, 2) of the patch with the largest normal force [rad]; NaN without a patch")
       .def_readonly("rolling_radius", &ManyResults::rolling_radius,
                     "(n, 2) of the patch with the largest normal force [m]; NaN without a patch")
+      .def_readonly("wheel_von_mises", &ManyResults::wheel_von_mises,
+                    "(n, 2) highest von Mises stress in the wheel [Pa]; 0 unless stress/depths is above 0")
+      .def_readonly("rail_von_mises", &ManyResults::rail_von_mises,
+                    "(n, 2) highest von Mises stress in the rail [Pa]; 0 unless stress/depths is above 0")
       .def_readonly("rail_lateral", &ManyResults::rail_lateral, "(n, 2) of the rail, outward positive [m]")
       .def_readonly("rail_vertical", &ManyResults::rail_vertical, "(n, 2) of the rail, up positive [m]")
       .def_readonly("rail_roll", &ManyResults::rail_roll, "(n, 2) of the rail, outward positive [rad]")

@@ -162,8 +162,9 @@ ManyResults::ManyResults(std::size_t count) : status(count), reason(count)
   z.setConstant(rows, nan);
   roll.setConstant(rows, nan);
   patches.setZero(rows, 2);
-  for (SideColumns* columns : {&vertical_force, &lateral_force, &max_pressure, &area, &error_estimate, &contact_angle,
-                               &rolling_radius, &rail_lateral, &rail_vertical, &rail_roll})
+  for (SideColumns* columns :
+       {&vertical_force, &lateral_force, &max_pressure, &area, &error_estimate, &contact_angle, &rolling_radius,
+        &wheel_von_mises, &rail_von_mises, &rail_lateral, &rail_vertical, &rail_roll})
   {
     columns->setConstant(rows, 2, nan);
   }
@@ -207,6 +208,7 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
   rail_vertical(row, column) = rail.vertical;
   rail_roll(row, column) = rail.roll;
   max_pressure(row, column) = area(row, column) = error_estimate(row, column) = 0;
+  wheel_von_mises(row, column) = rail_von_mises(row, column) = 0;
   for (const PatchResult& patch : result.patches)
   {
     if (patch.side == side)
@@ -215,6 +217,8 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
       max_pressure(row, column) = std::max(max_pressure(row, column), patch.max_pressure);
       area(row, column) += patch.area;
       error_estimate(row, column) = std::max(error_estimate(row, column), patch.error_estimate);
+      wheel_von_mises(row, column) = std::max(wheel_von_mises(row, column), patch.wheel_stress.von_mises.value);
+      rail_von_mises(row, column) = std::max(rail_von_mises(row, column), patch.rail_stress.von_mises.value);
     }
   }
   if (const PatchResult* patch = mainPatch(result, side))

@@ -31,11 +31,13 @@ struct ManyResults
   SideColumns max_pressure;                      ///< highest pressure of all patches; 0 without a patch [Pa]
   SideColumns area;                              ///< contact area of all patches [m²]
   SideColumns error_estimate;                    ///< largest one of all patches [-]
-  SideColumns contact_angle;                  ///< of the patch with the largest normal force [rad]; NaN without a patch
-  SideColumns rolling_radius;                 ///< of the patch with the largest normal force [m]; NaN without a patch
-  SideColumns rail_lateral;                   ///< displacement of the rail, outward positive [m]
-  SideColumns rail_vertical;                  ///< displacement of the rail, up positive [m]
-  SideColumns rail_roll;                      ///< rotation of the rail, positive if the crown moves outward [rad]
+  SideColumns contact_angle;    ///< of the patch with the largest normal force [rad]; NaN without a patch
+  SideColumns rolling_radius;   ///< of the patch with the largest normal force [m]; NaN without a patch
+  SideColumns wheel_von_mises;  ///< highest von Mises stress in the wheel; 0 without a patch or StressConfig [Pa]
+  SideColumns rail_von_mises;   ///< the same in the rail [Pa]
+  SideColumns rail_lateral;     ///< displacement of the rail, outward positive [m]
+  SideColumns rail_vertical;    ///< displacement of the rail, up positive [m]
+  SideColumns rail_roll;        ///< rotation of the rail, positive if the crown moves outward [rad]
   std::vector<core::WheelsetResult> results;  ///< with the pressures; empty unless they are kept
 
   /// True for each usable result.

@@ -140,6 +140,8 @@ void bindPatch(py::module& module)
       .def_readonly("curvature_along", &PatchResult::curvature_along, "combined, along x, convex positive [1/m]")
       .def_readonly("curvature_across", &PatchResult::curvature_across, "combined, across, convex positive [1/m]")
       .def_readonly("normal_stiffness", &PatchResult::normal_stiffness, "normal force per approach [N/m]")
+      .def_readonly("wheel_stress", &PatchResult::wheel_stress, "PatchStress in the wheel")
+      .def_readonly("rail_stress", &PatchResult::rail_stress, "PatchStress in the rail")
       .def_readonly("pressure", &PatchResult::pressure, "(nx, ny) pressures of the cells, read-only [Pa]")
       .def_property_readonly(
           "x", [](const PatchResult& patch) { return centres(patch.grid.nx, patch.grid.x0, patch.grid.dx); },

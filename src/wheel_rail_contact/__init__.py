@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contact of wheels and rails.
 
-For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure and to_array; see doc/python.md. The
-subpackages belong to the commands.
+For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure, to_array, and functions
+of stresses; see doc/python.md. The subpackages belong to the commands.
 """
 # Names and their modules. They are imported when they are used: commands start without numpy.
 _MODULES = {
@@ -11,6 +11,12 @@ _MODULES = {
     "read_profile": "profiles",
     "plot_pressure": "pressure",
     "to_array": "pressure",
+    "max_shear": "stress",
+    "principal_stresses": "stress",
+    "strain": "stress",
+    "stress_at": "stress",
+    "stress_layers": "stress",
+    "von_mises": "stress",
 }
 
 

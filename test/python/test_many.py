@@ -10,13 +10,15 @@ import numpy as np
 from wheel_rail_contact import WheelsetContact
 
 LOAD = -200e3  # of the axle [N]
+WITH_STRESS = {"stress": {"depths": 4}, "material": {"wheel": {"poisson": 0.3}}}
 COLUMNS = ("z", "roll", "patches", "vertical_force", "lateral_force", "max_pressure", "area", "error_estimate", "contact_angle",
-           "rolling_radius", "rail_lateral", "rail_vertical", "rail_roll", "above_tolerance", "implausible_force")
+           "rolling_radius", "wheel_von_mises", "rail_von_mises", "rail_lateral", "rail_vertical", "rail_roll",
+           "above_tolerance", "implausible_force")
 
 
 class ManyEqualsOne(unittest.TestCase):
     def setUp(self):
-        self.contact = WheelsetContact()
+        self.contact = WheelsetContact(WITH_STRESS)
 
     def cold(self, **state):
         self.contact.reset()
@@ -35,6 +37,9 @@ class ManyEqualsOne(unittest.TestCase):
                 patches = [patch for patch in one.patches if patch.side == name]
                 self.assertEqual(many.patches[i, side], len(patches))
                 self.assertEqual(many.max_pressure[i, side], max((patch.max_pressure for patch in patches), default=0))
+                for body in ("wheel", "rail"):
+                    highest = max((getattr(patch, f"{body}_stress").von_mises.value for patch in patches), default=0)
+                    self.assertEqual(getattr(many, f"{body}_von_mises")[i, side], highest)
                 self.assertEqual(many.area[i, side], sum(patch.area for patch in patches))
                 self.assertEqual(many.vertical_force[i, side], getattr(one, f"{name}_wheel").vertical_force)
                 self.assertEqual(many.rail_vertical[i, side], getattr(one, f"{name}_rail").deflection.vertical)
@@ -50,7 +55,7 @@ class ManyEqualsOne(unittest.TestCase):
         self.assertEqual(one.results, [])
 
     def test_the_start_of_evaluate_is_not_changed(self):
-        other = WheelsetContact()
+        other = WheelsetContact(WITH_STRESS)
         for contact in (self.contact, other):
             contact.evaluate(y=4e-3, force_z=LOAD)
         self.contact.evaluate_many(y=np.zeros(3), force_z=LOAD)

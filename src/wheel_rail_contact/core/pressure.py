@@ -46,18 +46,30 @@ def plot_pressure(patch, ax=None, max_pressure=None, colorbar=True):
     return ax
 
 
-def _cells(patch):
-    """Pressure (nx, ny) [Pa], and the boundaries of the cells along x and y [m]."""
+def grid_of(patch):
+    """Pressure (nx, ny) [Pa] of a patch, centre (x0, y0) of its first cell, and length and width (dx, dy) of the cells [m].
+
+    patch: PatchResult, or message ContactPatch
+
+    Raises ValueError for a message without its grid.
+    """
     if hasattr(patch, "grid"):
         grid = patch.grid
-        pressure, x0, y0, dx, dy = to_array(grid), grid.x0, grid.y0, grid.dx, grid.dy
-    else:
-        pressure, x0, y0, dx, dy = patch.pressure, patch.x[0], patch.y[0], patch.dx, patch.dy
-    x, y = (first + width * (np.arange(count + 1) - 0.5)
-            for first, width, count in zip((x0, y0), (dx, dy), pressure.shape))
+        return to_array(grid), (grid.x0, grid.y0), (grid.dx, grid.dy)
+    return patch.pressure, (patch.x[0], patch.y[0]), (patch.dx, patch.dy)
+
+
+def side_of(patch):
+    """Side of a patch: "left" or "right"."""
+    return patch.side if isinstance(patch.side, str) else SIDES[patch.side]
+
+
+def _cells(patch):
+    """Pressure (nx, ny) [Pa], and the boundaries of the cells along x and y [m]."""
+    pressure, first, size = grid_of(patch)
+    x, y = (start + width * (np.arange(count + 1) - 0.5) for start, width, count in zip(first, size, pressure.shape))
     return pressure, x, y
 
 
 def _label(patch):
-    side = patch.side if isinstance(patch.side, str) else SIDES[patch.side]
-    return f"{side}: {MPA * patch.max_pressure:.0f} MPa, {KN * patch.normal_force:.1f} kN"
+    return f"{side_of(patch)}: {MPA * patch.max_pressure:.0f} MPa, {KN * patch.normal_force:.1f} kN"
