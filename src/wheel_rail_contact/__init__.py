@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contact of wheels and rails.
 
-For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure, to_array, and functions
+For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure, plot_stress, to_array, and functions
 of stresses; see doc/python.md. The subpackages belong to the commands.
 """
 # Names and their modules. They are imported when they are used: commands start without numpy.
@@ -11,6 +11,7 @@ _MODULES = {
     "read_profile": "profiles",
     "plot_pressure": "pressure",
     "to_array": "pressure",
+    "plot_stress": "stress_picture",
     "max_shear": "stress",
     "principal_stresses": "stress",
     "strain": "stress",

@@ -15,7 +15,8 @@ class Example(unittest.TestCase):
             run = subprocess.run([sys.executable, EXAMPLE, "--out", f"{folder}/out"], check=True, stdout=subprocess.PIPE,
                                  universal_newlines=True)
             pictures = {path.name: path.read_bytes()[:4] for path in pathlib.Path(folder, "out").iterdir()}
-        self.assertEqual(pictures, {f"python_{name}.png": b"\x89PNG" for name in ("sweep", "patches", "map")})
+        self.assertEqual(pictures, {f"{name}.png": b"\x89PNG" for name in ("python_sweep", "python_patches", "python_map",
+                                                                    "stress_section")})
         self.assertIn("2106 states in", run.stdout)
 
     def test_an_unknown_option_is_refused(self):
