@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+from importlib.util import find_spec
 
 import genpy
 import numpy as np
@@ -27,6 +28,7 @@ BENDING = f"""\
 wheel: {{right: {{rolling_radius: 0.4597}}}}
 rail: {{profile: UIC60_manchester, right: {{profile: 60E1, inclination: 1:20}}}}
 rail_bending: {{model: compliance, table: {TABLE}}}
+stress: {{depths: 4}}
 """
 BROWSER = "chromium-headless-shell"
 WINDOW = (1200, 6000)  # large enough for the whole page
@@ -83,8 +85,9 @@ class Report(SweepCase):
         self.report(self.bending, "--out", out, "--compare", self.rigid, "--at", "1.0")
         page = Page((out / "report.html").read_text(encoding="utf-8"))
         self.assertEqual(page.links, [])
-        # Histories, contact positions, pressures at the given instant and at the two worst ones, errors.
-        self.assertEqual(len(page.pictures), 6)
+        # Histories, contact positions, pressures at the given instant and at the two worst ones, errors; stress of both wheels,
+        # if the Python module was built.
+        self.assertEqual(len(page.pictures), 8 if find_spec("wheel_rail_contact._core") else 6)
         for picture in page.pictures:
             kind, data = picture.split(",", 1)
             self.assertEqual(kind, "data:image/png;base64")
@@ -93,6 +96,9 @@ class Report(SweepCase):
         results, _ = read(self.bending)
         worst = 1e-6 * results.patches["max_pressure"][results.patches["side"] == 1].max()
         self.assertIn(f"max_pressure [MPa], right\n{worst:.0f}\n", page.text)
+        highest = 1e-6 * results.patches["rail_stress.von_mises.value"][results.patches["side"] == 1].max()
+        self.assertIn(f"von Mises stress in the rail [MPa], right\n{highest:.0f}\n", page.text)
+        self.assertIn("Highest stress beneath the surface\n", page.text)
         self.assertIn("Dashed: rigid.bag", page.text)
         self.assertIn("rail_bending/model: compliance", page.text)
 

@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 
 from ..command import finish, pyplot, writing
-from . import along_line, errors, histories, page, positions, pressure, running_band
+from . import along_line, errors, histories, page, positions, pressure, running_band, stress
 from .loops import loop_of
 from .results import read, read_full
 
@@ -42,13 +42,14 @@ def chosen_results(results, instants):
                    if chosen[other])
         if not near:
             chosen[index] = "high pressure, "
-    return {index: f"{title}{_instant(results, index)}, y = {1e3 * results.y[index]:.2f} mm"
-            for index, title in sorted(chosen.items())}
+    return {index: f"{title}{_instant(results, index)}" for index, title in sorted(chosen.items())}
 
 
 def _instant(results, index):
+    """Time and lateral position of a result."""
     looped = (np.diff(results.stamp) < 0).any()
-    return f"{results.stamp[index]:.3f} s" + (f" of loop {loop_of(results.stamp, index)}" if looped else "")
+    return (f"{results.stamp[index]:.3f} s" + (f" of loop {loop_of(results.stamp, index)}" if looped else "")
+            + f", y = {1e3 * results.y[index]:.2f} mm")
 
 
 def make_report(options):
@@ -74,15 +75,23 @@ def _write(out, options, results, topic, other):
             pictures.append(("Running band from above", [running_band.figure(results, side, out / f"running_band_{side}.png")
                                                          for side in sides]))
         pictures.append(("Contact positions on the profiles", [positions.figure(results, out / "bands.png")]))
-        titles = chosen_results(results, options.at)
-        shown = [pressure.figure(message, titles[index], out / f"pressure_{index}.png")
-                 if any(patch.grid.nx for patch in message.patches) else
-                 f"{titles[index]}: no pressure ({message.status_text or 'the bag contains no grids'})"
-                 for index, message in read_full(options.bag, topic, titles).items()]
-        pictures.append(("Pressure", shown))
+        pictures += _of_instants(out, options, results, topic)
         pictures.append(("Estimated errors", [errors.figure(results, out / "errors.png")]))
     page.write(out / "report.html", f"{pathlib.Path(options.bag).name}, {topic}", results, pictures,
                pathlib.Path(options.compare).name if options.compare else None)
+
+
+def _of_instants(out, options, results, topic):
+    """Pictures of single results: the pressure, and the stress if it was computed."""
+    titles, worst = chosen_results(results, options.at), stress.worst_patches(results)
+    of_stress = {int(results.patches["result"][patch]) for patch in worst.values()}
+    messages = read_full(options.bag, topic, {*titles, *of_stress})
+    pressures = [pressure.figure(messages[index], title, out / f"pressure_{index}.png")
+                 if any(patch.grid.nx for patch in messages[index].patches) else
+                 f"{title}: no pressure ({messages[index].status_text or 'the bag contains no grids'})"
+                 for index, title in titles.items()]
+    stresses = stress.items(results, worst, messages, lambda index: _instant(results, index), out)
+    return [("Pressure", pressures), *([("Highest stress beneath the surface", stresses)] if stresses else [])]
 
 
 def main(arguments=None):

@@ -42,6 +42,10 @@ def _quantities(results, side):
     for name, unit, scale, digits in (("max_pressure", "MPa", 1e-6, 0), ("contact_angle", "°", 180 / np.pi, 1),
                                       ("normal_force", "kN", 1e-3, 1), ("approach", "µm", 1e6, 1)):
         yield f"{name} [{unit}]", results.patches[name][chosen], of_patch, scale, digits
+    for body in ("wheel", "rail"):
+        values = results.patches[f"{body}_stress.von_mises.value"]
+        if values.any():  # otherwise not computed
+            yield f"von Mises stress in the {body} [MPa]", values[chosen], of_patch, 1e-6, 0
     for name, symbol in (("vertical_force", "Q"), ("lateral_force", "Y")):
         known = np.flatnonzero(np.isfinite(results.wheel[:, side, 0]))
         yield f"{symbol} of the wheel [kN]", results.wheel[known, side, WHEEL_FIELDS.index(name)], known, 1e-3, 1

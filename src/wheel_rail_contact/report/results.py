@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads the results in a bag into arrays. Pressure grids are read only for selected results."""
+import operator
 import re
 from dataclasses import dataclass, field
 
@@ -37,7 +38,9 @@ class Results:
 
 FAR_BELOW = -0.1  # [m] height below all pictures
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
-                "semi_axis_along", "semi_axis_across", "rolling_radius", "wheel_s", "rail_s")
+                "semi_axis_along", "semi_axis_across", "rolling_radius", "wheel_s", "rail_s", "wheel_stress.von_mises.value",
+                "rail_stress.von_mises.value")
+OF_PATCH = operator.attrgetter(*PATCH_FIELDS)
 OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "given_lateral", "given_vertical")
 WHEEL_FIELDS = ("lateral_force", "vertical_force")
@@ -104,7 +107,7 @@ def _collect(stream):
             results.reasons.setdefault(key, [0, message.status_text])[0] += 1
         for patch in () if message.held else message.patches:
             o = patch.pose
-            patches.append((index, patch.side, o.position.y, o.position.z, *(getattr(patch, f) for f in PATCH_FIELDS)))
+            patches.append((index, patch.side, o.position.y, o.position.z, *OF_PATCH(patch)))
             names.append(patch.method)
     if not histories:
         raise Failure("the bag contains no results")
