@@ -36,6 +36,10 @@ core::PatchResult examplePatch(core::Side side)
   patch.curvature_along = 2.17;
   patch.curvature_across = 6.4;
   patch.normal_stiffness = 1.1e9;
+  patch.wheel_stress.von_mises = {600e6, 1e-4, -2e-4, 3e-3};
+  patch.wheel_stress.load_factor = 3.1;
+  patch.rail_stress.shear = {310e6, -1e-4, 2e-4, 3.2e-3};
+  patch.rail_stress.shakedown_limit = 4.7;
   patch.grid.nx = 4;
   patch.grid.ny = 3;
   patch.grid.dx = 0.002;
@@ -44,6 +48,13 @@ core::PatchResult examplePatch(core::Side side)
   patch.grid.y0 = -0.0015;
   const Eigen::ArrayXd values = Eigen::ArrayXd::LinSpaced(12, 1e6, 12e6);
   patch.pressure = Eigen::Map<const Eigen::ArrayXXd>(values.data(), 4, 3);
+  for (const double depth : {0.0, 1e-3})
+  {
+    core::StressLayer& layer = patch.rail_stress.field.emplace_back();
+    layer.depth = depth;
+    layer.components.fill((1 + depth) * patch.pressure);
+    layer.components[4] *= -0.1;
+  }
   return patch;
 }
 
@@ -98,6 +109,22 @@ void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
   EXPECT_EQ(a.grid.dx, b.grid.dx);
   EXPECT_EQ(a.grid.dy, b.grid.dy);
   EXPECT_EQ(a.grid.y0, b.grid.y0);
+  EXPECT_EQ(a.wheel_stress.von_mises.value, b.wheel_stress.von_mises.value);
+  EXPECT_EQ(a.wheel_stress.von_mises.y, b.wheel_stress.von_mises.y);
+  EXPECT_EQ(a.wheel_stress.load_factor, b.wheel_stress.load_factor);
+  EXPECT_EQ(a.rail_stress.shear.x, b.rail_stress.shear.x);
+  EXPECT_EQ(a.rail_stress.shear.depth, b.rail_stress.shear.depth);
+  EXPECT_EQ(a.rail_stress.shakedown_limit, b.rail_stress.shakedown_limit);
+  ASSERT_EQ(a.rail_stress.field.size(), b.rail_stress.field.size());
+  for (std::size_t k = 0; k < a.rail_stress.field.size(); ++k)
+  {
+    EXPECT_EQ(a.rail_stress.field[k].depth, b.rail_stress.field[k].depth);
+    for (std::size_t c = 0; c < 6; ++c)
+    {
+      EXPECT_TRUE(a.rail_stress.field[k].components[c].isApprox(b.rail_stress.field[k].components[c],
+                                                                std::numeric_limits<float>::epsilon()));
+    }
+  }
   EXPECT_TRUE(a.pressure.isApprox(b.pressure, std::numeric_limits<float>::epsilon()));
 }
 }  // namespace
@@ -190,6 +217,23 @@ TEST(Conversions, GridsOfTheWrongSizeAreRefused)
   bad.nx = bad.ny = 1U << 16U;  // the product overflows to 0 in 32 bits
   bad.pressure.clear();
   EXPECT_THROW(fromMessage(bad, grid, pressure), std::invalid_argument);
+}
+
+TEST(Conversions, StressFieldIsStoredInTheDocumentedOrder)
+{
+  const core::PatchResult patch = examplePatch(core::Side::left);
+  const PatchStress message = toMessage(patch, 0, true).rail_stress;
+  ASSERT_EQ(message.stress.size(), 2U * 6U * 12U);
+  EXPECT_EQ(message.stress[((1 * 6 + 4) * 3 + 2) * 4 + 1],
+            static_cast<float>(patch.rail_stress.field[1].components[4](1, 2)));
+  EXPECT_TRUE(toMessage(patch, 0, false).rail_stress.stress.empty());
+}
+
+TEST(Conversions, StressFieldsOfTheWrongSizeAreRefused)
+{
+  ContactPatch patch = toMessage(examplePatch(core::Side::left), 0, true);
+  patch.rail_stress.stress.pop_back();
+  EXPECT_THROW(fromMessage(patch, 0), std::invalid_argument);
 }
 
 TEST(Conversions, UnknownConstantsAreRefused)

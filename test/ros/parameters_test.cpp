@@ -31,8 +31,10 @@ bool isOnlyExplained(const std::string& name)
 /// A valid value of every parameter except the members of a group in place of the name of a file.
 ParameterTree complete()
 {
-  const std::string wheel = "{profile: S1002, rolling_radius: 0.46, material: {young: 2.1e+11, poisson: 0.28}}";
-  const std::string rail = "{profile: 60E1, inclination: 0.025, table: '', material: {young: 2.1e+11, poisson: 0.28}}";
+  const std::string wheel =
+      "{profile: S1002, rolling_radius: 0.46, material: {young: 2.1e+11, poisson: 0.28, yield: 5e+8}}";
+  const std::string rail =
+      "{profile: 60E1, inclination: 0.025, table: '', material: {young: 2.1e+11, poisson: 0.28, yield: 5e+8}}";
   return with("{wheel: {left: " + wheel + ", right: " + wheel + "}, rail: {left: " + rail + ", right: " + rail + "}}");
 }
 
@@ -215,6 +217,10 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"material: {rail: {young: 0}}", "material/rail/young", "0"},
       {"material: {rail: {poisson: 0.6}}", "material/rail/poisson", "0.6"},
       {"material: {wheel: {poisson: -1}}", "material/wheel/poisson", "-1"},
+      {"material: {rail: {yield: -1}}", "material/rail/yield", "-1"},
+      {"stress: {depths: 3}", "stress/depths", "3"},
+      {"stress: {depths: 4.5}", "stress/depths", "4.5"},
+      {"stress: {field: true}", "stress/depths", "0"},
       {"material: {axle: {young: 1}}", "material/axle/young", "material/wheel/young"},
       {"rail_bending: {model: beam}", "rail_bending/model", "beam"},
       {"rail_bending: {model: 1}", "rail_bending/model", "1"},

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "wheel_rail_contact/core/normal_problem.h"
+#include "wheel_rail_contact/core/patch_grid.h"
 
 namespace wheel_rail_contact::core
 {
-struct PatchGrid;
-
 /// Stress at a point of a body [Pa], tension positive. Axes: x and y of the grid of the pressure, z into the body. In
 /// the patch frame, whose z points out of the rail, xz and yz of the rail therefore change their sign.
 struct Stress

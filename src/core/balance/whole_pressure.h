@@ -6,7 +6,7 @@
 
 namespace wheel_rail_contact::core
 {
-/// Pressure of all cells of a grid, in track axes: nx × ny. A symmetric grid stores only half of the cells. On the right
-/// side the columns are in reverse order.
+/// Pressure of all cells of a grid, in track axes: nx × ny. A symmetric grid stores only half of the cells. On the
+/// right side the columns are in reverse order.
 void wholePressure(Side side, const Grid& grid, const Eigen::ArrayXXd& stored, Eigen::ArrayXXd& whole);
 }  // namespace wheel_rail_contact::core

@@ -7,7 +7,6 @@
 
 #include "core/normal/operator/lanes.h"
 #include "wheel_rail_contact/core/stress.h"
-#include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/stress/corner_stress.h"
 #include "core/stress/stress_check.h"
-#include "wheel_rail_contact/core/wheelset_result.h"
+#include "wheel_rail_contact/core/stress.h"
 
 namespace wheel_rail_contact::core
 {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/option_check.h"
+#include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
 {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "wheel_rail_contact/core/wheelset_result.h"
+#include "wheel_rail_contact/core/stress.h"
 
 /// Pressures whose stress is known.
 namespace wheel_rail_contact::core::pressures
