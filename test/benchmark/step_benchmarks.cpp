@@ -3,6 +3,8 @@
 
 #include "benchmarks.h"
 #include "core/balance/islands.h"
+#include "core/balance/whole_pressure.h"
+#include "core/stress/stress_search.h"
 
 namespace wheel_rail_contact
 {
@@ -92,13 +94,59 @@ void stiffness(benchmark::State& state, const core::GridSize& size)
     benchmark::DoNotOptimize(one.wheel.stiffness()(core::wheel_up, core::wheel_up));
   }
 }
+/// Pressure of the first patch, and its grid from the centre of the cells.
+struct Pressed
+{
+  core::PatchGrid grid;
+  Eigen::ArrayXXd pressure;
+  core::SemiAxes axes;
+
+  explicit Pressed(const core::PatchPressure& patch) : axes(core::equalEllipse(patch))
+  {
+    const core::Grid& cells = patch.grid;
+    grid = {cells.nx, cells.ny, cells.dx, cells.dy, (0.5 - 0.5 * cells.nx) * cells.dx, cells.y0};
+    core::wholePressure(core::Side::left, cells, patch.pressure, pressure);
+  }
+};
+
+/// Search for the highest stresses beneath a patch.
+void stress(benchmark::State& state, const core::GridSize& size)
+{
+  OneWheel one;
+  one.solveOn(size);
+  const Pressed pressed(one.wheel.solution().patches[0]);
+  core::StressSearch search;
+  for (auto _ : state)
+  {
+    search.set(pressed.grid, pressed.pressure, {0, pressed.grid.ny}, pressed.axes);
+    benchmark::DoNotOptimize(search.find(0.28).von_mises.value);
+  }
+}
+
+/// Stress in 16 layers.
+void stressField(benchmark::State& state, const core::GridSize& size)
+{
+  OneWheel one;
+  one.solveOn(size);
+  const Pressed pressed(one.wheel.solution().patches[0]);
+  std::vector<double> depths;
+  for (int k = 0; k < 16; ++k)
+  {
+    depths.push_back(k * pressed.axes.across / 8);
+  }
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(stressLayers(pressed.grid, pressed.pressure, 0.28, depths).size());
+  }
+}
 }  // namespace
 
 void registerSteps()
 {
   benchmark::RegisterBenchmark("step/search", search)->Unit(benchmark::kMicrosecond);
-  for (const core::GridSize& size : {core::GridSize{8, 16}, core::GridSize{16, 32}, core::GridSize{16, 48},
-                                     core::GridSize{24, 64}, core::GridSize{32, 96}, core::GridSize{64, 192}})
+  for (const core::GridSize& size :
+       {core::GridSize{8, 16}, core::GridSize{12, 24}, core::GridSize{16, 32}, core::GridSize{16, 48},
+        core::GridSize{24, 64}, core::GridSize{32, 96}, core::GridSize{64, 192}})
   {
     const auto add = [&](const std::string& name, void (*run)(benchmark::State&, const core::GridSize&))
     {
@@ -110,6 +158,8 @@ void registerSteps()
     add("step/normal/", normal);
     add("step/error_estimate/", estimate);
     add("step/stiffness/", stiffness);
+    add("step/stress/", stress);
+    add("step/stress_field/", stressField);
   }
 }
 }  // namespace wheel_rail_contact

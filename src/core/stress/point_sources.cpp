@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
 const double pi = std::acos(-1.0);
+constexpr double far_spacing = 0.4;  ///< distance of the forces of a column, over its distance from the nearest point
 
 Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double poisson)
 {
@@ -24,7 +26,8 @@ Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double pois
 }
 }  // namespace
 
-void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing)
+void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing,
+                       const std::vector<double>& places)
 {
   unit_ = unit;
   lines_.clear();
@@ -32,14 +35,18 @@ void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, d
   y_.clear();
   force_.clear();
   const auto joined = std::max(Eigen::Index{1}, static_cast<Eigen::Index>(spacing * unit / grid.dy));
-  const int parts = std::max(1, static_cast<int>(std::ceil(grid.dy / (spacing * unit))));
   for (Eigen::Index j = 0; j < grid.ny; j += joined)
   {
     lines_.push_back(lineOf(grid, pressure, j, std::min<Eigen::Index>(j + joined, grid.ny)));
   }
   for (std::size_t k = 0; k < lines_.size(); ++k)
   {
-    addParts(k, parts, grid.dy / unit, spacing);
+    double distance = places.empty() ? 0 : std::numeric_limits<double>::infinity();
+    for (const double place : places)
+    {
+      distance = std::min(distance, std::abs(lines_[k].y - place));
+    }
+    addParts(k, grid.dy / unit, std::max(spacing, far_spacing * distance));
   }
 }
 
@@ -70,8 +77,9 @@ PointSources::Line PointSources::lineOf(const PatchGrid& grid, const Eigen::Arra
 
 /// Adds the equal parts of a line. Their forces, centres and half lengths change linearly to those of the loaded lines
 /// beside it; their whole force is that of the line.
-void PointSources::addParts(std::size_t number, int parts, double width, double spacing)
+void PointSources::addParts(std::size_t number, double width, double spacing)
 {
+  const int parts = std::max(1, static_cast<int>(std::ceil(width / spacing)));
   const Line& line = lines_[number];
   if (!(line.force > 0))
   {

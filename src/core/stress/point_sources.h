@@ -28,7 +28,11 @@ class PointSources
   /// more forces than ever before.
   /// @param unit     unit of all lengths [m]
   /// @param spacing  in this unit [-]
-  void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing);
+  /// @param places   y of the points at which the stress is computed, in this unit. Farther columns have a larger
+  /// distance
+  ///                 of the forces. Empty: the stress is computed anywhere
+  void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing,
+           const std::vector<double>& places);
 
   /// Stress [Pa] at the places.
   std::array<Stress, kPoints> at(const Places& places, double poisson) const;
@@ -43,7 +47,7 @@ class PointSources
     double half = 0;    ///< half length of the semi-ellipse
   };
   Line lineOf(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index begin, Eigen::Index end) const;
-  void addParts(std::size_t number, int parts, double width, double spacing);
+  void addParts(std::size_t number, double width, double spacing);
   void addLine(const Line& line, double spacing);
 
   std::vector<Line> lines_;

@@ -25,7 +25,7 @@ constexpr double other_peak = 0.85;    ///< a local maximum of the first search 
 constexpr double first_step = 0.2;     ///< of the parabolas along x and y, in units of the semi-axes
 constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of the depth
 constexpr int most_rounds = 6;         ///< of parabolas
-constexpr double least_gain = 1e-3;    ///< the search ends where a step promises less, relative to the highest value
+constexpr double least_gain = 0.01;    ///< the search ends where the top of the parabolas is hardly higher [-]
 
 void put(PointSources::Places& places, std::size_t k, double x, double y, double depth)
 {
@@ -54,7 +54,7 @@ void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, c
   unit_ = std::min(axes.along, axes.across);
   longer_x_ = axes.along / unit_;
   longer_y_ = axes.across / unit_;
-  rough_.set(grid, pressure, unit_, rough_spacing);
+  rough_.set(grid, pressure, unit_, rough_spacing, {});
   grid_ = &grid;
   pressure_ = &pressure;
   columns_.clear();
@@ -100,7 +100,7 @@ HighestStresses StressSearch::find(double poisson)
   bool selected = selectTops(0, true);
   for (double spacing = fine_spacing; selected; spacing *= 0.5)
   {
-    fine_.set(*grid_, *pressure_, unit_, spacing);
+    fine_.set(*grid_, *pressure_, unit_, spacing, open_places_);
     for (std::size_t k = 0; k < open_.size(); k += 2)
     {
       refine(open_.data() + k, std::min<std::size_t>(2, open_.size() - k), spacing, poisson);
@@ -163,6 +163,7 @@ void StressSearch::addTops(StressPeak Column::*of, Measure measure)
 bool StressSearch::selectTops(double spacing, bool all)
 {
   open_.clear();
+  open_places_.clear();
   for (Top& top : tops_)
   {
     const auto exceeds = [&top](const Top& other)
@@ -170,12 +171,14 @@ bool StressSearch::selectTops(double spacing, bool all)
     if (all || (top.peak.depth < near_depth * spacing && std::none_of(tops_.begin(), tops_.end(), exceeds)))
     {
       open_.push_back(&top);
+      open_places_.push_back(top.centre.y());
     }
   }
   for (Top* top : open_)
   {
     top->peak = {};
-    top->steps = {first_step * longer_x_, first_step * longer_y_, depth_step};
+    top->steps = {std::min(first_step * longer_x_, top->centre.z()), std::min(first_step * longer_y_, top->centre.z()),
+                  depth_step};
   }
   return !open_.empty();
 }
@@ -242,12 +245,18 @@ StressSearch::Parabolas StressSearch::parabolas(const Stress* star, Measure meas
 
 /// Moves the centre of the star to the top of the parabolas. If this is inside the star, the next star is half as
 /// large.
-/// @return true if the maximum is found
+/// @return true if the maximum is found: the top of the parabolas, hardly higher than the centre
 bool StressSearch::Top::advance(const Stress* star, double least)
 {
   const Parabolas next = parabolas(star, measure);
   const double middle = measure(star[0]);
-  if (middle > peak.value)
+  const bool found = next.inside && next.value < (1 + least_gain) * middle;
+  const Eigen::Vector3d top = moved(next.offset);
+  if (found)
+  {
+    peak = {next.value, top.x(), top.y(), top.z()};
+  }
+  else if (middle > peak.value)
   {
     peak = {middle, centre.x(), centre.y(), centre.z()};
   }
@@ -257,10 +266,9 @@ bool StressSearch::Top::advance(const Stress* star, double least)
     const Eigen::Vector3d place = moved(of_shear.offset);
     shear = {of_shear.value, place.x(), place.y(), place.z()};
   }
-  centre = moved(next.offset);
-  centre.z() = std::max(centre.z(), least);
+  centre = {top.x(), top.y(), std::max(top.z(), least)};
   steps *= next.inside ? 0.5 : 1;
-  return next.inside && next.value < (1 + least_gain) * peak.value;
+  return found;
 }
 
 StressPeak StressSearch::scaled(const StressPeak& peak) const

@@ -82,7 +82,8 @@ class StressSearch
   PointSources rough_, fine_;
   std::vector<Column> columns_;
   std::vector<Top> tops_;
-  std::vector<Top*> open_;  ///< those that are refined
+  std::vector<Top*> open_;           ///< those that are refined
+  std::vector<double> open_places_;  ///< their places across the track
   const PatchGrid* grid_ = nullptr;
   const Eigen::ArrayXXd* pressure_ = nullptr;
 };
