@@ -22,6 +22,21 @@ std::vector<double> layerDepths(const SemiAxes& axes, int count)
   }
   return depths;
 }
+/// Stress of the left side as that of the right side, its mirror image.
+void mirror(PatchStress& stress)
+{
+  constexpr std::size_t yz = 3, xy = 5;
+  stress.von_mises.y *= -1;
+  stress.shear.y *= -1;
+  for (StressLayer& layer : stress.field)
+  {
+    for (std::size_t c = 0; c < layer.components.size(); ++c)
+    {
+      layer.components[c] = layer.components[c].rowwise().reverse().eval();
+      layer.components[c] *= c == yz || c == xy ? -1 : 1;
+    }
+  }
+}
 }  // namespace
 
 void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& patch)
@@ -32,13 +47,15 @@ void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t 
   {
     return;
   }
+  // Both sides are computed in side axes, so that mirrored states have mirrored results.
   const Island& of = balance.islands(side).islands()[island];
   const PatchPressure& whole = balance.wheel(side).contact().solution().patches[of.patch];
-  const PatchColumns columns{side == Side::left ? of.begin : whole.grid.ny - of.begin - of.columns, of.columns};
-  wholePressure(side, whole.grid, whole.pressure, pressure_);
+  wholePressure(Side::left, whole.grid, whole.pressure, pressure_);
   grid_ = patch.grid;
+  grid_.y0 = side == Side::left ? patch.grid.y0 : -patch.grid.y(patch.grid.ny - 1);
+  grid_.y0 -= static_cast<double>(of.begin) * grid_.dy;
   grid_.ny = whole.grid.ny;
-  grid_.y0 -= static_cast<double>(columns.begin) * grid_.dy;
+  const PatchColumns columns{of.begin, of.columns};
   search_.set(grid_, pressure_, columns, axes);
   fillBody(config_.rail_material[side], columns, axes, patch.max_pressure, patch.rail_stress);
   if (config_.wheel_material[side] == config_.rail_material[side])
@@ -48,6 +65,11 @@ void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t 
   else
   {
     fillBody(config_.wheel_material[side], columns, axes, patch.max_pressure, patch.wheel_stress);
+  }
+  if (side == Side::right)
+  {
+    mirror(patch.wheel_stress);
+    mirror(patch.rail_stress);
   }
 }
 

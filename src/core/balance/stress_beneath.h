@@ -23,7 +23,7 @@ class StressBeneath
 
   const ContactModelConfig& config_;
   StressSearch search_;
-  PatchGrid grid_;            ///< whole grid of the island, in the patch frame
+  PatchGrid grid_;            ///< whole grid of the island; y is outward, from the centre of pressure
   Eigen::ArrayXXd pressure_;  ///< its pressure [Pa]
 };
 }  // namespace wheel_rail_contact::core

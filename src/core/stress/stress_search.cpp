@@ -21,6 +21,7 @@ constexpr std::size_t below = kPoints / 2;  ///< points below the centre of a co
 constexpr std::array<double, below> first_depths{0.38, 0.46, 0.57, 0.72, 0.9, 1.15, 1.5, 1.9};
 constexpr std::array<double, below / 2> orthogonal_depths{0.3, 0.42, 0.58, 0.8};
 constexpr double orthogonal_x = 0.85;  ///< where |xz| is first searched for, in units of the half length of a column
+constexpr double near_peak = 0.95;     ///< the same for forces at a smaller distance
 constexpr double other_peak = 0.85;    ///< a local maximum of the first search is refined if it is so near the highest
 constexpr double first_step = 0.2;     ///< of the parabolas along x and y, in units of the semi-axes
 constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of the depth
@@ -167,7 +168,7 @@ bool StressSearch::selectTops(double spacing, bool all)
   for (Top& top : tops_)
   {
     const auto exceeds = [&top](const Top& other)
-    { return other.measure == top.measure && other.peak.value * other_peak > top.peak.value; };
+    { return other.measure == top.measure && near_peak * other.peak.value > top.peak.value; };
     if (all || (top.peak.depth < near_depth * spacing && std::none_of(tops_.begin(), tops_.end(), exceeds)))
     {
       open_.push_back(&top);
