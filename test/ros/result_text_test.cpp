@@ -80,6 +80,14 @@ TEST_F(ResultText, OnlyADisplacedRailHasALine)
   EXPECT_EQ(lineWith("rail").text, "  rail moved +1.00 mm outward, -0.20 mm up, +0.0 mrad");
 }
 
+TEST_F(ResultText, OnlyAPatchWithStressesHasALineForThem)
+{
+  EXPECT_EQ(lineWith("von Mises").text, "none");
+  result.patches[1].wheel_stress.von_mises = {612e6, 0, 0, 2.94e-3};
+  result.patches[1].rail_stress.von_mises = {598.6e6, 0, 1e-3, 3.1e-3};
+  EXPECT_EQ(lineWith("von Mises").text, "    von Mises stress: wheel 612 MPa 2.9 mm deep, rail 599 MPa 3.1 mm deep");
+}
+
 TEST_F(ResultText, WheelWithoutLoadIsAWarning)
 {
   output.status = WheelsetContact::LIFT_OFF;

@@ -65,6 +65,22 @@ std::string patchLine(const core::PatchResult& patch)
                    patch.normal_force / 1e3, patch.contact_angle / degree, std::string(patch.method).c_str());
 }
 
+std::string peakText(const core::StressPeak& peak)
+{
+  return formatted("%.0f MPa %.1f mm deep", peak.value / 1e6, 1e3 * peak.depth);
+}
+
+std::string stressLine(const core::PatchResult& patch)
+{
+  return "    von Mises stress: wheel " + peakText(patch.wheel_stress.von_mises) + ", rail " +
+         peakText(patch.rail_stress.von_mises);
+}
+
+bool hasStress(const core::PatchResult& patch)
+{
+  return patch.wheel_stress.von_mises.value > 0 || patch.rail_stress.von_mises.value > 0;
+}
+
 bool isDisplaced(const core::RailDeflection& rail)
 {
   return rail.lateral != 0 || rail.vertical != 0 || rail.roll != 0;
@@ -106,6 +122,10 @@ void addWheelLines(const core::WheelsetResult& result, core::Side side, std::vec
   for (const core::PatchResult* patch : patches)
   {
     lines.push_back({patchLine(*patch)});
+    if (hasStress(*patch))
+    {
+      lines.push_back({stressLine(*patch)});
+    }
   }
 }
 }  // namespace
