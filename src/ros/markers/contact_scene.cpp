@@ -151,16 +151,19 @@ SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure)
   return options;
 }
 
-core::WheelsetResult drawnResult(const ContactOutput& output, const core::ContactModelConfig* model,
-                                 double deflection_scale)
+std::shared_ptr<const core::WheelsetResult> drawnResult(const ContactOutput& output,
+                                                        const core::ContactModelConfig* model, double deflection_scale)
 {
   if (!output.result)
   {
-    return {};
+    return std::make_shared<core::WheelsetResult>();
   }
   const std::optional<core::Sides<core::PlacedRail>> at_rest = restingRails(model, output.state.distance);
-  return at_rest && deflection_scale != 1 ? withMagnifiedDeflection(*output.result, *at_rest, deflection_scale)
-                                          : *output.result;
+  if (at_rest && deflection_scale != 1)
+  {
+    return std::make_shared<core::WheelsetResult>(withMagnifiedDeflection(*output.result, *at_rest, deflection_scale));
+  }
+  return {std::shared_ptr<const core::WheelsetResult>(), output.result};  // without ownership
 }
 
 MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model, const ContactTrail& trail,
@@ -168,7 +171,8 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
 {
   MarkerArray markers;
   const double x = options.at_origin ? 0 : output.x();
-  const core::WheelsetResult drawn = drawnResult(output, model, options.deflection_scale);
+  const std::shared_ptr<const core::WheelsetResult> result = drawnResult(output, model, options.deflection_scale);
+  const core::WheelsetResult& drawn = *result;
   if (model)
   {
     const core::WheelsetPose pose = output.pose();

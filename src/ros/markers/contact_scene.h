@@ -4,6 +4,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Geometry>
+#include <memory>
 
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/markers/contact_trail.h"
@@ -41,10 +42,11 @@ struct SceneOptions
 SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure);
 
 /// The result as it is drawn: with magnified deflections of the rails, and patches on these rails. Without patches and
-/// with rails at rest if the output is not usable.
+/// with rails at rest if the output is not usable. It is only copied where it differs from the result of the output, to
+/// which it may refer.
 /// @param model null: deflections are not magnified
-core::WheelsetResult drawnResult(const ContactOutput& output, const core::ContactModelConfig* model,
-                                 double deflection_scale);
+std::shared_ptr<const core::WheelsetResult> drawnResult(const ContactOutput& output,
+                                                        const core::ContactModelConfig* model, double deflection_scale);
 
 /// Markers of an output in the track frame: those of patch_markers.h and track_markers.h, and the points of the trail,
 /// coloured by pressure ("trail"). An unusable output has no patches; rails, trail and, if it has a pose, the wheelset

@@ -12,7 +12,7 @@ Eigen::Isometry3d ContactView::frame(const ContactOutput& output, const core::Co
                                      const SceneOptions& options, core::Side side)
 {
   std::optional<Eigen::Isometry3d>& last = last_.at(core::index(side));
-  if (const auto now = contactFrame(drawnResult(output, model, options.deflection_scale), side))
+  if (const auto now = contactFrame(*drawnResult(output, model, options.deflection_scale), side))
   {
     last = now;
   }
