@@ -8,6 +8,7 @@
 #include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
 #include "ros/markers/scene_colors.h"
+#include "ros/markers/stress_section.h"
 #include "ros/parameters/node_parameters.h"
 
 namespace wheel_rail_contact
@@ -49,6 +50,7 @@ void ContactDisplay::clear()
   trail_.clear();
   view_.clear();
   scale_ = PressureScale(properties_.scale());
+  stress_scale_ = PressureScale(properties_.stressScale());
   changed_ = false;
   if (drawing_)
   {
@@ -147,9 +149,13 @@ PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
 {
   PanelContents contents;
   contents.lines = resultLines(*output_, options.track.sides);
-  contents.caption = trail_.points().empty() ? "pressure [MPa]" : "pressure [MPa]; dots: earlier contact points";
-  contents.max_pressure = options.patch.max_pressure;
-  contents.highest_pressure = highestPressure(*output_, options.track.sides);
+  contents.scales.push_back(
+      {trail_.points().empty() ? "pressure [MPa]" : "pressure [MPa]; dots: earlier contact points",
+       options.patch.max_pressure, highestPressure(*output_, options.track.sides)});
+  if (const double highest = highestStress(*output_, options.track.sides); options.stress && highest > 0)
+  {
+    contents.scales.push_back({"von Mises stress [MPa]; crosses: highest", options.max_stress, highest});
+  }
   if (options.forces)
   {
     contents.legend.push_back({scene_colors::force(), "normal force"});
@@ -165,14 +171,26 @@ PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
   return contents;
 }
 
-void ContactDisplay::draw()
+SceneOptions ContactDisplay::sceneOptions()
 {
-  SceneOptions options = properties_.options();
   if (scale_.fixed() != properties_.scale())
   {
     scale_ = PressureScale(properties_.scale());
   }
-  options.patch.max_pressure = scale_.update(output_->header.stamp, highestPressure(*output_, options.track.sides));
+  if (stress_scale_.fixed() != properties_.stressScale())
+  {
+    stress_scale_ = PressureScale(properties_.stressScale());
+  }
+  SceneOptions options = properties_.options();
+  const ros::Time& stamp = output_->header.stamp;
+  options.patch.max_pressure = scale_.update(stamp, highestPressure(*output_, options.track.sides));
+  options.max_stress = stress_scale_.update(stamp, highestStress(*output_, options.track.sides));
+  return options;
+}
+
+void ContactDisplay::draw()
+{
+  const SceneOptions options = sceneOptions();
   drawing_->show(markers(options));
   if (properties_.panelLetters() > 0)
   {

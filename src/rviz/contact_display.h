@@ -43,6 +43,8 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   std::string parameterNamespace() const;
   void reportResult();
   void draw();
+  /// Contents and style of the picture, with the upper ends of the colour scales.
+  SceneOptions sceneOptions();
   visualization_msgs::MarkerArray markers(const SceneOptions& options);
   /// The screen panel for a picture.
   PanelContents panelContents(const SceneOptions& options) const;
@@ -55,7 +57,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   core::WheelsetResult result_;
   std::optional<ContactOutput> output_;  ///< refers to `result_`
   ContactTrail trail_;
-  PressureScale scale_{0};
+  PressureScale scale_{0}, stress_scale_{0};  ///< of the pressure, and of the von Mises stress
   ContactView view_;
   bool changed_ = false;  ///< result or properties have changed since the last drawing
 };

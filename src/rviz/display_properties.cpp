@@ -75,6 +75,16 @@ void DisplayProperties::makePatchProperties(Property* parent)
                             "Upper end of the colour scale [MPa], pressures above it are magenta; 0: it follows the "
                             "pressures, doubled or halved",
                             patches_);
+  stress_ =
+      new BoolProperty("Stress", true,
+                       "Von Mises stress in rail and wheel on a section beneath each patch, as large as the patch; "
+                       "beside it if it is lifted, otherwise at the rear end of the rail; only for results "
+                       "with a stress field",
+                       parent);
+  max_stress_ = makeFloat("Scale", 0, 0, 1e6F,
+                          "Upper end of the colour scale [MPa], stresses above it are magenta; 0: it follows the "
+                          "stresses, doubled or halved",
+                          stress_);
   outlines_ = new BoolProperty("Outline", true, "Edge of each contact", parent);
   forces_ = new BoolProperty("Forces", true, "Normal force of the wheel on the rail, from each patch", parent);
   force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of the arrows [mm/kN]", forces_);
@@ -104,7 +114,9 @@ void DisplayProperties::makeTrackProperties(Property* parent)
 
 void DisplayProperties::makeTextProperties(Property* parent)
 {
-  labels_ = new BoolProperty("Labels", true, "Highest pressure and area, above each patch", parent);
+  labels_ = new BoolProperty("Labels", true,
+                             "Highest pressure and area, above each patch; highest stress and depth, below its section",
+                             parent);
   letter_height_ = makeFloat("Letters", 0.04F, 1e-4F, 1, "Height of the letters [m]", labels_);
   panel_ = new BoolProperty("Panel", true, "Colour scale, and the values of each patch", parent);
   panel_letters_ = makeInt("Letters", 15, 4, 100, "Height of the letters [pixels]", panel_);
@@ -113,8 +125,8 @@ void DisplayProperties::makeTextProperties(Property* parent)
 void DisplayProperties::onChange(const std::function<void()>& changed)
 {
   for (Property* property :
-       std::initializer_list<Property*>{side_, follow_, follow_contact_, line_width_, patches_, outlines_, forces_,
-                                        wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
+       std::initializer_list<Property*>{side_, follow_, follow_contact_, line_width_, patches_, stress_, outlines_,
+                                        forces_, wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
   {
     connectBelow(property, changed);
   }
@@ -166,6 +178,7 @@ SceneOptions DisplayProperties::options() const
   options.patch = patchStyle();
   options.track = trackStyle();
   options.patches = patches_->getBool();
+  options.stress = stress_->getBool();
   options.outlines = outlines_->getBool();
   options.forces = forces_->getBool();
   options.labels = labels_->getBool();
@@ -181,6 +194,11 @@ SceneOptions DisplayProperties::options() const
 double DisplayProperties::scale() const
 {
   return max_pressure_->getFloat() * 1e6;
+}
+
+double DisplayProperties::stressScale() const
+{
+  return max_stress_->getFloat() * 1e6;
 }
 
 std::optional<double> DisplayProperties::contactSpacing() const

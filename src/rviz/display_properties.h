@@ -28,10 +28,13 @@ class DisplayProperties
   /// Calls `changed` after each change of parameters().
   void onParametersChange(const std::function<void()>& changed);
 
-  /// Contents and style of the picture. The upper end of the colour scale is not yet that of scale().
+  /// Contents and style of the picture. The upper ends of the colour scales are not yet those of scale() and
+  /// stressScale().
   SceneOptions options() const;
-  /// Upper end of the colour scale [Pa]; 0: it follows the pressures.
+  /// Upper end of the colour scale of the pressure [Pa]; 0: it follows the pressures.
   double scale() const;
+  /// Upper end of the colour scale of the von Mises stress [Pa]; 0: it follows the stresses.
+  double stressScale() const;
   /// Distance of both contacts in a picture that follows them (ContactView) [m]; none: the picture follows the track.
   std::optional<double> contactSpacing() const;
   /// Number of points of the trail; 0: no trail.
@@ -55,6 +58,8 @@ class DisplayProperties
   rviz::FloatProperty *contact_spacing_, *line_width_;
   rviz::BoolProperty *patches_, *outlines_;
   rviz::FloatProperty *size_, *height_, *lift_, *max_pressure_;
+  rviz::BoolProperty* stress_;
+  rviz::FloatProperty* max_stress_;
   rviz::BoolProperty* forces_;
   rviz::FloatProperty *force_length_, *arrow_width_;
   rviz::BoolProperty *wheels_, *wheel_cut_;

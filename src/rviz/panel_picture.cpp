@@ -63,26 +63,15 @@ class PanelWriter
     }
   }
 
-  /// Colour scale with its labels below it.
-  void scale(const PanelContents& contents)
+  /// Colour scales one beside another.
+  void scales(const std::vector<PanelScale>& scales)
   {
-    const int length = bar_in_letters * size_;
-    for (int i = 0; i < length; ++i)
-    {
-      field(size_ + i, y_, 1, size_, toColor(colorOf((i + 0.5) / length)));
-    }
-    if (contents.highest_pressure > contents.max_pressure)
-    {
-      noteAbove(length, contents.highest_pressure);
-    }
     const int top = y_;
-    for (int tick = 0; tick < ticks; ++tick)
+    int x = size_;
+    for (const PanelScale& scale : scales)
     {
-      const int place = size_ + length * tick / (ticks - 1);
-      field(place, top, 1, size_ + size_ / 3, colorOfTone(Tone::normal));
-      y_ = top + size_ + size_ / 3;
-      const QString number = QString::number(contents.max_pressure * tick / (ticks - 1) / 1e6, 'f', 0);
-      write(number, tick == 0 ? place : place - width(number) / 2, colorOfTone(Tone::normal), 1);
+      y_ = top;
+      x = std::max(scaleAt(x, scale), x + width(QString::fromStdString(scale.caption))) + 3 * size_;
     }
   }
 
@@ -102,14 +91,40 @@ class PanelWriter
     widest_ = std::max(widest_, x + width);
   }
 
-  void noteAbove(int length, double highest)
+  /// Colour scale with its caption above and its labels below it.
+  /// @return right end [pixels]
+  int scaleAt(int x, const PanelScale& scale)
   {
+    write(QString::fromStdString(scale.caption), x, colorOfTone(Tone::normal), 1);
+    const int length = bar_in_letters * size_;
+    for (int i = 0; i < length; ++i)
+    {
+      field(x + i, y_, 1, size_, toColor(colorOf((i + 0.5) / length)));
+    }
+    const int end = scale.highest > scale.max ? noteAbove(x + length, scale.highest) : x + length;
     const int top = y_;
-    field(size_ + length, top, 2 * size_, size_, toColor(aboveScaleColor()));
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+      const int place = x + length * tick / (ticks - 1);
+      field(place, top, 1, size_ + size_ / 3, colorOfTone(Tone::normal));
+      y_ = top + size_ + size_ / 3;
+      const QString number = QString::number(scale.max * tick / (ticks - 1) / 1e6, 'f', 0);
+      write(number, tick == 0 ? place : place - width(number) / 2, colorOfTone(Tone::normal), 1);
+    }
+    return end;
+  }
+
+  /// Note beside a colour scale.
+  /// @return right end [pixels]
+  int noteAbove(int x, double highest)
+  {
+    const QString text = QString("above scale: %1 MPa").arg(highest / 1e6, 0, 'f', 0);
+    const int top = y_;
+    field(x, top, 2 * size_, size_, toColor(aboveScaleColor()));
     y_ -= size_ / 6;
-    write(QString("above scale: %1 MPa").arg(highest / 1e6, 0, 'f', 0), length + 4 * size_, toColor(aboveScaleColor()),
-          1);
+    write(text, x + 3 * size_, toColor(aboveScaleColor()), 1);
     y_ = top;
+    return x + 3 * size_ + width(text);
   }
 
   void write(const QString& text, int x, const QColor& color, double relative_size)
@@ -140,8 +155,7 @@ QSize paint(const PanelContents& contents, int letter_size, QPainter* painter)
     writer.text(line.text, colorOfTone(line.tone), &line == contents.lines.data() ? banner_size : 1);
   }
   writer.space();
-  writer.text(contents.caption, colorOfTone(Tone::normal));
-  writer.scale(contents);
+  writer.scales(contents.scales);
   writer.legend(contents.legend);
   return writer.size();
 }

@@ -18,17 +18,23 @@ struct LegendEntry
   std::string text;           ///< UTF-8
 };
 
+/// Colour scale of a pressure or a stress.
+struct PanelScale
+{
+  std::string caption;  ///< above the scale
+  double max = 1e9;     ///< upper end [Pa], > 0
+  double highest = 0;   ///< if it is above the scale, the scale has a note [Pa]
+};
+
 /// Contents of the screen panel.
 struct PanelContents
 {
   std::vector<TextLine> lines;      ///< text; the first line is drawn larger
-  std::string caption;              ///< of the colour scale
-  double max_pressure = 1e9;        ///< upper end of the colour scale [Pa], > 0
-  double highest_pressure = 0;      ///< if it is above the scale, the scale has a note [Pa]
-  std::vector<LegendEntry> legend;  ///< below the colour scale
+  std::vector<PanelScale> scales;   ///< below the text, one beside another
+  std::vector<LegendEntry> legend;  ///< below the colour scales
 };
 
-/// Lines of text above a colour scale of the pressure in MPa and a legend, on a dark translucent background.
+/// Lines of text above colour scales in MPa and a legend, on a dark translucent background.
 /// @param letter_size height of the letters [pixels]
 QImage panelPicture(const PanelContents& contents, int letter_size);
 }  // namespace wheel_rail_contact

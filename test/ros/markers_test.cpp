@@ -21,12 +21,13 @@ namespace
 class Picture : public ResultScene
 {
  protected:
-  double max_pressure = 2e9;  ///< upper end of the colour scale [Pa]
+  double max_pressure = 2e9;  ///< upper end of the colour scale of the pressure [Pa]
+  double max_stress = 1e9;    ///< that of the von Mises stress [Pa]
 
   MarkerArray draw() const { return draw(config); }
   MarkerArray draw(const NodeConfig& node) const
   {
-    return sceneMarkers(output, &node.model, ContactTrail(), sceneOptions(node.markers, max_pressure));
+    return sceneMarkers(output, &node.model, ContactTrail(), sceneOptions(node.markers, max_pressure, max_stress));
   }
 };
 

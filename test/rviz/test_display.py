@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """rviz loads the display and draws the results of a bag played by replay.launch.
 
-The colours of the pressure appear on the screen, and the logs contain no warnings or errors. A result that is not usable
-leaves the rails, and is red in the panel.
+The colours of the pressure and of the stress appear on the screen, and the logs contain no warnings or errors. A result that
+is not usable leaves the rails, and is red in the panel.
 """
 
 import math
@@ -20,16 +20,27 @@ import rosbag
 import rospkg
 import rospy
 import rostest
-from wheel_rail_contact.msg import ContactPatch, WheelsetContact
+from wheel_rail_contact.msg import ContactPatch, PatchStress, StressPeak, WheelsetContact
 
 SCREEN = (1280, 720)
-PANEL = 240       # height of the panel at the top, which has other colours [px]
+PANEL = 260       # height of the panel at the top, which has other colours [px]
 PRESSURE = 1.1e9  # [Pa] middle of the scale, which follows it to 2 GPa: drawn in blue-green
+STRESS = 0.99e9   # [Pa] close to the end of the scale, which follows it to 1 GPa: drawn in yellow
 TIMEOUT = 60      # [s] for rviz on a busy machine without graphics hardware
 
 
+def uniform_stress(grid):
+    """Stress of a body with the same von Mises stress everywhere, with layers at depths of 0, 4 and 8 mm."""
+    stress = PatchStress(depths=[0, 4e-3, 8e-3])
+    stress.von_mises = StressPeak(value=STRESS, depth=4e-3)
+    components = numpy.zeros((3, 6, grid.ny, grid.nx))
+    components[:, 2] = -STRESS
+    stress.stress = components.ravel().tolist()
+    return stress
+
+
 def elliptic_patch(side, y):
-    """Patch with a Hertzian pressure, semi-axes of 8 mm and 4 mm, cells of 1 mm."""
+    """Patch with a Hertzian pressure, semi-axes of 8 mm and 4 mm, cells of 1 mm, and a uniform stress beneath it."""
     patch = ContactPatch(side=side, method="hertz", normal_force=1e5, area=math.pi * 32e-6, max_pressure=PRESSURE)
     patch.pose.position.y = y
     patch.pose.orientation.w = 1
@@ -37,6 +48,7 @@ def elliptic_patch(side, y):
     grid.nx, grid.ny, grid.dx, grid.dy, grid.x0, grid.y0 = 20, 10, 1e-3, 1e-3, -9.5e-3, -4.5e-3
     x, y = numpy.meshgrid(numpy.arange(20) - 9.5, numpy.arange(10) - 4.5)
     grid.pressure = (PRESSURE * numpy.sqrt(numpy.maximum(0, 1 - (x / 8) ** 2 - (y / 4) ** 2))).ravel().tolist()
+    patch.wheel_stress = patch.rail_stress = uniform_stress(grid)
     return patch
 
 
@@ -62,6 +74,13 @@ def coloured(picture, half):
     width = SCREEN[0] // 2
     red, green, blue = numpy.moveaxis(picture[PANEL:, half * width:(half + 1) * width], 2, 0)
     return int(numpy.count_nonzero((green - red > 60) & (blue < 170) & (abs(green - blue) < 40)))
+
+
+def yellow(picture, half):
+    """Number of pixels with the colour of the end of the scale, in the left (0) or right (1) half below the panel."""
+    width = SCREEN[0] // 2
+    red_part, green, blue = numpy.moveaxis(picture[PANEL:, half * width:(half + 1) * width], 2, 0)
+    return int(numpy.count_nonzero((red_part > 200) & (green > 190) & (blue < 110)))
 
 
 def rail_grey(picture, half):
@@ -117,16 +136,16 @@ class RvizDisplay(unittest.TestCase):
             self.assertLess(time.time(), end, failure + "; logs:\n" + self.output())
             time.sleep(0.5)
 
-    def test_pressure_is_drawn_and_an_unusable_result_leaves_the_rails_and_a_red_reason(self):
-        counts, red_before = [], []
+    def test_pressure_and_stress_are_drawn_and_an_unusable_result_leaves_the_rails_and_a_red_reason(self):
+        counts, red_before = [], []  # of pixels: pressure and stress in both halves; red in the panel
 
         def drawn():
             picture = screenshot()
-            counts[:] = [coloured(picture, half) for half in (0, 1)]
+            counts[:] = [count(picture, half) for count in (coloured, yellow) for half in (0, 1)]
             red_before[:] = [red(picture)]
             return min(counts) > 1000
 
-        self.wait_for(drawn, "no pressure is drawn")
+        self.wait_for(drawn, "no pressure or no stress is drawn")
         self.assertEqual(rospy.get_param("contact_node/rail/profile"), "UIC60_manchester")
         publisher = rospy.Publisher("contact_node/contact", WheelsetContact, queue_size=1)
         self.wait_for(publisher.get_num_connections, "rviz has not subscribed")
@@ -135,12 +154,14 @@ class RvizDisplay(unittest.TestCase):
                                   wheelset=result().wheelset)
 
         def cleared():
+            # The dots of the trail remain: some pixels.
             refused.header = result().header
             publisher.publish(refused)
             picture = screenshot()
-            return sum(coloured(picture, half) for half in (0, 1)) == 0 and red(picture) > red_before[0] + 100
+            remaining = sum(count(picture, half) for count in (coloured, yellow) for half in (0, 1))
+            return remaining < 20 and red(picture) > red_before[0] + 100
 
-        self.wait_for(cleared, "the pressure of a result that is not usable is drawn, or its reason is not red")
+        self.wait_for(cleared, "a result that is not usable has a pressure or a stress, or its reason is not red")
         picture = screenshot()
         for half in (0, 1):
             self.assertGreater(rail_grey(picture, half), 1000, "the rails have vanished")

@@ -10,6 +10,7 @@
 #include "ros/markers/rail_motion.h"
 #include "ros/markers/scale_markers.h"
 #include "ros/markers/scene_colors.h"
+#include "ros/markers/stress_section.h"
 
 namespace wheel_rail_contact
 {
@@ -20,11 +21,17 @@ namespace
 {
 constexpr std::size_t status_width = 50;  ///< of the lines of the status [characters]
 constexpr double status_height = 0.60;    ///< of the status above the track plane [m]
+constexpr double stress_scale_y = 0.30;   ///< of the colour scale of the stress, beside that of the pressure [m]
 
 bool isShown(core::Side side, const SceneOptions& options)
 {
   const auto& sides = options.track.sides;
   return std::find(sides.begin(), sides.end(), side) != sides.end();
+}
+
+bool drawsStress(const SceneOptions& options)
+{
+  return options.stress && options.patch.zoom > 0;
 }
 
 /// Surfaces and outline of the pressure of a patch.
@@ -68,6 +75,34 @@ void addPatch(const PatchPicture& picture, const SceneOptions& options, const st
   if (options.labels)
   {
     markers.markers.push_back(patchLabel(picture, options.patch, header));
+  }
+}
+
+/// @param pictures patches of a side
+/// @param x position of the axle centre in the picture [m]
+void addStress(const std::vector<PatchPicture>& pictures, double x, const SceneOptions& options,
+               const std_msgs::Header& header, MarkerArray& markers)
+{
+  StressStyle style;
+  style.max_stress = options.max_stress;
+  style.rear = x - 0.5 * options.track.rail_length;
+  style.labels = options.labels;
+  addStressSections(pictures, options.patch, style, header, markers);
+}
+
+/// @param x position of the axle centre in the picture [m]
+void addScales(const ContactOutput& output, double x, const SceneOptions& options, MarkerArray& markers)
+{
+  const double stress = drawsStress(options) ? highestStress(output, options.track.sides) : 0;
+  ColorScale scale;
+  scale.max = options.patch.max_pressure;
+  scale.highest = highestPressure(output, options.track.sides);
+  scale.caption = stress > 0 ? "pressure" : "";
+  addScale(scale, {x, 0}, output.header, markers);
+  if (stress > 0)
+  {
+    addScale({"stress_scale", "von Mises stress", options.max_stress, stress}, {x, stress_scale_y}, output.header,
+             markers);
   }
 }
 
@@ -135,13 +170,14 @@ void addStatus(const ContactOutput& output, double x, const SceneOptions& option
 }
 }  // namespace
 
-SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure)
+SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure, double max_stress)
 {
   SceneOptions options;
   options.patch.zoom = config.zoom;
   options.patch.lift = config.zoom_height;
   options.patch.pressure_height = config.pressure_height;
   options.patch.max_pressure = max_pressure;
+  options.max_stress = max_stress;
   options.patch.force_scale = config.force_scale;
   options.track.rail_length = config.rail_length;
   options.outlines = false;
@@ -181,15 +217,20 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
   }
   for (const core::Side side : options.track.sides)
   {
-    for (const PatchPicture& picture : arrangePatches(drawn, side, x, options.patch))
+    const std::vector<PatchPicture> pictures = arrangePatches(drawn, side, x, options.patch);
+    for (const PatchPicture& picture : pictures)
     {
       addPatch(picture, options, output.header, markers);
+    }
+    if (drawsStress(options))
+    {
+      addStress(pictures, x, options, output.header, markers);
     }
   }
   addTrail(trail, drawn, restingRails(model, output.state.distance), x - output.x(), options, output.header, markers);
   if (options.scale)
   {
-    addScale(x, options.patch.max_pressure, highestPressure(output, options.track.sides), output.header, markers);
+    addScales(output, x, options, markers);
   }
   if (options.status)
   {

@@ -22,12 +22,14 @@ struct SceneOptions
   bool patches = true;        ///< pressure surfaces, magnified and in true size
   bool outlines = true;       ///< edges of the contacts
   bool forces = true;         ///< normal forces as arrows
-  bool labels = true;         ///< highest pressure and area
+  bool labels = true;         ///< highest pressure and area; highest stress and depth
+  bool stress = true;         ///< sections of von Mises stress of patches with a stress field (stress_section.h)
+  double max_stress = 1e9;    ///< von Mises stress at the upper end of its colour scale [Pa], > 0
   bool wheels = true;         ///< wheels and axle
   bool rails = true;          ///< deflected rails
   bool rails_at_rest = true;  ///< section of the undeflected rails
   bool status = false;        ///< status and its reason unless OK without a warning, as text ("status")
-  bool scale = false;         ///< colour scale of the pressure ("scale")
+  bool scale = false;         ///< colour scales of the pressure ("scale") and of the drawn stress ("stress_scale")
   /// Magnification of the deflection of the rails [-], >= 0. A given displacement is drawn in its true size. Patches
   /// and trail move with the rail, the wheels do not.
   double deflection_scale = 1;
@@ -38,8 +40,9 @@ struct SceneOptions
 };
 
 /// Contents of the picture that the node publishes on ~markers.
-/// @param max_pressure upper end of the colour scale (PressureScale) [Pa], > 0
-SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure);
+/// @param max_pressure upper end of the colour scale of the pressure (PressureScale) [Pa], > 0
+/// @param max_stress upper end of that of the von Mises stress (PressureScale) [Pa], > 0
+SceneOptions sceneOptions(const MarkerConfig& config, double max_pressure, double max_stress);
 
 /// The result as it is drawn: with magnified deflections of the rails, and patches on these rails. Without patches and
 /// with rails at rest if the output is not usable. It is only copied where it differs from the result of the output, to
@@ -49,8 +52,8 @@ std::shared_ptr<const core::WheelsetResult> drawnResult(const ContactOutput& out
                                                         const core::ContactModelConfig* model, double deflection_scale);
 
 /// Markers of an output in the track frame: those of patch_markers.h and track_markers.h, and the points of the trail,
-/// coloured by pressure ("trail"). An unusable output has no patches; rails, trail and, if it has a pose, the wheelset
-/// remain.
+/// coloured by pressure ("trail"). An unusable output has no
+/// patches; rails, trail and, if it has a pose, the wheelset remain.
 /// @param model null: wheels and rails are not drawn, and deflections are not magnified
 visualization_msgs::MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model,
                                              const ContactTrail& trail, const SceneOptions& options);

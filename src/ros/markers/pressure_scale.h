@@ -9,7 +9,8 @@
 
 namespace wheel_rail_contact
 {
-/// Upper end of the colour scale of the pressure: fixed, or following the pressures of the results.
+/// Upper end of the colour scale of a pressure or a stress: fixed, or following the values of the results. A stress is
+/// treated as a pressure.
 ///
 /// An upper end that follows is 1 GPa times a power of two. It rises with the first pressure above it. It falls after
 /// two seconds in which half of it was sufficient, so that a reader can follow it. Time that goes back restarts it.

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/scale_markers.h"
 
-#include <cstdio>
-#include <string>
-
+#include "ros/evaluation/text.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {
-using Eigen::Vector3d;
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
@@ -18,43 +15,72 @@ namespace
 constexpr int steps = 32, labels = 5;
 constexpr double bottom = 0.06, height = 0.30, width = 0.03, letters = 0.035;  // [m]
 
-/// Field of the bar between two heights [m].
-void addField(double x, double low, double high, const std_msgs::ColorRGBA& below, const std_msgs::ColorRGBA& above,
-              Marker& bar)
+/// Appends markers of a colour scale.
+class ScaleWriter
 {
-  addQuadrilateral({{x, 0, low}, {x, -width, low}, {x, -width, high}, {x, 0, high}}, {below, below, above, above}, bar);
-}
+ public:
+  ScaleWriter(const ColorScale& scale, const ScalePlace& place, const std_msgs::Header& header, MarkerArray& markers)
+      : scale_(scale),
+        place_(place),
+        header_(header),
+        markers_(markers),
+        bar_(makeMarker(header, scale.ns, 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1)))
+  {
+  }
 
-Marker label(int number, const Vector3d& place, const std::string& text, const std_msgs::ColorRGBA& color,
-             const std_msgs::Header& header)
-{
-  return makeText(header, "scale", number, place, letters, text, color);
-}
+  /// Field of the bar between two heights [m].
+  void field(double low, double high, const std_msgs::ColorRGBA& below, const std_msgs::ColorRGBA& above)
+  {
+    const double x = place_.x, left = place_.y, right = place_.y - width;
+    addQuadrilateral({{x, left, low}, {x, right, low}, {x, right, high}, {x, left, high}}, {below, below, above, above},
+                     bar_);
+  }
+
+  /// Text at a place.
+  /// @param y relative to the left edge of the scale [m]
+  /// @param z height [m]
+  void text(int number, double y, double z, const std::string& text, const std_msgs::ColorRGBA& color)
+  {
+    markers_.markers.push_back(makeText(header_, scale_.ns, number, {place_.x, place_.y + y, z}, letters, text, color));
+  }
+
+  void finish() { markers_.markers.push_back(bar_); }
+
+ private:
+  const ColorScale& scale_;
+  const ScalePlace& place_;
+  const std_msgs::Header& header_;
+  MarkerArray& markers_;
+  Marker bar_;
+};
 }  // namespace
 
-void addScale(double x, double max_pressure, double highest, const std_msgs::Header& header, MarkerArray& markers)
+void addScale(const ColorScale& scale, const ScalePlace& place, const std_msgs::Header& header, MarkerArray& markers)
 {
-  Marker bar = makeMarker(header, "scale", 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  ScaleWriter writer(scale, place, header, markers);
   for (int i = 0; i < steps; ++i)
   {
     const double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
-    addField(x, bottom + height * low, bottom + height * high, colorOf(low), colorOf(high), bar);
+    writer.field(bottom + height * low, bottom + height * high, colorOf(low), colorOf(high));
   }
-  char text[48];
   for (int i = 0; i < labels; ++i)
   {
     const double share = static_cast<double>(i) / (labels - 1);
-    std::snprintf(text, sizeof text, i + 1 == labels ? "%.0f MPa" : "%.0f", share * max_pressure / 1e6);
-    markers.markers.push_back(
-        label(i + 1, {x, -width - 2.7 * letters, bottom + height * share}, text, scene_colors::text(), header));
+    writer.text(i + 1, -width - 2.7 * letters, bottom + height * share,
+                formatted(i + 1 == labels ? "%.0f MPa" : "%.0f", share * scale.max / 1e6), scene_colors::text());
   }
-  if (highest > max_pressure)
+  const double top = bottom + height;
+  const bool above = scale.highest > scale.max;
+  if (above)
   {
-    const double top = bottom + height;
-    addField(x, top, top + 2 * letters, aboveScaleColor(), aboveScaleColor(), bar);
-    std::snprintf(text, sizeof text, "above scale: %.0f MPa", highest / 1e6);
-    markers.markers.push_back(label(labels + 1, {x, -0.5 * width, top + 3 * letters}, text, aboveScaleColor(), header));
+    writer.field(top, top + 2 * letters, aboveScaleColor(), aboveScaleColor());
+    writer.text(labels + 1, -0.5 * width, top + 3 * letters, formatted("above scale: %.0f MPa", scale.highest / 1e6),
+                aboveScaleColor());
   }
-  markers.markers.push_back(bar);
+  if (!scale.caption.empty())
+  {
+    writer.text(labels + 2, -0.5 * width, top + (above ? 4.5 : 2) * letters, scale.caption, scene_colors::text());
+  }
+  writer.finish();
 }
 }  // namespace wheel_rail_contact

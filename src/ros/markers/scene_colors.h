@@ -41,8 +41,8 @@ inline std_msgs::ColorRGBA wheelSection()
 }
 }  // namespace scene_colors
 
-/// Colour of a pressure: colorOf() within the scale, and aboveScaleColor() above its upper end.
-/// @param pressure [Pa]
+/// Colour of a pressure or a von Mises stress: colorOf() within the scale, and aboveScaleColor() above its upper end.
+/// @param pressure or stress [Pa]
 /// @param max_pressure upper end of the scale [Pa], > 0
 inline std_msgs::ColorRGBA pressureColor(double pressure, double max_pressure)
 {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ros/markers/contact_scene.h"
+#include "ros/markers/stress_section.h"
 #include "ros/markers/track_markers.h"
 #include "ros/node/transform_wait.h"
 #include "ros/parameters/node_parameters.h"
@@ -251,9 +252,11 @@ bool ContactServer::pictureIsDue()
 
 void ContactServer::publishMarkers(const ContactOutput& output)
 {
-  const SceneOptions options = sceneOptions(
-      config_.markers,
-      pressure_scale_.update(output.header.stamp, highestPressure(output, {core::Side::left, core::Side::right})));
+  const std::vector<core::Side> sides{core::Side::left, core::Side::right};
+  const ros::Time& stamp = output.header.stamp;
+  const SceneOptions options =
+      sceneOptions(config_.markers, pressure_scale_.update(stamp, highestPressure(output, sides)),
+                   stress_scale_.update(stamp, highestStress(output, sides)));
   visualization_msgs::MarkerArray markers = sceneMarkers(output, &config_.model, ContactTrail(), options);
   shown_markers_ = appendDeletions(shown_markers_, output.header, markers);
   marker_publisher_.publish(markers);

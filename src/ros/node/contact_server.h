@@ -95,6 +95,7 @@ class ContactServer
   core::WheelsetResult held_result_;  ///< drawn for a result that is not usable; worker only
   MarkerKeys shown_markers_;          ///< markers of the last published array; worker only
   PressureScale pressure_scale_;      ///< of the markers; worker only
+  PressureScale stress_scale_{0};     ///< of the markers; worker only
   ros::WallTime next_picture_;        ///< earliest time of the next markers; worker only
   ros::WallTime next_warning_;        ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;
