@@ -90,10 +90,10 @@ subscribed()
   rostopic info "$1" | sed '1,/^Subscribers/d' | grep --quiet " /$2"
 }
 
-# start_node CONFIG: starts the ROS master and the node with a parameter file of config/, and waits for its subscriptions.
+# start_node FILE: starts the ROS master and the node with a parameter file, and waits for its subscriptions.
 start_node()
 {
-  start node roslaunch --port="$port" wheel_rail_contact contact.launch config:="$root/config/$1"
+  start node roslaunch --port="$port" wheel_rail_contact contact.launch config:="$1"
   wait_for 60 subscribed /wheelset/load contact_node || fail "the node did not start"
 }
 
