@@ -30,6 +30,7 @@ void run(const std::filesystem::path& folder, const std::string& config_file,
   const auto progress = [](const std::string& what) { std::cerr << "paper_study: " << what << std::endl; };
   core::paper::writeCases(config, folder, progress);
   core::paper::writeForces(config, tables, folder, progress);
+  core::paper::writeStress(config, tables, folder, progress);
   core::paper::writeScan(config, tables, folder, progress);
 }
 }  // namespace

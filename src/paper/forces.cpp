@@ -7,7 +7,6 @@
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "paper/one_wheel.h"
 #include "paper/placement.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact::core::paper
 {
@@ -34,23 +33,14 @@ RailDeflection givenDeflection(const ComplianceTable& table, DeflectionShare sha
 std::vector<ForceRow> coupled(const ContactModelConfig& config, const NamedTable& table,
                               const std::vector<double>& positions, const std::vector<double>& forces)
 {
-  ContactModelConfig bending = config;
-  bending.rail_bending.model = RailBendingConfig::Model::compliance;
-  bending.rail_bending.table = table.table;
-  bending.rail_bending.lateral_force = RailBendingConfig::LateralForce::topic;
-  bending.contact = {NormalMethod::conjugate_gradient, config.contact.tolerance, force_grid.along, force_grid.across};
-  WheelsetContact contact(bending);
+  WheelsetContact contact(onTable(config, table));
   std::vector<ForceRow> rows;
   for (const double y : positions)
   {
     for (const double force : forces)
     {
-      WheelsetState state;
-      state.y = y;
-      state.force_z = -2 * printed_wheel_load;
-      state.rail_lateral_force = {force, force};
       contact.reset();
-      const WheelsetResult& result = contact.evaluate(state);
+      const WheelsetResult& result = contact.evaluate(stateUnder(y, force));
       rows.push_back(
           {table.name, DeflectionShare::whole, y, force, false, result.rail[0].deflection, leftFigures(result)});
     }
@@ -83,6 +73,30 @@ std::vector<ForceRow> given(const ContactModelConfig& config, const NamedTable& 
 }
 }  // namespace
 
+bool isInRange(const NamedTable& table, double force)
+{
+  return std::abs(force) <= table.linear_range * printed_wheel_load;
+}
+
+ContactModelConfig onTable(const ContactModelConfig& config, const NamedTable& table)
+{
+  ContactModelConfig bending = config;
+  bending.rail_bending.model = RailBendingConfig::Model::compliance;
+  bending.rail_bending.table = table.table;
+  bending.rail_bending.lateral_force = RailBendingConfig::LateralForce::topic;
+  bending.contact = {NormalMethod::conjugate_gradient, config.contact.tolerance, force_grid.along, force_grid.across};
+  return bending;
+}
+
+WheelsetState stateUnder(double y, double force)
+{
+  WheelsetState state;
+  state.y = y;
+  state.force_z = -2 * printed_wheel_load;
+  state.rail_lateral_force = {force, force};
+  return state;
+}
+
 const char* toString(DeflectionShare share)
 {
   switch (share)
@@ -103,7 +117,7 @@ std::vector<ForceRow> underForces(const ContactModelConfig& config, const NamedT
                                                                : given(config, table, share, positions, forces);
   for (ForceRow& row : rows)
   {
-    row.in_range = std::abs(row.lateral_force) <= table.linear_range * printed_wheel_load;
+    row.in_range = isInRange(table, row.lateral_force);
   }
   return rows;
 }

@@ -6,6 +6,7 @@
 
 #include "paper/printed_figures.h"
 #include "wheel_rail_contact/core/config.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact::core::paper
 {
@@ -16,6 +17,17 @@ struct NamedTable
   ComplianceTable table;
   double linear_range;  ///< largest |Y|/Q for which the table is valid [-]; infinite: no limit
 };
+
+/// Whether a lateral force [N] is in the range of a table, with the printed wheel load.
+bool isInRange(const NamedTable& table, double force);
+
+/// Wheelset on rails that bend by a table under the lateral forces of its state.
+ContactModelConfig onTable(const ContactModelConfig& config, const NamedTable& table);
+
+/// State with the printed wheel loads.
+/// @param y      lateral position of the wheelset, towards the flange of the left wheel positive [m]
+/// @param force  lateral force on both rails, outward positive [N]
+WheelsetState stateUnder(double y, double force);
 
 /// Part of a rail's deflection that is taken into account.
 enum class DeflectionShare

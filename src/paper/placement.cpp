@@ -12,13 +12,12 @@ namespace wheel_rail_contact::core::paper
 {
 namespace
 {
-constexpr const char* own_rail = "own_rail";
 constexpr double drawing_step = 2e-4;  ///< distance of the points along a profile [m]
 
 ContactModelConfig configOf(const ContactModelConfig& config, const Case& of)
 {
   ContactModelConfig changed = config;
-  if (of.name != own_rail)
+  if (of.is_given)
   {
     changed.rail_bending.model = RailBendingConfig::Model::prescribed;
     changed.rail_bending.prescribed = withCrownDisplaced(of.crown, config.track.rail_inclination.left);
@@ -54,6 +53,14 @@ void addOutlines(const ContactModelConfig& config, const PlacedRail& rail, Place
 }
 }  // namespace
 
+std::vector<PatchResult> leftPatches(const WheelsetResult& result)
+{
+  std::vector<PatchResult> left;
+  std::copy_if(result.patches.begin(), result.patches.end(), std::back_inserter(left),
+               [](const PatchResult& patch) { return patch.side == Side::left; });
+  return left;
+}
+
 Figures leftFigures(const WheelsetResult& result)
 {
   Figures sum{0, 0};
@@ -70,10 +77,10 @@ Figures leftFigures(const WheelsetResult& result)
 
 std::vector<Case> paperCases()
 {
-  return {{"without", {}, printed_without_bending, Figures{1175.0e6, 187.2e-6}},
-          {"shifted", {printed_displacement, 0, 0}, printed_with_bending, Figures{1097e6, 190e-6}},
-          {"turned", {printed_displacement, 0, case_turn}, printed_with_bending, Figures{1347e6, 129.6e-6}},
-          {own_rail, {}, printed_with_bending, std::nullopt}};
+  return {{"without", true, {}, printed_without_bending, Figures{1175.0e6, 187.2e-6}},
+          {"shifted", true, {printed_displacement, 0, 0}, printed_with_bending, Figures{1097e6, 190e-6}},
+          {"turned", true, {printed_displacement, 0, case_turn}, printed_with_bending, Figures{1347e6, 129.6e-6}},
+          {"own_rail", false, {}, printed_with_bending, std::nullopt}};
 }
 
 Placement solveCase(const ContactModelConfig& config, const Case& of)
@@ -87,9 +94,7 @@ Placement solveCase(const ContactModelConfig& config, const Case& of)
   {
     throw std::runtime_error("case " + of.name + ": " + result.reason);
   }
-  Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, {}};
-  std::copy_if(result.patches.begin(), result.patches.end(), std::back_inserter(placement.patches),
-               [](const PatchResult& patch) { return patch.side == Side::left; });
+  Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, leftPatches(result)};
   const PlacedRail rail = restingRail(config, Side::left).deflected(placement.deflection);
   addOutlines(config, rail, placement);
   return placement;

@@ -16,6 +16,7 @@ namespace wheel_rail_contact::core::paper
 struct Case
 {
   std::string name;
+  bool is_given;                     ///< the deflection is `crown`; otherwise it is computed
   RailDeflection crown;              ///< displacement of the rail crowns
   Figures printed;                   ///< results printed in the paper
   std::optional<Figures> reference;  ///< of CONTACT, at roll 0
@@ -26,8 +27,11 @@ struct Case
 /// - "shifted": displaced outward as printed.
 /// - "turned": displaced as printed and turned inward; this agrees with the printed results.
 /// - "own_rail": the deflection of the rail of config/rails/paper.yaml under the printed lateral force and the wheel
-///   load. Its displacement is calculated and therefore not contained here.
+///   load. It is not given.
 std::vector<Case> paperCases();
+
+/// Patches of the left wheel.
+std::vector<PatchResult> leftPatches(const WheelsetResult& result);
 
 /// Results of the left wheel, zero if it has no patches.
 Figures leftFigures(const WheelsetResult& result);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper/study.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "paper/methods.h"
 #include "paper/placement.h"
 #include "paper/scan.h"
+#include "paper/stress_rows.h"
 #include "tables/csv.h"
 
 namespace wheel_rail_contact::core::paper
@@ -20,6 +23,9 @@ constexpr Range chart_forces{0, 80e3, 20};   ///< [N]
 constexpr Range search_forces{0, 60e3, 12};  ///< [N]
 constexpr Range search_positions{2e-3, 8e-3, 24};     ///< [m]
 constexpr const char* divided_table = "pads_40_100";  ///< table for the parts of the deflection, see DeflectionShare
+
+constexpr std::array<const char*, 3> stress_tables{"paper", "pads_40_100", "pads_10_25"};
+constexpr Range stress_forces{0, 60e3, 2};  ///< [N]
 
 /// A table with these titles.
 Csv tableAt(const std::filesystem::path& file, const std::string& titles)
@@ -64,6 +70,19 @@ void writeOutlines(const std::vector<Placement>& placements, const std::filesyst
   }
 }
 
+/// Adds one row for each cell of a patch, which begins with `keys`.
+template <typename... Keys>
+void writeCells(Csv& csv, const PatchResult& patch, const Keys&... keys)
+{
+  for (int column = 0; column < patch.grid.ny; ++column)
+  {
+    for (int row = 0; row < patch.grid.nx; ++row)
+    {
+      csv.row(keys..., patch.grid.x(row), patch.grid.y(column), patch.pressure(row, column));
+    }
+  }
+}
+
 void writePatches(const std::vector<Placement>& placements, const std::filesystem::path& folder)
 {
   Csv csv = tableAt(folder / "patches.csv", "case,patch,x,y,pressure");
@@ -71,15 +90,22 @@ void writePatches(const std::vector<Placement>& placements, const std::filesyste
   {
     for (std::size_t k = 0; k < at.patches.size(); ++k)
     {
-      const PatchResult& patch = at.patches[k];
-      for (int column = 0; column < patch.grid.ny; ++column)
-      {
-        for (int row = 0; row < patch.grid.nx; ++row)
-        {
-          csv.row(at.of.name, k, patch.grid.x(row), patch.grid.y(column), patch.pressure(row, column));
-        }
-      }
+      writeCells(csv, at.patches[k], at.of.name, k);
     }
+  }
+}
+
+void writeStressRows(const std::vector<StressRow>& rows, double poisson, Csv& csv, Csv& cells)
+{
+  for (const StressRow& row : rows)
+  {
+    const StressMaxima& highest = row.highest;
+    csv.row(row.rail, row.lateral_force, row.in_range ? 1 : 0, row.patch.max_pressure, row.patch.area,
+            row.patch.semi_axis_along, row.patch.semi_axis_across, highest.von_mises.value, highest.von_mises.x,
+            highest.von_mises.y, highest.von_mises.depth, highest.shear.value, highest.shear.depth, highest.alternating,
+            highest.yield_depth, highest.principal[0], highest.principal[1], highest.principal[2], row.strain[0],
+            row.strain[1], row.strain[2], row.load_factor, row.shakedown_limit, poisson);
+    writeCells(cells, row.patch, row.rail, row.lateral_force);
   }
 }
 
@@ -147,6 +173,27 @@ void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>
       {
         writeForceRows(csv, underForces(config, table, share, {case_position}, chart_forces.values()));
       }
+    }
+  }
+}
+
+void writeStress(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
+                 const std::filesystem::path& folder, const Progress& progress)
+{
+  progress("stress");
+  Csv csv = tableAt(folder / "stress.csv",
+                    "rail,lateral_force,in_range,max_pressure,area,semi_axis_along,semi_axis_across,von_mises,"
+                    "von_mises_x,von_mises_y,von_mises_depth,shear,shear_depth,alternating,yield_depth,stress_1,stress_"
+                    "2,stress_3,strain_1,"
+                    "strain_2,strain_3,load_factor,shakedown_limit,poisson");
+  Csv cells = tableAt(folder / "stress_patches.csv", "rail,lateral_force,x,y,pressure");
+  const double poisson = config.rail_material.left.poisson;
+  writeStressRows(stressOfCases(config), poisson, csv, cells);
+  for (const NamedTable& table : tables)
+  {
+    if (std::find(stress_tables.begin(), stress_tables.end(), table.name) != stress_tables.end())
+    {
+      writeStressRows(stressUnderForces(config, table, stress_forces.values()), poisson, csv, cells);
     }
   }
 }

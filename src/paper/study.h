@@ -21,6 +21,10 @@ void writeCases(const ContactModelConfig& config, const std::filesystem::path& f
 void writeForces(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
                  const std::filesystem::path& folder, const Progress& progress);
 
+/// Writes the highest stresses in the rail to stress.csv, and the pressures above them to stress_patches.csv.
+void writeStress(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
+                 const std::filesystem::path& folder, const Progress& progress);
+
 /// Searches for settings that give the printed results. Writes scan.csv, and search.csv for rails that bend by the
 /// tables.
 void writeScan(const ContactModelConfig& config, const std::vector<NamedTable>& tables,
