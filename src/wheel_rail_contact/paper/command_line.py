@@ -26,8 +26,8 @@ def _run(folder):
     if done.returncode != 0:
         raise Failure(f"the calculation failed with exit status {done.returncode}")
     print(report.text(folder))
-    for picture in pictures.draw(plot, folder):
-        print(f"wrote {picture}")
+    for sentence in pictures.draw(plot, folder):
+        print(sentence)
 
 
 def _parser():
@@ -35,7 +35,7 @@ def _parser():
         prog="paper_study", description="Recalculates Golubenko et al. 2011 (influence of the lateral bending of a rail "
         "on the wheel-rail contact). The command prints the values of the paper and ours, and draws Figure 3 of the paper. "
         "It scans the settings that could give the values of the paper, and computes pressure and area under lateral forces "
-        "for each rail of the package. config/paper.yaml contains the case.")
+        "for each rail of the package, and the stress in the rail. config/paper.yaml contains the case.")
     parser.add_argument("--out", type=Path, default=Path("paper_study"), metavar="DIR",
                         help="folder for CSV files (SI units) and pictures (default: %(default)s)")
     return parser

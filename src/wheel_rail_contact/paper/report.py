@@ -4,11 +4,13 @@ from .files import read
 
 CASES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "the same, 13 mrad inward",
          "own_rail": "paper's rail, 30 kN, coupled"}
+RAILS = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "the same, 13 mrad inward",
+         "paper": "paper's rail", "pads_40_100": "pads 40/100 kN/mm", "pads_10_25": "pads 10/25 kN/mm"}
 
 
 def text(folder):
     """All tables of the study."""
-    return "\n".join([*_cases(folder), "", *_methods(folder), "", *_scan(folder), "", *_search(folder)])
+    return "\n".join([*_cases(folder), "", *_methods(folder), "", *_stress(folder), "", *_scan(folder), "", *_search(folder)])
 
 
 def _values(row, prefix=""):
@@ -33,6 +35,18 @@ def _methods(folder):
         counted = f"{1e6 * row['counted_area']:.1f}" if row["area"] else "-"
         yield (f"{CASES[row['case']]:30}{row['method']:20}{cells:>8}{size:>13}{row['stop']:>8g}{_values(row):>15}"
                f"{counted:>9}")
+
+
+def _stress(folder):
+    yield ("Highest stresses in the rail [MPa], depth of the highest von Mises stress, and of the region above 480 MPa, the "
+           "assumed yield stress")
+    yield (f"{'rail':26}{'Y, kN':>6}{'MPa / mm2':>15}{'von Mises':>10}{'depth, mm':>10}{'480 MPa, mm':>12}{'shear':>7}{'|xz|':>6}"
+           f"{'strains, 1e-3':>15}{'load factor':>12}{'shakedown limit':>16}")
+    for row in read(folder / "stress.csv"):
+        strains = f"{1e3 * row['strain_1']:.2f} / {1e3 * row['strain_3']:.2f}"
+        yield (f"{RAILS[row['rail']]:26}{1e-3 * row['lateral_force']:6.0f}{_values(row):>15}{1e-6 * row['von_mises']:10.0f}"
+               f"{1e3 * row['von_mises_depth']:10.2f}{1e3 * row['yield_depth']:12.1f}{1e-6 * row['shear']:7.0f}{1e-6 * row['alternating']:6.0f}"
+               f"{strains:>15}{row['load_factor']:12.2f}{row['shakedown_limit']:16.2f}")
 
 
 def _scan(folder):
