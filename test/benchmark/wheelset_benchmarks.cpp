@@ -206,6 +206,9 @@ void registerWheelsets()
     add(std::string("wheelset/warm/") + tolerance, config, Start::warm);
     addShares(tolerance, config);
   }
+  core::ContactModelConfig stress = core::manchesterScene();
+  stress.stress.depths = 16;
+  add("wheelset_stress/warm/0.01", stress, Start::warm);
   core::ContactModelConfig bending = core::manchesterScene();
   bending.rail_bending.model = core::RailBendingConfig::Model::compliance;
   bending.rail_bending.table = core::softPads();

@@ -10,6 +10,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 const double pi = std::acos(-1.0);
+constexpr double part_width = 0.5;   ///< width of joined or divided columns, over the distance of the forces along them
 constexpr double far_spacing = 0.4;  ///< distance of the forces of a column, over its distance from the nearest point
 
 Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double poisson)
@@ -30,23 +31,22 @@ void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, d
                        const std::vector<double>& places)
 {
   unit_ = unit;
-  lines_.clear();
   x_.clear();
   y_.clear();
   force_.clear();
-  const auto joined = std::max(Eigen::Index{1}, static_cast<Eigen::Index>(spacing * unit / grid.dy));
+  const auto joined = std::max(Eigen::Index{1}, static_cast<Eigen::Index>(part_width * spacing * unit / grid.dy));
   for (Eigen::Index j = 0; j < grid.ny; j += joined)
   {
-    lines_.push_back(lineOf(grid, pressure, j, std::min<Eigen::Index>(j + joined, grid.ny)));
-  }
-  for (std::size_t k = 0; k < lines_.size(); ++k)
-  {
+    const Line line = lineOf(grid, pressure, j, std::min<Eigen::Index>(j + joined, grid.ny));
     double distance = places.empty() ? 0 : std::numeric_limits<double>::infinity();
     for (const double place : places)
     {
-      distance = std::min(distance, std::abs(lines_[k].y - place));
+      distance = std::min(distance, std::abs(line.y - place));
     }
-    addParts(k, grid.dy / unit, std::max(spacing, far_spacing * distance));
+    if (line.force > 0)
+    {
+      addParts(line, static_cast<double>(joined) * grid.dy / unit, std::max(spacing, far_spacing * distance));
+    }
   }
 }
 
@@ -75,35 +75,13 @@ PointSources::Line PointSources::lineOf(const PatchGrid& grid, const Eigen::Arra
   return line;
 }
 
-/// Adds the equal parts of a line. Their forces, centres and half lengths change linearly to those of the loaded lines
-/// beside it; their whole force is that of the line.
-void PointSources::addParts(std::size_t number, double width, double spacing)
+/// Adds a column of a given width, divided into parts of equal force.
+void PointSources::addParts(const Line& line, double width, double spacing)
 {
-  const int parts = std::max(1, static_cast<int>(std::ceil(width / spacing)));
-  const Line& line = lines_[number];
-  if (!(line.force > 0))
-  {
-    return;
-  }
-  const auto beside = [&](double place) -> const Line&
-  {
-    const std::size_t other = place < 0 ? number - 1 : number + 1;
-    return other < lines_.size() && lines_[other].force > 0 ? lines_[other] : line;
-  };
-  const auto placeOf = [parts](int part) { return (part + 0.5) / parts - 0.5; };
-  const auto forceOf = [&](double place) { return line.force + std::abs(place) * (beside(place).force - line.force); };
-  double sum = 0;
+  const int parts = std::max(1, static_cast<int>(std::ceil(width / (part_width * spacing))));
   for (int part = 0; part < parts; ++part)
   {
-    sum += forceOf(placeOf(part));
-  }
-  for (int part = 0; part < parts; ++part)
-  {
-    const double place = placeOf(part), share = std::abs(place);
-    const Line& other = beside(place);
-    addLine({line.y + place * width, line.force / sum * forceOf(place),
-             line.centre + share * (other.centre - line.centre), line.half + share * (other.half - line.half)},
-            spacing);
+    addLine({line.y + ((part + 0.5) / parts - 0.5) * width, line.force / parts, line.centre, line.half}, spacing);
   }
 }
 

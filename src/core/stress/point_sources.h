@@ -23,9 +23,8 @@ class PointSources
   /// Places in units of the length that set() was given.
   using Places = PointsBelow;
 
-  /// Takes a pressure [Pa], nx × ny. Narrow columns are joined, wide ones divided, with forces, centres and variances
-  /// between those of their neighbours, so that the distance of the forces is at most `spacing`. Allocates only for
-  /// more forces than ever before.
+  /// Takes a pressure [Pa], nx × ny. Narrow columns are joined, wide ones divided, so that the distance of the forces
+  /// is at most `spacing`. Allocates only for more forces than ever before.
   /// @param unit     unit of all lengths [m]
   /// @param spacing  in this unit [-]
   /// @param places   y of the points at which the stress is computed, in this unit. Farther columns have a larger
@@ -47,10 +46,9 @@ class PointSources
     double half = 0;    ///< half length of the semi-ellipse
   };
   Line lineOf(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index begin, Eigen::Index end) const;
-  void addParts(std::size_t number, double width, double spacing);
+  void addParts(const Line& line, double width, double spacing);
   void addLine(const Line& line, double spacing);
 
-  std::vector<Line> lines_;
   double unit_ = 1;
   std::vector<float> x_, y_, force_;
 };

@@ -9,8 +9,8 @@ namespace wheel_rail_contact::core
 namespace
 {
 // Lengths in units of the shorter semi-axis, except steps along the logarithm of the depth.
-constexpr double rough_spacing = 0.35;      ///< of the forces of the first search
-constexpr double fine_spacing = 0.2;        ///< of the forces for the maxima; halved for maxima close to the surface
+constexpr double rough_spacing = 0.55;      ///< of the forces of the first search
+constexpr double fine_spacing = 0.25;       ///< of the forces for the maxima; halved for maxima close to the surface
 constexpr double near_depth = 1.3;          ///< the spacing is halved for a maximum at less than so many spacings
 constexpr double least_depth = 1;           ///< least depth of the search, in spacings
 constexpr double column_spacing = 0.6;      ///< longest distance of the columns of the first search
@@ -26,7 +26,7 @@ constexpr double other_peak = 0.85;    ///< a local maximum of the first search 
 constexpr double first_step = 0.2;     ///< of the parabolas along x and y, in units of the semi-axes
 constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of the depth
 constexpr int most_rounds = 6;         ///< of parabolas
-constexpr double least_gain = 0.01;    ///< the search ends where the top of the parabolas is hardly higher [-]
+constexpr double least_gain = 0.003;   ///< the search ends where the top of the parabolas is hardly higher [-]
 
 void put(PointSources::Places& places, std::size_t k, double x, double y, double depth)
 {
@@ -65,8 +65,9 @@ void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, c
                                                        static_cast<Eigen::Index>(column_spacing * unit_ / grid.dy)));
   Eigen::Index highest_row = 0, highest = 0;
   of_patch.maxCoeff(&highest_row, &highest);
-  for (Eigen::Index j = highest % step; j < patch.count; j += step)  // with the column of the highest pressure
+  for (Eigen::Index j = highest % step; j < patch.count; j += step)
   {
+    pressed_ = j == highest ? columns_.size() : pressed_;
     addColumn(grid, pressure, patch.begin + j);
   }
 }
@@ -145,9 +146,13 @@ void StressSearch::addTops(StressPeak Column::*of, Measure measure)
   {
     rough = std::max(rough, at(k));
   }
+  const auto isTop = [&](std::size_t k)
+  { return at(k) > other_peak * rough && at(k) >= at(k + 1) && (k == 0 || at(k) > at(k - 1)); };
+  const bool is_near = isTop(pressed_) || isTop(pressed_ + 1) || (pressed_ > 0 && isTop(pressed_ - 1));
   for (std::size_t k = 0; k < columns_.size(); ++k)
   {
-    if (at(k) > other_peak * rough && at(k) >= at(k + 1) && (k == 0 || at(k) > at(k - 1)))
+    // The highest stress below a narrow peak of the pressure may be closer to the surface than the first search looks.
+    if (isTop(k) || (k == pressed_ && !is_near))
     {
       const StressPeak& start = columns_[k].*of;
       Top top;

@@ -81,6 +81,7 @@ class StressSearch
   double longer_x_ = 1, longer_y_ = 1;  ///< semi-axes in this unit [-]
   PointSources rough_, fine_;
   std::vector<Column> columns_;
+  std::size_t pressed_ = 0;  ///< the column with the highest pressure
   std::vector<Top> tops_;
   std::vector<Top*> open_;           ///< those that are refined
   std::vector<double> open_places_;  ///< their places across the track
