@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/stress/shakedown.h"
 #include "paper/placement.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
@@ -21,10 +22,8 @@ StressRow rowOf(const std::string& rail, const PatchResult& patch, const Materia
   const std::array<double, 3>& principal = row.highest.principal;
   const Strain strain = strainOf({principal[0], principal[1], principal[2], 0, 0, 0}, material);
   row.strain = {strain.xx, strain.yy, strain.zz};
-  const double to_shear = 1 / std::sqrt(3.0);  // of a stress in tension with the same von Mises stress
-  row.load_factor = row.patch.max_pressure / (to_shear * assumed_yield);
-  row.shakedown_limit =
-      row.patch.max_pressure / std::max(row.highest.alternating, 0.5 * to_shear * row.highest.von_mises.value);
+  row.load_factor = loadFactor(row.patch.max_pressure, assumed_yield);
+  row.shakedown_limit = shakedownLimit(row.patch.max_pressure, row.highest.alternating, row.highest.von_mises.value);
   return row;
 }
 }  // namespace

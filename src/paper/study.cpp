@@ -183,9 +183,8 @@ void writeStress(const ContactModelConfig& config, const std::vector<NamedTable>
   progress("stress");
   Csv csv = tableAt(folder / "stress.csv",
                     "rail,lateral_force,in_range,max_pressure,area,semi_axis_along,semi_axis_across,von_mises,"
-                    "von_mises_x,von_mises_y,von_mises_depth,shear,shear_depth,alternating,yield_depth,stress_1,stress_"
-                    "2,stress_3,strain_1,"
-                    "strain_2,strain_3,load_factor,shakedown_limit,poisson");
+                    "von_mises_x,von_mises_y,von_mises_depth,shear,shear_depth,alternating,yield_depth,"
+                    "stress_1,stress_2,stress_3,strain_1,strain_2,strain_3,load_factor,shakedown_limit,poisson");
   Csv cells = tableAt(folder / "stress_patches.csv", "rail,lateral_force,x,y,pressure");
   const double poisson = config.rail_material.left.poisson;
   writeStressRows(stressOfCases(config), poisson, csv, cells);

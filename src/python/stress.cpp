@@ -127,7 +127,7 @@ void bindClasses(py::module& module)
                               peak.x * 1e3, peak.y * 1e3, peak.depth * 1e3);
            });
   py::class_<PatchStress>(module, "PatchStress",
-                          "Stress in a body beneath a patch, by its pressure on a half-space. All numbers are 0 unless "
+                          "Stress in a body beneath a patch, by the pressure on its grid, on a half-space. All numbers are 0 unless "
                           "stress/depths is above 0.")
       .def_readonly("von_mises", &PatchStress::von_mises, "StressPeak: highest von Mises stress")
       .def_readonly("shear", &PatchStress::shear,
@@ -136,7 +136,7 @@ void bindClasses(py::module& module)
       .def_readonly("load_factor", &PatchStress::load_factor,
                     "highest pressure over the yield stress in shear [-]; 0 if the yield stress is not given")
       .def_readonly("shakedown_limit", &PatchStress::shakedown_limit,
-                    "largest load_factor at which the body shakes down to an elastic state [-]")
+                    "load_factor above which the body cannot shake down to an elastic state [-]")
       .def_property_readonly("depths", &depthsOf, "(n,) depths of the field [m]; empty without stress/field")
       .def_property_readonly(
           "field", [](const PatchStress& stress) { return arrayOf(stress.field); },

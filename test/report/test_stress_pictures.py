@@ -132,8 +132,11 @@ class StressPictures(unittest.TestCase):
 
     @unittest.skipUnless(WheelsetContact, "needs the Python module")
     def test_poissons_ratios_are_those_of_the_replay(self):
-        self.assertEqual(stress.poisson_ratios(self.results.parameters), {"wheel": 0.28, "rail": 0.3})
-        self.assertEqual(stress.poisson_ratios(""), {"wheel": 0.28, "rail": 0.28})
+        self.assertEqual(stress.poisson_ratios(self.results.parameters, "left"), {"wheel": 0.28, "rail": 0.3})
+        self.assertEqual(stress.poisson_ratios("", "left"), {"wheel": 0.28, "rail": 0.28})
+        one_side = "material/wheel/poisson: 0.3\nwheel/right/material/poisson: 0.4\n"
+        self.assertEqual(stress.poisson_ratios(one_side, "left"), {"wheel": 0.3, "rail": 0.28})
+        self.assertEqual(stress.poisson_ratios(one_side, "right"), {"wheel": 0.4, "rail": 0.28})
 
 
 if __name__ == "__main__":

@@ -57,9 +57,9 @@ Strain strainOf(const Stress& stress, const Material& material);
 /// @param point     x and y on the grid, and depth below the surface, >= 0 [m]. At depth 0 the stress jumps from cell
 /// to
 ///                  cell.
-/// @throw std::invalid_argument if the shape of the pressure is not that of the grid, Poisson's ratio is out of range,
-/// or
-///        the depth is negative.
+/// @throw std::invalid_argument if the shape of the pressure is not that of the grid, a value is not finite, Poisson's
+///        ratio is out of range, the depth is negative, or the point is a corner of a cell at depth 0, where xy is
+///        infinite.
 Stress stressAt(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double poisson, const Eigen::Vector3d& point);
 
 /// Stress at one depth below the centres of the cells of a grid.
@@ -90,7 +90,8 @@ struct StressPeak
   double depth = 0;  ///< below the surface of the body, along its normal [m]
 };
 
-/// Stress beneath a patch in one of the bodies, by the half-space model and the pressure alone.
+/// Stress beneath a patch in one of the bodies, by the half-space model and the pressure on the grid of the patch,
+/// which may contain other patches. The search finds the maxima within about 2 % (doc/theory.md).
 struct PatchStress
 {
   StressPeak von_mises;  ///< highest von Mises stress
@@ -110,9 +111,8 @@ struct PatchStress
 /// Stress in the bodies beneath each patch: PatchResult::wheel_stress and rail_stress.
 struct StressConfig
 {
-  /// Number of depths at which the highest stresses are searched for, and of the layers of the field: 0 (no stress is
-  /// computed), or 4 to 64. The depths are equally spaced from the surface to about twice the shorter semi-axis of the
-  /// patch.
+  /// 0: no stress is computed. Otherwise the number of layers of the field, 4 to 64, equally spaced from the surface to
+  /// twice the shorter semi-axis of the patch. The search for the highest stresses does not depend on it.
   int depths = 0;
   bool field = false;  ///< also fills PatchStress::field
 };

@@ -2,9 +2,9 @@
 #include "core/balance/stress_beneath.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/balance/whole_pressure.h"
+#include "core/stress/shakedown.h"
 
 namespace wheel_rail_contact::core
 {
@@ -22,7 +22,8 @@ std::vector<double> layerDepths(const SemiAxes& axes, int count)
   }
   return depths;
 }
-/// Stress of the left side as that of the right side, its mirror image.
+
+/// Mirrors the stress about the vertical plane along the track.
 void mirror(PatchStress& stress)
 {
   constexpr std::size_t yz = 3, xy = 5;
@@ -57,15 +58,17 @@ void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t 
   grid_.ny = whole.grid.ny;
   const PatchColumns columns{of.begin, of.columns};
   search_.set(grid_, pressure_, columns, axes);
-  fillBody(config_.rail_material[side], columns, axes, patch.max_pressure, patch.rail_stress);
-  if (config_.wheel_material[side] == config_.rail_material[side])
+  fillBody(config_.rail_material[side].poisson, columns, axes, patch.max_pressure, patch.rail_stress);
+  if (config_.wheel_material[side].poisson == config_.rail_material[side].poisson)
   {
     patch.wheel_stress = patch.rail_stress;
   }
   else
   {
-    fillBody(config_.wheel_material[side], columns, axes, patch.max_pressure, patch.wheel_stress);
+    fillBody(config_.wheel_material[side].poisson, columns, axes, patch.max_pressure, patch.wheel_stress);
   }
+  patch.rail_stress.load_factor = loadFactor(patch.max_pressure, config_.rail_material[side].yield);
+  patch.wheel_stress.load_factor = loadFactor(patch.max_pressure, config_.wheel_material[side].yield);
   if (side == Side::right)
   {
     mirror(patch.wheel_stress);
@@ -73,20 +76,18 @@ void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t 
   }
 }
 
-void StressBeneath::fillBody(const Material& material, const PatchColumns& columns, const SemiAxes& axes,
-                             double max_pressure, PatchStress& stress)
+void StressBeneath::fillBody(double poisson, const PatchColumns& columns, const SemiAxes& axes, double max_pressure,
+                             PatchStress& stress)
 {
-  const HighestStresses highest = search_.find(material.poisson);
+  const HighestStresses highest = search_.find(poisson);
   stress.von_mises = highest.von_mises;
   stress.shear = highest.shear;
-  stress.load_factor = material.yield > 0 ? max_pressure * std::sqrt(3.0) / material.yield : 0;
-  const double range = std::max(highest.orthogonal.value, highest.von_mises.value / (2 * std::sqrt(3.0)));
-  stress.shakedown_limit = range > 0 ? max_pressure / range : 0;
+  stress.shakedown_limit = shakedownLimit(max_pressure, highest.orthogonal.value, highest.von_mises.value);
   if (!config_.stress.field)
   {
     return;
   }
-  stress.field = stressLayers(grid_, pressure_, material.poisson, layerDepths(axes, config_.stress.depths));
+  stress.field = stressLayers(grid_, pressure_, poisson, layerDepths(axes, config_.stress.depths));
   for (StressLayer& layer : stress.field)
   {
     for (Eigen::ArrayXXd& component : layer.components)

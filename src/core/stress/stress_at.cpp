@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <stdexcept>
+
+#include "core/option_check.h"
 #include "core/stress/corner_stress.h"
 #include "core/stress/stress_check.h"
 #include "wheel_rail_contact/core/stress.h"
@@ -16,12 +20,19 @@ void add(double factor, const Stress& part, Stress& sum)
   sum.xz += factor * part.xz;
   sum.xy += factor * part.xy;
 }
+/// Corner of cell (row, column) with the smallest coordinates.
+Eigen::Vector3d corner(const PatchGrid& grid, int row, int column)
+{
+  return {grid.x(row) - 0.5 * grid.dx, grid.y(column) - 0.5 * grid.dy, 0};
+}
 }  // namespace
 
 Stress stressAt(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double poisson, const Eigen::Vector3d& point)
 {
   requireStressInput(grid, pressure, poisson);
   requireDepth(point.z());
+  require(std::isfinite(point.x()), "x", point.x(), "must be finite");
+  require(std::isfinite(point.y()), "y", point.y(), "must be finite");
   const auto at = [&](int row, int column)
   { return row >= 0 && row < grid.nx && column >= 0 && column < grid.ny ? pressure(row, column) : 0.0; };
   Stress sum;
@@ -33,10 +44,12 @@ Stress stressAt(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double p
       const double jump = at(i, j) - at(i - 1, j) - at(i, j - 1) + at(i - 1, j - 1);
       if (jump != 0)
       {
-        add(jump,
-            cornerStress(point.x() - grid.x(i) + 0.5 * grid.dx, point.y() - grid.y(j) + 0.5 * grid.dy, point.z(),
-                         poisson),
-            sum);
+        const Eigen::Vector3d offset = point - corner(grid, i, j);
+        if (offset.isZero(0))
+        {
+          throw std::invalid_argument("depth = 0: must be above 0 at a corner of a cell, where xy is infinite");
+        }
+        add(jump, cornerStress(offset.x(), offset.y(), offset.z(), poisson), sum);
       }
     }
   }

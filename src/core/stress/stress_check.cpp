@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/option_check.h"
-#include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
 {
@@ -16,11 +15,15 @@ void requireStressInput(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, 
   {
     throw std::invalid_argument("pressure has " + std::to_string(pressure.rows()) + " x " +
                                 std::to_string(pressure.cols()) + " values, the grid has " + std::to_string(grid.nx) +
-                                " x " + std::to_string(grid.ny) + " cells");
+                                " x " + std::to_string(grid.ny) + " cells: both must be equal");
+  }
+  if (!pressure.allFinite())
+  {
+    throw std::invalid_argument("pressure has values that are not finite: all must be finite");
   }
   requirePositive("dx", grid.dx);
   requirePositive("dy", grid.dy);
-  validate(Material{1, poisson, 0}, "material");
+  require(poisson > -1 && poisson <= 0.5, "poisson", poisson, "must be above -1 and at most 0.5");
 }
 
 void requireDepth(double depth)

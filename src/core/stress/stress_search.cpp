@@ -21,8 +21,8 @@ constexpr std::size_t below = kPoints / 2;  ///< points below the centre of a co
 constexpr std::array<double, below> first_depths{0.38, 0.46, 0.57, 0.72, 0.9, 1.15, 1.5, 1.9};
 constexpr std::array<double, below / 2> orthogonal_depths{0.3, 0.42, 0.58, 0.8};
 constexpr double orthogonal_x = 0.85;  ///< where |xz| is first searched for, in units of the half length of a column
-constexpr double near_peak = 0.95;     ///< the same for forces at a smaller distance
 constexpr double other_peak = 0.85;    ///< a local maximum of the first search is refined if it is so near the highest
+constexpr double near_peak = 0.95;     ///< the same for forces at a smaller distance
 constexpr double first_step = 0.2;     ///< of the parabolas along x and y, in units of the semi-axes
 constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of the depth
 constexpr int most_rounds = 6;         ///< of parabolas
@@ -269,8 +269,8 @@ bool StressSearch::Top::advance(const Stress* star, double least)
   if (measure == vonMises)
   {
     const Parabolas of_shear = parabolas(star, maxShear);
-    const Eigen::Vector3d place = moved(of_shear.offset);
-    shear = {of_shear.value, place.x(), place.y(), place.z()};
+    const Eigen::Vector3d place = of_shear.inside ? moved(of_shear.offset) : centre;
+    shear = {of_shear.inside ? of_shear.value : maxShear(star[0]), place.x(), place.y(), place.z()};
   }
   centre = {top.x(), top.y(), std::max(top.z(), least)};
   steps *= next.inside ? 0.5 : 1;

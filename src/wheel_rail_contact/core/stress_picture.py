@@ -2,7 +2,7 @@
 """Pictures of the von Mises stress in a section of wheel and rail: of results of Python, and of messages."""
 import numpy as np
 
-from . import contour
+from . import contour, stress
 from .pressure import KN, MM, MPA, side_of
 from .stress_section import BODIES, SIGNS, StressSection
 
@@ -60,13 +60,26 @@ def worst_patch(patches):
 def _of_model(contact, patch):
     """Surfaces and Poisson's ratios for StressSection, by the parameters of a WheelsetContact."""
     profiles = {name: getattr(contact, f"{name}_profiles")[side_of(patch) == "right"] for name in BODIES}
-    poisson = {name: float(contact.config[f"material/{name}/poisson"]) for name in BODIES}
+    poisson = poisson_ratios(contact.config, side_of(patch))
 
     def surfaces(reach):
         return {name: _contour(profile, getattr(patch, f"{name}_s"), patch, reach) for name, profile in profiles.items()}
 
     whole = all(profile and len(profile.parts) == 1 for profile in profiles.values())
     return surfaces if whole else None, poisson
+
+
+def poisson_ratios(parameters, side):
+    """Poisson's ratios of wheel and rail on a side: of that side, of both sides, or the default.
+
+    parameters: values by the names of the parameters, for example "material/wheel/poisson"
+    side: "left" or "right"
+    """
+    def ratio(name):
+        both = parameters.get(f"material/{name}/poisson", stress.core.DEFAULT_POISSON)
+        return float(parameters.get(f"{name}/{side}/material/poisson", both))
+
+    return {name: ratio(name) for name in BODIES}
 
 
 def _contour(profile, s, patch, reach):

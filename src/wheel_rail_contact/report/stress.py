@@ -32,7 +32,7 @@ def items(results, worst, messages, title, out):
     if not worst:
         return []
     try:
-        poisson = poisson_ratios(results.parameters)
+        poisson = [poisson_ratios(results.parameters, side) for side in ("left", "right")]
     except ImportError as error:  # The extension module is optional in a build.
         return [f"The pictures of the stress are left out: {error}."]
     return [_item(results, side, patch, (messages, title, poisson, out)) for side, patch in sorted(worst.items())]
@@ -44,7 +44,7 @@ def _item(results, side, patch, shown):
     message = messages[result].patches[patch - int(np.searchsorted(results.patches["result"], result))]
     if not message.grid.nx:
         return f"{SIDES[side]} wheel, {title(result)}: no picture of the stress (the bag contains no grids)"
-    return figure(message, title(result), _surfaces(results, side, patch, message), poisson, out / f"stress_{side}.png")
+    return figure(message, title(result), _surfaces(results, side, patch, message), poisson[side], out / f"stress_{side}.png")
 
 
 def figure(patch, heading, surfaces, poisson, path):
@@ -61,15 +61,15 @@ def figure(patch, heading, surfaces, poisson, path):
     return save(picture, path)
 
 
-def poisson_ratios(parameters):
+def poisson_ratios(parameters, side):
     """Poisson's ratios of wheel and rail in the parameters of a replay; those of config/default.yaml where they are not known.
 
     @param parameters text with a line "material/wheel/poisson: VALUE"; empty for a recording of a live node
+    @param side "left" or "right"
     @throw ImportError if the package was built without its Python module
     """
-    from ..core.stress import core
-    found = {name: re.search(rf"^material/{name}/poisson: (\S+)$", parameters, re.MULTILINE) for name in BODIES}
-    return {name: float(match.group(1)) if match else core.DEFAULT_POISSON for name, match in found.items()}
+    from ..core import stress_picture
+    return stress_picture.poisson_ratios(dict(re.findall(r"^(\S+/poisson): (\S+)$", parameters, re.MULTILINE)), side)
 
 
 def _surfaces(results, side, patch, message):

@@ -147,5 +147,17 @@ TEST(StressAt, RejectsWrongInput)
   EXPECT_THROW(stressAt(cells.grid, Eigen::ArrayXXd::Zero(2, 3), nu, {0, 0, 1}), std::invalid_argument);
   EXPECT_THROW(stressAt(cells.grid, cells.pressure, 0.6, {0, 0, 1}), std::invalid_argument);
   EXPECT_THROW(below(cells, 0, 0, -1e-9), std::invalid_argument);
-  EXPECT_THROW(below(cells, 0, 0, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(below(cells, 0, 0, nan), std::invalid_argument);
+  EXPECT_THROW(below(cells, nan, 0, 1), std::invalid_argument);
+  EXPECT_THROW(below(cells, 0, nan, 1), std::invalid_argument);
+  EXPECT_THROW(stressAt(cells.grid, nan * cells.pressure, nu, {0, 0, 1}), std::invalid_argument);
+}
+
+TEST(StressAt, ShearStressAtACornerOfTheSurfaceIsRefused)
+{
+  const Cells cells = pressures::random(3, 2, 1);
+  const double x = cells.grid.x(1) - 0.5 * cells.grid.dx, y = cells.grid.y(1) - 0.5 * cells.grid.dy;
+  EXPECT_THROW(below(cells, x, y, 0), std::invalid_argument);
+  EXPECT_TRUE(std::isfinite(below(cells, x, y, 1e-12).xy));
 }
