@@ -37,7 +37,7 @@ def rail_mesh(section, cuts, size, element_type, directory):
         errors = [line for line in run.stdout.splitlines() if line.startswith(("Error", "terminate"))]
         raise Failure(f"gmsh could not mesh section {section.name} with size {size:g} m: "
                         + (" ".join(errors) or f"exit status {run.returncode}"))
-    return _read(directory / "rail.msh", element_type)
+    return read(directory / "rail.msh", element_type)
 
 
 def program():
@@ -84,7 +84,7 @@ def _outline_script(section, size):
     return lines + [f"Transfinite Curve {{1:{n}}} = 3;", f"Curve Loop(1) = {{1:{n}}};"]
 
 
-def _read(path, element_type):
+def read(path, element_type):
     """Reads a mesh file of format 2.2. It must contain only volume elements of one type."""
     lines = path.read_text(encoding="ascii").splitlines()
     start = lines.index("$Nodes") + 2
