@@ -28,13 +28,14 @@ constexpr const char* header =
     "rail_torque_y [N m],rail_torque_z [N m],"
     "side,patch_y [m],patch_z [m],contact_angle [rad],normal_force [N],approach [m],area [m^2],max_pressure [Pa],"
     "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad],"
-    "vertical_force [N],lateral_force [N],semi_axis_along [m],semi_axis_across [m],rolling_radius [m],wheel_s [m],"
+    "model_error [-],vertical_force [N],lateral_force [N],semi_axis_along [m],semi_axis_across [m],rolling_radius "
+    "[m],wheel_s [m],"
     "wheel_angle [rad],rail_s [m],curvature_along [1/m],curvature_across [1/m],normal_stiffness [N/m],"
     "wheel_von_mises [Pa],wheel_von_mises_x [m],wheel_von_mises_y [m],wheel_von_mises_depth [m],wheel_shear [Pa],"
     "wheel_shear_depth [m],wheel_load_factor [-],wheel_shakedown_limit [-],"
     "rail_von_mises [Pa],rail_von_mises_x [m],rail_von_mises_y [m],rail_von_mises_depth [m],rail_shear [Pa],"
     "rail_shear_depth [m],rail_load_factor [-],rail_shakedown_limit [-]\n";
-constexpr const char* no_patch = ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,";
+constexpr const char* no_patch = ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,";
 
 /// Cell with nine significant digits, which is finer than any tolerance.
 std::string cell(double value)
@@ -88,9 +89,9 @@ std::string cells(const ContactPatch& patch)
                     cell(patch.pose.position.z) + cell(patch.contact_angle) + cell(patch.normal_force) +
                     cell(patch.approach) + cell(patch.area) + cell(patch.max_pressure) + cell(patch.error_estimate) +
                     cell(patch.iterations) + cell(patch.residual) + patch.method + "," + cell(patch.half_space_ratio) +
-                    cell(patch.vertical_force) + cell(patch.lateral_force) + cell(patch.semi_axis_along) +
-                    cell(patch.semi_axis_across) + cell(patch.rolling_radius) + cell(patch.wheel_s) +
-                    cell(patch.wheel_angle) + cell(patch.rail_s) + cell(patch.curvature_along) +
+                    cell(patch.model_error) + cell(patch.vertical_force) + cell(patch.lateral_force) +
+                    cell(patch.semi_axis_along) + cell(patch.semi_axis_across) + cell(patch.rolling_radius) +
+                    cell(patch.wheel_s) + cell(patch.wheel_angle) + cell(patch.rail_s) + cell(patch.curvature_along) +
                     cell(patch.curvature_across) + cell(patch.normal_stiffness) + cells(patch.wheel_stress) +
                     cells(patch.rail_stress);
   row.pop_back();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/balance/model_error.h"
 #include "half_space/cell_grids.h"
 #include "half_space/models.h"
 #include "half_space/planar_gap.h"
@@ -52,6 +53,7 @@ TEST(LoadedWheel, CarriesTheLoadAndHasTheRatioOfTheResult)
   ASSERT_FALSE(result.patches.empty()) << result.reason;
   // Both are the turn between the outer loaded columns: they differ by a cell of the coarser grid.
   EXPECT_NEAR(wheel.parts().front().half_space_ratio, result.patches.front().half_space_ratio, 0.02);
+  EXPECT_EQ(result.patches.front().model_error, modelError(result.patches.front().half_space_ratio, true));
 }
 
 TEST(LoadedWheel, WithoutContactIsRefusedWithThePosition)

@@ -20,8 +20,8 @@ REPLAY = os.environ["CONTACT_REPLAY"]
 LOAD = -200e3  # of the axle [N]
 PADS = {"rail_bending": {"model": "compliance", "table": "config/rails/pads_40_100.yaml"}}
 PATCH_FIELDS = ("method", "contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
-                "residual", "half_space_ratio", "vertical_force", "lateral_force", "semi_axis_along", "semi_axis_across",
-                "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
+                "residual", "half_space_ratio", "model_error", "vertical_force", "lateral_force", "semi_axis_along",
+                "semi_axis_across", "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
 RAIL_FIELDS = ("lateral", "vertical", "roll")
 ROUNDING = 1e-7  # of numbers in messages, relative: the pressures are float32, poses are quaternions
 

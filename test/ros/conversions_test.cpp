@@ -25,6 +25,7 @@ core::PatchResult examplePatch(core::Side side)
   patch.iterations = 17;
   patch.residual = 1e-7;
   patch.half_space_ratio = 0.07;
+  patch.model_error = 0.013;
   patch.vertical_force = 99e3;
   patch.lateral_force = 3e3;
   patch.semi_axis_along = 6e-3;
@@ -93,6 +94,7 @@ void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.residual, b.residual);
   EXPECT_EQ(a.half_space_ratio, b.half_space_ratio);
+  EXPECT_EQ(a.model_error, b.model_error);
   EXPECT_EQ(a.vertical_force, b.vertical_force);
   EXPECT_EQ(a.lateral_force, b.lateral_force);
   EXPECT_EQ(a.semi_axis_along, b.semi_axis_along);

@@ -140,7 +140,7 @@ void ResultCheck::checkNumbers(const WheelsetResult& result)
   for (const PatchResult& p : result.patches)
   {
     sum += p.pose.x + p.pose.y + p.pose.z + p.pose.angle + p.contact_angle + p.normal_force + p.approach + p.area +
-           p.max_pressure + p.error_estimate + p.residual + p.half_space_ratio + p.pressure.sum();
+           p.max_pressure + p.error_estimate + p.residual + p.half_space_ratio + p.model_error + p.pressure.sum();
   }
   if (!std::isfinite(sum))
   {

@@ -90,9 +90,11 @@ struct PatchResult
   double error_estimate = 0;
   int iterations = 0;   ///< number of products with the influence matrix; see NormalSolution::iterations
   double residual = 0;  ///< largest violation of the contact conditions, relative [-]; see NormalSolution::residual
-  /// Half the angle by which the section of wheel or rail turns across the patch [rad], the larger of the two. The
-  /// half-space model requires a value far below 1.
+  /// Half the angle by which the section of wheel or rail turns across the patch [rad], the larger of the two.
   double half_space_ratio = 0;
+  /// Bound of the relative error of max_pressure and area because both bodies are taken to be half-spaces [-], a
+  /// function of half_space_ratio; 1: not known. It adds to error_estimate. See doc/half_space.md.
+  double model_error = 0;
   double vertical_force = 0;  ///< vertical part Q of normal_force, on the rail, down positive [N]
   double lateral_force = 0;   ///< lateral part Y of normal_force, on the rail, outward positive [N]
   /// Semi-axis a along the track of the ellipse with the area of the patch and the ratio of its second moments about x

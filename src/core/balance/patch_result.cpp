@@ -6,6 +6,7 @@
 
 #include "core/balance/contact_place.h"
 #include "core/balance/least_gap.h"
+#include "core/balance/model_error.h"
 #include "core/balance/whole_pressure.h"
 #include "core/normal/measures/equal_ellipse.h"
 #include "wheel_rail_contact/core/sides.h"
@@ -80,6 +81,13 @@ void spread(Side side, const Grid& grid, const Centre& centre, const Eigen::Arra
   result.grid = {grid.nx, grid.ny, grid.dx, grid.dy, first - centre.x, side == Side::left ? y0 : mirrored};
   wholePressure(side, grid, stored, result.pressure);
 }
+
+/// True if the displacements were projected onto the normals of the columns.
+bool isTurned(const ContactConfig& config, const PatchGap& gap)
+{
+  return gap.turn.size() > 0 &&
+         (config.method == NormalMethod::automatic || config.method == NormalMethod::conjugate_gradient);
+}
 }  // namespace
 
 void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& out)
@@ -127,6 +135,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.iterations = solution.iterations;
   out.residual = solution.residual;
   out.half_space_ratio = contact.halfSpaceRatio(of.patch, of.first, of.last);
+  out.model_error = modelError(out.half_space_ratio, isTurned(balance.config().contact, gap));
   spread(side, gap.grid, centre, pressure.pressure, out);
 }
 }  // namespace wheel_rail_contact::core

@@ -243,6 +243,7 @@ ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
   message.iterations = static_cast<std::uint32_t>(patch.iterations);
   message.residual = patch.residual;
   message.half_space_ratio = patch.half_space_ratio;
+  message.model_error = patch.model_error;
   message.vertical_force = patch.vertical_force;
   message.lateral_force = patch.lateral_force;
   message.semi_axis_along = patch.semi_axis_along;
@@ -282,6 +283,7 @@ core::PatchResult fromMessage(const ContactPatch& message, double x)
   patch.iterations = static_cast<int>(message.iterations);
   patch.residual = message.residual;
   patch.half_space_ratio = message.half_space_ratio;
+  patch.model_error = message.model_error;
   patch.vertical_force = message.vertical_force;
   patch.lateral_force = message.lateral_force;
   patch.semi_axis_along = message.semi_axis_along;

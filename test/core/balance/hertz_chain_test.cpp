@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/balance/model_error.h"
 #include "round_bodies.h"
 
 using namespace wheel_rail_contact::core;
@@ -45,6 +46,7 @@ TEST(HertzChainTest, ConesOnAnArcHaveThePressureAndApproachOfHertz)
     // cell of the edge.
     EXPECT_NEAR(patch.half_space_ratio, hertz.semi_axis_y / round_bodies::crown_radius,
                 0.02 * hertz.semi_axis_y / round_bodies::crown_radius);
+    EXPECT_EQ(patch.model_error, modelError(patch.half_space_ratio, false));  // the normals turn by less than 0.2 rad
     EXPECT_NEAR(patch.max_pressure, hertz.max_pressure, 1.15e-3 * hertz.max_pressure);
     EXPECT_NEAR(patch.approach, hertz.approach, 1e-3 * hertz.approach);
     EXPECT_NEAR(patch.area, hertz.area, 5e-3 * hertz.area);

@@ -134,8 +134,8 @@ bool isFinite(const WheelsetContact& result)
   {
     finite = finite && isFinite(patch.pose) &&
              std::isfinite(patch.max_pressure + patch.area + patch.approach + patch.normal_force + patch.contact_angle +
-                           patch.error_estimate + patch.residual + patch.half_space_ratio + patch.grid.dx +
-                           patch.grid.dy + patch.grid.x0 + patch.grid.y0) &&
+                           patch.error_estimate + patch.residual + patch.half_space_ratio + patch.model_error +
+                           patch.grid.dx + patch.grid.dy + patch.grid.x0 + patch.grid.y0) &&
              std::all_of(patch.grid.pressure.begin(), patch.grid.pressure.end(),
                          [](float pressure) { return std::isfinite(pressure); });
   }
