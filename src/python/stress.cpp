@@ -126,9 +126,10 @@ void bindClasses(py::module& module)
              return formatted("<StressPeak: %.0f MPa at x %.3f mm, y %.3f mm, depth %.3f mm>", peak.value / 1e6,
                               peak.x * 1e3, peak.y * 1e3, peak.depth * 1e3);
            });
-  py::class_<PatchStress>(module, "PatchStress",
-                          "Stress in a body beneath a patch, by the pressure on its grid, on a half-space. All numbers are 0 unless "
-                          "stress/depths is above 0.")
+  py::class_<PatchStress>(
+      module, "PatchStress",
+      "Stress in a body beneath a patch, by the pressure on its grid, on a half-space. All numbers are 0 unless "
+      "stress/depths is above 0.")
       .def_readonly("von_mises", &PatchStress::von_mises, "StressPeak: highest von Mises stress")
       .def_readonly("shear", &PatchStress::shear,
                     "StressPeak: highest shear stress, half the difference of the largest and the smallest principal "

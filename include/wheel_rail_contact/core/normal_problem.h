@@ -12,7 +12,8 @@ struct Material
 {
   double young = 2.1e11;  ///< Young's modulus [Pa], finite, > 0
   double poisson = 0.28;  ///< Poisson's ratio [-], in (-1, 0.5]
-  double yield = 0;       ///< yield stress in tension [Pa], finite, >= 0; 0: not known. Only PatchStress::load_factor uses it
+  double yield =
+      0;  ///< yield stress in tension [Pa], finite, >= 0; 0: not known. Only PatchStress::load_factor uses it
 };
 
 /// True if all constants are equal.

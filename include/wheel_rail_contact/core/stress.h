@@ -100,10 +100,10 @@ struct PatchStress
   /// given.
   double load_factor = 0;
   /// Load factor above which the body cannot shake down to an elastic state under repeated frictionless rolling along
-  /// the track [-]. It is p0 over half the largest range of the stress during a passage, as a shear stress: the highest
-  /// |xz|, or the highest von Mises stress over 2 sqrt 3. It is 4.00 for a line contact across the track and 4.68 for a
-  /// circular one. There it is the shakedown limit itself (Johnson 1985, sec. 9.2; Ponter, Hearle and Johnson 1985),
-  /// elsewhere an upper bound of it.
+  /// the track [-]: p0 over half a change of the stress during a passage, as a shear stress. Two changes are taken:
+  /// that of xz, from its highest value to the opposite one, and that from no stress to the highest von Mises stress.
+  /// It is 4.00 for a line contact across the track and 4.68 for a circular one. There it is the shakedown limit itself
+  /// (Johnson 1985, sec. 9.2; Ponter, Hearle and Johnson 1985), elsewhere an upper bound of it; under yaw within 1 %.
   double shakedown_limit = 0;
   std::vector<StressLayer> field;  ///< only with StressConfig::field: on PatchResult::grid
 };

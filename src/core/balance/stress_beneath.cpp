@@ -15,10 +15,10 @@ constexpr double deepest = 2;  ///< depth of the last layer of a field, in units
 /// Equally spaced depths from the surface [m].
 std::vector<double> layerDepths(const SemiAxes& axes, int count)
 {
-  std::vector<double> depths;
-  for (int k = 0; k < count; ++k)
+  std::vector<double> depths(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < depths.size(); ++k)
   {
-    depths.push_back(k * deepest * std::min(axes.along, axes.across) / (count - 1));
+    depths[k] = static_cast<double>(k) * deepest * std::min(axes.along, axes.across) / (count - 1);
   }
   return depths;
 }

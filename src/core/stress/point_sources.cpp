@@ -11,6 +11,7 @@ namespace
 {
 const double pi = std::acos(-1.0);
 constexpr double part_width = 0.5;   ///< width of joined or divided columns, over the distance of the forces along them
+constexpr double near_columns = 2;   ///< reach of the columns without thinning, in distances of the forces
 constexpr double far_spacing = 0.4;  ///< distance of the forces of a column, over its distance from the nearest point
 
 Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double poisson)
@@ -45,7 +46,8 @@ void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, d
     }
     if (line.force > 0)
     {
-      addParts(line, static_cast<double>(joined) * grid.dy / unit, std::max(spacing, far_spacing * distance));
+      addParts(line, static_cast<double>(joined) * grid.dy / unit,
+               std::max(spacing, far_spacing * (distance - near_columns * spacing)));
     }
   }
 }

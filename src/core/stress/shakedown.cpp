@@ -18,7 +18,8 @@ double loadFactor(double max_pressure, double yield)
 
 double shakedownLimit(double max_pressure, double orthogonal, double von_mises)
 {
-  // Half the range of the stress during a passage: of xz, which changes its sign, or of the stress that comes and goes.
+  // Half of two changes of the stress during a passage: of xz, which changes its sign, and of a stress that comes and
+  // goes.
   const double range = std::max(orthogonal, 0.5 * von_mises / tension_over_shear);
   return range > 0 ? max_pressure / range : 0;
 }

@@ -45,7 +45,7 @@ Stress stressAt(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double p
       if (jump != 0)
       {
         const Eigen::Vector3d offset = point - corner(grid, i, j);
-        if (offset.isZero(0))
+        if (offset.squaredNorm() == 0)
         {
           throw std::invalid_argument("depth = 0: must be above 0 at a corner of a cell, where xy is infinite");
         }

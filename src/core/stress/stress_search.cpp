@@ -146,13 +146,13 @@ void StressSearch::addTops(StressPeak Column::*of, Measure measure)
   {
     rough = std::max(rough, at(k));
   }
-  const auto isTop = [&](std::size_t k)
+  const auto is_top = [&](std::size_t k)
   { return at(k) > other_peak * rough && at(k) >= at(k + 1) && (k == 0 || at(k) > at(k - 1)); };
-  const bool is_near = isTop(pressed_) || isTop(pressed_ + 1) || (pressed_ > 0 && isTop(pressed_ - 1));
+  const bool is_near = is_top(pressed_) || is_top(pressed_ + 1) || (pressed_ > 0 && is_top(pressed_ - 1));
   for (std::size_t k = 0; k < columns_.size(); ++k)
   {
     // The highest stress below a narrow peak of the pressure may be closer to the surface than the first search looks.
-    if (isTop(k) || (k == pressed_ && !is_near))
+    if (is_top(k) || (k == pressed_ && !is_near))
     {
       const StressPeak& start = columns_[k].*of;
       Top top;
@@ -172,9 +172,12 @@ bool StressSearch::selectTops(double spacing, bool all)
   open_places_.clear();
   for (Top& top : tops_)
   {
+    // At the least depth the stress may still rise towards the surface, whatever it is there.
+    const bool is_cut = top.peak.depth < 1.02 * least_depth * spacing;
     const auto exceeds = [&top](const Top& other)
     { return other.measure == top.measure && near_peak * other.peak.value > top.peak.value; };
-    if (all || (top.peak.depth < near_depth * spacing && std::none_of(tops_.begin(), tops_.end(), exceeds)))
+    const bool is_high = std::none_of(tops_.begin(), tops_.end(), exceeds);
+    if (all || is_cut || (is_high && top.peak.depth < near_depth * spacing))
     {
       open_.push_back(&top);
       open_places_.push_back(top.centre.y());

@@ -21,7 +21,7 @@ inline FloatRegister inverseRoot(FloatRegister value)
 {
   constexpr int kMagic = 0x5F375A86;  // relative error of the first approximation: 3.4 %
   constexpr int kSteps = 3;           // 1.7e-3, 4.4e-6, rounding
-  FloatRegister root = reinterpret_cast<FloatRegister>(kMagic - (reinterpret_cast<FloatBits>(value) >> 1));
+  auto root = reinterpret_cast<FloatRegister>(kMagic - (reinterpret_cast<FloatBits>(value) >> 1));
   for (int step = 0; step < kSteps; ++step)
   {
     root = root * (1.5F - 0.5F * value * root * root);
