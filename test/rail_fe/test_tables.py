@@ -60,8 +60,9 @@ class ShippedFiles(unittest.TestCase):
 @needs_programs
 class Reproduced(unittest.TestCase):
     def test_coarse_mesh_reproduces_the_tables_of_pads(self):
-        # 3 %: the elements are twice as large as those of the tables of the package
-        for name in PADS:
+        # 3 %: the elements are twice as large as those of the tables of the package. The softest and the stiffest pads: the
+        # others are between them, and compared with a separate study below.
+        for name in ("pads_10_25", "pads_100_500"):
             solution = solved(track(name, 20, 0.03))
             for key in COMPLIANCES:
                 ratio = solution.compliance[key] / shipped(name)[key]
