@@ -54,9 +54,8 @@ Strain strainOf(const Stress& stress, const Material& material);
 /// sec. 3.4). The stress does not depend on Young's modulus.
 /// @param pressure  nx × ny [Pa], compressive positive
 /// @param poisson   Poisson's ratio of the body, in (-1, 0.5]
-/// @param point     x and y on the grid, and depth below the surface, >= 0 [m]. At depth 0 the stress jumps from cell
-/// to
-///                  cell.
+/// @param point     x and y on the grid, and depth below the surface, >= 0 [m]. The stress at depth 0 jumps between the
+///                  cells.
 /// @throw std::invalid_argument if the shape of the pressure is not that of the grid, a value is not finite, Poisson's
 ///        ratio is out of range, the depth is negative, or the point is a corner of a cell at depth 0, where xy is
 ///        infinite.

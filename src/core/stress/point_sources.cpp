@@ -31,14 +31,13 @@ Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double pois
 void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing,
                        const std::vector<double>& places)
 {
-  unit_ = unit;
   x_.clear();
   y_.clear();
   force_.clear();
   const auto joined = std::max(Eigen::Index{1}, static_cast<Eigen::Index>(part_width * spacing * unit / grid.dy));
   for (Eigen::Index j = 0; j < grid.ny; j += joined)
   {
-    const Line line = lineOf(grid, pressure, j, std::min<Eigen::Index>(j + joined, grid.ny));
+    const Line line = lineOf(grid, pressure, j, std::min<Eigen::Index>(j + joined, grid.ny), unit);
     double distance = places.empty() ? 0 : std::numeric_limits<double>::infinity();
     for (const double place : places)
     {
@@ -53,16 +52,16 @@ void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, d
 }
 
 PointSources::Line PointSources::lineOf(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index begin,
-                                        Eigen::Index end) const
+                                        Eigen::Index end, double unit)
 {
   double sum = 0, y = 0, first = 0, second = 0;
   for (Eigen::Index j = begin; j < end; ++j)
   {
     for (int i = 0; i < grid.nx; ++i)
     {
-      const double p = pressure(i, j), x = grid.x(i) / unit_;
+      const double p = pressure(i, j), x = grid.x(i) / unit;
       sum += p;
-      y += p * grid.y(static_cast<int>(j)) / unit_;
+      y += p * grid.y(static_cast<int>(j)) / unit;
       first += p * x;
       second += p * x * x;
     }
@@ -70,9 +69,9 @@ PointSources::Line PointSources::lineOf(const PatchGrid& grid, const Eigen::Arra
   Line line;
   if (sum > 0)
   {
-    const double centre = first / sum, cell = grid.dx / unit_;
+    const double centre = first / sum, cell = grid.dx / unit;
     const double variance = std::max(second / sum - centre * centre, cell * cell / 16);
-    line = {y / sum, sum * grid.cellArea() / (unit_ * unit_), centre, 2 * std::sqrt(variance)};
+    line = {y / sum, sum * grid.cellArea() / (unit * unit), centre, 2 * std::sqrt(variance)};
   }
   return line;
 }

@@ -23,13 +23,25 @@ class PointSources
   /// Places in units of the length that set() was given.
   using Places = PointsBelow;
 
+  /// Pressure of a column, or of several joined ones, as a semi-ellipse along x. Lengths are in a given unit.
+  struct Line
+  {
+    double y = 0;       ///< place
+    double force = 0;   ///< [Pa]; 0 without pressure
+    double centre = 0;  ///< along x
+    double half = 0;    ///< half length of the semi-ellipse, at least half a cell
+  };
+  /// Line of the columns `begin` to `end` - 1.
+  static Line lineOf(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index begin, Eigen::Index end,
+                     double unit);
+
   /// Takes a pressure [Pa], nx × ny. Narrow columns are joined, wide ones divided, so that the distance of the forces
   /// is at most `spacing`. Allocates only for more forces than ever before.
   /// @param unit     unit of all lengths [m]
   /// @param spacing  in this unit [-]
-  /// @param places   y of the points at which the stress is computed, in this unit. Farther columns have a larger
-  /// distance
-  ///                 of the forces. Empty: the stress is computed anywhere
+  /// @param places   y of the points at which the stress is computed, in this unit. The distance of the forces grows
+  /// with
+  ///                 the distance of a column from them. Empty: the stress is computed anywhere
   void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing,
            const std::vector<double>& places);
 
@@ -37,19 +49,9 @@ class PointSources
   std::array<Stress, kPoints> at(const Places& places, double poisson) const;
 
  private:
-  /// Pressure of a column, or of several joined ones, in units of the length.
-  struct Line
-  {
-    double y = 0;       ///< place
-    double force = 0;   ///< [Pa]
-    double centre = 0;  ///< along x
-    double half = 0;    ///< half length of the semi-ellipse
-  };
-  Line lineOf(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index begin, Eigen::Index end) const;
   void addParts(const Line& line, double width, double spacing);
   void addLine(const Line& line, double spacing);
 
-  double unit_ = 1;
   std::vector<float> x_, y_, force_;
 };
 }  // namespace wheel_rail_contact::core

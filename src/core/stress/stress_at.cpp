@@ -20,6 +20,7 @@ void add(double factor, const Stress& part, Stress& sum)
   sum.xz += factor * part.xz;
   sum.xy += factor * part.xy;
 }
+
 /// Corner of cell (row, column) with the smallest coordinates.
 Eigen::Vector3d corner(const PatchGrid& grid, int row, int column)
 {

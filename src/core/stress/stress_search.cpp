@@ -74,18 +74,10 @@ void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, c
 
 void StressSearch::addColumn(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index column)
 {
-  double sum = 0, first = 0, second = 0;
-  for (int i = 0; i < grid.nx; ++i)
+  const PointSources::Line line = PointSources::lineOf(grid, pressure, column, column + 1, unit_);
+  if (line.force > 0)
   {
-    const double p = pressure(i, column), x = grid.x(i) / unit_;
-    sum += p;
-    first += p * x;
-    second += p * x * x;
-  }
-  if (sum > 0)
-  {
-    const double centre = first / sum, variance = std::max(second / sum - centre * centre, 0.0);
-    columns_.push_back({centre, grid.y(static_cast<int>(column)) / unit_, 2 * std::sqrt(variance), {}, {}});
+    columns_.push_back({line.centre, line.y, line.half, {}, {}});
   }
 }
 
