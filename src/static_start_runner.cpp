@@ -60,7 +60,7 @@ void print(const core::WheelsetResult& result)
   std::printf("z %.9f m\nroll %.9e rad\n", result.z, result.roll);
   for (const core::Side side : core::sides)
   {
-    const core::RailResult& rail = result.rail[core::index(side)];
+    const core::RailResult& rail = result.rail[side];
     std::printf("%s_vertical_force %.1f N\n%s_lateral_force %.1f N\n", core::nameOf(side), rail.vertical_force,
                 core::nameOf(side), rail.lateral_force);
   }

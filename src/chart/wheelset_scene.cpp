@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core::chart
 {

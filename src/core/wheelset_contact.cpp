@@ -54,11 +54,11 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
   {
     return "load is not a number or beyond 1e8 N";
   }
-  if (!within(state.rail_lateral_force[0], force_limit) || !within(state.rail_lateral_force[1], force_limit))
+  if (!within(state.rail_lateral_force.left, force_limit) || !within(state.rail_lateral_force.right, force_limit))
   {
     return "lateral rail force is not a number or beyond 1e8 N";
   }
-  if (!within(state.rail_displacement[0]) || !within(state.rail_displacement[1]))
+  if (!within(state.rail_displacement.left) || !within(state.rail_displacement.right))
   {
     return "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad";
   }
@@ -196,8 +196,8 @@ class WheelsetContact::Chain
   /// Lateral position of the track centre between the displaced rails, track frame [m].
   double trackCentre(const WheelsetState& state) const
   {
-    const auto middle = [](const std::array<RailDeflection, 2>& rail)
-    { return 0.5 * (rail[0].lateral - rail[1].lateral); };
+    const auto middle = [](const Sides<RailDeflection>& rail)
+    { return 0.5 * (rail.left.lateral - rail.right.lateral); };
     const TrackLine* line = config_.track.line.get();
     return middle(state.rail_displacement) + (line != nullptr ? middle(line->at(state.distance).rail) : 0);
   }
@@ -282,7 +282,7 @@ class WheelsetContact::Chain
   {
     for (const Side side : sides)
     {
-      const WheelForces& wheel = result_.wheel[index(side)];
+      const WheelForces& wheel = result_.wheel[side];
       const double force = std::hypot(wheel.vertical, wheel.lateral);
       if (force > plausible_force)
       {
@@ -314,7 +314,7 @@ class WheelsetContact::Chain
   /// Adds the forces of the patches of a wheel to those of the wheel and to the wrench on the axle centre.
   void sumForces(Side side)
   {
-    WheelForces& wheel = result_.wheel[index(side)];
+    WheelForces& wheel = result_.wheel[side];
     Wrench wrench;
     for (std::size_t k = 0; k < patch_count_; ++k)
     {

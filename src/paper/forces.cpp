@@ -42,7 +42,7 @@ std::vector<ForceRow> coupled(const ContactModelConfig& config, const NamedTable
       contact.reset();
       const WheelsetResult& result = contact.evaluate(stateUnder(y, force));
       rows.push_back(
-          {table.name, DeflectionShare::whole, y, force, false, result.rail[0].deflection, leftFigures(result)});
+          {table.name, DeflectionShare::whole, y, force, false, result.rail.left.deflection, leftFigures(result)});
     }
   }
   return rows;

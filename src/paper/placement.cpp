@@ -94,7 +94,8 @@ Placement solveCase(const ContactModelConfig& config, const Case& of)
   {
     throw std::runtime_error("case " + of.name + ": " + result.reason);
   }
-  Placement placement{of, result.rail[0].deflection, result.roll, leftFigures(result), {}, {}, {}, leftPatches(result)};
+  Placement placement{of, result.rail.left.deflection, result.roll, leftFigures(result), {}, {},
+                      {}, leftPatches(result)};
   const PlacedRail rail = restingRail(config, Side::left).deflected(placement.deflection);
   addOutlines(config, rail, placement);
   return placement;

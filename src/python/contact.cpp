@@ -44,14 +44,14 @@ const std::vector<StateField>& stateFields()
       {"torque_x", [](WheelsetState& s) -> double& { return s.torque_x; }},
       {"x", [](WheelsetState& s) -> double& { return s.x; }},
       {"distance", [](WheelsetState& s) -> double& { return s.distance; }},
-      {"rail_lateral_force", [](WheelsetState& s) -> double& { return s.rail_lateral_force[0]; }},
-      {"rail_lateral_force", [](WheelsetState& s) -> double& { return s.rail_lateral_force[1]; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement[0].lateral; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement[0].vertical; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement[0].roll; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement[1].lateral; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement[1].vertical; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement[1].roll; }},
+      {"rail_lateral_force", [](WheelsetState& s) -> double& { return s.rail_lateral_force.left; }},
+      {"rail_lateral_force", [](WheelsetState& s) -> double& { return s.rail_lateral_force.right; }},
+      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.left.lateral; }},
+      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.left.vertical; }},
+      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.left.roll; }},
+      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.right.lateral; }},
+      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.right.vertical; }},
+      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.right.roll; }},
   };
   return fields;
 }

@@ -199,9 +199,9 @@ void ManyResults::set(std::size_t i, const core::WheelsetResult& result, const c
 
 void ManyResults::setSide(Eigen::Index row, core::Side side, const core::WheelsetResult& result)
 {
-  const auto column = static_cast<Eigen::Index>(index(side));
-  const core::WheelForces& wheel = result.wheel[index(side)];
-  const core::RailDeflection& rail = result.rail[index(side)].deflection;
+  const Eigen::Index column = side == core::Side::left ? 0 : 1;
+  const core::WheelForces& wheel = result.wheel[side];
+  const core::RailDeflection& rail = result.rail[side].deflection;
   vertical_force(row, column) = wheel.vertical;
   lateral_force(row, column) = wheel.lateral;
   rail_lateral(row, column) = rail.lateral;

@@ -8,7 +8,6 @@
 
 #include "ros/parameters/parameters.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
-#include "wheel_rail_contact/core/wheelset_state.h"
 
 namespace wheel_rail_contact
 {

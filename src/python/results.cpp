@@ -184,13 +184,14 @@ void bindResults(py::module& module)
       .def_readonly("yaw", &WheelsetResult::yaw, "rotation of the axle about z, positive to the left [rad]")
       .def_readonly("roll", &WheelsetResult::roll, "the solved (or given) rotation, positive if left is raised [rad]")
       .def_property_readonly(
-          "left_wheel", [](const WheelsetResult& result) { return result.wheel[0]; }, "forces of the left wheel")
+          "left_wheel", [](const WheelsetResult& result) { return result.wheel.left; }, "forces of the left wheel")
       .def_property_readonly(
-          "right_wheel", [](const WheelsetResult& result) { return result.wheel[1]; }, "forces of the right wheel")
+          "right_wheel", [](const WheelsetResult& result) { return result.wheel.right; }, "forces of the right wheel")
       .def_property_readonly(
-          "left_rail", [](const WheelsetResult& result) { return result.rail[0]; }, "displacement of the left rail")
+          "left_rail", [](const WheelsetResult& result) { return result.rail.left; }, "displacement of the left rail")
       .def_property_readonly(
-          "right_rail", [](const WheelsetResult& result) { return result.rail[1]; }, "displacement of the right rail")
+          "right_rail", [](const WheelsetResult& result) { return result.rail.right; },
+          "displacement of the right rail")
       .def_readonly("rail_wrench", &WheelsetResult::rail_wrench, "of the pressure of both rails on the wheelset")
       .def_readonly("patches", &WheelsetResult::patches, "list of PatchResult, left side first")
       .def("__repr__", [](const WheelsetResult& result) { return textOf(result); });

@@ -9,7 +9,7 @@
 #include "half_space/cell_grids.h"
 #include "half_space/models.h"
 #include "half_space/planar_gap.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 using namespace wheel_rail_contact::core;

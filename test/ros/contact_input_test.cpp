@@ -197,26 +197,26 @@ TEST(ContactInput, RailForcesAreOutwardOnBothSides)
   ContactInput in = input(pose());
   in.rail_force = {shared(wrench(30e3, 0, 0)), shared(wrench(-5e3, 0, 0))};
   const core::WheelsetState state = convert(in);
-  EXPECT_EQ(state.rail_lateral_force[0], 30e3);
-  EXPECT_EQ(state.rail_lateral_force[1], -5e3);
-  in.rail_force[1] = shared(wrench(not_a_number, 0, 0));
+  EXPECT_EQ(state.rail_lateral_force.left, 30e3);
+  EXPECT_EQ(state.rail_lateral_force.right, -5e3);
+  in.rail_force.right = shared(wrench(not_a_number, 0, 0));
   EXPECT_EQ(refusal(in).second, "right rail force: force is not finite");
 }
 
 TEST(ContactInput, DisplacementsOfTheRailsAreInTheAxesOfTheirSides)
 {
   ContactInput in = input(pose());
-  EXPECT_EQ(convert(in).rail_displacement[0].lateral, 0);
+  EXPECT_EQ(convert(in).rail_displacement.left.lateral, 0);
   auto message = displacements();
   message.header.frame_id = "anywhere";
   in.rail_displacement = shared(message);
   const core::WheelsetState state = convert(in);
-  EXPECT_EQ(state.rail_displacement[0].lateral, 1e-3);
-  EXPECT_EQ(state.rail_displacement[0].vertical, -2e-3);
-  EXPECT_EQ(state.rail_displacement[0].roll, 3e-3);
-  EXPECT_EQ(state.rail_displacement[1].lateral, -4e-3);
-  EXPECT_EQ(state.rail_displacement[1].vertical, 5e-3);
-  EXPECT_EQ(state.rail_displacement[1].roll, -6e-3);
+  EXPECT_EQ(state.rail_displacement.left.lateral, 1e-3);
+  EXPECT_EQ(state.rail_displacement.left.vertical, -2e-3);
+  EXPECT_EQ(state.rail_displacement.left.roll, 3e-3);
+  EXPECT_EQ(state.rail_displacement.right.lateral, -4e-3);
+  EXPECT_EQ(state.rail_displacement.right.vertical, 5e-3);
+  EXPECT_EQ(state.rail_displacement.right.roll, -6e-3);
 }
 
 TEST(ContactInput, NonFiniteDisplacementIsRefusedWithItsRail)

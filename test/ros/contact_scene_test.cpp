@@ -78,7 +78,7 @@ TEST_F(Scene, PointsOfTheProfileMoveWithTheRail)
 
 TEST_F(Scene, PatchMovesWithTheMagnifiedDeflection)
 {
-  result.rail[0].deflection.lateral = 1e-3;
+  result.rail.left.deflection.lateral = 1e-3;
   options.deflection_scale = 11;
   const auto before = findMarker(sceneMarkers(output, &config.model, trail, SceneOptions()), "force", 0).points[0];
   const auto after = findMarker(draw(), "force", 0).points[0];
@@ -92,8 +92,8 @@ TEST_F(Scene, GivenDisplacementIsDrawnInItsTrueSize)
   const auto sections = [](const MarkerArray& markers) { return findMarker(markers, "rail", 0).points; };
   const auto at_rest = sections(draw());
   const auto force_at_rest = findMarker(draw(), "force", 0).points[0];
-  result.rail[0].given = result.rail[0].deflection = {2e-3, -3e-3, 0};
-  result.rail[0].deflection.lateral += 1e-3;
+  result.rail.left.given = result.rail.left.deflection = {2e-3, -3e-3, 0};
+  result.rail.left.deflection.lateral += 1e-3;
   const auto moved = sections(draw());
   ASSERT_EQ(moved.size(), at_rest.size());
   for (std::size_t i = 0; i < moved.size(); ++i)
@@ -106,7 +106,7 @@ TEST_F(Scene, GivenDisplacementIsDrawnInItsTrueSize)
   EXPECT_NEAR(force.y - force_at_rest.y, 10e-3, 1e-12);
   EXPECT_NEAR(force.z - force_at_rest.z, 0, 1e-12);
 
-  result.rail[0].deflection = result.rail[0].given = {1e-3, 2e-3, 0.01};
+  result.rail.left.deflection = result.rail.left.given = {1e-3, 2e-3, 0.01};
   const auto only_given = sections(draw());
   options.deflection_scale = 1;
   const auto true_size = sections(draw());
@@ -215,7 +215,7 @@ TEST_F(Scene, TrailIsStoredOnTheRailAtRest)
 {
   const auto at_rest = restingRails(&config.model, 0);
   trail.add(output, at_rest);
-  result.rail[1].deflection.lateral = 2e-3;
+  result.rail.right.deflection.lateral = 2e-3;
   result.patches[1].pose.y -= 2e-3;  // the rail has moved outward, and the patch with it
   output.header.stamp += ros::Duration(1);
   trail.add(output, at_rest);

@@ -97,11 +97,11 @@ TEST(InputPairing, InputHasTheMessageOfEachTopic)
   ASSERT_EQ(inputs.size(), 1U);
   const ContactInput& input = inputs.front();
   EXPECT_EQ(input.distance->point.x, 1);
-  EXPECT_EQ(input.rail_force[1]->wrench.force.y, 2);
+  EXPECT_EQ(input.rail_force.right->wrench.force.y, 2);
   EXPECT_EQ(input.load->wrench.force.y, 3);
   EXPECT_EQ(input.pose->pose.position.y, 4);
   EXPECT_EQ(input.rail_displacement->left.lateral, 5);
-  EXPECT_EQ(input.rail_force[0]->wrench.force.y, 6);
+  EXPECT_EQ(input.rail_force.left->wrench.force.y, 6);
   EXPECT_EQ(pairing.counts().paired, 6U);
 }
 
@@ -117,7 +117,7 @@ TEST(InputPairing, MessagesOfOtherTopicsAreIgnored)
   const auto inputs = pairing.add(InputTopic::load, message(InputTopic::load, 10));
   ASSERT_EQ(inputs.size(), 1U);
   const ContactInput& input = inputs.front();
-  EXPECT_FALSE(input.rail_force[0] || input.rail_displacement || input.distance);
+  EXPECT_FALSE(input.rail_force.left || input.rail_displacement || input.distance);
 }
 
 TEST(InputPairing, DisplacementAndDistanceArePairedWithinTheSlop)
@@ -175,7 +175,7 @@ TEST(InputPairing, LongFrameNamesOfWaitingMessagesAreCut)
   const ContactInput& input = inputs.front();
   const std::string::size_type longest = InputPairing::longest_frame_name;
   for (const std_msgs::Header* header :
-       {&input.pose->header, &input.load->header, &input.rail_force[0]->header, &input.rail_force[1]->header,
+       {&input.pose->header, &input.load->header, &input.rail_force.left->header, &input.rail_force.right->header,
         &input.rail_displacement->header, &input.distance->header})
   {
     EXPECT_GT(header->frame_id.size(), longest) << "the cut name must not become a valid name";

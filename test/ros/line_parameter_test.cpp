@@ -31,7 +31,7 @@ class LineParameter : public testing::Test
   /// Lateral displacement of the left rail at the first station [mm], outward positive.
   static double leftAtBegin(const std::string& track)
   {
-    return 1e3 * read(track).model.track.line->at(0).rail[0].lateral;
+    return 1e3 * read(track).model.track.line->at(0).rail.left.lateral;
   }
 
   static void expectRefused(const std::string& track, const std::string& message)

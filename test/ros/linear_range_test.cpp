@@ -12,10 +12,10 @@ namespace
 core::WheelsetResult withForces(double left_lateral, double left_vertical, double right_lateral, double right_vertical)
 {
   core::WheelsetResult result;
-  result.rail[0].lateral_force = left_lateral;
-  result.rail[0].vertical_force = left_vertical;
-  result.rail[1].lateral_force = right_lateral;
-  result.rail[1].vertical_force = right_vertical;
+  result.rail.left.lateral_force = left_lateral;
+  result.rail.left.vertical_force = left_vertical;
+  result.rail.right.lateral_force = right_lateral;
+  result.rail.right.vertical_force = right_vertical;
   return result;
 }
 }  // namespace

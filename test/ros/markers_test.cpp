@@ -199,7 +199,7 @@ TEST_F(Picture, LabelGivesPressureAndArea)
 TEST_F(Picture, RailIsDrawnDeflected)
 {
   const MarkerArray before = draw();
-  result.rail[0].deflection = {0.01, 0.002, 0};
+  result.rail.left.deflection = {0.01, 0.002, 0};
   const MarkerArray after = draw();
   EXPECT_NEAR(findMarker(after, "rail", 0).points[0].y - findMarker(before, "rail", 0).points[0].y, 0.01, 1e-12);
   EXPECT_NEAR(findMarker(after, "rail", 0).points[0].z - findMarker(before, "rail", 0).points[0].z, 0.002, 1e-12);

@@ -39,7 +39,7 @@ NeighbourResult resultAt(double time, double left, double right = 0)
 /// Lateral force of the neighbours [N] that is used for the left rail at a stamp [s].
 double forceAt(const NeighbourForces& forces, double time)
 {
-  return forces.effectAt(ros::Time(time)).deflection[0].lateral / compliance;
+  return forces.effectAt(ros::Time(time)).deflection.left.lateral / compliance;
 }
 }  // namespace
 
@@ -139,8 +139,8 @@ TEST(NeighbourForces, EffectsOfNeighboursAddUpOnEachRail)
   forces.add(0, resultAt(10.0, 1e3, 5e3));
   forces.add(1, resultAt(10.1, 2e3, -2e3));
   const auto moved = forces.effectAt(ros::Time(10.2)).deflection;
-  EXPECT_DOUBLE_EQ(moved[0].lateral, compliance * 3e3);
-  EXPECT_DOUBLE_EQ(moved[1].lateral, compliance * 3e3);
+  EXPECT_DOUBLE_EQ(moved.left.lateral, compliance * 3e3);
+  EXPECT_DOUBLE_EQ(moved.right.lateral, compliance * 3e3);
   EXPECT_EQ(forceAt(forces, 10.1), compliance * 1e3 / compliance)
       << "the result of the second neighbour has the same stamp";
 }
@@ -167,6 +167,6 @@ TEST(NeighbourForces, EachRailHasItsOwnInfluenceAndInclination)
   result.left_rail.vertical_force = 1e4;
   forces.add(0, result);
   const auto moved = forces.effectAt(ros::Time(10.1)).deflection;
-  EXPECT_DOUBLE_EQ(moved[0].lateral, -compliance * 1e4 * std::sin(0.1) * std::cos(0.1));
-  EXPECT_DOUBLE_EQ(moved[1].lateral, 3 * compliance * 1e3);
+  EXPECT_DOUBLE_EQ(moved.left.lateral, -compliance * 1e4 * std::sin(0.1) * std::cos(0.1));
+  EXPECT_DOUBLE_EQ(moved.right.lateral, 3 * compliance * 1e3);
 }

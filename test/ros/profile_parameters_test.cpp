@@ -8,7 +8,7 @@
 #include <string>
 
 #include "parameter_helpers.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact
 {

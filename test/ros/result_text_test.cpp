@@ -66,7 +66,7 @@ TEST_F(ResultText, SmallErrorIsNotRoundedToZeroAndALargeOneIsWrittenOut)
 
 TEST_F(ResultText, WheelHasItsForcesAndTheHighestOfItsPressures)
 {
-  result.wheel[0] = {101e3, 8.1e3};
+  result.wheel.left = {101e3, 8.1e3};
   result.patches.push_back(makePatch(core::Side::left, 0.72));
   result.patches.back().max_pressure = 2408e6;
   result.patches.back().error_estimate = 0.003;
@@ -76,7 +76,7 @@ TEST_F(ResultText, WheelHasItsForcesAndTheHighestOfItsPressures)
 TEST_F(ResultText, OnlyADisplacedRailHasALine)
 {
   EXPECT_EQ(lineWith("rail").text, "none");
-  result.rail[1].deflection = {1e-3, -2e-4, 0};
+  result.rail.right.deflection = {1e-3, -2e-4, 0};
   EXPECT_EQ(lineWith("rail").text, "  rail moved +1.00 mm outward, -0.20 mm up, +0.0 mrad");
 }
 

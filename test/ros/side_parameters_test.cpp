@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "parameter_helpers.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact;
 

@@ -12,7 +12,7 @@
 #include "examples/simulate_wheelset/in_process_contact.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 #include "simulation/sweep.h"
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 namespace simulate_wheelset
 {

@@ -6,7 +6,7 @@
 #include "../core/balance/crossing_scene.h"
 #include "../core/balance/wheelset_scene.h"
 #include "result_check.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core::stability
 {

@@ -148,9 +148,9 @@ void Walk::drawLoad()
   const double transfer = oneIn(random_, 10) ? uniform(random_, -1.5, 1.5) : uniform(random_, -0.5, 0.5);
   state_.force_z = -2 * wheel;
   state_.torque_x = 2 * transfer * wheel * wheelset_.halfBase();
-  for (double& force : state_.rail_lateral_force)
+  for (const Side side : sides)
   {
-    force = uniform(random_, -0.3, 0.6) * wheel;
+    state_.rail_lateral_force[side] = uniform(random_, -0.3, 0.6) * wheel;
   }
 }
 

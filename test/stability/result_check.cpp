@@ -47,7 +47,7 @@ void addForces(const PressedSurface& surface, const PlanePoint& reference, int f
 {
   for (int j = first; j < first + columns; ++j)
   {
-    const SurfaceColumn& column = surface.columns[static_cast<std::size_t>(j)];
+    const SurfaceColumn& column = surface.columns[j];
     const double force = surface.grid.cellArea() * surface.pressure.col(j).sum();
     const double outward = -force * column.perOutward(), down = force * column.perUp();
     forces.outward += outward;
@@ -132,8 +132,9 @@ const std::vector<std::string>& ResultCheck::faults(const WheelsetState& state, 
 void ResultCheck::checkNumbers(const WheelsetResult& result)
 {
   double sum = result.y + result.z + result.yaw + result.roll;
-  for (const RailResult& rail : result.rail)
+  for (const Side side : sides)
   {
+    const RailResult& rail = result.rail[side];
     const RailDeflection& d = rail.deflection;
     sum += d.lateral + d.vertical + d.roll + rail.lateral_force + rail.vertical_force + rail.moment;
   }
@@ -203,8 +204,7 @@ void ResultCheck::checkLoads(const WheelsetState& state, const WheelsetResult& r
 void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
   const RailBendingConfig& bending = config_.rail_bending;
-  const auto k = static_cast<std::size_t>(side);
-  const RailResult& rail = result.rail[k];
+  const RailResult& rail = result.rail[side];
   const RailDeflection& found = rail.deflection;
   RailDeflection expected = bending.prescribed;
   if (bending.model == RailBendingConfig::Model::none)
@@ -215,7 +215,7 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
   {
     using LateralForce = RailBendingConfig::LateralForce;
     const double given =
-        bending.lateral_force == LateralForce::topic ? state.rail_lateral_force[k] : bending.lateral_force_value;
+        bending.lateral_force == LateralForce::topic ? state.rail_lateral_force[side] : bending.lateral_force_value;
     if (bending.lateral_force != LateralForce::contact && std::abs(given - rail.lateral_force) > rounding * 1e4)
     {
       fault("lateral force on the rail differs from the given one", rail.lateral_force);
@@ -223,7 +223,7 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
     expected = deflectionInTrack(bending.table[side], {rail.lateral_force, rail.vertical_force, rail.moment},
                                  config_.track.rail_inclination[side]);
   }
-  expected += state.rail_displacement[k];
+  expected += state.rail_displacement[side];
   const double scale = sizeOf(found), off = sizeOf(difference(expected, found));
   if (off > rounding * scale + 1e-15)
   {
@@ -234,8 +234,7 @@ void ResultCheck::checkDeflection(const WheelsetState& state, const WheelsetResu
 /// Builds the surfaces under the patches of a wheel and checks what belongs to them.
 void ResultCheck::checkWheel(const WheelsetState& state, const WheelsetResult& result, Side side)
 {
-  const PlacedRail rail =
-      restingRail(config_, side, state.distance).deflected(result.rail[static_cast<std::size_t>(side)].deflection);
+  const PlacedRail rail = restingRail(config_, side, state.distance).deflected(result.rail[side].deflection);
   const WheelsetPose pose = toSide(side, {result.y, result.z, result.yaw, result.roll});
   const PlacedWheel wheel(*config_.wheel_profile[side], config_.wheelset, side, pose);
   std::vector<PressedSurface> surfaces;
@@ -255,8 +254,7 @@ void ResultCheck::checkWheel(const WheelsetState& state, const WheelsetResult& r
     {
       // A point between two columns is on their chord. The frame belongs to the deflection of the last solution.
       const double sag = std::pow(part.patch->grid.dy, 2) / (8 * least_radius);
-      const double moved = config_.contact.tolerance *
-                           (overlapOf(surfaces) + sizeOf(result.rail[static_cast<std::size_t>(side)].deflection));
+      const double moved = config_.contact.tolerance * (overlapOf(surfaces) + sizeOf(result.rail[side].deflection));
       if (const double distance = distanceFromRail(*part.patch, rail); distance > sag + moved + 1e-9)
       {
         fault("the origin is not on the rail", distance);
@@ -301,7 +299,6 @@ void ResultCheck::checkRailForces(const WheelsetState& state, const WheelsetResu
     return;
   }
   using LateralForce = RailBendingConfig::LateralForce;
-  const auto k = static_cast<std::size_t>(side);
   Forces forces;
   for (const PressedSurface& surface : surfaces)
   {
@@ -310,12 +307,12 @@ void ResultCheck::checkRailForces(const WheelsetState& state, const WheelsetResu
   if (bending.lateral_force != LateralForce::contact)
   {
     const double given =
-        bending.lateral_force == LateralForce::topic ? state.rail_lateral_force[k] : bending.lateral_force_value;
+        bending.lateral_force == LateralForce::topic ? state.rail_lateral_force[side] : bending.lateral_force_value;
     forces.moment += (given - forces.outward) * forces.height / forces.sum;  // it acts at the height of the contact
     forces.outward = given;
   }
   constexpr double arm = 0.05;  // half the width of a rail head [m]
-  const RailResult& found = result.rail[k];
+  const RailResult& found = result.rail[side];
   const double off = std::hypot(found.lateral_force - forces.outward, found.vertical_force - forces.down,
                                 (found.moment - forces.moment) / arm) /
                      forces.sum;

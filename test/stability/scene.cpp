@@ -14,7 +14,7 @@ auto besidesY(const WheelsetState& s)
 {
   const auto offset = [](const RailDeflection& d) { return std::tuple(d.lateral, d.vertical, d.roll); };
   return std::tuple(s.x, s.z, s.yaw, s.roll, s.force_z, s.torque_x, s.rail_lateral_force,
-                    offset(s.rail_displacement[0]), offset(s.rail_displacement[1]));
+                    offset(s.rail_displacement.left), offset(s.rail_displacement.right));
 }
 }  // namespace
 
@@ -72,8 +72,8 @@ std::string describe(const WheelsetState& state)
   std::snprintf(text, sizeof text,
                 "y %.9g m, z %.9g m, yaw %.9g rad, roll %.9g rad, force_z %.9g N, torque_x %.9g N m, "
                 "rail forces %.9g N and %.9g N",
-                state.y, state.z, state.yaw, state.roll, state.force_z, state.torque_x, state.rail_lateral_force[0],
-                state.rail_lateral_force[1]);
+                state.y, state.z, state.yaw, state.roll, state.force_z, state.torque_x, state.rail_lateral_force.left,
+                state.rail_lateral_force.right);
   return text;
 }
 }  // namespace wheel_rail_contact::core::stability

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_file.h"
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,8 +12,6 @@ namespace wheel_rail_contact::core::stability
 {
 namespace
 {
-constexpr std::array<const char*, 2> side_names{"left", "right"};  // by Side
-
 /// Moves the parameters whose name begins with `prefix` from one tree to another.
 void move(const std::string& prefix, ParameterTree& from, ParameterTree& to)
 {
@@ -67,13 +64,13 @@ WheelsetState readState(ParameterReader& reader)
   reader.read("roll", rules::finite, state.roll);
   reader.read("force_z", rules::finite, state.force_z);
   reader.read("torque_x", rules::finite, state.torque_x);
-  for (std::size_t k = 0; k < side_names.size(); ++k)
+  for (const Side side : sides)
   {
-    const std::string side = side_names[k];
-    reader.read("rail_lateral_force/" + side, rules::finite, state.rail_lateral_force[k]);
-    reader.read("rail_displacement/" + side + "/lateral", rules::finite, state.rail_displacement[k].lateral);
-    reader.read("rail_displacement/" + side + "/vertical", rules::finite, state.rail_displacement[k].vertical);
-    reader.read("rail_displacement/" + side + "/roll", rules::finite, state.rail_displacement[k].roll);
+    const std::string name = nameOf(side);
+    reader.read("rail_lateral_force/" + name, rules::finite, state.rail_lateral_force[side]);
+    reader.read("rail_displacement/" + name + "/lateral", rules::finite, state.rail_displacement[side].lateral);
+    reader.read("rail_displacement/" + name + "/vertical", rules::finite, state.rail_displacement[side].vertical);
+    reader.read("rail_displacement/" + name + "/roll", rules::finite, state.rail_displacement[side].roll);
   }
   reader.refuseUnknown();
   return state;
@@ -152,13 +149,13 @@ void write(std::ostream& out, const WheelsetState& state)
   out << "  - {y: " << shortest(state.y) << ", z: " << shortest(state.z) << ", yaw: " << shortest(state.yaw)
       << ", roll: " << shortest(state.roll) << ",\n     force_z: " << shortest(state.force_z)
       << ", torque_x: " << shortest(state.torque_x)
-      << ",\n     rail_lateral_force: {left: " << shortest(state.rail_lateral_force[0])
-      << ", right: " << shortest(state.rail_lateral_force[1]) << '}';
+      << ",\n     rail_lateral_force: {left: " << shortest(state.rail_lateral_force.left)
+      << ", right: " << shortest(state.rail_lateral_force.right) << '}';
   const auto is_zero = [](const RailDeflection& d) { return d.lateral == 0 && d.vertical == 0 && d.roll == 0; };
-  if (!is_zero(state.rail_displacement[0]) || !is_zero(state.rail_displacement[1]))
+  if (!is_zero(state.rail_displacement.left) || !is_zero(state.rail_displacement.right))
   {
-    out << ",\n     rail_displacement: {left: " << inFlow(state.rail_displacement[0])
-        << ", right: " << inFlow(state.rail_displacement[1]) << '}';
+    out << ",\n     rail_displacement: {left: " << inFlow(state.rail_displacement.left)
+        << ", right: " << inFlow(state.rail_displacement.right) << '}';
   }
   out << "}\n";
 }

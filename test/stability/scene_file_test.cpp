@@ -102,8 +102,8 @@ TEST(SceneFile, KeepsTheOffsetOfTheRails)
 {
   Scene scene = randomScene(readScenePool(), 1);
   scene.states.resize(1);
-  scene.states[0].rail_displacement[1] = {1.0 / 3, -2e-5, 1e-300};
-  const RailDeflection offset = read(textOf(scene)).states[0].rail_displacement[1];
+  scene.states[0].rail_displacement.right = {1.0 / 3, -2e-5, 1e-300};
+  const RailDeflection offset = read(textOf(scene)).states[0].rail_displacement.right;
   EXPECT_EQ(offset.lateral, 1.0 / 3);
   EXPECT_EQ(offset.vertical, -2e-5);
   EXPECT_EQ(offset.roll, 1e-300);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -26,9 +25,9 @@ struct Sweep
 struct SweepState
 {
   bool usable = false;
-  double height = 0;                ///< of the axle centre [m]
-  std::array<double, 2> lateral{};  ///< force of each Side, outward positive [N]
-  int solutions = 0;                ///< number of normal problems of both wheels
+  double height = 0;        ///< of the axle centre [m]
+  Sides<double> lateral{};  ///< force of each Side, outward positive [N]
+  int solutions = 0;        ///< number of normal problems of both wheels
 };
 
 /// States of a sweep by index, on both ways.

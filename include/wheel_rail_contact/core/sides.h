@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -18,19 +17,14 @@ enum class Side
 /// Both sides, left first.
 constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
-/// Index of a side in arrays of both sides.
-constexpr std::size_t index(Side side)
-{
-  return static_cast<std::size_t>(side);
-}
-
 /// "left" or "right".
 constexpr const char* nameOf(Side side)
 {
   return side == Side::left ? "left" : "right";
 }
 
-/// Option of each side. One value sets both sides: `option = value`; each side can be set alone: `option.left = value`.
+/// A value for each side. One value sets both sides: `option = value`; each side can be set alone: `option.left =
+/// value`.
 template <typename Value>
 struct Sides
 {
@@ -44,6 +38,11 @@ struct Sides
   Sides(const Same& both) : left(both), right(both)
   {
   }
+  /// The value that `make` returns for each Side.
+  template <typename Make, typename = std::invoke_result_t<Make, Side>, typename = void>
+  explicit Sides(Make make) : left(make(Side::left)), right(make(Side::right))
+  {
+  }
   /// Different values.
   Sides(Value of_left, Value of_right) : left(std::move(of_left)), right(std::move(of_right)) {}
 
@@ -52,4 +51,11 @@ struct Sides
   /// Value of a side.
   const Value& operator[](Side side) const { return side == Side::left ? left : right; }
 };
+
+/// True if the values of both sides are equal.
+template <typename Value>
+bool operator==(const Sides<Value>& a, const Sides<Value>& b)
+{
+  return a.left == b.left && a.right == b.right;
+}
 }  // namespace wheel_rail_contact::core

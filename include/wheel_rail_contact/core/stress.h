@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "wheel_rail_contact/core/normal_problem.h"
-#include "wheel_rail_contact/core/patch_grid.h"
 
 namespace wheel_rail_contact::core
 {

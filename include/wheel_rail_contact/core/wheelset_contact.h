@@ -6,7 +6,6 @@
 
 #include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
-#include "wheel_rail_contact/core/wheelset_state.h"
 
 namespace wheel_rail_contact::core
 {

@@ -2,18 +2,52 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "wheel_rail_contact/core/patch_grid.h"
+#include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/rail_compliance.h"
 #include "wheel_rail_contact/core/stress.h"
 #include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
 {
+/// Pose and load of a wheelset at one instant: the input of WheelsetContact::evaluate().
+///
+/// Track frame: x forward, y left, z up; z = 0 is the plane on the tops of both undeflected rails. The axle is rolled
+/// first, then yawed (fixed axes). A value that is not finite or beyond its limit below gives a result with the status
+/// ContactStatus::invalid_input.
+struct WheelsetState
+{
+  double y = 0;  ///< lateral displacement of the axle centre, to the left positive [m]; at most 0.1 m from the
+                 ///< middle of both displaced rails
+  /// Height of the axle centre [m]; |z| <= 1. Used only if WheelsetConfig::solve_height_and_roll is false.
+  double z = 0;
+  double yaw = 0;  ///< rotation of the axle about z, positive to the left [rad]; |yaw| <= 0.2
+  /// Rotation of the axle about x, positive if the left wheel is raised [rad]; |roll| <= 0.2. Used only if
+  /// WheelsetConfig::solve_height_and_roll is false.
+  double roll = 0;
+  /// Vertical force on the axle centre, up positive [N], of everything but the normal pressure of the rails: of the
+  /// vehicle, the weight of the wheelset itself (negative), inertia, and friction. |force_z| <= 1e8. Not required if
+  /// height and roll are given.
+  double force_z = 0;
+  /// Moment on the axle centre about x [N m]: a positive moment unloads the left wheel. |torque_x| <= 1e8. Not required
+  /// if height and roll are given. With Balance::wheel_loads, it is the moment that the vertical forces of the rails
+  /// balance alone, at the running circles: it also contains the moment of all lateral forces on the wheels. With
+  /// Balance::moments, it is the moment of all forces except those of the normal pressure: of the vehicle, and of
+  /// friction.
+  double torque_x = 0;
+  /// Lateral force on the rail of each Side, outward positive [N]; at most 1e8. Used only with
+  /// RailBendingConfig::LateralForce::topic.
+  Sides<double> rail_lateral_force{};
+  /// Displacement of the rail of each Side at this wheelset, besides its deflection under this wheel: by a track model
+  /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
+  Sides<RailDeflection> rail_displacement{};
+  double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
+  double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
+};
+
 /// Whether a result is usable, and if not, why.
 enum class ContactStatus
 {
@@ -137,11 +171,11 @@ struct WheelsetResult
   bool near_branch = false;
   /// The contact force of a wheel is beyond a plausible bound; `reason` gives it.
   bool implausible_force = false;
-  double x = 0, y = 0, z = 0;        ///< axle centre in the track frame [m]; z is the solved (or given) height
-  double yaw = 0, roll = 0;          ///< rotation of the axle [rad]; roll is the solved (or given) one
-  std::array<WheelForces, 2> wheel;  ///< forces of each Side; valid only if the result is usable
-  Wrench rail_wrench;  ///< of the normal pressure of both rails on the wheelset; valid only if the result is usable
-  std::array<RailResult, 2> rail;    ///< rail of each Side; valid only if the result is usable
+  double x = 0, y = 0, z = 0;  ///< axle centre in the track frame [m]; z is the solved (or given) height
+  double yaw = 0, roll = 0;    ///< rotation of the axle [rad]; roll is the solved (or given) one
+  Sides<WheelForces> wheel;    ///< forces of each Side; valid only if the result is usable
+  Wrench rail_wrench;      ///< of the normal pressure of both rails on the wheelset; valid only if the result is usable
+  Sides<RailResult> rail;  ///< rail of each Side; valid only if the result is usable
   std::vector<PatchResult> patches;  ///< left side first; empty unless the result is usable
 };
 }  // namespace wheel_rail_contact::core

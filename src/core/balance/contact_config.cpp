@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/core/contact_config.h"
+#include "wheel_rail_contact/core/config.h"
 
 #include "core/option_check.h"
 

@@ -20,7 +20,7 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLev
       accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
       balances_moments_(config.wheelset.balance == WheelsetConfig::Balance::moments),
       greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
-      wheels_{WheelOnRail(config, Side::left, levels.solver()), WheelOnRail(config, Side::right, levels.solver())}
+      wheels_([&](Side side) { return WheelOnRail(config, side, levels.solver()); })
 {
 }
 
@@ -28,23 +28,23 @@ void WheelsetBalance::reset(double roll)
 {
   start_roll_ = roll;
   warm_ = false;
-  for (WheelOnRail& wheel : wheels_)
+  for (const Side side : sides)
   {
-    wheel.reset();
+    wheels_[side].reset();
   }
 }
 
 int WheelsetBalance::count() const
 {
-  return wheels_[0].contact().solutions() + wheels_[1].contact().solutions();
+  return wheels_.left.contact().solutions() + wheels_.right.contact().solutions();
 }
 
 ContactStatus WheelsetBalance::fail(WheelStatus status)
 {
   SolveStatus normal_status = SolveStatus::stalled;
-  for (const WheelOnRail& wheel : wheels_)
+  for (const Side side : sides)
   {
-    if (const SolveStatus of_wheel = wheel.contact().solution().status; !isUsable(of_wheel))
+    if (const SolveStatus of_wheel = wheels_[side].contact().solution().status; !isUsable(of_wheel))
     {
       normal_status = of_wheel;
       break;
@@ -88,15 +88,15 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
   roll_ = given ? state.roll : warm_ ? roll_ : start_roll_ + tilt(state_);
   reason_ = {};
   laid_ = false;
-  heights_.fill(z_);
+  heights_ = z_;
   if (warm_ && !given)
   {
     predict(before);
   }
   for (const Side side : sides)
   {
-    setLevel(index(side), 0);
-    wheels_[index(side)].setRail(state.rail_lateral_force[index(side)], state_.rail_displacement[index(side)]);
+    setLevel(side, 0);
+    wheels_[side].setRail(state.rail_lateral_force[side], state_.rail_displacement[side]);
   }
   beginTransfer();
   WheelStatus status = WheelStatus::solved;
@@ -116,30 +116,30 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
     reset();
     return failed;
   }
-  if (wheels_[0].contact().reachesEnd() || wheels_[1].contact().reachesEnd())
+  if (wheels_.left.contact().reachesEnd() || wheels_.right.contact().reachesEnd())
   {
     reset();
     reason_ = "contact lies beyond the end of a profile";
     return ContactStatus::off_profile;
   }
   warm_ = true;
-  return wheels_[0].loaded() && wheels_[1].loaded() ? ContactStatus::ok : ContactStatus::lift_off;
+  return wheels_.left.loaded() && wheels_.right.loaded() ? ContactStatus::ok : ContactStatus::lift_off;
 }
 
 /// Moves both rails to the place of the state on the line. Adds the displacement by the line to that of the state.
 void WheelsetBalance::placeOnLine()
 {
-  for (WheelOnRail& wheel : wheels_)
+  for (const Side side : sides)
   {
-    wheel.moveTo(state_.distance);
+    wheels_[side].moveTo(state_.distance);
   }
   if (const TrackLine* line = config_.track.line.get())
   {
-    const std::array<RailDeflection, 2> displaced =
+    const Sides<RailDeflection> displaced =
         displacementsAt(line->at(state_.distance),
-                        {wheels_[0].restingRail().referencePoint(), wheels_[1].restingRail().referencePoint()});
-    state_.rail_displacement[0] += displaced[0];
-    state_.rail_displacement[1] += displaced[1];
+                        {wheels_.left.restingRail().referencePoint(), wheels_.right.restingRail().referencePoint()});
+    state_.rail_displacement.left += displaced.left;
+    state_.rail_displacement.right += displaced.right;
   }
 }
 
@@ -149,27 +149,25 @@ void WheelsetBalance::predict(const WheelsetState& before)
 {
   for (const Side side : sides)
   {
-    const auto k = index(side);
-    const RailDeflection &rail = state_.rail_displacement[k], &rail_before = before.rail_displacement[k];
+    const RailDeflection &rail = state_.rail_displacement[side], &rail_before = before.rail_displacement[side];
     const double outward = sideSign(side) * (state_.y - before.y) - (rail.lateral - rail_before.lateral);
-    heights_[k] += wheels_[k].heightPerLateral() * outward + rail.vertical - rail_before.vertical +
-                   wheels_[k].heightPerRailRoll() * (rail.roll - rail_before.roll);
-    wheels_[k].predict(outward, 0);
+    heights_[side] += wheels_[side].heightPerLateral() * outward + rail.vertical - rail_before.vertical +
+                      wheels_[side].heightPerRailRoll() * (rail.roll - rail_before.roll);
+    wheels_[side].predict(outward, 0);
   }
   updateSlopes();
   turn(roll_ + tilt(state_) - tilt(before));
-  const double step = -(heights_[0] - heights_[1]) / updateSlopes();
+  const double step = -(heights_.left - heights_.right) / updateSlopes();
   turn(roll_ + std::clamp(step, -greatest_turn_, greatest_turn_));
 }
 
 /// Estimates the errors of a wheel. Returns the error that the tolerance limits.
 double WheelsetBalance::estimate(Side side)
 {
-  const auto k = index(side);
-  const WheelContact& contact = wheels_[k].contact();
-  islands_[k].find(contact.problem(), contact.solution());
-  const NormalSolution& solution = islands_[k].solution();
-  levels_.solver().estimateErrors(islands_[k].problem(), solution, errors_[k]);
+  const WheelContact& contact = wheels_[side].contact();
+  islands_[side].find(contact.problem(), contact.solution());
+  const NormalSolution& solution = islands_[side].solution();
+  levels_.solver().estimateErrors(islands_[side].problem(), solution, errors_[side]);
   const auto measures_of = [](const PatchPressure& patch) {
     return ContactMeasures{patch.max_pressure, patch.area, patch.force};
   };
@@ -181,7 +179,7 @@ double WheelsetBalance::estimate(Side side)
   WheelError error(wheel);
   for (std::size_t i = 0; i < solution.patches.size(); ++i)
   {
-    error.add(measures_of(solution.patches[i]), errors_[k][i]);
+    error.add(measures_of(solution.patches[i]), errors_[side][i]);
   }
   return error.largest();
 }
@@ -192,17 +190,16 @@ bool WheelsetBalance::refine()
   bool refined = false;
   for (const Side side : sides)
   {
-    const auto k = index(side);
-    if (fresh_[k])
+    if (fresh_[side])
     {
-      wheel_errors_[k] = wheels_[k].loaded() ? estimate(side) : 0;
-      fresh_[k] = false;
+      wheel_errors_[side] = wheels_[side].loaded() ? estimate(side) : 0;
+      fresh_[side] = false;
     }
-    const std::size_t level = levels_.finer(level_[k], wheel_errors_[k]);
-    if (level != level_[k])
+    const std::size_t level = levels_.finer(level_[side], wheel_errors_[side]);
+    if (level != level_[side])
     {
-      wheels_[k].respond();
-      setLevel(k, level);
+      wheels_[side].respond();
+      setLevel(side, level);
       refined = true;
     }
   }
@@ -214,23 +211,27 @@ bool WheelsetBalance::refine()
 /// @return true if there are any; at most once on the same levels
 bool WheelsetBalance::layOwnGrids()
 {
-  bool any = false;
-  for (std::size_t k = 0; k < 2 && !laid_; ++k)
+  if (laid_)
   {
-    const bool others = wheels_[k].loaded() && !wheels_[k].contact().hasOwnGrids();
-    solved_[k] = solved_[k] && !others;
+    return false;
+  }
+  bool any = false;
+  for (const Side side : sides)
+  {
+    const bool others = wheels_[side].loaded() && !wheels_[side].contact().hasOwnGrids();
+    solved_[side] = solved_[side] && !others;
     any = any || others;
   }
   laid_ = true;
   return any;
 }
 
-void WheelsetBalance::setLevel(std::size_t k, std::size_t level)
+void WheelsetBalance::setLevel(Side side, std::size_t level)
 {
-  level_[k] = level;
-  wheels_[k].keepResponse(level > 0);
+  level_[side] = level;
+  wheels_[side].keepResponse(level > 0);
   laid_ = false;
-  solved_[k] = false;
-  wheels_[k].contact().setGrid(level, levels_.at(level));
+  solved_[side] = false;
+  wheels_[side].contact().setGrid(level, levels_.at(level));
 }
 }  // namespace wheel_rail_contact::core

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "core/balance/grid_levels.h"
@@ -11,7 +10,6 @@
 #include "core/track/rail_on_line.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
-#include "wheel_rail_contact/core/wheelset_state.h"
 
 namespace wheel_rail_contact::core
 {
@@ -48,17 +46,17 @@ class WheelsetBalance
   double height() const { return z_; }   ///< height of the axle centre, track frame [m]
   double roll() const { return roll_; }  ///< roll, track frame [rad]
   /// A wheel on its rail.
-  const WheelOnRail& wheel(Side side) const { return wheels_[index(side)]; }
-  WheelOnRail& wheel(Side side) { return wheels_[index(side)]; }
+  const WheelOnRail& wheel(Side side) const { return wheels_[side]; }
+  WheelOnRail& wheel(Side side) { return wheels_[side]; }
   /// Separate contacts of a wheel.
-  const Islands& islands(Side side) const { return islands_[index(side)]; }
+  const Islands& islands(Side side) const { return islands_[side]; }
   /// Estimated errors of these contacts.
-  const std::vector<ErrorEstimate>& errors(Side side) const { return errors_[index(side)]; }
+  const std::vector<ErrorEstimate>& errors(Side side) const { return errors_[side]; }
   /// Estimated relative error of the highest pressure, the whole area and the approach of a wheel, the largest of them
   /// [-].
-  double wheelError(Side side) const { return wheel_errors_[index(side)]; }
+  double wheelError(Side side) const { return wheel_errors_[side]; }
   /// Largest opening of the gap of a wheel, over its overlap, by what is left of the balance [-].
-  double balanceError(Side side) const { return open_[index(side)]; }
+  double balanceError(Side side) const { return open_[side]; }
   /// True if the moments stay open, because the wheelset lifts a wheel (WheelsetConfig::Balance::moments).
   bool lifts() const { return balances_moments_ && transfer_.lifts(); }
   /// With the status too_deep: depth of the given height below that of first touch, of the wheel that is less deep [m].
@@ -80,15 +78,15 @@ class WheelsetBalance
   void placeOnLine();
   double tilt(const WheelsetState& state) const { return tiltOf(state.rail_displacement, config_.wheelset.halfBase()); }
   void predict(const WheelsetState& before);
-  bool isMoved(std::size_t k) const;
-  double openedBy(std::size_t k, double roll) const;
+  bool isMoved(Side side) const;
+  double openedBy(Side side, double roll) const;
   double updateSlopes();
   void turn(double roll);
   bool isNarrow(double range) const;
   bool settle(double difference, double share);
   bool refine();
   bool layOwnGrids();
-  void setLevel(std::size_t k, std::size_t level);
+  void setLevel(Side side, std::size_t level);
   double estimate(Side side);
   int count() const;
   ContactStatus fail(WheelStatus status);
@@ -98,20 +96,20 @@ class WheelsetBalance
   double accuracy_;  ///< largest opening by what is left of the balance, over the overlap [-]
   bool balances_moments_;
   double greatest_turn_;  ///< of the roll in one step [rad]
-  std::array<WheelOnRail, 2> wheels_;
+  Sides<WheelOnRail> wheels_;
   WheelsetState state_;
   LoadTransfer transfer_;
-  std::array<double, 2> loads_{};        ///< vertical wheel loads [N]
-  std::array<double, 2> heights_{};      ///< of the axle centre for each wheel [m]
-  std::array<double, 2> slopes_{};       ///< their change per roll [m/rad]
-  std::array<double, 2> solved_roll_{};  ///< roll of the last solutions [rad]
-  std::array<bool, 2> solved_{};         ///< for this state
-  std::array<bool, 2> fresh_{};          ///< its errors are not estimated yet
-  std::array<std::size_t, 2> level_{};
-  std::array<Islands, 2> islands_;
-  std::array<std::vector<ErrorEstimate>, 2> errors_;
-  std::array<double, 2> wheel_errors_{};
-  std::array<double, 2> open_{};
+  Sides<double> loads_{};        ///< vertical wheel loads [N]
+  Sides<double> heights_{};      ///< of the axle centre for each wheel [m]
+  Sides<double> slopes_{};       ///< their change per roll [m/rad]
+  Sides<double> solved_roll_{};  ///< roll of the last solutions [rad]
+  Sides<bool> solved_{};         ///< for this state
+  Sides<bool> fresh_{};          ///< its errors are not estimated yet
+  Sides<std::size_t> level_{};
+  Sides<Islands> islands_;
+  Sides<std::vector<ErrorEstimate>> errors_;
+  Sides<double> wheel_errors_{};
+  Sides<double> open_{};
   bool any_solved_ = false;  ///< in the last pass
   double z_ = 0, roll_ = 0, start_roll_ = 0;
   bool warm_ = false;

@@ -40,9 +40,9 @@ void WheelsetBalance::beginTransfer()
 /// Lever arm of a wheel: the moment of its contact, positive if it lifts the wheel, over its load [m].
 double WheelsetBalance::leverOf(Side side) const
 {
-  const WheelOnRail& wheel = wheels_[index(side)];
-  const bool known = wheel.loaded() && loads_[index(side)] > 0;
-  return known ? wheel.moment() / loads_[index(side)] : config_.wheelset.halfBase();
+  const WheelOnRail& wheel = wheels_[side];
+  const bool known = wheel.loaded() && loads_[side] > 0;
+  return known ? wheel.moment() / loads_[side] : config_.wheelset.halfBase();
 }
 
 /// Sets the wheel loads: half of the sum [N], of which `transfer` [N] moves from the left to the right wheel.
@@ -51,8 +51,8 @@ void WheelsetBalance::distribute(double sum, double transfer)
   for (const Side side : sides)
   {
     const double load = 0.5 * sum - sideSign(side) * transfer;
-    loads_[index(side)] = load > least_load ? load : 0;
-    solved_[index(side)] = false;
+    loads_[side] = load > least_load ? load : 0;
+    solved_[side] = false;
   }
 }
 
@@ -66,7 +66,7 @@ WheelStatus WheelsetBalance::balance()
   }
   transfer_.widen();
   double roll = roll_;
-  std::array<double, 2> heights = heights_;
+  Sides<double> heights = heights_;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
     const WheelStatus status = search();
@@ -96,8 +96,8 @@ WheelStatus WheelsetBalance::balance()
 /// the grid changes, the moment stays open by as much.
 LoadTransfer::Step WheelsetBalance::advanceTransfer(double sum)
 {
-  const double open = state_.torque_x + (wheels_[0].moment() - wheels_[1].moment());
-  const double smaller = std::max(std::min(loads_[0], loads_[1]), least_share * sum);
+  const double open = state_.torque_x + (wheels_.left.moment() - wheels_.right.moment());
+  const double smaller = std::max(std::min(loads_.left, loads_.right), least_share * sum);
   const double accuracy = accuracy_ * smaller / overlap_per_load;
   return transfer_.advance(open, leverOf(Side::left) + leverOf(Side::right), accuracy,
                            2 * config_.wheelset.halfBase() * tuning::jump_share * accuracy);
@@ -105,20 +105,19 @@ LoadTransfer::Step WheelsetBalance::advanceTransfer(double sum)
 
 WheelStatus WheelsetBalance::hold()
 {
-  open_.fill(0);
+  open_ = 0;
   for (const Side side : sides)
   {
-    const auto k = index(side);
-    if (solved_[k])
+    if (solved_[side])
     {
       continue;
     }
-    const WheelStatus status = wheels_[k].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
+    const WheelStatus status = wheels_[side].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
     if (!isUsable(status))
     {
       return status;
     }
-    solved_[k] = fresh_[k] = true;
+    solved_[side] = fresh_[side] = true;
   }
   return WheelStatus::solved;
 }
@@ -130,7 +129,7 @@ double WheelsetBalance::depthOfHeight(WheelStatus status)
   double depth = infinity;
   for (const Side side : sides)
   {
-    WheelOnRail& wheel = wheels_[index(side)];
+    WheelOnRail& wheel = wheels_[side];
     const WheelsetPose above{state_.y, config_.wheelset.meanRadius(), state_.yaw, state_.roll};
     if (isUsable(status))
     {
@@ -146,16 +145,16 @@ double WheelsetBalance::depthOfHeight(WheelStatus status)
 }
 
 /// True if a wheel must be solved again because the roll has changed its contact.
-bool WheelsetBalance::isMoved(std::size_t k) const
+bool WheelsetBalance::isMoved(Side side) const
 {
-  const double turned = roll_ - solved_roll_[k];
-  return !solved_[k] || !wheels_[k].loaded() || openedBy(k, turned) > accuracy_;
+  const double turned = roll_ - solved_roll_[side];
+  return !solved_[side] || !wheels_[side].loaded() || openedBy(side, turned) > accuracy_;
 }
 
 /// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
-double WheelsetBalance::openedBy(std::size_t k, double roll) const
+double WheelsetBalance::openedBy(Side side, double roll) const
 {
-  const WheelOnRail& wheel = wheels_[k];
+  const WheelOnRail& wheel = wheels_[side];
   return wheel.loaded() ? wheel.openingPerRoll() * std::abs(roll) / wheel.contact().overlap() : 0;
 }
 
@@ -165,20 +164,19 @@ WheelStatus WheelsetBalance::pass(bool keep_grids)
   any_solved_ = false;
   for (const Side side : sides)
   {
-    const auto k = index(side);
-    if (!isMoved(k))
+    if (!isMoved(side))
     {
       continue;
     }
-    const WheelStatus status = wheels_[k].carry(toSide(side, {state_.y, heights_[k], state_.yaw, roll_}), loads_[k],
-                                                accuracy_, keep_grids && solved_[k]);
+    const WheelStatus status = wheels_[side].carry(toSide(side, {state_.y, heights_[side], state_.yaw, roll_}),
+                                                   loads_[side], accuracy_, keep_grids && solved_[side]);
     if (!isUsable(status))
     {
       return status;
     }
-    heights_[k] = wheels_[k].height();
-    solved_[k] = fresh_[k] = any_solved_ = true;
-    solved_roll_[k] = roll_;
+    heights_[side] = wheels_[side].height();
+    solved_[side] = fresh_[side] = any_solved_ = true;
+    solved_roll_[side] = roll_;
   }
   return WheelStatus::solved;
 }
@@ -188,9 +186,9 @@ double WheelsetBalance::updateSlopes()
 {
   for (const Side side : sides)
   {
-    slopes_[index(side)] = sideSign(side) * wheels_[index(side)].heightPerRoll();
+    slopes_[side] = sideSign(side) * wheels_[side].heightPerRoll();
   }
-  return std::min(slopes_[0] - slopes_[1], tuning::flattest_slope);
+  return std::min(slopes_.left - slopes_.right, tuning::flattest_slope);
 }
 
 /// Changes the roll, and heights and deflections as they follow.
@@ -198,12 +196,11 @@ void WheelsetBalance::turn(double roll)
 {
   for (const Side side : sides)
   {
-    const auto k = index(side);
-    heights_[k] += slopes_[k] * (roll - roll_);
-    wheels_[k].predict(0, sideSign(side) * (roll - roll_));
+    heights_[side] += slopes_[side] * (roll - roll_);
+    wheels_[side].predict(0, sideSign(side) * (roll - roll_));
   }
   roll_ = roll;
-  z_ = 0.5 * (heights_[0] + heights_[1]);
+  z_ = 0.5 * (heights_.left + heights_.right);
 }
 
 /// True if the roll that closes the difference of the heights [m] hardly changes the contacts. Turns the wheelset to
@@ -212,12 +209,12 @@ bool WheelsetBalance::settle(double difference, double share)
 {
   const double closed = roll_ - difference / updateSlopes();
   const double limit = share * accuracy_;
-  for (std::size_t k = 0; k < 2; ++k)
+  for (const Side side : sides)
   {
-    open_[k] = openedBy(k, closed - solved_roll_[k]);
+    open_[side] = openedBy(side, closed - solved_roll_[side]);
   }
-  const bool at_rest = !wheels_[0].loaded() && !wheels_[1].loaded() && std::abs(difference) > unloaded_accuracy;
-  if (at_rest || !(std::max(open_[0], open_[1]) <= limit) || !(std::abs(closed - roll_) <= greatest_turn_))
+  const bool at_rest = !wheels_.left.loaded() && !wheels_.right.loaded() && std::abs(difference) > unloaded_accuracy;
+  if (at_rest || !(std::max(open_.left, open_.right) <= limit) || !(std::abs(closed - roll_) <= greatest_turn_))
   {
     return false;
   }
@@ -228,9 +225,10 @@ bool WheelsetBalance::settle(double difference, double share)
 /// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
 bool WheelsetBalance::isNarrow(double range) const
 {
-  return std::all_of(wheels_.begin(), wheels_.end(),
-                     [&](const WheelOnRail& wheel)
+  return std::all_of(sides.begin(), sides.end(),
+                     [&](Side side)
                      {
+                       const WheelOnRail& wheel = wheels_[side];
                        return range < finest_bracket || (wheel.loaded() && wheel.openingPerRoll() * range <
                                                                                accuracy_ * wheel.contact().overlap());
                      });
@@ -241,31 +239,32 @@ WheelStatus WheelsetBalance::search()
   double least = -infinity, most = infinity;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    for (std::size_t k = 0; k < 2 && i >= tuning::early_solutions; ++k)
+    if (i >= tuning::early_solutions)
     {
-      wheels_[k].keepResponse(false);
+      wheels_.left.keepResponse(false);
+      wheels_.right.keepResponse(false);
     }
     if (const WheelStatus status = pass(i >= tuning::early_solutions); !isUsable(status))
     {
       return status;
     }
-    const double difference = heights_[0] - heights_[1];
-    const bool known = wheels_[0].responded() && wheels_[1].responded();
+    const double difference = heights_.left - heights_.right;
+    const bool known = wheels_.left.responded() && wheels_.right.responded();
     // Other grids at the same place: the heights differ by the errors of the grids.
     if (settle(difference, laid_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
     {
       return WheelStatus::solved;
     }
-    wheels_[0].respond();
-    wheels_[1].respond();
+    wheels_.left.respond();
+    wheels_.right.respond();
     if (!known && settle(difference, 1))
     {
       return WheelStatus::solved;
     }
     double uncertain = 0;
-    for (const WheelOnRail& wheel : wheels_)
+    for (const Side side : sides)
     {
-      uncertain += wheel.loaded() ? tuning::noise * wheel.contact().overlap() : unloaded_accuracy;
+      uncertain += wheels_[side].loaded() ? tuning::noise * wheels_[side].contact().overlap() : unloaded_accuracy;
     }
     if (std::abs(difference) > uncertain)
     {

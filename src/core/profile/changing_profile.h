@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/profile/section_blend.h"
-#include "wheel_rail_contact/core/rail_sections.h"
+#include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact::core
 {

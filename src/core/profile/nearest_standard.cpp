@@ -9,7 +9,7 @@
 
 #include "core/profile/curve_search.h"
 #include "core/profile/profile_measures.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

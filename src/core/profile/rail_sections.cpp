@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/core/rail_sections.h"
+#include "wheel_rail_contact/core/profile.h"
 
 #include <algorithm>
 #include <cmath>

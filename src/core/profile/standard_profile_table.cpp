@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

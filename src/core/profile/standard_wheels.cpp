@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/profile/standard_sections.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

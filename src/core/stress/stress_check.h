@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "wheel_rail_contact/core/patch_grid.h"
+#include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
 {

@@ -8,7 +8,7 @@
 
 #include "core/text/text_table.h"
 #include "core/track/line_station.h"
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
 {
@@ -207,10 +207,10 @@ LineStation stationOf(const Row& row, double nominal_gauge)
   LineStation station;
   station.x = value(x);
   station.cross_level = vertical.difference;
-  station.rail[0] = {lateral.middle + 0.5 * lateral.difference + value(rail_lateral_left),
-                     vertical.middle + value(rail_vertical_left), value(rail_roll_left)};
-  station.rail[1] = {-lateral.middle + 0.5 * lateral.difference + value(rail_lateral_right),
-                     vertical.middle + value(rail_vertical_right), value(rail_roll_right)};
+  station.rail.left = {lateral.middle + 0.5 * lateral.difference + value(rail_lateral_left),
+                       vertical.middle + value(rail_vertical_left), value(rail_roll_left)};
+  station.rail.right = {-lateral.middle + 0.5 * lateral.difference + value(rail_lateral_right),
+                        vertical.middle + value(rail_vertical_right), value(rail_roll_right)};
   return station;
 }
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
 {

@@ -6,24 +6,24 @@
 
 namespace wheel_rail_contact::core
 {
-std::array<RailDeflection, 2> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest)
+Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest)
 {
   const double sine = std::clamp(station.cross_level / (at_rest.left.y + at_rest.right.y), -1.0, 1.0);
-  std::array<RailDeflection, 2> displaced;
+  Sides<RailDeflection> displaced;
   for (const Side side : sides)
   {
-    const RailDeflection& in_plane = station.rail[index(side)];
+    const RailDeflection& in_plane = station.rail[side];
     const PlanePoint& rest = at_rest[side];
     const double tilt = sideSign(side) * std::asin(sine);  // raises the rail
     const double y = rest.y + in_plane.lateral, z = rest.z + in_plane.vertical;
-    displaced[index(side)] = {std::cos(tilt) * y - std::sin(tilt) * z - rest.y,
-                              std::sin(tilt) * y + std::cos(tilt) * z - rest.z, in_plane.roll - tilt};
+    displaced[side] = {std::cos(tilt) * y - std::sin(tilt) * z - rest.y,
+                       std::sin(tilt) * y + std::cos(tilt) * z - rest.z, in_plane.roll - tilt};
   }
   return displaced;
 }
 
-double tiltOf(const std::array<RailDeflection, 2>& displaced, double half_base)
+double tiltOf(const Sides<RailDeflection>& displaced, double half_base)
 {
-  return std::atan(0.5 * (displaced[0].vertical - displaced[1].vertical) / half_base);
+  return std::atan(0.5 * (displaced.left.vertical - displaced.right.vertical) / half_base);
 }
 }  // namespace wheel_rail_contact::core

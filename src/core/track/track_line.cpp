@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double largest_value = 0.2;  ///< of a cross level or displacement [m]
 
 TrackLine::Quantities TrackLine::quantitiesOf(const LineStation& station)
 {
-  const RailDeflection &left = station.rail[0], &right = station.rail[1];
+  const RailDeflection &left = station.rail.left, &right = station.rail.right;
   return {station.cross_level, left.lateral, left.vertical, left.roll, right.lateral, right.vertical, right.roll};
 }
 
@@ -28,7 +28,7 @@ std::string_view fault(const LineStation& station)
   const auto valid = [](double value) { return std::abs(value) <= largest_value; };
   const auto placed = [&valid](const RailDeflection& rail)
   { return valid(rail.lateral) && valid(rail.vertical) && valid(rail.roll); };
-  const bool all = valid(station.cross_level) && placed(station.rail[0]) && placed(station.rail[1]);
+  const bool all = valid(station.cross_level) && placed(station.rail.left) && placed(station.rail.right);
   return all ? std::string_view() : "a cross level or displacement is above 0.2 m or 0.2 rad";
 }
 

@@ -6,7 +6,7 @@
 
 #include "examples/simulate_wheelset/in_process_contact.h"
 #include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 namespace simulate_wheelset
 {

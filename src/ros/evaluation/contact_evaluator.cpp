@@ -24,7 +24,7 @@ std::string linearRangeWarning(const core::WheelsetResult& result, const core::S
   std::string text;
   for (const core::Side side : {core::Side::left, core::Side::right})
   {
-    const core::RailResult& rail = result.rail[static_cast<std::size_t>(side)];
+    const core::RailResult& rail = result.rail[side];
     if (std::abs(rail.lateral_force) > linear_range[side] * std::max(rail.vertical_force, 0.0))
     {
       text = sentences(text, rangeWarning(side, rail, linear_range[side]));

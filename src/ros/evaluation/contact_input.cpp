@@ -108,10 +108,10 @@ void setRailForces(const ContactInput& input, core::WheelsetState& state)
 {
   for (const core::Side side : core::sides)
   {
-    if (const auto& force = input.rail_force[index(side)])
+    if (const auto& force = input.rail_force[side])
     {
       requireFinite(force->wrench, railName(side) + " force");
-      state.rail_lateral_force[index(side)] = force->wrench.force.y;
+      state.rail_lateral_force[side] = force->wrench.force.y;
     }
   }
 }

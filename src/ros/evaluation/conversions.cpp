@@ -307,12 +307,12 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   message.status = toMessage(result.status);
   message.status_text = result.reason;
   message.wheelset = toMessage(core::WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
-  message.left_wheel = toMessage(result.wheel[0]);
-  message.right_wheel = toMessage(result.wheel[1]);
+  message.left_wheel = toMessage(result.wheel.left);
+  message.right_wheel = toMessage(result.wheel.right);
   message.rail_wrench = toMessage(result.rail_wrench);
   message.implausible_force = result.implausible_force;
-  message.left_rail = toMessage(result.rail[0]);
-  message.right_rail = toMessage(result.rail[1]);
+  message.left_rail = toMessage(result.rail.left);
+  message.right_rail = toMessage(result.rail.right);
   message.patches.reserve(result.patches.size());
   for (const core::PatchResult& patch : result.patches)
   {

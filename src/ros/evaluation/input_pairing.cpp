@@ -35,10 +35,10 @@ void put(InputTopic topic, const InputMessage& message, ContactInput& input)
       input.load = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
       break;
     case InputTopic::left_rail_force:
-      input.rail_force[0] = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
+      input.rail_force.left = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
       break;
     case InputTopic::right_rail_force:
-      input.rail_force[1] = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
+      input.rail_force.right = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
       break;
     case InputTopic::rail_displacement:
       input.rail_displacement = std::get<RailDisplacementsConstPtr>(message);

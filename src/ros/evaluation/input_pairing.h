@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -9,17 +8,18 @@
 
 #include "ros/evaluation/input_topic.h"
 #include "ros/evaluation/stamp_pairing.h"
+#include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact
 {
 /// Messages that belong to one instant: one of each input topic (inputTopics()). The others are null.
 struct ContactInput
 {
-  geometry_msgs::PoseStampedConstPtr pose;                         ///< never null
-  geometry_msgs::WrenchStampedConstPtr load;                       ///< on the axle centre
-  std::array<geometry_msgs::WrenchStampedConstPtr, 2> rail_force;  ///< by Side
-  RailDisplacementsConstPtr rail_displacement;                     ///< of both rails
-  geometry_msgs::PointStampedConstPtr distance;                    ///< place along the line
+  geometry_msgs::PoseStampedConstPtr pose;                       ///< never null
+  geometry_msgs::WrenchStampedConstPtr load;                     ///< on the axle centre
+  core::Sides<geometry_msgs::WrenchStampedConstPtr> rail_force;  ///< by Side
+  RailDisplacementsConstPtr rail_displacement;                   ///< of both rails
+  geometry_msgs::PointStampedConstPtr distance;                  ///< place along the line
   std::string fault;      ///< reason why the messages cannot be used together; empty if there is none
   ros::WallTime arrival;  ///< time at which the last message arrived at the live node; not set in a replay
 };

@@ -35,7 +35,7 @@ void apply(const NeighbourEffect& effect, PreparedInput& input)
 {
   for (const core::Side side : core::sides)
   {
-    input.state.rail_displacement[index(side)] += effect.deflection[index(side)];
+    input.state.rail_displacement[side] += effect.deflection[side];
   }
   input.lacks_neighbour = !effect.complete;
 }
@@ -65,7 +65,8 @@ void NeighbourForces::add(std::size_t neighbour, const NeighbourResult& result)
 std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const NeighbourResult& result)
 {
   const Forces forces{forceOn(result.left_rail), forceOn(result.right_rail)};
-  return isUsable(result.status) && isFinite(forces[0]) && isFinite(forces[1]) ? std::optional(forces) : std::nullopt;
+  return isUsable(result.status) && isFinite(forces.left) && isFinite(forces.right) ? std::optional(forces)
+                                                                                    : std::nullopt;
 }
 
 bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
@@ -79,19 +80,19 @@ bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
 NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
 {
   NeighbourEffect effect;
-  std::array<std::vector<core::NeighbourForce>, 2> forces;
+  core::Sides<std::vector<core::NeighbourForce>> forces;
   for (const Neighbour& neighbour : neighbours_)
   {
     const Forces* known = forcesAt(neighbour, stamp);
     effect.complete = effect.complete && known != nullptr;
     if (known != nullptr)
     {
-      forces[0].push_back({neighbour.influence.left, (*known)[0]});
-      forces[1].push_back({neighbour.influence.right, (*known)[1]});
+      forces.left.push_back({neighbour.influence.left, known->left});
+      forces.right.push_back({neighbour.influence.right, known->right});
     }
   }
-  effect.deflection = {neighbourDeflection(forces[0], inclination_.left),
-                       neighbourDeflection(forces[1], inclination_.right)};
+  effect.deflection = {neighbourDeflection(forces.left, inclination_.left),
+                       neighbourDeflection(forces.right, inclination_.right)};
   return effect;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -16,8 +15,8 @@ namespace wheel_rail_contact
 /// Effect of the neighbouring wheelsets on the rails at a stamp.
 struct NeighbourEffect
 {
-  std::array<core::RailDeflection, 2> deflection;  ///< of each rail by Side; side axes
-  bool complete = true;                            ///< the forces of all neighbours are known
+  core::Sides<core::RailDeflection> deflection;  ///< of each rail by Side; side axes
+  bool complete = true;                          ///< the forces of all neighbours are known
 };
 
 /// Adds the effect to the displacement of the rails of an input, and marks it if a neighbour is unknown.
@@ -50,7 +49,7 @@ class NeighbourForces
   NeighbourEffect effectAt(const ros::Time& stamp) const;
 
  private:
-  using Forces = std::array<core::RailForce, 2>;  ///< by Side
+  using Forces = core::Sides<core::RailForce>;  ///< by Side
   struct Result
   {
     ros::Time stamp;

@@ -108,13 +108,13 @@ void addWheelLines(const core::WheelsetResult& result, core::Side side, std::vec
   }
   else
   {
-    const core::WheelForces& forces = result.wheel.at(core::index(side));
+    const core::WheelForces& forces = result.wheel[side];
     const auto highest = std::max_element(
         patches.begin(), patches.end(), [](const auto* a, const auto* b) { return a->max_pressure < b->max_pressure; });
     lines.push_back({formatted("%-5s wheel: Q %.1f kN, Y %+.1f kN, highest pressure %s", nameOf(side),
                                forces.vertical / 1e3, forces.lateral / 1e3, pressureText(**highest).c_str())});
   }
-  const core::RailDeflection& rail = result.rail.at(core::index(side)).deflection;
+  const core::RailDeflection& rail = result.rail[side].deflection;
   if (isDisplaced(rail))
   {
     lines.push_back({railLine(rail)});

@@ -28,10 +28,10 @@ ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig&
         input.load = copied(request.load);
         break;
       case InputTopic::left_rail_force:
-        input.rail_force[0] = copied(request.left_rail_force);
+        input.rail_force.left = copied(request.left_rail_force);
         break;
       case InputTopic::right_rail_force:
-        input.rail_force[1] = copied(request.right_rail_force);
+        input.rail_force.right = copied(request.right_rail_force);
         break;
       case InputTopic::rail_displacement:
         input.rail_displacement = copied(request.rail_displacement);

@@ -118,7 +118,7 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
   {
     if (isShown(point.side, options))
     {
-      const core::RailDeflection& now = drawn.rail.at(static_cast<std::size_t>(point.side)).deflection;
+      const core::RailDeflection& now = drawn.rail[point.side].deflection;
       const core::PatchPose pose =
           at_rest ? carriedByRail((*at_rest)[point.side], point.side, {}, now, point.pose) : point.pose;
       marker.points.push_back(toPoint({pose.x + shift, pose.y, pose.z}));
@@ -138,7 +138,7 @@ void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult&
 {
   if (options.rails)
   {
-    addRails(model, options.track, header, place, {drawn.rail[0].deflection, drawn.rail[1].deflection}, markers);
+    addRails(model, options.track, header, place, {drawn.rail.left.deflection, drawn.rail.right.deflection}, markers);
   }
   if (options.rails_at_rest)
   {

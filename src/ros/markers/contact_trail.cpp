@@ -21,7 +21,7 @@ void ContactTrail::add(const ContactOutput& output, const std::optional<core::Si
     core::PatchPose pose = patch.pose;
     if (at_rest)
     {
-      const core::RailDeflection& now = output.result->rail.at(static_cast<std::size_t>(patch.side)).deflection;
+      const core::RailDeflection& now = output.result->rail[patch.side].deflection;
       pose = carriedByRail((*at_rest)[patch.side], patch.side, now, {}, pose);
     }
     pose.x += output.x();

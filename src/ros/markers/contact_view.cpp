@@ -11,7 +11,7 @@ using visualization_msgs::MarkerArray;
 Eigen::Isometry3d ContactView::frame(const ContactOutput& output, const core::ContactModelConfig* model,
                                      const SceneOptions& options, core::Side side)
 {
-  std::optional<Eigen::Isometry3d>& last = last_.at(core::index(side));
+  std::optional<Eigen::Isometry3d>& last = last_[side];
   if (const auto now = contactFrame(*drawnResult(output, model, options.deflection_scale), side))
   {
     last = now;

@@ -4,7 +4,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <optional>
 
 #include "ros/markers/contact_scene.h"
@@ -29,6 +28,6 @@ class ContactView
   Eigen::Isometry3d frame(const ContactOutput& output, const core::ContactModelConfig* model,
                           const SceneOptions& options, core::Side side);
 
-  std::array<std::optional<Eigen::Isometry3d>, 2> last_;  ///< by Side, relative to x of the axle
+  core::Sides<std::optional<Eigen::Isometry3d>> last_;  ///< by Side, relative to x of the axle
 };
 }  // namespace wheel_rail_contact

@@ -59,7 +59,7 @@ const Outline* partNear(const Outline& part, const std::vector<Outline>& section
 }  // namespace
 
 void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-              const DrawnPlace& place, const std::array<core::RailDeflection, 2>& deflection, MarkerArray& markers)
+              const DrawnPlace& place, const core::Sides<core::RailDeflection>& deflection, MarkerArray& markers)
 {
   for (const core::Side side : style.sides)
   {
@@ -71,7 +71,7 @@ void addRails(const core::ContactModelConfig& model, const TrackStyle& style, co
     {
       const double ahead = style.rail_length * (i / intervals - 0.5);
       const core::PlacedRail rail =
-          core::restingRail(model, side, place.distance + ahead).deflected(deflection.at(index(side)));
+          core::restingRail(model, side, place.distance + ahead).deflected(deflection[side]);
       std::vector<Outline> section = railOutlines(rail, side, place.x + ahead);
       for (const Outline& part : before)
       {

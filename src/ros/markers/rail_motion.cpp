@@ -39,15 +39,14 @@ core::WheelsetResult withMagnifiedDeflection(const core::WheelsetResult& result,
                                              const core::Sides<core::PlacedRail>& at_rest, double scale)
 {
   core::WheelsetResult drawn = result;
-  for (core::RailResult& rail : drawn.rail)
+  for (const core::Side side : core::sides)
   {
-    rail.deflection = magnified(rail, scale);
+    drawn.rail[side].deflection = magnified(drawn.rail[side], scale);
   }
   for (core::PatchResult& patch : drawn.patches)
   {
-    const std::size_t k = index(patch.side);
-    patch.pose = carriedByRail(at_rest[patch.side], patch.side, result.rail.at(k).deflection,
-                               drawn.rail.at(k).deflection, patch.pose);
+    patch.pose = carriedByRail(at_rest[patch.side], patch.side, result.rail[patch.side].deflection,
+                               drawn.rail[patch.side].deflection, patch.pose);
   }
   return drawn;
 }

@@ -3,7 +3,6 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <array>
 #include <vector>
 
 #include "core/track/placement.h"
@@ -36,7 +35,7 @@ struct DrawnPlace
 /// Rails as surfaces, centred at `place`: markers "rail". Sections that change along the line are drawn every 0.05 m.
 /// @param deflection of each rail by Side; side axes
 void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-              const DrawnPlace& place, const std::array<core::RailDeflection, 2>& deflection,
+              const DrawnPlace& place, const core::Sides<core::RailDeflection>& deflection,
               visualization_msgs::MarkerArray& markers);
 
 /// Section of the undeflected rails at `place`, as lines: markers "rail_at_rest".

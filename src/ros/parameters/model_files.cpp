@@ -11,7 +11,6 @@
 #include "ros/parameters/compliance_table_file.h"
 #include "ros/parameters/file_names.h"
 #include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
 
 namespace wheel_rail_contact
 {

@@ -143,8 +143,8 @@ TEST(CheckRail, SharesTheWheelLoadWithTheRunningRail)
   EXPECT_NE(steepPatch(result, Side::left), nullptr);
   // The columns of a patch have different normals; its resultant is along their mean.
   EXPECT_NEAR(vertical, wheel_load, 0.01 * wheel_load);
-  EXPECT_NEAR(outward, result.rail[0].lateral_force, 0.01 * std::abs(outward));
-  EXPECT_LT(result.rail[0].lateral_force, 0);  // the rail is pushed towards the track centre
+  EXPECT_NEAR(outward, result.rail.left.lateral_force, 0.01 * std::abs(outward));
+  EXPECT_LT(result.rail.left.lateral_force, 0);  // the rail is pushed towards the track centre
 }
 
 TEST(CheckRail, OnTheRightIsTheMirrorImage)
@@ -158,8 +158,8 @@ TEST(CheckRail, OnTheRightIsTheMirrorImage)
     ASSERT_EQ(other.status, ContactStatus::ok) << other.reason;
     EXPECT_EQ(one.z, other.z);
     EXPECT_EQ(one.roll, -other.roll);
-    EXPECT_EQ(one.rail[0].lateral_force, other.rail[1].lateral_force);
-    EXPECT_EQ(one.rail[1].vertical_force, other.rail[0].vertical_force);
+    EXPECT_EQ(one.rail.left.lateral_force, other.rail.right.lateral_force);
+    EXPECT_EQ(one.rail.right.vertical_force, other.rail.left.vertical_force);
   }
 }
 
@@ -280,7 +280,7 @@ TEST(CheckRail, IsNotSeenInTheGaugeCornerOfAnotherPart)
     ASSERT_EQ(other.status, ContactStatus::ok) << y << ": " << other.reason;
     EXPECT_EQ(other.patches.size(), one.patches.size()) << y;
     // The points of the spline are off by up to 0.2 um at the ends of the arcs.
-    EXPECT_NEAR(other.rail[0].lateral_force, one.rail[0].lateral_force, 0.03 * wheel_load) << y;
+    EXPECT_NEAR(other.rail.left.lateral_force, one.rail.left.lateral_force, 0.03 * wheel_load) << y;
     search.setWheel({*divided.wheel_profile.left, divided.wheelset, Side::left, {y, other.z, 0, other.roll}});
     search.overlapIntervals(0, intervals);
     for (const OverlapInterval& interval : intervals)

@@ -69,11 +69,11 @@ TEST(Coupling, RailsHeldInTheDeflectedPositionCarryTheSameForces)
   const WheelsetResult a = bending.evaluate(stateAt(0, wheel_load));
   ASSERT_EQ(a.status, ContactStatus::ok) << a.reason;
   config.rail_bending.model = RailBendingConfig::Model::prescribed;
-  config.rail_bending.prescribed = a.rail[0].deflection;
+  config.rail_bending.prescribed = a.rail.left.deflection;
   WheelsetContact held(config);
   const WheelsetResult& b = held.evaluate(stateAt(0, wheel_load));
   ASSERT_EQ(b.status, ContactStatus::ok) << b.reason;
-  EXPECT_NEAR(a.rail[0].lateral_force / b.rail[0].lateral_force, 1, 1e-3);
+  EXPECT_NEAR(a.rail.left.lateral_force / b.rail.left.lateral_force, 1, 1e-3);
   EXPECT_NEAR(wheelTotal(a, Side::left).max_pressure / wheelTotal(b, Side::left).max_pressure, 1, 5e-4);
   EXPECT_NEAR(wheelTotal(a, Side::left).area / wheelTotal(b, Side::left).area, 1, 1e-3);
   EXPECT_NEAR(a.z, b.z, 1e-3 * 1e-4);  // relative to an approach of 0.1 mm
@@ -103,7 +103,7 @@ TEST(Coupling, SoftRailAtTheFlangeIsSolved)
     WheelsetContact contact(config);
     const WheelsetResult& result = contact.evaluate(stateAt(y, wheel_load));
     EXPECT_EQ(result.status, ContactStatus::ok) << result.reason << " at y = " << y;
-    EXPECT_GT(result.rail[1].deflection.lateral, 1e-3) << "y " << y;
+    EXPECT_GT(result.rail.right.deflection.lateral, 1e-3) << "y " << y;
   }
 }
 

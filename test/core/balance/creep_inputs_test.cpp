@@ -133,9 +133,9 @@ TEST(CreepInputsTest, ForcesOfAllContactsAddUpToTheWrenchOnTheAxle)
       vertical += force.z();
       moment += Eigen::Vector3d(patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z).cross(force);
     }
-    EXPECT_NEAR(result.wheel[0].vertical + result.wheel[1].vertical, vertical, 1e-6);
-    EXPECT_NEAR(result.wheel[0].vertical, result.rail[0].vertical_force, 1e-6 * 5e4);
-    EXPECT_NEAR(result.wheel[1].lateral, result.rail[1].lateral_force, 1e-6 * 5e4);
+    EXPECT_NEAR(result.wheel.left.vertical + result.wheel.right.vertical, vertical, 1e-6);
+    EXPECT_NEAR(result.wheel.left.vertical, result.rail.left.vertical_force, 1e-6 * 5e4);
+    EXPECT_NEAR(result.wheel.right.lateral, result.rail.right.lateral_force, 1e-6 * 5e4);
     EXPECT_EQ(result.rail_wrench.force.x(), 0);
     EXPECT_NEAR(result.rail_wrench.force.y(), lateral, 1e-6);
     EXPECT_NEAR(result.rail_wrench.force.z(), vertical, 1e-6);
@@ -168,8 +168,8 @@ TEST(CreepInputsTest, NormalStiffnessIsTheChangeOfTheForcePerApproach)
     state.roll = under_load.roll;
     const auto force = [&](double approach)
     {
-      state.rail_displacement[0] = {-approach * std::sin(patch.contact_angle), approach * std::cos(patch.contact_angle),
-                                    0};
+      state.rail_displacement.left = {-approach * std::sin(patch.contact_angle),
+                                      approach * std::cos(patch.contact_angle), 0};
       return only(held.evaluate(state), Side::left).normal_force;
     };
     const double step = 2e-6;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "wheel_rail_contact/core/rail_sections.h"
+#include "wheel_rail_contact/core/profile.h"
 #include "wheelset_scene.h"
 
 /// A crossing made of heads with round crowns.

@@ -29,7 +29,7 @@ std::shared_ptr<const TrackLine> mirrored(std::vector<LineStation> stations)
   for (LineStation& station : stations)
   {
     station.cross_level = -station.cross_level;
-    std::swap(station.rail[0], station.rail[1]);
+    std::swap(station.rail.left, station.rail.right);
   }
   return lineOf(stations);
 }
@@ -39,7 +39,7 @@ WheelsetState mirrored(WheelsetState state)
   state.y = -state.y;
   state.yaw = -state.yaw;
   state.torque_x = -state.torque_x;
-  std::swap(state.rail_displacement[0], state.rail_displacement[1]);
+  std::swap(state.rail_displacement.left, state.rail_displacement.right);
   return state;
 }
 
@@ -92,8 +92,8 @@ class LineTest : public testing::Test
   {
     const auto reference = [this](Side side) { return restingRail(scene_, side).referencePoint(); };
     const auto rails = displacementsAt(line.at(state.distance), {reference(Side::left), reference(Side::right)});
-    state.rail_displacement[0] += rails[0];
-    state.rail_displacement[1] += rails[1];
+    state.rail_displacement.left += rails.left;
+    state.rail_displacement.right += rails.right;
     return state;
   }
   ContactModelConfig sceneOn(std::shared_ptr<const TrackLine> line) const
@@ -123,16 +123,16 @@ TEST_F(LineTest, ResultIsThatOfTheSameDisplacementGivenWithTheState)
     for (WheelsetState state : run(0.4))
     {
       SCOPED_TRACE("distance " + std::to_string(state.distance));
-      state.rail_displacement[0] = {within(1e-3), within(1e-3), within(1e-3)};  // is added to that of the line
+      state.rail_displacement.left = {within(1e-3), within(1e-3), within(1e-3)};  // is added to that of the line
       const WheelsetResult& a = on_line.evaluate(state);
       const WheelsetResult& b = given.evaluate(displaced(state, *line));
       ASSERT_TRUE(isUsable(a.status)) << a.reason;
       expectSameBits(a, b);
       for (const Side side : sides)
       {
-        EXPECT_EQ(a.rail[index(side)].given.lateral, b.rail[index(side)].given.lateral);
-        EXPECT_EQ(a.rail[index(side)].given.vertical, b.rail[index(side)].given.vertical);
-        EXPECT_EQ(a.rail[index(side)].given.roll, b.rail[index(side)].given.roll);
+        EXPECT_EQ(a.rail[side].given.lateral, b.rail[side].given.lateral);
+        EXPECT_EQ(a.rail[side].given.vertical, b.rail[side].given.vertical);
+        EXPECT_EQ(a.rail[side].given.roll, b.rail[side].given.roll);
       }
     }
   }
@@ -162,7 +162,7 @@ TEST_F(LineTest, MirroredLineGivesTheMirroredResult)
 TEST_F(LineTest, AlignmentAndLevelOfTheTrackMoveTheWheelset)
 {
   constexpr double alignment = 4e-3, level = -6e-3;
-  const std::array<RailDeflection, 2> moved{RailDeflection{alignment, level, 0}, {-alignment, level, 0}};
+  const Sides<RailDeflection> moved{RailDeflection{alignment, level, 0}, {-alignment, level, 0}};
   WheelsetContact ideal(scene_), on_line(sceneOn(lineOf({{0, 0, moved}, {1, 0, moved}})));
   for (const double y : {0.0, 2e-3, -5.5e-3})
   {
@@ -193,8 +193,8 @@ TEST_F(LineTest, CrossLevelRollsTheWheelset)
   ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
   EXPECT_NEAR(result.roll, tilt, 1e-5);
   EXPECT_NEAR(result.z, 0.46 * std::cos(tilt), 0.3e-3);  // first touch is 0.18 mm from it, the approach 0.1 mm
-  EXPECT_NEAR(result.rail[0].deflection.roll, -tilt, 1e-12);
-  EXPECT_NEAR(result.rail[1].deflection.roll, tilt, 1e-12);
+  EXPECT_NEAR(result.rail.left.deflection.roll, -tilt, 1e-12);
+  EXPECT_NEAR(result.rail.right.deflection.roll, tilt, 1e-12);
 }
 
 TEST_F(LineTest, PlacesOutsideTheLineAreReportedAndKeepTheWarmStart)

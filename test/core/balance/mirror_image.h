@@ -23,8 +23,8 @@ inline WheelsetState mirrored(WheelsetState state)
   state.yaw = -state.yaw;
   state.roll = -state.roll;
   state.torque_x = -state.torque_x;
-  std::swap(state.rail_lateral_force[0], state.rail_lateral_force[1]);
-  std::swap(state.rail_displacement[0], state.rail_displacement[1]);
+  std::swap(state.rail_lateral_force.left, state.rail_lateral_force.right);
+  std::swap(state.rail_displacement.left, state.rail_displacement.right);
   return state;
 }
 
@@ -82,8 +82,8 @@ inline void expectMirrorImage(const WheelsetResult& result, const WheelsetResult
   EXPECT_EQ(result.roll, -image.roll);
   for (const Side side : sides)
   {
-    const RailResult& rail = result.rail[index(side)];
-    const RailResult& other_rail = image.rail[index(otherSide(side))];
+    const RailResult& rail = result.rail[side];
+    const RailResult& other_rail = image.rail[otherSide(side)];
     EXPECT_EQ(rail.lateral_force, other_rail.lateral_force);
     EXPECT_EQ(rail.vertical_force, other_rail.vertical_force);
     EXPECT_EQ(rail.moment, other_rail.moment);

@@ -49,10 +49,10 @@ TEST(MomentsTest, BothBalancesDifferByTheMomentOfTheLateralForces)
 {
   WheelsetContact moments(momentScene()), wheel_loads(manchesterScene());
   const WheelsetState middle = stateAt(0, 5e4), flange_root = stateAt(6.2e-3, 5e4);
-  EXPECT_NEAR(moments.evaluate(middle).wheel[0].vertical, 5e4, 50);
+  EXPECT_NEAR(moments.evaluate(middle).wheel.left.vertical, 5e4, 50);
   const WheelsetResult simple = wheel_loads.evaluate(flange_root);
-  EXPECT_NEAR(simple.wheel[0].vertical, 5e4, 50);
-  const double moved = moments.evaluate(flange_root).wheel[0].vertical - simple.wheel[0].vertical;
+  EXPECT_NEAR(simple.wheel.left.vertical, 5e4, 50);
+  const double moved = moments.evaluate(flange_root).wheel.left.vertical - simple.wheel.left.vertical;
   // The transfer at the lever arms of equal loads. At the flange root, the arm of the left wheel is shorter by r tan of
   // 36 degrees, and it falls as the load moves there: 30 %.
   const double transfer = -openMoment(simple, flange_root) / (2 * wheel_loads.config().wheelset.halfBase());
@@ -90,7 +90,7 @@ TEST(MomentsTest, ASteepFlangeLiftsTheOtherWheel)
   const WheelsetResult& result = contact.evaluate(stateAt(7e-3, 5e4));
   EXPECT_EQ(result.status, ContactStatus::lift_off);
   EXPECT_NE(result.reason.find("the right wheel lifts"), std::string::npos) << result.reason;
-  EXPECT_NEAR(result.wheel[0].vertical, 1e5, 1);
+  EXPECT_NEAR(result.wheel.left.vertical, 1e5, 1);
 }
 
 TEST(MomentsTest, MirroredStatesHaveMirroredResults)
@@ -109,7 +109,7 @@ TEST(MomentsTest, MirroredStatesHaveMirroredResults)
       state.yaw = -state.yaw;
       state.torque_x = -state.torque_x;
       const WheelsetResult& right = contact.evaluate(state);
-      EXPECT_EQ(left.wheel[0].vertical, right.wheel[1].vertical);
+      EXPECT_EQ(left.wheel.left.vertical, right.wheel.right.vertical);
       EXPECT_EQ(left.rail_wrench.force.z(), right.rail_wrench.force.z());
       EXPECT_EQ(left.rail_wrench.moment.x(), -right.rail_wrench.moment.x());
       EXPECT_EQ(left.roll, -right.roll);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

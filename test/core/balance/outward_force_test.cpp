@@ -34,8 +34,8 @@ Loading pressDown(WheelsetContact& contact, double y, double roll, double z)
     const WheelsetResult& result = contact.evaluate(state);
     loading.solved = loading.solved && isUsable(result.status);
     const double before = loading.vertical;
-    loading.vertical = result.rail[0].vertical_force;
-    loading.outward = result.rail[0].lateral_force;
+    loading.vertical = result.rail.left.vertical_force;
+    loading.outward = result.rail.left.lateral_force;
     loading.work += 0.5 * (before + loading.vertical) * height / steps;
   }
   return loading;

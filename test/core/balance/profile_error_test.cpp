@@ -10,7 +10,6 @@
 #include <string>
 
 #include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact::core

@@ -15,7 +15,7 @@ namespace
 /// [N m].
 double momentOf(const WheelsetResult& result, Side side, const PlacedRail& bent)
 {
-  const RailResult& rail = result.rail[static_cast<std::size_t>(side)];
+  const RailResult& rail = result.rail[side];
   const PlanePoint reference = bent.referencePoint();
   const double sign = sideSign(side);
   double moment = 0;
@@ -52,7 +52,7 @@ class RailBendingTest : public testing::Test
     for (const double y : {0.0, 2e-3, -4e-3})
     {
       WheelsetState state = stateAt(y, 1e5);
-      state.rail_displacement[0].lateral = state.rail_displacement[1].lateral = offset;
+      state.rail_displacement.left.lateral = state.rail_displacement.right.lateral = offset;
       moved.reset();
       wide.reset();
       const WheelsetResult& a = moved.evaluate(state);
@@ -63,7 +63,7 @@ class RailBendingTest : public testing::Test
       for (const Side side : {Side::left, Side::right})
       {
         EXPECT_NEAR(wheelTotal(a, side).max_pressure / wheelTotal(b, side).max_pressure, 1, 3e-4);
-        EXPECT_EQ(a.rail[static_cast<std::size_t>(side)].deflection.lateral, outward);
+        EXPECT_EQ(a.rail[side].deflection.lateral, outward);
       }
     }
   }
@@ -102,7 +102,7 @@ TEST_F(RailBendingTest, DisplacementByOtherWheelsetsAddsToTheOwnDeflection)
     state.rail_displacement = {RailDeflection{4e-4, -1e-4, 2e-3}, RailDeflection{-3e-4, 2e-4, 1e-3}};
     const WheelsetResult& result = contact.evaluate(state);
     ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-    for (std::size_t side = 0; side < 2; ++side)
+    for (const Side side : sides)
     {
       const RailResult& rail = result.rail[side];
       const RailDeflection own = deflectionInTrack(softPads(), {rail.lateral_force, rail.vertical_force, rail.moment},
@@ -132,7 +132,7 @@ TEST_F(RailBendingTest, DeflectionIsTheTableTimesTheForces)
     ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
     for (const Side side : {Side::left, Side::right})
     {
-      const RailResult& rail = result.rail[static_cast<std::size_t>(side)];
+      const RailResult& rail = result.rail[side];
       const RailDeflection& moved = rail.deflection;
       const double square_force = cosine * rail.lateral_force - sine * rail.vertical_force;
       const double axial_force = sine * rail.lateral_force + cosine * rail.vertical_force;
@@ -160,9 +160,9 @@ TEST_F(RailBendingTest, GivenLateralForcesBendTheirRails)
   state.rail_lateral_force = {2e4, -5e3};
   const WheelsetResult& result = contact.evaluate(state);
   ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-  EXPECT_EQ(result.rail[0].lateral_force, 2e4);
-  EXPECT_EQ(result.rail[1].lateral_force, -5e3);
-  EXPECT_GT(result.rail[0].deflection.lateral, result.rail[1].deflection.lateral + 1e-3);
+  EXPECT_EQ(result.rail.left.lateral_force, 2e4);
+  EXPECT_EQ(result.rail.right.lateral_force, -5e3);
+  EXPECT_GT(result.rail.left.deflection.lateral, result.rail.right.deflection.lateral + 1e-3);
 }
 
 TEST_F(RailBendingTest, ConstantLateralForceBendsBothRailsAlike)
@@ -172,9 +172,9 @@ TEST_F(RailBendingTest, ConstantLateralForceBendsBothRailsAlike)
   WheelsetContact contact(scene_);
   const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
   ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-  EXPECT_EQ(result.rail[0].lateral_force, 1e4);
-  EXPECT_EQ(result.rail[1].lateral_force, 1e4);
-  EXPECT_NEAR(result.rail[0].deflection.lateral, result.rail[1].deflection.lateral, 2e-6 * 1e-3);
+  EXPECT_EQ(result.rail.left.lateral_force, 1e4);
+  EXPECT_EQ(result.rail.right.lateral_force, 1e4);
+  EXPECT_NEAR(result.rail.left.deflection.lateral, result.rail.right.deflection.lateral, 2e-6 * 1e-3);
 }
 
 TEST_F(RailBendingTest, RigidTableIsNoBending)
@@ -185,6 +185,6 @@ TEST_F(RailBendingTest, RigidTableIsNoBending)
   const WheelsetResult& a = straight.evaluate(stateAt(2e-3, 1e5));
   const WheelsetResult& b = rigid.evaluate(stateAt(2e-3, 1e5));
   ASSERT_EQ(b.status, ContactStatus::ok) << b.reason;
-  EXPECT_EQ(b.rail[0].deflection.lateral, 0);
+  EXPECT_EQ(b.rail.left.deflection.lateral, 0);
   EXPECT_NEAR(a.z, b.z, 2 * scene_.contact.tolerance * 1e-4);  // grids and residuals may differ
 }

@@ -36,7 +36,7 @@ void expectDisplaced(const WheelsetResult& moved, const WheelsetResult& result, 
   constexpr double step = 3e-4;
   ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
   ASSERT_EQ(moved.status, ContactStatus::ok) << moved.reason;
-  const double tolerance = step * (1e-4 + std::abs(result.rail[0].deflection.vertical));
+  const double tolerance = step * (1e-4 + std::abs(result.rail.left.deflection.vertical));
   EXPECT_NEAR(moved.z - z, result.z, tolerance);
   EXPECT_NEAR(moved.roll, result.roll, tolerance / 0.75);
   ASSERT_EQ(moved.patches.size(), result.patches.size());
@@ -96,7 +96,7 @@ TEST(RailDisplacement, ARaisedLeftRailRollsTheWheelsetToTheRight)
   {
     WheelsetContact contact(sceneOf(model));
     WheelsetState state = stateAt(0, 1e5);
-    state.rail_displacement[0].vertical = up;
+    state.rail_displacement.left.vertical = up;
     const WheelsetResult& result = contact.evaluate(state);
     ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
     EXPECT_NEAR(result.roll, up / 1.5, 0.03 * up / 1.5);
@@ -117,7 +117,7 @@ TEST(RailDisplacement, AddsToThePrescribedDeflection)
     displaced.rail_displacement = {added, added};
     WheelsetContact both(sceneOf(Model::prescribed)), of_sum(sum);
     expectSameBits(both.evaluate(displaced), of_sum.evaluate(state));
-    EXPECT_EQ(both.evaluate(displaced).rail[1].deflection.lateral, given.lateral + added.lateral);
+    EXPECT_EQ(both.evaluate(displaced).rail.right.deflection.lateral, given.lateral + added.lateral);
 
     WheelsetContact rigid(sceneOf(Model::none)), prescribed(only_added);
     expectSameBits(rigid.evaluate(displaced), prescribed.evaluate(state));
@@ -137,7 +137,7 @@ TEST(RailDisplacement, OfOneRailDoesNotAffectTheOther)
       state.z = 0.4594;
       WheelsetContact resting(scene), displaced(scene);
       const WheelsetResult& before = resting.evaluate(state);
-      state.rail_displacement[index(side)] = {4e-4, 1e-4, 2e-3};
+      state.rail_displacement[side] = {4e-4, 1e-4, 2e-3};
       const WheelsetResult& after = displaced.evaluate(state);
       ASSERT_EQ(before.status, ContactStatus::ok) << before.reason;
       ASSERT_EQ(after.status, ContactStatus::ok) << after.reason;

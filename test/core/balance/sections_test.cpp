@@ -13,7 +13,7 @@
 #include "mirror_image.h"
 #include "round_bodies.h"
 #include "same_bits.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 using crossing_scene::profileOf;

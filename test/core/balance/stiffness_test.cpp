@@ -39,10 +39,10 @@ TEST(Stiffness, IsTheDerivativeOfTheForces)
     state.z = at.z;
     state.roll = at.roll;
     ASSERT_TRUE(isUsable(given.evaluate(state).status));
-    const std::array<Eigen::Matrix3d, 2> stiffness{given.stiffness(Side::left), given.stiffness(Side::right)};
+    const Sides<Eigen::Matrix3d> stiffness{given.stiffness(Side::left), given.stiffness(Side::right)};
     for (const int coordinate : {0, 1})
     {
-      std::array<Eigen::Vector2d, 2> change{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+      Sides<Eigen::Vector2d> change{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
       for (const int direction : {1, -1})
       {
         WheelsetState moved = state;
@@ -50,15 +50,14 @@ TEST(Stiffness, IsTheDerivativeOfTheForces)
         const WheelsetResult& result = given.evaluate(moved);
         for (const Side side : {Side::left, Side::right})
         {
-          const auto k = static_cast<std::size_t>(side);
-          change[k] -= direction * forcesOn(result.rail[k], side) / (2 * step);
+          change[side] -= direction * forcesOn(result.rail[side], side) / (2 * step);
         }
       }
-      for (std::size_t k = 0; k < 2; ++k)
+      for (const Side side : sides)
       {
-        EXPECT_LT((stiffness[k].topRows<2>().col(coordinate) - change[k]).norm(), 0.03 * change[k].norm())
-            << "y " << y << ", wheel " << k << ", coordinate " << coordinate << ": "
-            << stiffness[k].col(coordinate).transpose() << " against " << change[k].transpose();
+        EXPECT_LT((stiffness[side].topRows<2>().col(coordinate) - change[side]).norm(), 0.03 * change[side].norm())
+            << "y " << y << ", wheel " << nameOf(side) << ", coordinate " << coordinate << ": "
+            << stiffness[side].col(coordinate).transpose() << " against " << change[side].transpose();
       }
     }
   }

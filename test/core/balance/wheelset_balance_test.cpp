@@ -37,7 +37,7 @@ class WheelsetBalanceTest : public testing::Test
     {
       const double load = wheelLoad(scene_, state, side);
       EXPECT_NEAR(wheelTotal(result, side).vertical, load, tolerance * load);
-      EXPECT_NEAR(result.rail[static_cast<std::size_t>(side)].vertical_force, load, tolerance * load);
+      EXPECT_NEAR(result.rail[side].vertical_force, load, tolerance * load);
     }
   }
 
@@ -54,7 +54,7 @@ TEST_F(WheelsetBalanceTest, CentredWheelsetHasNoRollAndLoadsBothWheelsEqually)
   const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
   ASSERT_EQ(result.status, ContactStatus::ok);
   EXPECT_NEAR(result.roll, 0, 1e-15);  // rounding of the axle height over the axle length
-  EXPECT_EQ(result.rail[0].lateral_force, result.rail[1].lateral_force);
+  EXPECT_EQ(result.rail.left.lateral_force, result.rail.right.lateral_force);
 }
 
 // The normal solution holds the load by construction; 1e-6 covers the rounding of the sums over cells.
@@ -132,8 +132,8 @@ TEST_F(WheelsetBalanceTest, UnloadedWheelLiftsOffAndTheOtherCarriesAll)
       const double load = wheelLoad(scene_, state, carrying);
       EXPECT_NEAR(wheelTotal(result, carrying).vertical, load, 1e-6 * load);
       EXPECT_EQ(wheelTotal(result, lifted).patches, 0);
-      EXPECT_EQ(result.rail[static_cast<std::size_t>(lifted)].vertical_force, 0);
-      EXPECT_EQ(result.rail[static_cast<std::size_t>(lifted)].lateral_force, 0);
+      EXPECT_EQ(result.rail[lifted].vertical_force, 0);
+      EXPECT_EQ(result.rail[lifted].lateral_force, 0);
     }
   }
 }
@@ -150,7 +150,7 @@ TEST_F(WheelsetBalanceTest, RoundingErrorIsNotALoad)
     state.torque_x = (1 - left / 5e4) * 1e5 * scene_.wheelset.halfBase();
     const WheelsetResult& result = contact.evaluate(state);
     EXPECT_EQ(result.status, ContactStatus::lift_off) << left << " N of 5e4 N: " << result.reason;
-    EXPECT_EQ(result.rail[0].vertical_force, 0);
+    EXPECT_EQ(result.rail.left.vertical_force, 0);
   }
 }
 

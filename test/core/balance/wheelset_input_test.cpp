@@ -57,12 +57,12 @@ TEST_F(WheelsetInputTest, NonFiniteOrHugeValuesAreRejectedWithAReason)
     state.torque_x = bad;
     expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
     state = stateAt(0, 1e5);
-    state.rail_lateral_force[1] = bad;
+    state.rail_lateral_force.right = bad;
     expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
     for (const auto coordinate : {&RailDeflection::lateral, &RailDeflection::vertical, &RailDeflection::roll})
     {
       state = stateAt(0, 1e5);
-      state.rail_displacement[1].*coordinate = bad;
+      state.rail_displacement.right.*coordinate = bad;
       expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
     }
   }

@@ -10,7 +10,7 @@
 
 #include "../balance/round_bodies.h"
 #include "core/track/placement.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 using namespace wheel_rail_contact::core;

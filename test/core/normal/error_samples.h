@@ -15,7 +15,7 @@
 #include "errors_of.h"
 #include "gap_scenes.h"
 #include "pressure_extent.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 /// Solutions of random scenes. Their true errors are from the same scene on a grid four times finer in each direction.
 namespace wheel_rail_contact::core::scenes

@@ -12,7 +12,6 @@
 
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
 
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::test;

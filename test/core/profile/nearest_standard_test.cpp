@@ -13,7 +13,7 @@
 #include "core/profile/shape_error.h"
 #include "core/profile/smoothing_spline.h"
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::test;

@@ -10,7 +10,6 @@
 #include "core/profile/noise_estimate.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
 
 namespace wheel_rail_contact::core
 {

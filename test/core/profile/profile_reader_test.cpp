@@ -9,7 +9,6 @@
 
 #include "core/profile/smoothing_spline.h"
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
 
 namespace wheel_rail_contact::core
 {

@@ -8,7 +8,6 @@
 
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
 
 namespace wheel_rail_contact::core
 {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "section_scenes.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::section_scenes;

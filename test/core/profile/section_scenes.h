@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/profile/section_blend.h"
-#include "wheel_rail_contact/core/rail_sections.h"
+#include "wheel_rail_contact/core/profile.h"
 
 /// Rail sections of straight lines and arcs, and their exact curves.
 namespace wheel_rail_contact::core::section_scenes

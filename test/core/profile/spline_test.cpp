@@ -11,7 +11,7 @@
 
 #include "core/profile/smoothing_spline.h"
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "standard_helpers.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

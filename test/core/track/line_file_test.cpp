@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../profile/profile_helpers.h"
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 using namespace wheel_rail_contact::core;
 
@@ -46,7 +46,7 @@ void expectSame(const LineStation& a, const LineStation& b)
   constexpr double rounding = 1e-16;  // of differences of gauges [m], and of the conversion of units
   EXPECT_EQ(a.x, b.x);
   EXPECT_NEAR(a.cross_level, b.cross_level, rounding);
-  for (std::size_t side = 0; side < 2; ++side)
+  for (const Side side : sides)
   {
     EXPECT_NEAR(a.rail[side].lateral, b.rail[side].lateral, rounding);
     EXPECT_NEAR(a.rail[side].vertical, b.rail[side].vertical, rounding);

@@ -66,7 +66,7 @@ class RailOnLineTest : public testing::Test
         displacementsAt(station, {resting(Side::left).referencePoint(), resting(Side::right).referencePoint()});
     for (const Side side : sides)
     {
-      rail_[index(side)] = measured(placed(side), side, scene_.track.gauge_depth);
+      rail_[side] = measured(placed(side), side, scene_.track.gauge_depth);
     }
   }
 
@@ -75,10 +75,10 @@ class RailOnLineTest : public testing::Test
   {
     // Sum of the errors of samples 7 um apart, on a face with a slope of 1:20.
     constexpr double sampling = 1e-6;
-    EXPECT_NEAR(rail_[0].face - 0.5 * scene_.track.gauge, left, sampling);
-    EXPECT_NEAR(rail_[1].face + 0.5 * scene_.track.gauge, right, sampling);
-    EXPECT_NEAR(rail_[0].top, 0, 1e-9);  // error of samples 7 um apart on a radius of 0.3 m: 2e-11 m
-    EXPECT_NEAR(rail_[1].top, 0, 1e-9);
+    EXPECT_NEAR(rail_.left.face - 0.5 * scene_.track.gauge, left, sampling);
+    EXPECT_NEAR(rail_.right.face + 0.5 * scene_.track.gauge, right, sampling);
+    EXPECT_NEAR(rail_.left.top, 0, 1e-9);  // error of samples 7 um apart on a radius of 0.3 m: 2e-11 m
+    EXPECT_NEAR(rail_.right.top, 0, 1e-9);
   }
 
   /// Expects heights of the rail tops [m], and heads that are turned with the track [rad].
@@ -87,16 +87,16 @@ class RailOnLineTest : public testing::Test
     // The highest points are up to 15 mm farther apart than the reference points, for which the cross level is exact:
     // 1 % of the cross level. On a tilted track they move by less than 2 um.
     const double difference = std::abs(left - right), tolerance = 0.5 * 0.01 * difference + 2e-6;
-    EXPECT_NEAR(rail_[0].top, left, tolerance);
-    EXPECT_NEAR(rail_[1].top, right, tolerance);
+    EXPECT_NEAR(rail_.left.top, left, tolerance);
+    EXPECT_NEAR(rail_.right.top, right, tolerance);
     // Distance of the reference points: 1.507 m.
     const double tilt = std::asin((left - right) / 1.507), inclination = scene_.track.rail_inclination.left;
-    EXPECT_NEAR(rail_[0].angle - inclination, tilt, 1e-3 * std::abs(tilt) + rounding);
-    EXPECT_NEAR(rail_[1].angle - inclination, -tilt, 1e-3 * std::abs(tilt) + rounding);
+    EXPECT_NEAR(rail_.left.angle - inclination, tilt, 1e-3 * std::abs(tilt) + rounding);
+    EXPECT_NEAR(rail_.right.angle - inclination, -tilt, 1e-3 * std::abs(tilt) + rounding);
   }
 
   PlacedRail resting(Side side) const { return {scene_.rail_profile[side], scene_.track, side}; }
-  PlacedRail placed(Side side) const { return resting(side).deflected(displaced_[index(side)]); }
+  PlacedRail placed(Side side) const { return resting(side).deflected(displaced_[side]); }
 
   static std::vector<std::string> split(const std::string& words)
   {
@@ -106,8 +106,8 @@ class RailOnLineTest : public testing::Test
 
   const test::Folder folder_;
   ContactModelConfig scene_ = manchesterScene();
-  std::array<RailDeflection, 2> displaced_{};  ///< of each Side
-  std::array<RailMeasure, 2> rail_{};          ///< of each Side
+  Sides<RailDeflection> displaced_{};  ///< of each Side
+  Sides<RailMeasure> rail_{};          ///< of each Side
 };
 }  // namespace
 
@@ -219,7 +219,7 @@ TEST_F(RailOnLineTest, DisplacementsAreThoseInTheTiltedTrack)
   LineStation tilted = in_plane;
   tilted.cross_level = 0.1;
   place(in_plane);
-  const std::array<PlacedRail, 2> level{placed(Side::left), placed(Side::right)};
+  const Sides<PlacedRail> level{placed(Side::left), placed(Side::right)};
   place(tilted);
   const double tilt = std::asin(tilted.cross_level /
                                 (resting(Side::left).referencePoint().y + resting(Side::right).referencePoint().y));
@@ -228,7 +228,7 @@ TEST_F(RailOnLineTest, DisplacementsAreThoseInTheTiltedTrack)
     const double angle = sideSign(side) * tilt;
     for (double u = 0; u <= scene_.rail_profile[side]->length(); u += 0.01)
     {
-      const PlanePoint before = level[index(side)].at(u), after = placed(side).at(u);
+      const PlanePoint before = level[side].at(u), after = placed(side).at(u);
       EXPECT_NEAR(after.y, std::cos(angle) * before.y - std::sin(angle) * before.z, rounding);
       EXPECT_NEAR(after.z, std::sin(angle) * before.y + std::cos(angle) * before.z, rounding);
     }

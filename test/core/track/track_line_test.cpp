@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wheel_rail_contact/core/track_line.h"
+#include "wheel_rail_contact/core/track.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ constexpr double rounding = 1e-17;  ///< rounding error of sums of lengths below
 /// The seven quantities of a station, in the order of LineStation.
 std::vector<double> valuesOf(const LineStation& station)
 {
-  const RailDeflection &left = station.rail[0], &right = station.rail[1];
+  const RailDeflection &left = station.rail.left, &right = station.rail.right;
   return {station.cross_level, left.lateral, left.vertical, left.roll, right.lateral, right.vertical, right.roll};
 }
 
@@ -70,7 +70,7 @@ class TrackLineTest : public testing::Test
       LineStation station{x, value(), {RailDeflection{value(), value(), value()}, {value(), value(), value()}}};
       if (i % 7 == 3)
       {
-        station.rail[0] = stations_.back().rail[0];  // constant over one interval
+        station.rail.left = stations_.back().rail.left;  // constant over one interval
       }
       stations_.push_back(station);
       x += 0.05 + std::abs(unit_(random_));

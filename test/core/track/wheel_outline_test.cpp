@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/track/placement.h"
-#include "wheel_rail_contact/core/standard_profiles.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 

@@ -52,7 +52,7 @@ class LiveNeighbours : public testing::Test
 void expectSameRails(const core::WheelsetResult& a, const core::WheelsetResult& b)
 {
   ASSERT_EQ(a.status, core::ContactStatus::ok) << a.reason;
-  for (std::size_t side = 0; side < 2; ++side)
+  for (const core::Side side : core::sides)
   {
     EXPECT_EQ(a.rail[side].deflection.lateral, b.rail[side].deflection.lateral);
     EXPECT_EQ(a.rail[side].deflection.vertical, b.rail[side].deflection.vertical);
@@ -76,13 +76,13 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetDeflectTheRailsAsInTheTable)
 
   // The result may reach the wheelset behind later than this program.
   core::WheelsetResult behind;
-  const auto has_offset = [&] { return std::abs(offsetOf(behind.rail[0]).lateral) > 1e-5; };
+  const auto has_offset = [&] { return std::abs(offsetOf(behind.rail.left).lateral) > 1e-5; };
   for (int i = 0; i < 20 && !has_offset(); ++i)
   {
     behind = requestBehind(1e-3, ContactClient::nextStamp());
   }
   ASSERT_TRUE(has_offset());
-  for (std::size_t side = 0; side < 2; ++side)
+  for (const core::Side side : core::sides)
   {
     SCOPED_TRACE(side == 0 ? "left" : "right");
     const core::RailDeflection found = offsetOf(behind.rail[side]);
@@ -97,7 +97,7 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetDeflectTheRailsAsInTheTable)
     RecordProperty(side == 0 ? "left" : "right",
                    std::to_string(1e6 * expected.lateral) + " um, " + std::to_string(1e3 * expected.roll) + " mrad");
   }
-  EXPECT_GT(std::abs(offsetOf(behind.rail[0]).lateral - offsetOf(behind.rail[1]).lateral), 1e-5);
+  EXPECT_GT(std::abs(offsetOf(behind.rail.left).lateral - offsetOf(behind.rail.right).lateral), 1e-5);
 
   const std::string lacking = "results that lack a neighbour's forces";
   const int lacked = std::stoi(nextReport("/behind/contact_node").values[lacking]);

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Records the results of states of all kinds, to show that a change of the code does not change a number:
+//   record_states write FILE     before the change: one line for each state, with a digest of the bits of its result
+//   record_states compare FILE   after it: prints the states whose line differs; exit status 1 if there are any
+//   record_states print SEED     all numbers of the results of one scene, to find the first that differs
+// The scenes are random scenes of this folder, varied by unequal sides, moments, stress, irregularities and sections.
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "../stability/random_scene.h"
+
+namespace
+{
+using namespace wheel_rail_contact::core;
+using stability::Scene;
+using stability::ScenePool;
+
+constexpr unsigned long scene_count = 72;  ///< of thirty states each
+
+using Number = std::function<void(const char* name, double value)>;
+
+void visit(const StressPeak& peak, const Number& number)
+{
+  number("value", peak.value);
+  number("x", peak.x);
+  number("y", peak.y);
+  number("depth", peak.depth);
+}
+
+void visit(const Eigen::ArrayXXd& array, const char* name, const Number& number)
+{
+  for (Eigen::Index i = 0; i < array.size(); ++i)
+  {
+    number(name, array(i));
+  }
+}
+
+void visit(const PatchStress& stress, const Number& number)
+{
+  visit(stress.von_mises, number);
+  visit(stress.shear, number);
+  number("load_factor", stress.load_factor);
+  number("shakedown_limit", stress.shakedown_limit);
+  for (const StressLayer& layer : stress.field)
+  {
+    number("layer", layer.depth);
+    for (const Eigen::ArrayXXd& component : layer.components)
+    {
+      visit(component, "stress", number);
+    }
+  }
+}
+
+void visit(const PatchResult& patch, const Number& number)
+{
+  number("side", static_cast<double>(patch.side));
+  number("pose.x", patch.pose.x);
+  number("pose.y", patch.pose.y);
+  number("pose.z", patch.pose.z);
+  number("pose.angle", patch.pose.angle);
+  number("contact_angle", patch.contact_angle);
+  number("normal_force", patch.normal_force);
+  number("approach", patch.approach);
+  number("area", patch.area);
+  number("max_pressure", patch.max_pressure);
+  number("error_estimate", patch.error_estimate);
+  number("iterations", patch.iterations);
+  number("residual", patch.residual);
+  number("half_space_ratio", patch.half_space_ratio);
+  number("model_error", patch.model_error);
+  number("vertical_force", patch.vertical_force);
+  number("lateral_force", patch.lateral_force);
+  number("semi_axis_along", patch.semi_axis_along);
+  number("semi_axis_across", patch.semi_axis_across);
+  number("rolling_radius", patch.rolling_radius);
+  number("wheel_s", patch.wheel_s);
+  number("rail_s", patch.rail_s);
+  number("wheel_angle", patch.wheel_angle);
+  number("curvature_along", patch.curvature_along);
+  number("curvature_across", patch.curvature_across);
+  number("normal_stiffness", patch.normal_stiffness);
+  visit(patch.wheel_stress, number);
+  visit(patch.rail_stress, number);
+  number("nx", patch.grid.nx);
+  number("ny", patch.grid.ny);
+  number("dx", patch.grid.dx);
+  number("dy", patch.grid.dy);
+  number("x0", patch.grid.x0);
+  number("y0", patch.grid.y0);
+  visit(patch.pressure, "pressure", number);
+}
+
+void visit(const RailDeflection& deflection, const Number& number)
+{
+  number("lateral", deflection.lateral);
+  number("vertical", deflection.vertical);
+  number("roll", deflection.roll);
+}
+
+void visit(const WheelsetResult& result, const Number& number)
+{
+  number("status", static_cast<double>(result.status));
+  number("above_tolerance", result.above_tolerance);
+  number("points_missing", result.points_missing);
+  number("implausible_force", result.implausible_force);
+  number("y", result.y);
+  number("z", result.z);
+  number("yaw", result.yaw);
+  number("roll", result.roll);
+  for (int i = 0; i < 3; ++i)
+  {
+    number("wrench.force", result.rail_wrench.force(i));
+    number("wrench.moment", result.rail_wrench.moment(i));
+  }
+  for (const Side side : sides)
+  {
+    const RailResult& rail = result.rail[side];
+    visit(rail.deflection, number);
+    visit(rail.given, number);
+    number("rail.lateral_force", rail.lateral_force);
+    number("rail.vertical_force", rail.vertical_force);
+    number("rail.moment", rail.moment);
+    number("wheel.vertical", result.wheel[side].vertical);
+    number("wheel.lateral", result.wheel[side].lateral);
+  }
+  for (const PatchResult& patch : result.patches)
+  {
+    visit(patch, number);
+  }
+}
+
+/// All numbers of a result, and the stiffness of both contacts if `with_stiffness`.
+void visitAll(WheelsetContact& contact, const WheelsetState& state, bool with_stiffness, const Number& number)
+{
+  visit(contact.evaluate(state), number);
+  for (const Side side : sides)
+  {
+    if (with_stiffness)
+    {
+      visit(contact.stiffness(side), "stiffness", number);
+    }
+  }
+}
+
+/// FNV-1a (Fowler, Noll, Vo 1991) of the bits of numbers.
+class Digest
+{
+ public:
+  void add(double number)
+  {
+    unsigned char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof number);
+    for (const unsigned char byte : bytes)
+    {
+      value_ = (value_ ^ byte) * 1099511628211U;
+    }
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037U;
+};
+
+/// An irregularity of each kind, over the distances of `spread`.
+std::shared_ptr<const TrackLine> line()
+{
+  std::vector<LineStation> stations;
+  for (int i = 0; i <= 20; ++i)
+  {
+    const double wave = (i % 7 - 3) / 3.0, other = (i % 5 - 2) / 2.0;
+    LineStation station;
+    station.x = 0.5 * i;
+    station.cross_level = 4e-3 * other;
+    station.rail = {RailDeflection{2e-3 * wave, -3e-3 * other, 2e-3 * wave},
+                    RailDeflection{-1e-3 * other, 2e-3 * wave, 0}};
+    stations.push_back(station);
+  }
+  return std::make_shared<const TrackLine>("waves", stations);
+}
+
+/// A rail that changes from one profile to another and back.
+std::shared_ptr<const RailSections> changing(const ScenePool& pool)
+{
+  RailSeries series;
+  for (int i = 0; i <= 4; ++i)
+  {
+    series.push_back({2.5 * i, pool.rails[i % 2 == 0 ? 0 : 1].profile, {}});
+  }
+  return std::make_shared<const RailSections>(std::vector<RailSeries>{series}, RailSections::Placement::gauge);
+}
+
+void makeUnequal(const ScenePool& pool, ContactModelConfig& config)
+{
+  config.wheel_profile.right = pool.wheels[1].profile;
+  config.rail_profile.left = pool.rails[1].profile;
+  config.wheelset.rolling_radius = {0.46, 0.455};
+  config.wheel_material.left.young = 1.9e11;
+  config.rail_material.right = Material{2.0e11, 0.3, 480e6};
+  config.track.rail_inclination = {0.025, 0.05};
+}
+
+/// Places the states along the line.
+void spread(Scene& scene)
+{
+  for (std::size_t i = 0; i < scene.states.size(); ++i)
+  {
+    scene.states[i].distance = 10.0 * static_cast<double>(i) / static_cast<double>(scene.states.size());
+  }
+}
+
+Scene variedScene(const ScenePool& pool, unsigned long seed)
+{
+  Scene scene = randomScene(pool, seed);
+  switch (seed % 6)
+  {
+    case 1:
+      makeUnequal(pool, scene.config);
+      break;
+    case 2:
+      scene.config.wheelset.balance = WheelsetConfig::Balance::moments;
+      break;
+    case 3:
+      scene.config.stress = {8, true};
+      break;
+    case 4:
+      scene.config.track.line = line();
+      spread(scene);
+      break;
+    case 5:
+      scene.config.rail_sections.left = changing(pool);
+      spread(scene);
+      break;
+    default:
+      break;
+  }
+  return scene;
+}
+
+/// Lines of a recording: seed, number and status of the state, and the digest of its numbers.
+std::vector<std::string> record()
+{
+  const ScenePool pool = stability::readScenePool();
+  std::vector<std::string> lines;
+  for (unsigned long seed = 1; seed <= scene_count; ++seed)
+  {
+    const Scene scene = variedScene(pool, seed);
+    WheelsetContact contact(scene.config);
+    for (std::size_t i = 0; i < scene.states.size(); ++i)
+    {
+      Digest digest;
+      double status = 0;
+      visitAll(contact, scene.states[i], i % 5 == 0,
+               [&](const char* name, double value)
+               {
+                 digest.add(value);
+                 status = std::strcmp(name, "status") == 0 ? value : status;
+               });
+      char line[80];
+      std::snprintf(line, sizeof line, "%lu %zu status %g digest %016llx", seed, i, status,
+                    static_cast<unsigned long long>(digest.value()));
+      lines.emplace_back(line);
+    }
+  }
+  return lines;
+}
+
+int write(const std::string& file)
+{
+  std::ofstream out(file);
+  for (const std::string& line : record())
+  {
+    out << line << '\n';
+  }
+  out.close();
+  return out ? 0 : 2;
+}
+
+int compare(const std::string& file)
+{
+  std::ifstream in(file);
+  std::size_t different = 0, count = 0;
+  for (const std::string& line : record())
+  {
+    std::string before;
+    std::getline(in, before);
+    ++count;
+    if (line != before)
+    {
+      ++different;
+      std::cout << "before " << before << "\nnow    " << line << '\n';
+    }
+  }
+  std::string more;
+  const bool shorter = static_cast<bool>(std::getline(in, more));
+  std::cout << different << " of " << count << " states differ" << (shorter ? "; the recording is longer" : "") << '\n';
+  return different == 0 && !shorter ? 0 : 1;
+}
+
+int print(unsigned long seed)
+{
+  const Scene scene = variedScene(stability::readScenePool(), seed);
+  WheelsetContact contact(scene.config);
+  std::printf("%s\n", scene.description.c_str());
+  for (std::size_t i = 0; i < scene.states.size(); ++i)
+  {
+    std::printf("state %zu\n", i);
+    visitAll(contact, scene.states[i], i % 5 == 0,
+             [](const char* name, double value) { std::printf("%s %a\n", name, value); });
+  }
+  return 0;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  const std::string command = argc == 3 ? argv[1] : "";
+  try
+  {
+    if (command == "write")
+    {
+      return write(argv[2]);
+    }
+    if (command == "compare")
+    {
+      return compare(argv[2]);
+    }
+    if (command == "print")
+    {
+      return print(std::stoul(argv[2]));
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "record_states: " << error.what() << '\n';
+    return 2;
+  }
+  std::cerr << "usage: record_states write FILE | compare FILE | print SEED\n";
+  return 2;
+}
