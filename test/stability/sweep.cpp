@@ -105,7 +105,7 @@ int mostSolutions(const SweepResult& result)
 
 double lateralStep(const SweepState& one, const SweepState& other)
 {
-  return std::max(std::abs(one.lateral[0] - other.lateral[0]), std::abs(one.lateral[1] - other.lateral[1]));
+  return std::max(std::abs(one.lateral.left - other.lateral.left), std::abs(one.lateral.right - other.lateral.right));
 }
 
 double largestStep(const std::vector<SweepState>& way)

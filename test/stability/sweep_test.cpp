@@ -75,7 +75,7 @@ TEST(Sweep, OneEquilibriumDoesNotDependOnTheDirection)
     const SweepResult result = run(sweep);
     for (std::size_t k = 0; k < result.out.size(); ++k)
     {
-      const double size = std::max({sweep.wheel_load, result.out[k].lateral[0], result.out[k].lateral[1]});
+      const double size = std::max({sweep.wheel_load, result.out[k].lateral.left, result.out[k].lateral.right});
       EXPECT_LT(lateralStep(result.out[k], result.back[k]), 0.1 * sweep.config.contact.tolerance * size)
           << sweep.name << ", y " << sweep.at(static_cast<int>(k));
     }

@@ -84,7 +84,7 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetDeflectTheRailsAsInTheTable)
   ASSERT_TRUE(has_offset());
   for (const core::Side side : core::sides)
   {
-    SCOPED_TRACE(side == 0 ? "left" : "right");
+    SCOPED_TRACE(nameOf(side));
     const core::RailDeflection found = offsetOf(behind.rail[side]);
     const core::RailDeflection expected = deflectionInTrack(influence, forceOf(forces.rail[side]), inclination);
     EXPECT_NEAR(found.lateral, expected.lateral, 1e-9);
@@ -94,7 +94,7 @@ TEST_F(LiveNeighbours, ForcesOfTheOtherWheelsetDeflectTheRailsAsInTheTable)
     EXPECT_NEAR(without.lateral, 0, 1e-9);
     EXPECT_NEAR(without.vertical, 0, 1e-9);
     EXPECT_NEAR(without.roll, 0, 1e-8);
-    RecordProperty(side == 0 ? "left" : "right",
+    RecordProperty(nameOf(side),
                    std::to_string(1e6 * expected.lateral) + " um, " + std::to_string(1e3 * expected.roll) + " mrad");
   }
   EXPECT_GT(std::abs(offsetOf(behind.rail.left).lateral - offsetOf(behind.rail.right).lateral), 1e-5);
