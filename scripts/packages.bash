@@ -153,7 +153,7 @@ install_distribution_packages()
 rosdep_state()
 {
   cat "$root/package.xml"
-  echo "${WHEEL_RAIL_CONTACT_RVIZ:-} ${WHEEL_RAIL_CONTACT_PYTHON:-}"
+  echo "${WHEEL_RAIL_CONTACT_RVIZ:-}"
   dpkg-query --show
 }
 

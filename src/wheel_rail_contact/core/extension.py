@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The extension module, which is optional in a build."""
+"""The extension module. Builds with sanitizers do not have it."""
 import importlib
 
 from ..command import PACKAGE
@@ -11,5 +11,5 @@ try:
 except ModuleNotFoundError as error:
     if error.name != _NAME:
         raise
-    raise ImportError(f"{PACKAGE} was built without its Python module; install pybind11-dev and python3-dev, and build it "
-                      "again") from None
+    raise ImportError(f"the Python module {_NAME} was not found; build the package and source its setup.bash (builds with "
+                      "sanitizers have no such module)") from None

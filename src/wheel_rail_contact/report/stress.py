@@ -33,7 +33,7 @@ def items(results, worst, messages, title, out):
         return []
     try:
         poisson = [poisson_ratios(results.parameters, side) for side in ("left", "right")]
-    except ImportError as error:  # The extension module is optional in a build.
+    except ImportError as error:  # Builds with sanitizers have no extension module.
         return [f"The pictures of the stress are left out: {error}."]
     return [_item(results, side, patch, (messages, title, poisson, out)) for side, patch in sorted(worst.items())]
 
@@ -66,7 +66,7 @@ def poisson_ratios(parameters, side):
 
     @param parameters text with a line "material/wheel/poisson: VALUE"; empty for a recording of a live node
     @param side "left" or "right"
-    @throw ImportError if the package was built without its Python module
+    @throw ImportError if there is no extension module
     """
     from ..core import stress_picture
     return stress_picture.poisson_ratios(dict(re.findall(r"^(\S+/poisson): (\S+)$", parameters, re.MULTILINE)), side)
