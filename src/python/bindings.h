@@ -17,4 +17,8 @@ void bindMany(pybind11::module& module);
 void bindContact(pybind11::module& module);
 /// Adds profiles and compliance tables.
 void bindProfiles(pybind11::module& module);
+/// Adds what the command check_profile requires. The profiles are added before.
+void bindProfileCheck(pybind11::module& module);
+/// Adds the contact geometry of rigid wheels and rails. The class that evaluates states is added before.
+void bindGeometry(pybind11::module& module);
 }  // namespace wheel_rail_contact

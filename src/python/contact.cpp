@@ -111,18 +111,6 @@ ManyResults evaluateStates(const ContactModel& model, const StateTable& table, i
   return results;
 }
 
-core::Side sideOf(const std::string& name)
-{
-  for (const core::Side side : core::sides)
-  {
-    if (name == nameOf(side))
-    {
-      return side;
-    }
-  }
-  throw std::invalid_argument("side = '" + name + "': must be 'left' or 'right'");
-}
-
 /// Profiles of both sides, left first; None for a rail with sections.
 py::tuple profilesOf(const core::Sides<std::shared_ptr<const core::Profile>>& profiles)
 {
@@ -183,6 +171,18 @@ void bindModel(py::module& module)
                              [](const ContactModel& model) { return !model.config().neighbours.empty(); });
 }
 }  // namespace
+
+core::Side sideOf(const std::string& name)
+{
+  for (const core::Side side : core::sides)
+  {
+    if (name == nameOf(side))
+    {
+      return side;
+    }
+  }
+  throw std::invalid_argument("side = '" + name + "': must be 'left' or 'right'");
+}
 
 void bindContact(py::module& module)
 {

@@ -22,6 +22,10 @@ struct ParameterSource
 /// @throw std::invalid_argument for a file or document that cannot be read.
 ParameterTree readParameters(const std::vector<ParameterSource>& sources);
 
+/// Side by its name.
+/// @throw std::invalid_argument unless it is "left" or "right".
+core::Side sideOf(const std::string& name);
+
 /// Reason of a result as the node publishes it: with the warning of a rail beyond the linear range of its table.
 std::string reasonOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range);
 

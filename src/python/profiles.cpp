@@ -19,8 +19,6 @@ namespace py = pybind11;
 
 namespace wheel_rail_contact
 {
-namespace
-{
 core::ProfileKind kindOf(const std::string& name)
 {
   using core::ProfileKind;
@@ -36,6 +34,8 @@ core::ProfileKind kindOf(const std::string& name)
   throw std::invalid_argument("kind = '" + name + "': must be 'wheel', 'rail' or 'rail_section'");
 }
 
+namespace
+{
 ReadProfile readProfile(const std::string& name, const std::string& kind, const std::string& options)
 {
   const core::ProfileReading reading = readProfileOptions(parameterTree(YAML::Load(options)));

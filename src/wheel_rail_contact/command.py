@@ -58,6 +58,37 @@ def runner(name):
     raise Failure(f"{name} was not found; source the workspace's setup.bash first")
 
 
+def native():
+    """The extension module of the package."""
+    try:
+        from .core.extension import core
+    except ImportError as error:
+        raise Failure(error) from error
+    return core
+
+
+@contextlib.contextmanager
+def calculating():
+    """Makes a Failure of an error of the extension module: its message is one sentence for the user."""
+    try:
+        yield
+    except (ValueError, RuntimeError) as error:
+        raise Failure(error) from error
+
+
+def contact_model(files, overlay=None):
+    """ContactModel of the extension module, with the parameters of the node.
+
+    files: names of YAML files, each applied over config/default.yaml and those before
+    overlay: parameters that are applied over these, as the text of a YAML document
+    """
+    core = native()
+    sources = [core.ParameterSource(True, str(name)) for name in (shipped("config/default.yaml"), *files)]
+    sources += [core.ParameterSource(False, overlay)] if overlay else []
+    with calculating():
+        return core.ContactModel(sources)
+
+
 def pyplot():
     """pyplot of matplotlib, with a backend that draws only to files."""
     try:

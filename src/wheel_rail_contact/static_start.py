@@ -2,11 +2,11 @@
 """Command line of static_start."""
 import argparse
 import math
-import subprocess
+import sys
 
-from .command import Failure, finish, runner, shipped
+from .command import Failure, calculating, contact_model, finish, native
 
-RUNNER = "static_start_runner"
+NOT_USABLE = 4  # exit status
 
 
 def main(arguments=None):
@@ -20,9 +20,41 @@ def _run(options):
     for name, value in numbers.items():
         if not math.isfinite(value):
             raise Failure(f"--{name} {value:g}: must be a finite number")
-    numbers["load"] = -options.load  # force_z is positive upward
-    return subprocess.run([runner(RUNNER), *(repr(value) for value in numbers.values()), shipped("config/default.yaml"),
-                           *options.config], check=False).returncode
+    model = contact_model(options.config, overlay="wheelset: {free: [z, roll]}")
+    for note in [*model.notes, *_missing_inputs(model, options.distance)]:
+        print(f"static_start: {note}", file=sys.stderr)
+    with calculating():
+        result = model.evaluate(_state(options))
+    _print(result)
+    return 0 if result.usable else NOT_USABLE
+
+
+def _state(options):
+    """State as a table of one row. Forces on the rails are ignored where the parameters do not use them."""
+    forces = iter((options.left_force, options.right_force))
+    values = {"force_z": -options.load, "torque_x": options.torque, "y": options.y, "yaw": options.yaw,  # force_z: upward
+              "distance": options.distance}
+    return [[next(forces) if name == "rail_lateral_force" else values.get(name, 0.0) for name in native().STATE_COLUMNS]]
+
+
+def _missing_inputs(model, distance):
+    """Inputs of a node with these parameters that the command does not have, one text each."""
+    if model.has_neighbours:
+        yield "rail_bending/neighbours: the forces of the neighbours are unknown, and taken as zero"
+    if model.requires_displacement:
+        yield "track/displacement = topic: the displacements of the rails are unknown, and taken as zero"
+    if model.requires_distance:
+        yield f"track/distance = topic: the place on the line is that of --distance, {distance:g} m"
+
+
+def _print(result):
+    print(f"status {result.status}")
+    if result.reason:
+        print(f"reason {result.reason}")
+    if result.usable:
+        print(f"z {result.z:.9f} m\nroll {result.roll:.9e} rad")
+        for side, rail in (("left", result.left_rail), ("right", result.right_rail)):
+            print(f"{side}_vertical_force {rail.vertical_force:.1f} N\n{side}_lateral_force {rail.lateral_force:.1f} N")
 
 
 def _parser():

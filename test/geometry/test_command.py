@@ -2,18 +2,17 @@
 import contextlib
 import io
 import math
-import os
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 
+from wheel_rail_contact.csv_table import CsvTable
 from wheel_rail_contact.geometry.command_line import main
-from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY, read
+from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
 from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
@@ -23,19 +22,15 @@ CONE = 0.05  # slope of the conical wheels [-]
 
 
 def run(*arguments):
-    """Runs the command. @return exit status, standard output, and standard error with that of the program"""
-    with tempfile.TemporaryFile("w+") as stream:
-        out, err = io.StringIO(), io.StringIO()
-        kept = os.dup(2)
-        os.dup2(stream.fileno(), 2)
-        try:
-            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-                status = main([str(argument) for argument in arguments])
-        finally:
-            os.dup2(kept, 2)
-            os.close(kept)
-        stream.seek(0)
-        return status, out.getvalue(), err.getvalue() + stream.read()
+    """Runs the command. @return exit status, standard output, standard error"""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        status = main([str(argument) for argument in arguments])
+    return status, out.getvalue(), err.getvalue()
+
+
+def read(path):
+    return CsvTable(path, texts=("reason",))
 
 
 def write_cones(folder, hollow=0.0, gap=0.0):
@@ -142,15 +137,7 @@ class Command(unittest.TestCase):
             done = subprocess.run([sys.executable, SCRIPTS / "contact_geometry", "--out", folder], capture_output=True,
                                   text=True, check=False, preexec_fn=no_file_larger_than(2**10))
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("contact_geometry.csv: cannot be written", done.stderr)
-
-    def test_missing_program_is_reported_in_one_sentence(self):
-        with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=""):
-            status, out, err = run("--out", "never_made")
-        self.assertEqual((status, out), (1, ""))
-        self.assertEqual(err, "contact_geometry: contact_geometry_runner was not found; "
-                              "source the workspace's setup.bash first\n")
-        self.assertFalse(Path("never_made").exists())
+        self.assertIn("contact_geometry.csv: File too large", done.stderr)
 
 
 if __name__ == "__main__":

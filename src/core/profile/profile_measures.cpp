@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <functional>
 
-#include "core/profile/curve_search.h"
 #include "core/profile/profile_dimensions.h"
 
 namespace wheel_rail_contact::core
@@ -21,6 +18,70 @@ constexpr double side_begin = 0.017, side_end = 0.026;
 constexpr double least_side = 0.004;   ///< height of a side whose lean is determined [m]
 constexpr double straightness = 5e-5;  ///< largest deviation from a line, root mean square [m]
 constexpr int side_points = 100;
+constexpr double scan_spacing = 1e-4;  ///< of the parameters at which a value is compared with zero [m]
+constexpr int halvings = 60;           ///< of an interval, to rounding
+
+/// Value of a point of a curve [m].
+using PointValue = std::function<double(const CurvePoint&)>;
+
+/// Zero between two parameters at which a value has different signs.
+double bisected(const std::function<double(double)>& value, double a, double b)
+{
+  const bool sign = value(a) > 0;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const double middle = 0.5 * (a + b);
+    ((value(middle) > 0) == sign ? a : b) = middle;
+  }
+  return 0.5 * (a + b);
+}
+
+/// Number of equal intervals of a range of this length that are at most `scan_spacing` long.
+int intervals(double length)
+{
+  return std::max(1, static_cast<int>(std::ceil(std::abs(length) / scan_spacing)));
+}
+
+/// First parameter u at which a value changes its sign, from the parameter `from` towards `to` [m]; nothing if it does
+/// not. Two changes within 0.1 mm may be missed.
+std::optional<double> firstZero(const Profile& profile, const PointValue& value, double from, double to)
+{
+  const auto at = [&](double u) { return value(profile.at(u)); };
+  const int count = intervals(to - from);
+  const bool sign = at(from) > 0;
+  double before = from;
+  for (int i = 1; i <= count; ++i)
+  {
+    const double u = from + (to - from) * i / count;
+    if ((at(u) > 0) != sign)
+    {
+      return bisected(at, before, u);
+    }
+    before = u;
+  }
+  return std::nullopt;
+}
+
+/// Parameter u of the largest value in a range [m].
+double whereLargest(const Profile& profile, const PointValue& value, const ParameterRange& range)
+{
+  const auto at = [&](double u) { return value(profile.at(u)); };
+  const int count = intervals(range.end - range.begin);
+  const double step = (range.end - range.begin) / count;
+  int largest = 0;
+  for (int i = 1; i <= count; ++i)
+  {
+    largest = at(range.begin + i * step) > at(range.begin + largest * step) ? i : largest;
+  }
+  double a = range.begin + std::max(largest - 1, 0) * step;
+  double b = range.begin + std::min(largest + 1, count) * step;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const double first = a + (b - a) / 3, second = b - (b - a) / 3;
+    (at(first) < at(second) ? a : b) = at(first) < at(second) ? first : second;
+  }
+  return 0.5 * (a + b);
+}
 
 ProfilePlace placeAt(const Profile& profile, double u)
 {
@@ -78,27 +139,6 @@ std::optional<double> leanOfSide(const Profile& profile, double top, double end)
   const double slope = (yz - y * z) / (zz - z * z);
   const double square = yy - y * y - slope * (yz - y * z);
   return square < straightness * straightness ? std::optional(std::atan(slope)) : std::nullopt;
-}
-
-/// Value that is exceeded over half of the length. @param values  with the lengths over which they apply
-double median(std::vector<std::pair<double, double>> values)
-{
-  std::sort(values.begin(), values.end());
-  double length = 0;
-  for (const auto& value : values)
-  {
-    length += value.second;
-  }
-  double below = 0;
-  for (const auto& value : values)
-  {
-    below += value.second;
-    if (below >= 0.5 * length)
-    {
-      return value.first;
-    }
-  }
-  return 0;
 }
 }  // namespace
 
@@ -161,34 +201,5 @@ RailMeasures railMeasures(const Profile& profile)
   measures.gauge_side_lean = leanOfSide(profile, top, 0);
   measures.field_side_lean = leanOfSide(profile, top, end);
   return measures;
-}
-
-SurfaceKnowledge surfaceKnowledge(const Profile& profile, const ParameterRange& surface)
-{
-  SurfaceKnowledge knowledge;
-  std::vector<std::pair<double, double>> errors;  // of the curvature, and the length over which it applies
-  const std::vector<double>& places = profile.discontinuities();
-  for (std::size_t i = 0; i + 1 < places.size(); ++i)
-  {
-    const double begin = std::max(places[i], surface.begin), end = std::min(places[i + 1], surface.end);
-    if (begin >= end)
-    {
-      continue;
-    }
-    const ShapeError& error = profile.errorAt(0.5 * (begin + end));
-    if (error.missing)
-    {
-      knowledge.missing += (end - begin) / (surface.end - surface.begin);
-      continue;
-    }
-    errors.emplace_back(error.curvature, end - begin);
-    if (error.curvature > knowledge.curvature_error)
-    {
-      knowledge.curvature_error = error.curvature;
-      knowledge.y = profile.at(0.5 * (begin + end)).y;
-    }
-  }
-  knowledge.usual_error = median(errors);
-  return knowledge;
 }
 }  // namespace wheel_rail_contact::core

@@ -47,15 +47,6 @@ struct RailMeasures
   std::optional<double> inclination() const;
 };
 
-/// What is known of the running surface of a profile.
-struct SurfaceKnowledge
-{
-  double curvature_error = 0;  ///< largest standard deviation of the curvature where no points are missing [1/m]
-  double y = 0;                ///< place of it [m]
-  double usual_error = 0;      ///< median over the length of the standard deviation of the curvature [1/m]
-  double missing = 0;          ///< share of the length over which points are missing [-]
-};
-
 /// Range of u of the running surface [m]. Wheel: from the flange tip to the end on the field side. Rail: down to 14 mm
 /// below the top on both sides, or to the end.
 ParameterRange runningSurface(const Profile& profile, ProfileKind kind);
@@ -64,6 +55,4 @@ ParameterRange runningSurface(const Profile& profile, ProfileKind kind);
 WheelMeasures wheelMeasures(const Profile& profile);
 /// @param profile  a rail, as checked by readProfile()
 RailMeasures railMeasures(const Profile& profile);
-/// What the points leave open on the running surface.
-SurfaceKnowledge surfaceKnowledge(const Profile& profile, const ParameterRange& surface);
 }  // namespace wheel_rail_contact::core

@@ -2,14 +2,13 @@
 """Command line of contact_geometry."""
 import argparse
 import math
-import subprocess
+import sys
 from pathlib import Path
 
-from ..command import Failure, finish, pyplot, runner, shipped
-from . import picture
-from .tables import CONICITY, GEOMETRY, MM, read
+from ..command import Failure, calculating, contact_model, finish, native, pyplot
+from . import picture, tables
+from .tables import CONICITY, GEOMETRY, MM
 
-RUNNER = "contact_geometry_runner"
 PICTURE = "contact_geometry.png"
 FARTHEST = 100.0  # largest lateral displacement from the track centre [mm]
 MOST_STEPS = 20000  # of the lateral displacement
@@ -26,21 +25,29 @@ def _run(options):
     if not hasattr(options, "amplitudes"):
         options.amplitudes = [min(value, _largest_amplitude(options.y)) for value in AMPLITUDES]
     _check(options)
-    program, default = runner(RUNNER), shipped("config/default.yaml")
-    plot = pyplot()
+    core, plot = native(), pyplot()
     options.out.mkdir(parents=True, exist_ok=True)
-    lengths = [*options.y, options.step]
-    numbers = [repr(value / MM) for value in lengths]
-    amplitudes = [repr(value / MM) for value in options.amplitudes]
-    done = subprocess.run([program, options.out, *numbers, options.roll, repr(options.distance), *amplitudes, default,
-                           *options.config], check=False)
-    if done.returncode != 0:
-        raise Failure(f"the calculation failed with exit status {done.returncode}")
-    points, conicity = read(options.out / GEOMETRY), read(options.out / CONICITY)
+    model = contact_model(options.config)
+    for note in [*model.notes, *_unused(model.parameters)]:
+        print(f"contact_geometry: {note}", file=sys.stderr)
+    y, step = [value / MM for value in options.y], options.step / MM
+    with calculating():
+        geometry = core.contact_geometry(model, *y, step, options.roll == "solved", options.distance)
+        points = tables.points_of(geometry)
+        tables.write(points, options.out / GEOMETRY)
+        conicity = tables.conicity_of(geometry, model, [value / MM for value in options.amplitudes], step)
+        tables.write(conicity, options.out / CONICITY)
     picture.draw(plot, points, conicity, options.title or ", ".join(options.config) or "config/default.yaml",
                  options.out / PICTURE)
     _report(points, conicity)
     print(f"wrote {GEOMETRY}, {CONICITY} and {PICTURE} to {options.out}")
+
+
+def _unused(parameters):
+    """Notes on parameters that move the rails: the contact geometry is that of the ideal track."""
+    for name, ideal in (("rail_bending/model", "none"), ("track/line", ""), ("track/displacement", "none")):
+        if parameters[name] != ideal:
+            yield f"{name} is not used: the rails are rigid, in the ideal track"
 
 
 def _check(options):
@@ -86,7 +93,7 @@ def _report(points, conicity):
     for name, table, column in (("y", points, "y"), ("amplitude", conicity, "amplitude")):
         for reason in sorted(set(filter(None, table["reason"]))):
             values = [MM * value for value, found in zip(table[column], table["reason"]) if found == reason]
-            print(f"no result for {len(values)} of {len(table)} values of the {name}, {min(values):.4g} mm to "
+            print(f"no result for {len(values)} of {len(table['reason'])} values of the {name}, {min(values):.4g} mm to "
                   f"{max(values):.4g} mm: {reason}")
 
 

@@ -1,11 +1,41 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of the calculation."""
-from ..csv_table import CsvTable
+import numpy as np
+
+from ..command import writing
 
 GEOMETRY, CONICITY = "contact_geometry.csv", "equivalent_conicity.csv"
 MM = 1e3  # millimetres per metre
+STEP_ROUND_OFF = 1e-6  # in the number of steps
+TOUCH = {"y": "m", "z": "m", "wheel_y": "m", "rail_y": "m", "contact_angle": "rad", "rolling_radius": "m"}
+UNITS = {"y": "m", "z": "m", "roll": "rad", "rolling_radius_difference": "m",
+         **{f"{side}_{name}": unit for side in ("left", "right") for name, unit in TOUCH.items()},
+         "amplitude": "m", "equivalent_conicity": "-", "wavelength": "m", "centre": "m"}
 
 
-def read(path):
-    """CsvTable of one of the files, in SI units. The column `reason` has the reason why a row has no result, or ""."""
-    return CsvTable(path, texts=("reason",))
+def points_of(geometry):
+    """Contact geometry at each lateral displacement.
+
+    A table: columns by their names, in SI units, NaN without a result; and in the column `reason` why there is none, or "".
+    """
+    columns = dict(zip(("y", "z", "roll", "rolling_radius_difference"), geometry.points.T))
+    for side in ("left", "right"):
+        columns.update(zip((f"{side}_{name}" for name in TOUCH), geometry.touch(side).T))
+    return dict(columns, reason=geometry.reasons)
+
+
+def conicity_of(geometry, model, amplitudes, step):
+    """Equivalent conicity, wavelength and centre of the wave for amplitudes from the first to the last: a table as above."""
+    first, last = amplitudes
+    amplitude = first + np.arange(int((last - first) / step + STEP_ROUND_OFF) + 1) * step
+    numbers, reasons = geometry.conicity(model, amplitude)
+    return dict(zip(("amplitude", "equivalent_conicity", "wavelength", "centre"), (amplitude, *numbers.T)), reason=reasons)
+
+
+def write(table, path):
+    """Writes a table as CSV. Cells without a result are empty."""
+    with writing(path), open(path, "w", encoding="utf-8") as stream:
+        print(*(f"{name} [{UNITS[name]}]" if name in UNITS else name for name in table), sep=",", file=stream)
+        for row in zip(*table.values()):
+            print(*("" if cell != cell else cell if isinstance(cell, str) else f"{cell:.9g}" for cell in row), sep=",",
+                  file=stream)

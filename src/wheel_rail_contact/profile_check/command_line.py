@@ -3,16 +3,14 @@
 import argparse
 import json
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from ..command import Failure, finish, pyplot, runner, writing
-from . import picture
+from ..command import Failure, calculating, finish, native, pyplot, writing
+from . import checked, clean_table, picture, text
 from .tables import Tables
 
-RUNNER = "check_profile_runner"
 CLEAN = "clean.csv"
 # Options that are members of the group `profile` of a parameter file, with the same names, values and units.
 WORDS = (("unit", "m|cm|mm|um|in", "length unit of the file"),
@@ -28,9 +26,10 @@ def main(arguments=None):
 
 def _run(options):
     _check(options)
-    program, plot = runner(RUNNER), pyplot()
+    native()
+    plot = pyplot()
     options.out.mkdir(parents=True, exist_ok=True)
-    refused = [file for file in options.files if not _check_file(file, options, program, plot)]
+    refused = [file for file in options.files if not _check_file(file, options, plot)]
     if refused and len(options.files) > 1:
         print(f"check_profile: {len(refused)} of {len(options.files)} files refused", file=sys.stderr)
     return 1 if refused else 0
@@ -51,25 +50,34 @@ def _picture_name(file):
     return Path(file).name + ".png"
 
 
-def _check_file(file, options, program, plot):
+def _check_file(file, options, plot):
     """Checks one file: prints the report, and writes picture and table. @return False if it is refused"""
     with tempfile.TemporaryDirectory() as folder:
-        clean = [str(Path(folder, CLEAN))] if options.write else []
-        done = subprocess.run([str(program), folder, options.kind, file, json.dumps(_reading(options)), *clean], check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        print(done.stdout.decode(errors="replace"), end="")
-        sys.stdout.flush()
-        print(done.stderr.decode(errors="replace"), end="", file=sys.stderr)
-        if done.returncode != 0:
+        clean = Path(folder, CLEAN)
+        try:
+            profile = _report(file, options, clean)
+        except Failure as error:
+            print(f"check_profile: {error}", file=sys.stderr)
             return False
         target = options.out / _picture_name(file)
         with writing(target):
-            picture.draw(plot, Tables(folder), Path(file).name, target)
+            picture.draw(plot, Tables(profile), Path(file).name, target)
         print(f"  wrote {target}")
         if options.write:
-            _copy(Path(folder, CLEAN), options.write)
+            _copy(clean, options.write)
             print(f"  wrote {options.write}")
     return True
+
+
+def _report(file, options, clean):
+    """Prints the report of a file, and writes its table to `clean` for --write. @return Checked"""
+    with calculating():
+        profile = checked.checked_profile(file, options.kind, json.dumps(_reading(options)))
+        print(text.report(file, profile), flush=True)
+        note = clean_table.write(file, profile, clean) if options.write else ""
+    if note:
+        print(f"  {note}")
+    return profile
 
 
 def _copy(source, target):
@@ -104,7 +112,7 @@ def _parser():
         epilog="Options of reading have the names, values and units of the group `profile` of a parameter file.")
     parser.add_argument("files", nargs="+", metavar="FILE", help="profile file, or name of a standard profile")
     kind = parser.add_mutually_exclusive_group()
-    kind.add_argument("--wheel", dest="kind", action="store_const", const="wheel", default="content",
+    kind.add_argument("--wheel", dest="kind", action="store_const", const="wheel",
                       help="the files are wheels (default: by extension or content)")
     kind.add_argument("--rail", dest="kind", action="store_const", const="rail", help="the files are rails")
     for name, values, meaning in WORDS:

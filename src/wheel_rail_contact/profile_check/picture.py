@@ -125,7 +125,7 @@ def _curvature(axes, tables):
 def _residuals(axes, tables):
     points = tables.points
     axes.axhline(0, color=CURVE, linewidth=1)
-    smoothing = UM * float(tables.values["smoothing"])
+    smoothing = UM * tables.values["smoothing"]
     if points["y"].size:
         axes.plot(MM * points["arc_length"], UM * points["residual"], ".", color=POINTS, markersize=2.5)
     if smoothing > 0:

@@ -132,22 +132,3 @@ TEST(RunningSurface, EndsAtTheTipOfTheFlangeAndBelowTheHead)
   EXPECT_NEAR(rail.at(range.begin).z / mm, -14, 1e-9);
   EXPECT_NEAR(rail.at(range.end).z / mm, -14, 1e-9);
 }
-
-// Sections of 10 mm, from y = 0; the running surface begins at 5 mm.
-TEST(SurfaceKnowledge, CountsOnlyTheRunningSurface)
-{
-  std::vector<ProfileSection> sections;
-  for (int i = 0; i < 6; ++i)
-  {
-    sections.push_back({LineSection{10 * mm * i, 0, 1, 0}, 10 * mm});
-  }
-  sections[0].error.curvature = 2;
-  sections[2].error.missing = true;
-  sections[2].error.curvature = 100;
-  sections[3].error.curvature = 7;
-  sections[5].error.curvature = 50;
-  const SurfaceKnowledge knowledge = surfaceKnowledge({"", sections}, {5 * mm, 45 * mm});
-  EXPECT_NEAR(knowledge.missing, 0.25, 1e-12);
-  EXPECT_EQ(knowledge.curvature_error, 7);
-  EXPECT_NEAR(knowledge.y / mm, 35, 1e-9);
-}
