@@ -24,16 +24,16 @@ using core::GeometryPoint;
 using core::TouchPoint;
 
 /// One row per position or amplitude; NaN where there is no result.
-using Table = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using GeometryTable = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_result = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers of a touch, in the order of touchTable().
 constexpr Eigen::Index touch_numbers = 6;
 
-Table pointTable(const ContactGeometry& geometry)
+GeometryTable pointTable(const ContactGeometry& geometry)
 {
-  Table table = Table::Constant(static_cast<Eigen::Index>(geometry.points.size()), 4, none);
+  GeometryTable table = GeometryTable::Constant(static_cast<Eigen::Index>(geometry.points.size()), 4, no_result);
   Eigen::Index row = 0;
   for (const GeometryPoint& point : geometry.points)
   {
@@ -47,9 +47,10 @@ Table pointTable(const ContactGeometry& geometry)
   return table;
 }
 
-Table touchTable(const ContactGeometry& geometry, core::Side side)
+GeometryTable touchTable(const ContactGeometry& geometry, core::Side side)
 {
-  Table table = Table::Constant(static_cast<Eigen::Index>(geometry.points.size()), touch_numbers, none);
+  GeometryTable table =
+      GeometryTable::Constant(static_cast<Eigen::Index>(geometry.points.size()), touch_numbers, no_result);
   Eigen::Index row = 0;
   for (const GeometryPoint& point : geometry.points)
   {
@@ -80,11 +81,12 @@ ContactGeometry geometryOf(const ContactModel& model, const core::ContactGeometr
 }
 
 /// Equivalent conicity, wavelength and centre of the wave for each amplitude [m], and the reasons of missing results.
-std::tuple<Table, std::vector<std::string>> conicityOf(const ContactGeometry& geometry, const ContactModel& model,
-                                                       const std::vector<double>& amplitudes)
+std::tuple<GeometryTable, std::vector<std::string>> conicityOf(const ContactGeometry& geometry,
+                                                               const ContactModel& model,
+                                                               const std::vector<double>& amplitudes)
 {
   const core::WheelsetConfig& wheelset = model.config().model.wheelset;
-  Table table = Table::Constant(static_cast<Eigen::Index>(amplitudes.size()), 3, none);
+  GeometryTable table = GeometryTable::Constant(static_cast<Eigen::Index>(amplitudes.size()), 3, no_result);
   std::vector<std::string> reasons(amplitudes.size());
   for (std::size_t i = 0; i < amplitudes.size(); ++i)
   {

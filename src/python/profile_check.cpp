@@ -27,14 +27,14 @@ using core::Profile;
 using core::ProfilePlace;
 
 /// One row per point or parameter.
-using Table = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ProfileTable = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Profile, the used points of its file (y, z), and the noise for which it was smoothed [m].
-using Described = std::tuple<ReadProfile, Table, double>;
+using Described = std::tuple<ReadProfile, ProfileTable, double>;
 
 Described described(core::DescribedProfile&& read)
 {
-  Table points(static_cast<Eigen::Index>(read.points.size()), 2);
+  ProfileTable points(static_cast<Eigen::Index>(read.points.size()), 2);
   for (std::size_t i = 0; i < read.points.size(); ++i)
   {
     points.row(static_cast<Eigen::Index>(i)) << read.points[i].y, read.points[i].z;
@@ -67,9 +67,9 @@ py::object describeProfile(const std::string& name, const std::string& kind, con
 }
 
 /// Point and derivatives at each parameter: y, z, dy, dz, ddy, ddz.
-Table curveOf(const ReadProfile& read, const Eigen::ArrayXd& u)
+ProfileTable curveOf(const ReadProfile& read, const Eigen::ArrayXd& u)
 {
-  Table table(u.size(), 6);
+  ProfileTable table(u.size(), 6);
   for (Eigen::Index i = 0; i < u.size(); ++i)
   {
     const core::CurvePoint p = read.profile->at(u(i));
@@ -80,9 +80,9 @@ Table curveOf(const ReadProfile& read, const Eigen::ArrayXd& u)
 
 /// Standard deviations across the curve [m] and of the curvature [1/m] at each parameter, and 1 where points are
 /// missing.
-Table errorsOf(const ReadProfile& read, const Eigen::ArrayXd& u)
+ProfileTable errorsOf(const ReadProfile& read, const Eigen::ArrayXd& u)
 {
-  Table table(u.size(), 3);
+  ProfileTable table(u.size(), 3);
   for (Eigen::Index i = 0; i < u.size(); ++i)
   {
     const core::ShapeError& error = read.profile->errorAt(u(i));
