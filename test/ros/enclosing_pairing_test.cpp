@@ -3,47 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "ros/evaluation/stamp_pairing.h"
+#include "pairing_helpers.h"
 
 using namespace wheel_rail_contact;
 
 namespace
 {
-/// Each sample is its own stamp [ms].
-using Pairing = StampPairing<int>;
-using Sets = std::vector<std::vector<int>>;
-using Stamps = std::vector<int>;
-
-constexpr std::size_t large_capacity = 1000;
 constexpr double longest_gap = 0.02;  ///< [s]
 constexpr int poses = 0, loads = 1;   ///< channels
-
-/// Adds samples of one channel. @return the sets that they complete
-Sets add(Pairing& pairing, std::size_t channel, const Stamps& stamps)
-{
-  Sets sets;
-  for (const int t : stamps)
-  {
-    for (const auto& set : pairing.add(channel, ros::Time().fromNSec(static_cast<std::uint64_t>(t) * 1000000), t))
-    {
-      sets.push_back(set);
-    }
-  }
-  return sets;
-}
-
-void expectNothingLost(const Pairing& pairing)
-{
-  const PairingCounts& counts = pairing.counts();
-  EXPECT_EQ(counts.received, counts.paired + counts.waiting +
-                                 std::accumulate(counts.dropped.begin(), counts.dropped.end(), std::uint64_t{0}));
-}
 
 /// Sets that belong to two sequences of increasing stamps, by their definition.
 Sets enclosedSets(const Stamps& pose_stamps, const Stamps& load_stamps)
@@ -78,69 +49,64 @@ Stamps randomStamps(std::mt19937& random, int longest_step)
 TEST(EnclosingPairing, SlowLoadCompletesAllPosesSinceTheLoadBefore)
 {
   Pairing pairing(2, 0, large_capacity, longest_gap);
-  EXPECT_EQ(add(pairing, loads, {10}), Sets{});
-  EXPECT_EQ(add(pairing, poses, {12, 16, 20, 24}), Sets{}) << "a pose waits for the next load";
-  EXPECT_EQ(add(pairing, loads, {20}), (Sets{{12, 10, 20}, {16, 10, 20}, {20, 20, 20}}));
+  EXPECT_EQ(pairing.add(loads, {10}), Sets{});
+  EXPECT_EQ(pairing.add(poses, {12, 16, 20, 24}), Sets{}) << "a pose waits for the next load";
+  EXPECT_EQ(pairing.add(loads, {20}), (Sets{{12, 10, 20}, {16, 10, 20}, {20, 20, 20}}));
   EXPECT_FALSE(pairing.isSettled());
-  EXPECT_EQ(add(pairing, loads, {30}), (Sets{{24, 20, 30}}));
+  EXPECT_EQ(pairing.add(loads, {30}), (Sets{{24, 20, 30}}));
   EXPECT_TRUE(pairing.isSettled());
   pairing.finish();
   EXPECT_EQ(pairing.counts().paired, 7U);
-  expectNothingLost(pairing);
 }
 
 TEST(EnclosingPairing, PoseWithTheStampOfALoadNeedsNoOtherLoad)
 {
   Pairing pairing(2, 0, large_capacity, longest_gap);
-  EXPECT_EQ(add(pairing, loads, {100}), Sets{});
-  EXPECT_EQ(add(pairing, poses, {100}), (Sets{{100, 100, 100}}));
-  EXPECT_EQ(add(pairing, loads, {900}), Sets{});
-  EXPECT_EQ(add(pairing, poses, {900}), (Sets{{900, 900, 900}})) << "the gap does not matter";
+  EXPECT_EQ(pairing.add(loads, {100}), Sets{});
+  EXPECT_EQ(pairing.add(poses, {100}), (Sets{{100, 100, 100}}));
+  EXPECT_EQ(pairing.add(loads, {900}), Sets{});
+  EXPECT_EQ(pairing.add(poses, {900}), (Sets{{900, 900, 900}})) << "the gap does not matter";
 }
 
 TEST(EnclosingPairing, PosesBeforeTheFirstAndAfterTheLastLoadAreDroppedAndCounted)
 {
   Pairing pairing(2, 0, large_capacity, longest_gap);
-  add(pairing, poses, {10, 15, 22, 31, 40});
-  EXPECT_EQ(add(pairing, loads, {20, 30}), (Sets{{22, 20, 30}}));
+  pairing.add(poses, {10, 15, 22, 31, 40});
+  EXPECT_EQ(pairing.add(loads, {20, 30}), (Sets{{22, 20, 30}}));
   EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 2U);
   pairing.finish();
   EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 4U);
   EXPECT_EQ(pairing.dropped(poses), 4U);
   EXPECT_EQ(pairing.counts().waiting, 0U);
-  expectNothingLost(pairing);
 }
 
 TEST(EnclosingPairing, PosesInALongerGapThanAllowedAreDroppedAndCounted)
 {
   Pairing pairing(2, 0, large_capacity, longest_gap);
-  add(pairing, poses, {11, 12, 33, 55, 75});
-  EXPECT_EQ(add(pairing, loads, {10, 30, 51, 71, 80}), (Sets{{11, 10, 30}, {12, 10, 30}, {55, 51, 71}, {75, 71, 80}}));
+  pairing.add(poses, {11, 12, 33, 55, 75});
+  EXPECT_EQ(pairing.add(loads, {10, 30, 51, 71, 80}), (Sets{{11, 10, 30}, {12, 10, 30}, {55, 51, 71}, {75, 71, 80}}));
   EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 1U) << "33 is between 30 and 51";
-  expectNothingLost(pairing);
 }
 
 TEST(EnclosingPairing, LoadsBetweenTwoPosesAreNotNeeded)
 {
   Pairing pairing(2, 0, large_capacity, longest_gap);
-  add(pairing, poses, {15, 45});
-  EXPECT_EQ(add(pairing, loads, {10, 20, 30, 40, 50, 60}), (Sets{{15, 10, 20}, {45, 40, 50}}));
+  pairing.add(poses, {15, 45});
+  EXPECT_EQ(pairing.add(loads, {10, 20, 30, 40, 50, 60}), (Sets{{15, 10, 20}, {45, 40, 50}}));
   pairing.finish();
   EXPECT_EQ(pairing.counts()[DropReason::unneeded], 2U) << "30 and 60";
   EXPECT_EQ(pairing.counts().paired, 6U);
-  expectNothingLost(pairing);
 }
 
 TEST(EnclosingPairing, OtherChannelsAreMatchedByTheirStamps)
 {
   Pairing pairing(3, 0.002, large_capacity, longest_gap);
-  add(pairing, 0, {12, 16, 24});
-  add(pairing, 2, {10, 20, 30});
-  EXPECT_EQ(add(pairing, 1, {13, 18, 27}), (Sets{{12, 13, 10, 20}, {16, 18, 10, 20}}))
+  pairing.add(0, {12, 16, 24});
+  pairing.add(2, {10, 20, 30});
+  EXPECT_EQ(pairing.add(1, {13, 18, 27}), (Sets{{12, 13, 10, 20}, {16, 18, 10, 20}}))
       << "the stamp of the first channel is enclosed";
   pairing.finish();
   EXPECT_EQ(pairing.counts()[DropReason::unmatched], 2U) << "24 and 27";
-  expectNothingLost(pairing);
 }
 
 TEST(EnclosingPairing, SetsDependOnlyOnTheSequenceOfEachChannel)
@@ -150,20 +116,17 @@ TEST(EnclosingPairing, SetsDependOnlyOnTheSequenceOfEachChannel)
   {
     const std::vector<Stamps> stamps{randomStamps(random, 12), randomStamps(random, 25)};
     Pairing pairing(2, 0, large_capacity, longest_gap);
-    Sets sets;
     std::size_t next[] = {0, 0};
     while (next[poses] < stamps[poses].size() || next[loads] < stamps[loads].size())
     {
       const std::size_t channel = next[poses] == stamps[poses].size()   ? loads
                                   : next[loads] == stamps[loads].size() ? poses
                                                                         : random() % 2;
-      const Sets completed = add(pairing, channel, {stamps[channel][next[channel]++]});
-      sets.insert(sets.end(), completed.begin(), completed.end());
+      pairing.add(channel, {stamps[channel][next[channel]++]});
     }
-    ASSERT_EQ(sets, enclosedSets(stamps[poses], stamps[loads])) << "trial " << trial;
+    ASSERT_EQ(pairing.sets, enclosedSets(stamps[poses], stamps[loads])) << "trial " << trial;
     pairing.finish();
-    EXPECT_EQ(pairing.dropped(poses), stamps[poses].size() - sets.size());
-    expectNothingLost(pairing);
+    EXPECT_EQ(pairing.dropped(poses), stamps[poses].size() - pairing.sets.size());
   }
 }
 
@@ -175,39 +138,36 @@ TEST(EnclosingPairing, NoSetCombinesSamplesFromBeforeAndAfterAJumpOfTime)
     const std::size_t second = 1 - first;
     const Stamps ends[] = {{52, 58, 63}, {50, 60}}, starts[] = {{11, 18, 23}, {10, 20}};
     Pairing pairing(2, 0, large_capacity, longest_gap);
-    Sets sets = add(pairing, poses, {41});
-    const auto append = [&](const Sets& more) { sets.insert(sets.end(), more.begin(), more.end()); };
-    append(add(pairing, loads, {40}));
-    append(add(pairing, first, ends[first]));
-    append(add(pairing, first, starts[first]));
-    append(add(pairing, second, ends[second]));
-    append(add(pairing, second, starts[second]));
-    append(add(pairing, loads, {30}));
-    EXPECT_EQ(sets, (Sets{{41, 40, 50}, {52, 50, 60}, {58, 50, 60}, {11, 10, 20}, {18, 10, 20}, {23, 20, 30}}))
+    pairing.add(poses, {41});
+    pairing.add(loads, {40});
+    for (const std::size_t channel : {first, second})
+    {
+      pairing.add(channel, ends[channel]);
+      pairing.add(channel, starts[channel]);
+    }
+    pairing.add(loads, {30});
+    EXPECT_EQ(pairing.sets, (Sets{{41, 40, 50}, {52, 50, 60}, {58, 50, 60}, {11, 10, 20}, {18, 10, 20}, {23, 20, 30}}))
         << "channel " << first << " goes back first";
     EXPECT_EQ(pairing.counts()[DropReason::time_jump], 1U) << "63 is after the last load before the jump";
-    expectNothingLost(pairing);
   }
 }
 
 TEST(EnclosingPairing, WaitingSamplesAreLimitedByTheCapacity)
 {
   Pairing pairing(2, 0, 3, longest_gap);
-  add(pairing, loads, {10, 20, 30, 40});
+  pairing.add(loads, {10, 20, 30, 40});
   EXPECT_EQ(pairing.counts()[DropReason::queue_full], 1U);
-  EXPECT_EQ(add(pairing, poses, {12, 22}), (Sets{{22, 20, 30}})) << "the load before 12 was dropped";
-  add(pairing, poses, {41, 42, 43, 44});
+  EXPECT_EQ(pairing.add(poses, {12, 22}), (Sets{{22, 20, 30}})) << "the load before 12 was dropped";
+  pairing.add(poses, {41, 42, 43, 44});
   EXPECT_EQ(pairing.counts()[DropReason::queue_full], 2U);
-  EXPECT_EQ(add(pairing, loads, {50}), (Sets{{42, 40, 50}, {43, 40, 50}, {44, 40, 50}}));
-  expectNothingLost(pairing);
+  EXPECT_EQ(pairing.add(loads, {50}), (Sets{{42, 40, 50}, {43, 40, 50}, {44, 40, 50}}));
 }
 
 TEST(EnclosingPairing, RepeatedPosesHaveTheSameLoads)
 {
   Pairing pairing(2, 0, large_capacity, longest_gap);
-  add(pairing, loads, {10, 20});
-  EXPECT_EQ(add(pairing, poses, {15, 15, 20, 20}), (Sets{{15, 10, 20}, {15, 10, 20}, {20, 20, 20}, {20, 20, 20}}));
-  expectNothingLost(pairing);
+  pairing.add(loads, {10, 20});
+  EXPECT_EQ(pairing.add(poses, {15, 15, 20, 20}), (Sets{{15, 10, 20}, {15, 10, 20}, {20, 20, 20}, {20, 20, 20}}));
 }
 
 TEST(EnclosingPairing, SecondLoadOfAStampIsDroppedAsADuplicate)

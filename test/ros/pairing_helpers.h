@@ -6,15 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "ros/evaluation/stamp_pairing.h"
 
 namespace wheel_rail_contact
 {
-/// Each sample is its own stamp [ms].
-using Pairing = StampPairing<int>;
 using Sets = std::vector<std::vector<int>>;
+using Stamps = std::vector<int>;  ///< [ms]
 
 constexpr std::size_t large_capacity = 1000;
 
@@ -23,23 +23,50 @@ inline ros::Time at(int milliseconds)
   return ros::Time().fromNSec(static_cast<std::uint64_t>(milliseconds) * 1000000);
 }
 
-inline void add(Pairing& pairing, std::size_t channel, int milliseconds, Sets& sets)
+/// Pairing in which each sample is its own stamp [ms]. At its end, each received sample must be paired, waiting or
+/// counted as dropped.
+class Pairing : public StampPairing<int>
 {
-  for (const auto& set : pairing.add(channel, at(milliseconds), milliseconds))
+ public:
+  explicit Pairing(std::size_t channels, double slop = 0, std::size_t capacity = large_capacity,
+                   std::optional<double> longest_gap = {})
+      : StampPairing<int>(channels, slop, capacity, longest_gap)
   {
-    sets.push_back(set);
   }
-}
+  ~Pairing()
+  {
+    EXPECT_EQ(counts().received,
+              counts().paired + counts().waiting +
+                  std::accumulate(counts().dropped.begin(), counts().dropped.end(), std::uint64_t{0}));
+  }
 
-inline std::uint64_t dropped(const Pairing& pairing, DropReason reason)
-{
-  return pairing.counts()[reason];
-}
+  using StampPairing<int>::add;
+  using StampPairing<int>::dropped;
 
-inline void expectNothingLost(const Pairing& pairing)
-{
-  const PairingCounts& counts = pairing.counts();
-  EXPECT_EQ(counts.received, counts.paired + counts.waiting +
-                                 std::accumulate(counts.dropped.begin(), counts.dropped.end(), std::uint64_t{0}));
-}
+  /// Adds samples of one channel. @return the sets that they complete; `sets` collects those of all calls
+  Sets add(std::size_t channel, const Stamps& stamps)
+  {
+    const auto before = static_cast<std::ptrdiff_t>(sets.size());
+    for (const int stamp : stamps)
+    {
+      for (const auto& set : StampPairing<int>::add(channel, at(stamp), stamp))
+      {
+        sets.push_back(set);
+      }
+    }
+    return {sets.begin() + before, sets.end()};
+  }
+  /// Adds each stamp to the channels 0 and 1, before the next stamp.
+  void addToBoth(const Stamps& stamps)
+  {
+    for (const int stamp : stamps)
+    {
+      add(0, {stamp});
+      add(1, {stamp});
+    }
+  }
+
+  std::uint64_t dropped(DropReason reason) const { return counts()[reason]; }
+  Sets sets;
+};
 }  // namespace wheel_rail_contact

@@ -12,17 +12,14 @@ using namespace wheel_rail_contact;
 
 TEST(RepeatedStamps, RepeatedStampFormsAnotherSet)
 {
-  Pairing pairing(2, 0, large_capacity);
-  Sets sets;
+  Pairing pairing(2);
   for (int evaluation = 0; evaluation < 3; ++evaluation)
   {
-    add(pairing, 0, 1, sets);
-    add(pairing, 1, 1, sets);
-    EXPECT_EQ(sets.size(), 1U + static_cast<std::size_t>(evaluation));
+    pairing.addToBoth({1});
+    EXPECT_EQ(pairing.sets.size(), 1U + static_cast<std::size_t>(evaluation));
     EXPECT_TRUE(pairing.isSettled());
   }
   EXPECT_EQ(pairing.counts().paired, 6U);
-  expectNothingLost(pairing);
 }
 
 TEST(RepeatedStamps, SamplesOfARepeatedStampAreMatchedInTheirOrder)
@@ -44,43 +41,30 @@ TEST(RepeatedStamps, SamplesOfARepeatedStampAreMatchedInTheirOrder)
 TEST(RepeatedStamps, RepeatedSampleOfOneChannelDoesNotShiftLaterSets)
 {
   // The slop is above the sampling interval, so that the stamps alone permit a shift.
-  Pairing pairing(2, 0.0015, large_capacity);
-  Sets sets;
-  for (const int t : {1, 2, 2, 3, 4})
-  {
-    add(pairing, 1, t, sets);
-  }
-  for (const int t : {1, 2, 3, 4})
-  {
-    add(pairing, 0, t, sets);
-  }
-  EXPECT_EQ(sets, (Sets{{1, 1}, {2, 2}, {3, 3}, {4, 4}}));
-  EXPECT_EQ(dropped(pairing, DropReason::unmatched), 1U);
-  expectNothingLost(pairing);
+  Pairing pairing(2, 0.0015);
+  pairing.add(1, {1, 2, 2, 3, 4});
+  pairing.add(0, {1, 2, 3, 4});
+  EXPECT_EQ(pairing.sets, (Sets{{1, 1}, {2, 2}, {3, 3}, {4, 4}}));
+  EXPECT_EQ(pairing.dropped(DropReason::unmatched), 1U);
 }
 
 TEST(RepeatedStamps, RepeatedStampsArePairedWithinTheSlop)
 {
-  Pairing pairing(2, 0.003, large_capacity);
-  Sets sets;
+  Pairing pairing(2, 0.003);
   for (const int t : {100, 100, 110, 110})
   {
-    add(pairing, 0, t, sets);
-    add(pairing, 1, t + 2, sets);
+    pairing.add(0, {t});
+    pairing.add(1, {t + 2});
   }
-  EXPECT_EQ(sets, (Sets{{100, 102}, {100, 102}, {110, 112}, {110, 112}}));
-  expectNothingLost(pairing);
+  EXPECT_EQ(pairing.sets, (Sets{{100, 102}, {100, 102}, {110, 112}, {110, 112}}));
 }
 
 TEST(RepeatedStamps, SampleAtTheStampToWhichAnotherChannelWentBackIsNotARepetition)
 {
-  Pairing pairing(2, 0, large_capacity);
-  Sets sets;
-  add(pairing, 0, 10, sets);
-  add(pairing, 1, 10, sets);
-  add(pairing, 0, 20, sets);
-  add(pairing, 0, 10, sets);  // time goes back to the last stamp of the other channel
-  add(pairing, 1, 10, sets);
-  EXPECT_EQ(sets, (Sets{{10, 10}, {10, 10}}));
-  expectNothingLost(pairing);
+  Pairing pairing(2);
+  pairing.addToBoth({10});
+  pairing.add(0, {20});
+  pairing.add(0, {10});  // time goes back to the last stamp of the other channel
+  pairing.add(1, {10});
+  EXPECT_EQ(pairing.sets, (Sets{{10, 10}, {10, 10}}));
 }
