@@ -114,7 +114,7 @@ class RailOnLineTest : public testing::Test
 TEST_F(RailOnLineTest, IdealTrackDisplacesNothing)
 {
   place({});
-  for (const RailDeflection& rail : displaced_)
+  for (const RailDeflection& rail : {displaced_.left, displaced_.right})
   {
     EXPECT_EQ(rail.lateral, 0);
     EXPECT_EQ(rail.vertical, 0);
@@ -151,8 +151,8 @@ TEST_F(RailOnLineTest, GaugeAndAlignmentAreThoseOfTheGaugeFaces)
     std::replace(values.begin(), values.end(), ' ', ',');
     place(station(c.titles, values));
     expectFaces(1e-3 * c.left, 1e-3 * c.right);
-    EXPECT_EQ(displaced_[0].roll, 0);
-    EXPECT_EQ(displaced_[1].roll, 0);
+    EXPECT_EQ(displaced_.left.roll, 0);
+    EXPECT_EQ(displaced_.right.roll, 0);
   }
 }
 
