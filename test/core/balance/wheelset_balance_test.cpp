@@ -219,59 +219,11 @@ class RigidRailsTest : public testing::Test
     return config;
   }
 
-  double vertical(Side side) const { return wheelset_.wheel(side).rail().vertical_force; }
-
   ContactModelConfig config_ = fineScene();
   GridLevels levels_{config_};
   WheelsetBalance wheelset_{config_, levels_};
 };
 }  // namespace
-
-// From the track centre to the flange on both sides, from a cold start and from the last result.
-TEST_F(RigidRailsTest, EveryStateOfASweepHasAResult)
-{
-  for (const bool cold : {true, false})
-  {
-    for (const double load : {2e4, 1e5})
-    {
-      for (const double yaw : {0.0, 0.01})
-      {
-        for (int k = -45; k <= 45; ++k)
-        {
-          const WheelsetState state = stateAt(k * 2e-4, load, yaw);
-          if (cold)
-          {
-            wheelset_.reset();
-          }
-          ASSERT_EQ(wheelset_.solve(state), ContactStatus::ok) << "y " << state.y << " load " << load;
-          for (const Side side : {Side::left, Side::right})
-          {
-            EXPECT_NEAR(vertical(side) / load, 1, 1e-6) << "y " << state.y;
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST_F(RigidRailsTest, MirroredStatesHaveMirroredResults)
-{
-  for (const double y : {1e-3, 4.5e-3, 6.3e-3, 7e-3})
-  {
-    WheelsetState state = stateAt(y, 8e4, 0.005);
-    state.torque_x = 1e4;
-    wheelset_.reset();
-    ASSERT_EQ(wheelset_.solve(state), ContactStatus::ok);
-    const double z = wheelset_.height(), roll = wheelset_.roll();
-    state.y = -state.y;
-    state.yaw = -state.yaw;
-    state.torque_x = -state.torque_x;
-    wheelset_.reset();
-    ASSERT_EQ(wheelset_.solve(state), ContactStatus::ok);
-    EXPECT_EQ(wheelset_.height(), z);
-    EXPECT_EQ(wheelset_.roll(), -roll);
-  }
-}
 
 // On rigid rails with this rolling radius the balance is unique: the last result is only a start.
 TEST_F(RigidRailsTest, StartDoesNotChangeTheResult)
@@ -305,17 +257,6 @@ TEST_F(RigidRailsTest, BothWheelsAreInBalance)
       EXPECT_LE(wheelset_.balanceError(side), 0.1 * config_.contact.tolerance) << "y " << y;
     }
   }
-}
-
-// A positive moment about x unloads the left wheel.
-TEST_F(RigidRailsTest, MomentMovesLoadToTheRightWheel)
-{
-  WheelsetState state = stateAt(1e-3, 8e4);
-  state.torque_x = 3e4;
-  ASSERT_EQ(wheelset_.solve(state), ContactStatus::ok);
-  const double transfer = 0.5 * state.torque_x / config_.wheelset.halfBase();
-  EXPECT_NEAR(vertical(Side::left) / (8e4 - transfer), 1, 1e-6);
-  EXPECT_NEAR(vertical(Side::right) / (8e4 + transfer), 1, 1e-6);
 }
 
 TEST_F(RigidRailsTest, AFailureHasNoLastingEffect)
