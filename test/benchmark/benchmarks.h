@@ -24,8 +24,6 @@ void registerSteps();
 void registerGrowth();
 /// contact_replay from bag to bag, compared with the evaluations alone.
 void registerReplay();
-/// Other solvers compared with conjugate gradients, and bending rails with rigid rails; timed alternately.
-void registerRatios();
 
 /// CPU time of this thread [s], independent of other processes.
 inline double threadTime()
@@ -103,7 +101,7 @@ struct OneWheel
     }
   }
 
-  /// Its normal problem, on one flat patch that is pressed along its normal: other solvers know no other problems.
+  /// Its normal problem, on one flat patch that is pressed along its normal.
   core::NormalProblem flatProblemOn(const core::GridSize& size)
   {
     solveOn(size);

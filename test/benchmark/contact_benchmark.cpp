@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of complete evaluations, of their steps and of contact_replay, and comparison with other methods. To report
-// medians:
+// Speed of complete evaluations, of their steps and of contact_replay. To report medians:
 //   contact_benchmark --benchmark_repetitions=9 --benchmark_report_aggregates_only
 #include <benchmark/benchmark.h>
 
@@ -17,7 +16,6 @@ int main(int argc, char** argv)
   wheel_rail_contact::registerLines();
   wheel_rail_contact::registerSteps();
   wheel_rail_contact::registerGrowth();
-  wheel_rail_contact::registerRatios();
   wheel_rail_contact::registerReplay();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
