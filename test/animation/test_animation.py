@@ -2,7 +2,6 @@
 """contact_animation: the drawn bodies touch at the contact positions of the results, and the file contains the pictures."""
 import pathlib
 import sys
-import unittest
 
 import genpy
 import numpy as np
@@ -126,7 +125,3 @@ class Animation(SweepCase):
                                  ((SWEEP,), "0 topics with results")):
             self.assertIn(words, self.animate(*arguments, "--out", out, status=1))
         self.assertFalse(out.exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import unittest
 
 import rosbag
 from campaign_case import PACKAGE, TIMEOUT, Case, Cluster, processes_of, run, skip_without_dask, wait_for
@@ -202,7 +201,3 @@ class ExternalCluster(Case):
             work.join_slices(join)
         self.assertEqual(work.evaluate_slice(task)["sha256"], record["sha256"])
         self.assertEqual(work.join_slices(join)["sha256"], record["sha256"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -68,7 +68,3 @@ class Misuse(Case):
         bag = self.make_bag(3)
         self.assertIn("two bags are named in.bag", self.refuse(*self.command(bag, bag)))
         self.assertIn("No such file", self.refuse(*self.command(self.folder / "none.bag")))
-
-
-if __name__ == "__main__":
-    unittest.main()

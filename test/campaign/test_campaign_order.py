@@ -100,7 +100,3 @@ class Order(unittest.TestCase):
     def test_interrupt_in_a_destructor_ends_the_campaign(self):
         with unittest.mock.patch.object(InOrder, "is_empty", lambda _: InterruptedInADestructor() is None):
             self.assertRaises(KeyboardInterrupt, self.names_of_tasks, "finished")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -99,7 +99,3 @@ class Bounds(unittest.TestCase):
             with self.subTest(parameters=parameters), self.assertRaises(BadParameter) as caught:
                 read_limits(parameters)
             self.assertIn(name, str(caught.exception))
-
-
-if __name__ == "__main__":
-    unittest.main()

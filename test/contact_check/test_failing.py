@@ -21,7 +21,3 @@ class Failing(unittest.TestCase):
         self.assertIn("flange contact: contact_angle 1.", results)
         self.assertRegex(results, r"normal_force \d+ N is above 120000 N at \S+ s, right wheel, y = -\S+ mm")
         self.assertRegex(results, r'failures="2"')
-
-
-if __name__ == "__main__":
-    unittest.main()

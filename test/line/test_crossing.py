@@ -2,7 +2,6 @@
 """The example of a crossing: sections and states of make_crossing, their results and the report."""
 import os
 import subprocess
-import unittest
 
 import numpy as np
 import rosbag
@@ -124,7 +123,3 @@ class Crossing(LineCase):
                 self.assertFalse((self.folder / "crossing").exists())
         (self.folder / "crossing").mkdir()
         self.run_command(crossing.main, self.folder / "crossing", status=1)
-
-
-if __name__ == "__main__":
-    unittest.main()

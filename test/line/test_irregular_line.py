@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """make_irregular_line: the lines have the power spectral densities of ORE B176."""
 import filecmp
-import unittest
 
 import numpy as np
 from line_case import LineCase, columns_of
@@ -116,7 +115,3 @@ class IrregularLine(LineCase):
         self.assertIn("line.csv", self.run_command(main, self.folder / "line.csv", status=1))
         self.assertEqual((self.folder / "line.csv").read_text(), "precious")
         self.assertIn("/sys/line.csv", self.run_command(main, "/sys/line.csv", status=1))
-
-
-if __name__ == "__main__":
-    unittest.main()

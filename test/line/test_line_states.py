@@ -2,7 +2,6 @@
 """The example of doc/line.md: states of a wheelset on a line with irregularities, their results and the report."""
 import os
 import subprocess
-import unittest
 
 import numpy as np
 import rosbag
@@ -112,7 +111,3 @@ class LineStates(LineCase):
                 printed = self.run_command(running.main, self.folder / line, self.folder / "states.csv", *options, status=1)
                 self.assertIn(reason, printed)
                 self.assertFalse((self.folder / "states.csv").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -62,7 +62,3 @@ class Bar(unittest.TestCase):
         pads = Pads(lateral=4e7, vertical=1e8, spacing=0.8, bays=3)
         solution = solved(bar_study("seats", pads=pads, young=1e6 * YOUNG))
         self.assertAlmostEqual(solution.compliance["vertical_vertical"] * 3e8, 1, delta=1e-4)
-
-
-if __name__ == "__main__":
-    unittest.main()

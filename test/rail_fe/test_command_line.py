@@ -91,7 +91,3 @@ class WholeRun(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("--pad-roll is 1e+06 N m/rad", err)
         self.assertIn("must be between", err)
-
-
-if __name__ == "__main__":
-    unittest.main()

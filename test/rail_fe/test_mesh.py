@@ -68,7 +68,3 @@ class RailMesh(unittest.TestCase):
         mesh = self.mesh("C3D10", 0.02)
         points = FacePoints(mesh.nodes, mesh.plane_faces(2, 0.0), 4)
         self.assertAlmostEqual(points.area.sum(), 0.05 * rail_60e1().foot_width(), delta=1e-9)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -36,7 +36,3 @@ class OneMetreRail(unittest.TestCase):
         stiff, soft = Pads(1e12, 1e12, bays=2), Pads(40e6, 100e6, bays=2)
         self.check(Study(rail_60e1(), "seats", stiff, mesh_size=0.018), 0.502, 3.65, 0.02)
         self.check(Study(rail_60e1(), "seats", soft, mesh_size=0.018), 3.33, 17.4, 0.02)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -103,7 +103,3 @@ class File(unittest.TestCase):
     def test_missing_file_is_reported_by_name(self):
         with self.assertRaisesRegex(Failure, "nowhere.csv: cannot be read"):
             read_section("nowhere.csv")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -104,7 +104,3 @@ class Track(unittest.TestCase):
                 # the reference values are rounded to whole per cent
                 self.assertAlmostEqual(neighbour["lateral_lateral"] / solution.compliance["lateral_lateral"], share,
                                        delta=0.0075, msg=name)
-
-
-if __name__ == "__main__":
-    unittest.main()

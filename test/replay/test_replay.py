@@ -193,8 +193,3 @@ class WholeBags(ReplayCase):
         shown = os.read(outer, 65536).decode()
         os.close(outer)
         self.assertRegex(shown.split("\r")[-2], r"\[#{30}\] 100\.0 %  201 results, \d+/s, 0 s left")
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -222,8 +222,3 @@ class DamagedBags(ReplayCase):
             self.assertIn("not a bag of version 2.0", printed)
         self.assertFalse((self.folder / "out.bag").exists())
         self.assertIn("No such file", self.replay(self.folder / "absent.bag", "out.bag", status=1)[1])
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -2,7 +2,6 @@
 """contact_replay with outputs that cannot be written: it reports the file, exits with 1, and can be resumed."""
 
 import subprocess
-import unittest
 
 from full_disk import no_file_larger_than
 from replay_case import PROGRAM, ReplayCase
@@ -50,7 +49,3 @@ class FullDisk(ReplayCase):
                 self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
                 self.assertIn(str(path), run.stderr)
                 self.assertFalse((self.folder / "out.bag").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -176,8 +176,3 @@ class Parts(ReplayCase):
                                 (["--from", "5", "--to", "4.9"], "--from: must be before --to")):
             _, printed = self.replay(self.bag, "out.bag", *options, status=MISUSED)
             self.assertIn(reason, printed)
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -109,8 +109,3 @@ class Interrupted(ReplayCase):
         once, _ = self.replay(bag, "once.bag")
         resumed, _ = self.replay(bag, "resumed.bag", "--resume")
         self.assert_same_file(once, resumed)
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -152,8 +152,3 @@ class WithoutStamps(ReplayCase):
             for topic, message in ("pose", there), ("load", load(50)):
                 file.write(f"/wheelset/{topic}", message, time(10**10))
         self.assertNotIn(remark, self.replay(bag, "moving.bag", "--config", config)[1])
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -104,8 +104,3 @@ class Topics(ReplayCase):
         _, printed = self.replay(bag, out.name, "--load", "/other_load", "--resume", status=1)
         self.assertIn("cannot be resumed", printed)
         self.replay(bag, out.name, "--load", "/load", "--resume")
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

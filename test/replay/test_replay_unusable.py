@@ -82,8 +82,3 @@ class UnusableInput(ReplayCase):
         _, printed = self.replay(path, out.name, "--resume", status=FEW_RESULTS)
         self.assertRegex(printed, r"; [1-9]\d+ results were already in the output")
         self.assertEqual(printed.splitlines()[1:], summary)
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -223,7 +223,3 @@ class Pictures(SweepCase):
         self.assertEqual(row.lines[0][0][0], 470)
         self.assertTrue(np.isnan(row.lines[0][0][1]))
         self.assertEqual(len(row.dots[0][0]), 1, "the other patch of the left wheel")
-
-
-if __name__ == "__main__":
-    unittest.main()

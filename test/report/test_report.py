@@ -196,7 +196,3 @@ class Report(SweepCase):
         with rosbag.Bag(str(path), "w") as bag:
             bag.write("/contact_node/contact", Other(), genpy.Time(1))
         self.assertIn("another version", self.report(path, "--out", self.folder / "other", status=1))
-
-
-if __name__ == "__main__":
-    unittest.main()

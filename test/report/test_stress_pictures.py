@@ -137,7 +137,3 @@ class StressPictures(unittest.TestCase):
         one_side = "material/wheel/poisson: 0.3\nwheel/right/material/poisson: 0.4\n"
         self.assertEqual(stress.poisson_ratios(one_side, "left"), {"wheel": 0.3, "rail": 0.28})
         self.assertEqual(stress.poisson_ratios(one_side, "right"), {"wheel": 0.4, "rail": 0.28})
-
-
-if __name__ == "__main__":
-    unittest.main()

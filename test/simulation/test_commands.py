@@ -5,7 +5,6 @@ import io
 import os
 import socket
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -139,7 +138,3 @@ class Commands(unittest.TestCase):
         with contextlib.redirect_stderr(error):
             self.assertEqual(main([str(path), "--out", str(self.folder)]), 1)
         self.assertIn("is no table of simulate_wheelset", error.getvalue())
-
-
-if __name__ == "__main__":
-    sys.exit(unittest.main())

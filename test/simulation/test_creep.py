@@ -2,7 +2,6 @@
 """Creep forces in Python are those in C++, with any number of contacts on each wheel."""
 import os
 import subprocess
-import sys
 import unittest
 from types import SimpleNamespace
 
@@ -100,7 +99,3 @@ class CreepForces(unittest.TestCase):
             forces = in_python(of, creep, motion)
             self.assertTrue(np.all(np.isfinite(forces)))
             self.assertEqual(np.any(forces != 0), bool(sides))
-
-
-if __name__ == "__main__":
-    sys.exit(unittest.main())

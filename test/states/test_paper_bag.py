@@ -44,7 +44,3 @@ class PaperBag(unittest.TestCase):
             patch = self.first_left_patch(f"{len(configs)}.bag", *configs)
             self.assertAlmostEqual(patch.max_pressure, pressure, delta=3e-3 * pressure)
             self.assertAlmostEqual(patch.area, area, delta=3e-3 * area)
-
-
-if __name__ == "__main__":
-    unittest.main()

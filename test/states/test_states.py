@@ -8,7 +8,6 @@ import os
 import pathlib
 import subprocess
 import sys
-import unittest
 from unittest import mock
 
 import rosbag
@@ -186,7 +185,3 @@ class States(StatesCase):
         for result in results:
             more_left = result.left_rail.vertical_force - result.right_rail.vertical_force
             self.assertTrue(more_left * result.wheelset.position.y >= 0, result.header.stamp)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_states: titles of other programs, units, and the option --column."""
 import math
-import unittest
 
 from states_case import StatesCase
 
@@ -145,7 +144,3 @@ class Columns(StatesCase):
             with self.subTest(titles=titles):
                 self.assertIn(f"in.csv: {reason}" if reason.startswith("column") else reason,
                               self.error_of(f"{titles}\n{','.join('1' for _ in titles.split(','))}\n"))
-
-
-if __name__ == "__main__":
-    unittest.main()

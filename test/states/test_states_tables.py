@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_states: text files as simulation tools export them, with their encodings, separators, decimal signs and comments."""
-import unittest
 
 from states_case import StatesCase
 
@@ -159,7 +158,3 @@ class Tables(StatesCase):
             (self.folder / "in.csv").rename(self.folder / f"in.{ending}")
             self.run_states(f"in.{ending}", f"{ending}.bag")
             (self.folder / f"in.{ending}").rename(self.folder / "in.csv")
-
-
-if __name__ == "__main__":
-    unittest.main()

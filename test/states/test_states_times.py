@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_states: stamps from the times or distances of a table, and rows that are dropped."""
-import unittest
 
 from states_case import StatesCase
 
@@ -96,7 +95,3 @@ class Times(StatesCase):
     def test_time_beyond_the_last_stamp_is_refused(self):
         self.assertEqual(self.times_of(("1", "4294967295.9"))[0][1], 4294967295900000000)
         self.assertIn("is beyond the last stamp", self.error_of(TITLES + "1,1,1\n4294967296,1,1\n"))
-
-
-if __name__ == "__main__":
-    unittest.main()

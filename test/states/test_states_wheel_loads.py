@@ -2,7 +2,6 @@
 """contact_states: wheel loads act at the running circles of the parameters, as in contact_replay."""
 import os
 import subprocess
-import unittest
 
 import rosbag
 from states_case import StatesCase
@@ -96,7 +95,3 @@ class WheelLoads(StatesCase):
             self.assertIn(f"--running-circles {float(value)}: must be a number from 0.2 to 3, in metres",
                           self.misuse_of("--running-circles", value))
         self.assertIn("exclude one another", self.misuse_of("--running-circles", "1.5", "--config", "a.yaml"))
-
-
-if __name__ == "__main__":
-    unittest.main()

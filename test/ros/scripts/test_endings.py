@@ -192,7 +192,3 @@ class Endings(unittest.TestCase):
         self.assertEqual([result.status for result in node.results], [WheelsetContact.OK] * 3)
         self.assertEqual(node.end(signal.SIGTERM), 0)
         self.assertEqual(node.not_evaluated(), 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

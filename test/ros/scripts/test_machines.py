@@ -21,7 +21,3 @@ class Machines(unittest.TestCase):
         nodes = {node.namespace + node.name: node.machine.address for node in config.nodes}
         expected = ["/contact_manager", *(f"/wheelset_{i}/contact_node" for i in (1, 2, 3, 4))]
         self.assertEqual(nodes, {name: "192.168.1.2" for name in expected})
-
-
-if __name__ == "__main__":
-    unittest.main()

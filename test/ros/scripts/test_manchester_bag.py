@@ -35,7 +35,3 @@ class ManchesterBag(unittest.TestCase):
 
     def test_shipped_bag_is_smaller_than_200_kilobytes(self):
         self.assertLess(SHIPPED.stat().st_size, 200e3)
-
-
-if __name__ == "__main__":
-    unittest.main()
