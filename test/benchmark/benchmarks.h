@@ -20,8 +20,6 @@ void registerWheelsets();
 void registerLines();
 /// Each step of an evaluation.
 void registerSteps();
-/// Growth of the time with the number of cells, patches and wheelsets.
-void registerGrowth();
 /// contact_replay from bag to bag, compared with the evaluations alone.
 void registerReplay();
 
@@ -99,21 +97,6 @@ struct OneWheel
       wheel.solveLoad(pose, 100e3);
       pose.z = wheel.height();
     }
-  }
-
-  /// Its normal problem, on one flat patch that is pressed along its normal.
-  core::NormalProblem flatProblemOn(const core::GridSize& size)
-  {
-    solveOn(size);
-    core::NormalProblem problem = wheel.problem();
-    problem.patches.resize(1);
-    problem.coupling.resize(0, 0);
-    core::PatchGap& patch = problem.patches[0];
-    patch.weight = 1;
-    patch.column_weight.resize(0);
-    patch.turn.resize(0);
-    patch.gap -= patch.gap.minCoeff();  // the approach is then that from first touch
-    return problem;
   }
 
   core::WheelsetPose pose{};  ///< of the last solution

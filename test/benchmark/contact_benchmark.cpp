@@ -15,7 +15,6 @@ int main(int argc, char** argv)
   wheel_rail_contact::registerWheelsets();
   wheel_rail_contact::registerLines();
   wheel_rail_contact::registerSteps();
-  wheel_rail_contact::registerGrowth();
   wheel_rail_contact::registerReplay();
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -37,28 +37,6 @@ void evaluate(benchmark::State& state, const core::ContactModelConfig& config, S
   state.counters["unusable"] = unusable;
 }
 
-/// Distribution of the times of 20 000 evaluations from a warm start [us].
-void jitter(benchmark::State& state, const core::ContactModelConfig& config)
-{
-  constexpr std::size_t count = 20000;
-  core::WheelsetContact contact(config);
-  Sweep sweep;
-  contact.evaluate(sweep.next());
-  std::vector<double> times(count);
-  for (auto _ : state)
-  {
-    for (double& time : times)
-    {
-      time = 1e6 * seconds([&] { contact.evaluate(sweep.next()); });
-    }
-  }
-  std::sort(times.begin(), times.end());
-  state.counters["median_us"] = times[count / 2];
-  state.counters["p95_us"] = times[count * 95 / 100];
-  state.counters["p99_us"] = times[count * 99 / 100];
-  state.counters["max_us"] = times.back();
-}
-
 /// Distribution of the CPU times of 20 001 evaluations from a warm start [ms]: y from -8 to 8 mm in steps of 0.8 um,
 /// through flange contact on either side and all jumps of the contact between them.
 void worst(benchmark::State& state, const core::ContactModelConfig& config)
@@ -214,10 +192,6 @@ void registerWheelsets()
   bending.rail_bending.table = core::softPads();
   add("wheelset_bending/cold/0.01", bending, Start::cold);
   add("wheelset_bending/warm/0.01", bending, Start::warm);
-  benchmark::RegisterBenchmark("wheelset/jitter/0.01",
-                               [](benchmark::State& state) { jitter(state, core::manchesterScene()); })
-      ->Unit(benchmark::kMillisecond)
-      ->Iterations(1);
   for (const core::Profile& rail : {core::rail60E1(), core::railUic60Manchester()})
   {
     addWorst(rail, "0.1");
