@@ -11,7 +11,7 @@ DPI = 110
 def draw(plot, points, conicity, title, path):
     """Draws the picture.
 
-    points, conicity: CsvTable of each file. title: describes wheels and track.
+    points, conicity: as of tables.points_of() and tables.conicity_of(). title: describes wheels and track.
     """
     figure, axes = plot.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
     figure.suptitle(title, fontsize=11)
