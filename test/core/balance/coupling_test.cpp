@@ -4,15 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/balance/rail_support.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/solvers/conjugate_gradients.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 #include "wheelset_scene.h"
 
-namespace wheel_rail_contact::core
-{
+using namespace wheel_rail_contact::core;
+
 namespace
 {
 constexpr double wheel_load = 1e5;  ///< [N]
@@ -152,4 +154,147 @@ TEST(Coupling, WarmSweepNeedsFewSolutions)
   EXPECT_LE(solutions[solutions.size() / 2], 3);
   EXPECT_LE(solutions[solutions.size() * 95 / 100], 6);
 }
-}  // namespace wheel_rail_contact::core
+
+// Sweep from the track centre to the flange in steps of 25 um on rigid rails, each state from the last result and from
+// a cold start. The roll is bracketed, and the height of a wheel is unique at each roll: every state has a result, as
+// doc/theory.md states.
+
+namespace
+{
+constexpr double step = 25e-6;  ///< [m]
+constexpr int steps = 400;
+
+void sweep(const ContactModelConfig& config, double load, bool cold)
+{
+  WheelsetContact contact(config);
+  for (int k = 0; k < steps; ++k)
+  {
+    if (cold)
+    {
+      contact.reset();
+    }
+    const double y = -k * step;
+    const WheelsetResult& result = contact.evaluate(stateAt(y, load));
+    EXPECT_TRUE(isUsable(result.status)) << "y " << y << (cold ? ", cold: " : ", warm: ") << result.reason;
+  }
+}
+}  // namespace
+
+TEST(FineSweep, FindsTheBalanceFromTheTrackCentreToTheFlange)
+{
+  for (const bool standard : {false, true})
+  {
+    ContactModelConfig config = manchesterScene();
+    if (standard)
+    {
+      config.rail_profile = std::make_shared<Profile>(rail60E1());
+    }
+    for (const double load : {2e4, 1e5})
+    {
+      sweep(config, load, false);
+      sweep(config, load, true);
+    }
+  }
+}
+
+// The overlap of the right wheel has one minimum, and a shoulder 8 mm beside it that touches as well: 71.63 mm² on 64 ×
+// 192 cells over the whole overlap, 57.7 mm² without the second contact. From both directions and cold.
+TEST(FineSweep, AContactOnAShoulderOfTheOverlapIsFound)
+{
+  constexpr double begin = -5.3e-3, end = -5.55e-3, shoulder = -5.415e-3, fine = 5e-6, expected = 71.63e-6;
+  const ContactModelConfig config = manchesterScene();
+  for (const double from : {begin, end, shoulder})
+  {
+    WheelsetContact contact(config);
+    const double direction = from > shoulder ? -1 : 1;
+    for (double y = from; direction * (shoulder - y) > 0.5 * fine; y += direction * fine)
+    {
+      contact.evaluate(stateAt(y, 1e5));
+    }
+    const WheelTotal total = wheelTotal(contact.evaluate(stateAt(shoulder, 1e5)), Side::right);
+    EXPECT_EQ(total.patches, 2) << "from " << from;
+    EXPECT_NEAR(total.area, expected, config.contact.tolerance * expected) << "from " << from;
+  }
+}
+
+namespace
+{
+constexpr double running_slope = 0.05;  ///< slope of the tread [-]
+constexpr double fillet = 0.014;        ///< radius between tread and flank [m]
+constexpr double tread_begins = -0.03;  ///< [m]
+
+/// Conical tread, fillet and flange face of 70 degrees. Tread and flange touch a rail at distant positions.
+Profile straightFlanked()
+{
+  constexpr double flank_length = 0.014, tread_length = 0.09;
+  const double tread = std::atan(running_slope), flank = 70 * M_PI / 180;
+  const double centre_y = tread_begins + fillet * std::sin(tread);
+  const double centre_z = tread_begins * running_slope - fillet * std::cos(tread);
+  const double begin = 0.5 * M_PI + flank;  // start angle of the arc, from its centre
+  const double y = centre_y + fillet * std::cos(begin), z = centre_z + fillet * std::sin(begin);
+  const double c = std::cos(flank), s = std::sin(flank);
+  return {"straight flank",
+          {{LineSection{y - flank_length * c, z - flank_length * s, c, s}, flank_length},
+           {ArcSection{centre_y, centre_z, fillet, begin, -1}, fillet * (flank - tread)},
+           {LineSection{tread_begins, tread_begins * running_slope, std::cos(tread), std::sin(tread)}, tread_length}}};
+}
+
+ContactModelConfig scene(double tolerance, int along, int across)
+{
+  ContactModelConfig config;
+  config.wheel_profile = std::make_shared<Profile>(straightFlanked());
+  config.rail_profile = std::make_shared<Profile>(rail60E1());
+  config.track.rail_inclination = running_slope;
+  config.contact.method = NormalMethod::conjugate_gradient;
+  config.contact.tolerance = tolerance;
+  config.contact.cells_along = along;
+  config.contact.cells_across = across;
+  return config;
+}
+
+std::vector<const PatchResult*> leftPatches(const WheelsetResult& result)
+{
+  std::vector<const PatchResult*> patches;
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == Side::left)
+    {
+      patches.push_back(&patch);
+    }
+  }
+  return patches;
+}
+
+double difference(const PatchResult& one, const PatchResult& other)
+{
+  return std::max({std::abs(one.max_pressure / other.max_pressure - 1), std::abs(one.area / other.area - 1),
+                   std::abs(one.approach / other.approach - 1)});
+}
+}  // namespace
+
+TEST(OpenRoll, DoesNotSeparateTreadAndFlange)
+{
+  // With a tolerance of 0.1, a roll error of up to 3e-5 rad would be allowed for a single contact. This is 14 um of
+  // lateral displacement at the rail, as much as the approach of the flange face when it begins to carry load.
+  WheelsetContact loose(scene(0.1, 8, 24)), strict(scene(0.003, 24, 56));
+  double worst = 0;
+  int two = 0;
+  for (int step = 0; step < 20; ++step)
+  {
+    const WheelsetState state = stateAt(10.595e-3 + 3e-6 * step, 25e3, 0.01);
+    const WheelsetResult &result = loose.evaluate(state), &reference = strict.evaluate(state);
+    ASSERT_EQ(result.status, ContactStatus::ok) << state.y << result.reason;
+    ASSERT_EQ(reference.status, ContactStatus::ok) << state.y << reference.reason;
+    const auto patches = leftPatches(result), exact = leftPatches(reference);
+    ASSERT_EQ(patches.size(), exact.size()) << state.y;
+    two += patches.size() == 2 ? 1 : 0;
+    for (std::size_t k = 0; k < patches.size(); ++k)
+    {
+      const double off = difference(*patches[k], *exact[k]);
+      worst = std::max(worst, off);
+      EXPECT_LT(off, patches[k]->error_estimate + exact[k]->error_estimate) << state.y << ", patch " << k;
+    }
+  }
+  EXPECT_GT(two, 10);
+  EXPECT_LT(worst, 0.1);  // the tolerance
+}

@@ -241,3 +241,43 @@ TEST_F(WarmStartTest, PressureInFrontOfTheTreadContactIsNotMissed)
     EXPECT_LT(error, 0.05) << "at offset " << offset;
   }
 }
+
+TEST(ResetTest, AfterAResetResultsEqualThoseOfANewObject)
+{
+  const ContactModelConfig scene = manchesterScene();
+  WheelsetContact used(scene);
+  for (const WheelsetState& state : varied_states)
+  {
+    for (const WheelsetState& before : varied_states)
+    {
+      used.evaluate(before);
+    }
+    used.reset();
+    WheelsetContact fresh(scene);
+    expectSameBits(used.evaluate(state), fresh.evaluate(state));
+  }
+}
+
+// At y = 95 mm a wheel is beside its rail.
+TEST(ResetTest, AFailureWithGivenHeightOnBendingRailsHasNoLastingEffect)
+{
+  ContactModelConfig scene = manchesterScene();
+  scene.rail_bending.model = RailBendingConfig::Model::compliance;
+  scene.rail_bending.table = softPads();
+  WheelsetContact by_load(scene);
+  WheelsetState given = stateAt(2e-3, 1e5);
+  const WheelsetResult& found = by_load.evaluate(given);
+  given.z = found.z;
+  given.roll = found.roll;
+  scene.wheelset.solve_height_and_roll = false;
+  WheelsetState lost = given;
+  lost.y = 0.095;
+
+  WheelsetContact used(scene);
+  EXPECT_FALSE(isUsable(used.evaluate(lost).status));
+  used.reset();
+  WheelsetContact fresh(scene);
+  const WheelsetResult& result = used.evaluate(given);
+  ASSERT_TRUE(isUsable(result.status)) << result.reason;
+  expectSameBits(result, fresh.evaluate(given));
+}
