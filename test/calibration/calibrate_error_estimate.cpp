@@ -24,19 +24,32 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include "../core/normal/error_samples.h"
-#include "chart/quantile.h"
 #include "core/normal/estimate/patch_errors.h"
 
 namespace
 {
 using namespace wheel_rail_contact::core;
-using chart::quantile;
 using scenes::ErrorSample;
+
+/// Quantile of the values, without interpolation; NaN if there are no values.
+/// @param share  0 to 1
+double quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto place = std::lround(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
 
 std::vector<ErrorSample> collect(scenes::Method method, int count, unsigned long seed)
 {

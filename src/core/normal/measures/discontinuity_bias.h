@@ -72,7 +72,7 @@ struct DiscontinuityBias
   float at(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps) const;
 };
 
-/// Weights in use. Fitted by test/calibration/fit_discontinuity_bias.cpp.
+/// Weights in use. Fitted by test/calibration/fit_discontinuity_bias.cpp in revision e6707df.
 const DiscontinuityBias& discontinuityBias();
 
 /// Sums over all crossings [cells]. Of a mirrored pressure: those of the stored half.

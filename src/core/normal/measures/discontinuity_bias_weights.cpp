@@ -7,7 +7,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Output of test/calibration/fit_discontinuity_bias.cpp: along, across.
+/// Output of test/calibration/fit_discontinuity_bias.cpp in revision e6707df: along, across.
 // clang-format off
 constexpr std::array<double, DiscontinuityBias::numbers> fitted{
     0.3342, -0.01587, 0.2171, -0.02907, -0.7441, 0.07427, 0.8776, 1.414, 0.1392, -0.6416, -0.6746, 0.3144,

@@ -49,6 +49,6 @@ struct EdgeBias
   double of(double polygon, int islands) const;
 };
 
-/// Weights in use. Fitted by test/calibration/fit_edge_bias.cpp.
+/// Weights in use. Fitted by test/calibration/fit_edge_bias.cpp in revision e6707df.
 const EdgeBias& edgeBias();
 }  // namespace wheel_rail_contact::core

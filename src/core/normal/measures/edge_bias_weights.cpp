@@ -7,9 +7,9 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Output of test/calibration/fit_edge_bias.cpp: crossing, island, few_cells. With the present random numbers the
-/// program finds other weights that leave the same errors. Nearly all contacts of the fit for island and few_cells had
-/// a single island.
+/// Output of test/calibration/fit_edge_bias.cpp in revision e6707df: crossing, island, few_cells. With the random
+/// numbers of that revision the program finds other weights that leave the same errors. Nearly all contacts of the fit
+/// for island and few_cells had a single island.
 // clang-format off
 constexpr std::array<double, EdgeBias::numbers> fitted{
     -0.6668, 1.112, 0.6871, -0.3653, 0.02027, -0.4504, 0.9748, -0.1003, 0.01908, 0.3237, -0.33, 0.02157,

@@ -53,6 +53,6 @@ struct PeakBias
   double of(const PeakInputs& inputs) const;
 };
 
-/// Weights in use. Fitted by test/calibration/fit_peak_bias.cpp.
+/// Weights in use. Fitted by test/calibration/fit_peak_bias.cpp in revision e6707df.
 const PeakBias& peakBias();
 }  // namespace wheel_rail_contact::core

@@ -7,7 +7,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Output of test/calibration/fit_peak_bias.cpp: tip, side.
+/// Output of test/calibration/fit_peak_bias.cpp in revision e6707df: tip, side.
 // clang-format off
 constexpr std::array<double, PeakBias::numbers> fitted{
     0.3848, 0.005758, -0.3478, -0.3372, -0.02053, -0.1462, 0.9373, 0.0719, 0.1971, -0.1463, -0.2607, 0.08396,
