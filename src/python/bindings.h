@@ -21,4 +21,6 @@ void bindProfiles(pybind11::module& module);
 void bindProfileCheck(pybind11::module& module);
 /// Adds the contact geometry of rigid wheels and rails. The class that evaluates states is added before.
 void bindGeometry(pybind11::module& module);
+/// Adds what the command contact_chart times. The class that names parameters is added before.
+void bindTiming(pybind11::module& module);
 }  // namespace wheel_rail_contact

@@ -14,4 +14,5 @@ PYBIND11_MODULE(_core, module)
   wheel_rail_contact::bindProfiles(module);
   wheel_rail_contact::bindProfileCheck(module);
   wheel_rail_contact::bindGeometry(module);
+  wheel_rail_contact::bindTiming(module);
 }

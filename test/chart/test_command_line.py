@@ -2,7 +2,6 @@
 import contextlib
 import io
 import math
-import os
 import tempfile
 import unittest
 from dataclasses import replace
@@ -11,9 +10,8 @@ from unittest import mock
 
 from wheel_rail_contact.chart import front, summary_picture
 from wheel_rail_contact.chart.command_line import main
-from wheel_rail_contact.chart.measuring import RUNNER, measure
 from wheel_rail_contact.chart.table import SOLVED, Row
-from wheel_rail_contact.command import Failure, finish, pyplot, runner
+from wheel_rail_contact.command import Failure, finish, pyplot
 from wheel_rail_contact.progress import Progress
 
 ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1e-3, 1e-3, 1e-3, 4e-3, 5, 0.01, 0.01,
@@ -37,13 +35,6 @@ class Misuse(unittest.TestCase):
             self.check("does not exist", Path(place, "absent"))
             self.check("does not exist", file)
         self.check("is not writable", "/proc")
-
-    def test_missing_or_failing_runner_is_reported(self):
-        with mock.patch.dict(os.environ, {"CMAKE_PREFIX_PATH": ""}), mock.patch("sys.argv", ["nowhere/contact_chart"]):
-            with self.assertRaisesRegex(Failure, "not found"):
-                runner(RUNNER)
-        with self.assertRaisesRegex(Failure, "failed"):
-            measure("false", False, mock.Mock())
 
 
 class ExitStatus(unittest.TestCase):
@@ -141,7 +132,3 @@ class Summary(unittest.TestCase):
             for value, target in zip((time, error, longest), expected):
                 self.assertAlmostEqual(value, target)
             self.assertEqual(text, label)
-
-
-if __name__ == "__main__":
-    unittest.main()

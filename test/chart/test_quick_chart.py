@@ -45,11 +45,6 @@ class QuickChart(unittest.TestCase):
             raise AssertionError(cls.ended.stderr)
         cls.facts, cls.rows = table.read(cls.out / "chart.csv")
 
-    def of(self, scene, method):
-        """Warm rows by grid; of auto by tolerance."""
-        return {row.setting: row for row in self.rows
-                if row.scene == scene and row.method == method and row.start == "warm"}
-
     def test_every_method_grid_and_scene_has_a_result_or_a_reason(self):
         keys = [(row.scene, row.method, row.setting, row.start) for row in self.rows]
         self.assertEqual(len(keys), len(set(keys)))
@@ -72,33 +67,12 @@ class QuickChart(unittest.TestCase):
         self.assertEqual(set(self.facts), {"machine", "version", "compiler", "build", "truth", "reach"})
         self.assertTrue(all(self.facts.values()), self.facts)
 
-    def test_conjugate_gradients_are_closest_to_hertz_on_the_finest_grid(self):
-        # These grids refine both directions. Refining only one direction may increase the error of the area. The
-        # residual at the default tolerance leaves an error of up to 0.0003.
-        for scene in ("hertz_1_1", "hertz_1_5"):
-            rows = self.of(scene, "conjugate_gradient")
-            first, finest = (rows[setting].error for setting in ((8, 16), (64, 192)))
-            self.assertLess(finest, 0.6 * first, scene)
-            self.assertLess(first, 0.01, scene)
-            self.assertLess(finest, 0.0005, scene)
-
-    def test_hertz_agrees_with_the_reference_on_elliptical_contacts(self):
-        # The closed form is exact here: the difference is the error of the reference.
-        for scene in ("hertz_1_1", "hertz_1_5", "two_patches"):
-            for row in self.of(scene, "hertz").values():
-                self.assertLess(row.error, 0.002, scene)
-
     def test_auto_meets_its_tolerances(self):
         # Tolerances are met in nearly all scenes: one scene may miss.
         for start in ("cold", "warm"):
             for found in compare_auto([row for row in self.rows if row.start == start]):
                 self.assertEqual(found.scenes, len(SCENES))
                 self.assertGreaterEqual(found.met, found.scenes - 1, f"{start}, {found.tolerance}")
-
-    def test_point_forces_on_long_cells_are_refused(self):
-        # Point forces on cells ten times as long as wide.
-        self.assertEqual({row.status for row in self.of("hertz_1_5", "seidel_printed").values()} - {"not_run"},
-                         {"refused"})
 
     def test_error_of_the_reference_is_small(self):
         for row in self.rows:
@@ -137,7 +111,3 @@ class QuickChart(unittest.TestCase):
     def test_progress_names_every_scene(self):
         for title in {row.title for row in self.rows}:
             self.assertIn(title, self.ended.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of contact_chart."""
 import argparse
+import itertools
 import tempfile
 from pathlib import Path
 
-from ..command import Failure, finish, pyplot, runner
+from ..command import Failure, finish, pyplot
+from ..core.extension import core
 from ..progress import Progress
 from . import scenes_picture, summary_picture, table
 from .front import compare_auto, compare_medians, over_scenes
-from .measuring import RUNNER, measure
+from .measuring import QUICK, Plan, compare
 from .picture import METHODS
+from .scenes import all_choices, all_scenes
 
 
 def main(arguments=None):
@@ -20,18 +23,24 @@ def main(arguments=None):
 def _run(options):
     _check_folder(options.out)
     plot = pyplot()
-    program = runner(RUNNER)
-    progress = Progress()
-    try:
-        facts, lines = measure(program, options.quick, progress)
-    finally:
-        progress.end()
-    facts = {"machine": table.machine(), **facts}
-    rows = table.parse(lines)
-    table.write(options.out / "chart.csv", facts, lines)
+    plan = QUICK if options.quick else Plan()
+    rows = measure(plan)
+    facts = {"machine": table.machine(), **core.BUILD, **plan.facts}
+    table.write(options.out / "chart.csv", facts, rows)
     draw(plot, rows, facts, options.out)
     _report(rows)
     print(f"wrote chart.csv, chart.png and chart_scenes.png, and both pictures as .svg, to {options.out}")
+
+
+def measure(plan):
+    """Rows of all methods on all scenes; draws the progress."""
+    scenes, choices = all_scenes(), all_choices()
+    progress, done = Progress(), itertools.count(1)
+    try:
+        return [row for scene in scenes
+                for row in compare(scene, choices, plan, lambda title: progress(next(done), len(scenes) * plan.steps, title))]
+    finally:
+        progress.end()
 
 
 def draw(plot, rows, facts, folder):

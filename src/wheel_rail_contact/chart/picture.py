@@ -19,7 +19,7 @@ def setting_label(method, setting):
 
 
 def grid_text(text):
-    """Grid as contact_chart_runner writes it, with a multiplication sign."""
+    """Grid as the table states it, with a multiplication sign."""
     return text.replace("x", "×")
 
 

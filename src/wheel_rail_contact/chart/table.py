@@ -2,12 +2,12 @@
 """Table of the chart. SI units; relative errors."""
 import csv
 import platform
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 INTEGERS = ("cells_along", "cells_across", "samples")
 TEXTS = ("scene", "title", "kind", "method", "start", "status", "reason")
-SOLVED = "solved"  # status of a row with a result, as contact_chart_runner writes it
+SOLVED = "solved"  # status of a row with a result
 
 
 @dataclass(frozen=True)
@@ -46,11 +46,6 @@ class Row:
         return self.status == SOLVED
 
 
-def parse(lines):
-    """Rows from the lines of a table."""
-    return [Row(**{name: _value(name, text) for name, text in record.items()}) for record in csv.DictReader(lines)]
-
-
 def _value(name, text):
     if name in TEXTS:
         return text
@@ -70,14 +65,25 @@ def machine():
     return platform.processor() or platform.machine()
 
 
-def write(path, facts, lines):
+def write(path, facts, rows):
     """Writes the table, with the facts in comment lines above it."""
-    comments = [f"# {name}: {text}\n" for name, text in facts.items()]
-    path.write_text("".join(comments + lines), encoding="utf-8")
+    names = [each.name for each in fields(Row)]
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.writelines(f"# {name}: {text}\n" for name, text in facts.items())
+        lines = csv.writer(file, lineterminator="\n")
+        lines.writerow(names)
+        lines.writerows([_text(name, getattr(row, name)) for name in names] for row in rows)
+
+
+def _text(name, value):
+    if value is None or name in TEXTS or name in INTEGERS:
+        return value
+    return f"{value:g}" if name == "tolerance" else f"{value:.4g}"
 
 
 def read(path):
     """Facts and rows of a table written by write()."""
     lines = path.read_text(encoding="utf-8").splitlines()
     facts = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# "))
-    return facts, parse(line for line in lines if not line.startswith("# "))
+    records = csv.DictReader(line for line in lines if not line.startswith("# "))
+    return facts, [Row(**{name: _value(name, text) for name, text in record.items()}) for record in records]
