@@ -3,11 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <stdexcept>
+#include <vector>
 
-namespace simulate_wheelset
-{
+#include "examples/simulate_wheelset/kalker_coefficients.h"
+#include "examples/simulate_wheelset/wheelset_forces.h"
+
+using namespace simulate_wheelset;
+
 namespace
 {
 const ContactEllipse ellipse = {0.006, 0.005, 100e3};
@@ -66,5 +72,197 @@ TEST(CreepForce, NoCreepageHasNoForce)
   EXPECT_EQ(force.across, 0);
   EXPECT_EQ(force.moment, 0);
 }
+
+constexpr double radius = 0.46, half_base = 0.75, cone = 0.05, speed = 10;
+
+/// Conical wheels on thin rails at half_base. With yaw the contacts lie where the normal passes through the axle.
+ContactReply coneContact(double y, double yaw = 0)
+{
+  ContactReply contact;
+  contact.is_usable = true;
+  for (const double side : {1.0, -1.0})
+  {
+    ContactPoint point;
+    point.is_left = side > 0;
+    point.rolling_radius = radius + side * cone * y;
+    const double lever = side * half_base - y;
+    point.position = {yaw * (side * cone * point.rolling_radius - lever), lever, -point.rolling_radius};
+    point.angle = side * std::atan(cone);
+    point.normal_force = 100e3;
+    point.semi_axis_along = 0.006;
+    point.semi_axis_across = 0.005;
+    contact.points.push_back(point);
+  }
+  return contact;
+}
+
+Motion rolling(double y)
+{
+  Motion motion;
+  motion.y = y;
+  motion.spin = speed / radius;
+  return motion;
+}
+
+TEST(Creepage, CentredWheelsRollWithSpinOnly)
+{
+  const ContactReply contact = coneContact(0);
+  for (const ContactPoint& point : contact.points)
+  {
+    const Creepage creepage = creepageAt(point, rolling(0), {}, 0, speed);
+    EXPECT_NEAR(creepage.along, 0, 1e-12);
+    EXPECT_NEAR(creepage.across, 0, 1e-12);
+    EXPECT_NEAR(creepage.spin, -std::sin(point.angle) / radius, 1e-12);
+  }
+}
+
+TEST(Creepage, DisplacedConeRollsFreelyInAKinematicCurve)
+{
+  // Klingel: the yaw rate -V cone y / (b r) equalises the speeds of both wheels.
+  const double y = 0.003;
+  Motion motion = rolling(y);
+  motion.yaw_rate = -speed * cone * y / (half_base * radius);
+  for (const ContactPoint& point : coneContact(y).points)
+  {
+    const double along = creepageAt(point, motion, {}, 0, speed).along;
+    EXPECT_NEAR(along, 0, 0.005 * cone * y / radius);  // y changes the lever by up to 0.4 % of the base
+  }
+}
+
+TEST(Creepage, LateralCreepageIsThatOfRateAndYaw)
+{
+  Motion motion = rolling(0);
+  motion.y_rate = 0.02;
+  motion.yaw = 0.005;
+  const ContactReply contact = coneContact(0, motion.yaw);
+  const FollowingRates rates = followingRates(contact, motion);
+  for (const ContactPoint& point : contact.points)
+  {
+    // The roll rate adds its velocity at the rail; the cosine of the contact angle differs from 1 by 0.1 %.
+    const double expected = (motion.y_rate + rates.roll * radius) / speed - motion.yaw;
+    EXPECT_NEAR(creepageAt(point, motion, rates, 0, speed).across, expected, 0.01 * std::abs(expected));
+  }
+}
+
+TEST(FollowingRates, NoContactMovesAlongItsNormal)
+{
+  const ContactReply contact = coneContact(0.002);
+  Motion motion = rolling(0.002);
+  motion.y_rate = 0.05;
+  const FollowingRates rates = followingRates(contact, motion);
+  EXPECT_NE(rates.roll, 0);
+  for (const ContactPoint& point : contact.points)
+  {
+    const double y_rate = motion.y_rate - rates.roll * point.position.z();
+    const double z_rate = rates.z + rates.roll * point.position.y();
+    EXPECT_NEAR(z_rate * std::cos(point.angle) - y_rate * std::sin(point.angle), 0, 1e-12);
+  }
+}
+
+TEST(RailForces, CarryTheLoadAndGuideToTheCentre)
+{
+  const CreepLaw law((CreepParameters()));
+  const RailForces centred = railForces(coneContact(0), rolling(0), speed, law);
+  EXPECT_NEAR(centred.normal_force.z(), 200e3 * std::cos(std::atan(cone)), 1e-6);
+  EXPECT_NEAR(centred.force().y(), 0, 1e-6);
+  EXPECT_NEAR(centred.moment().z(), 0, 1e-6);
+  // Displaced to the left, the left wheel is driven forward: the wheelset turns to the right.
+  const RailForces displaced = railForces(coneContact(0.003), rolling(0.003), speed, law);
+  EXPECT_GT(displaced.creep[0].along, 0);
+  EXPECT_LT(displaced.creep[1].along, 0);
+  EXPECT_LT(displaced.moment().z(), 0);
+}
+
+TEST(RailForces, FrictionPowerIsThatOfDragAndMotion)
+{
+  // Without acceleration, all work of the rails on the wheelset becomes heat in the contacts.
+  const CreepLaw law((CreepParameters()));
+  Motion motion = rolling(0.003);
+  motion.y_rate = 0.03;
+  motion.yaw = 0.001;
+  motion.yaw_rate = 0.02;
+  const ContactReply contact = coneContact(0.003);
+  const FollowingRates rates = followingRates(contact, motion);
+  const RailForces forces = railForces(contact, motion, speed, law);
+  const double work = forces.creep_force.x() * speed + forces.creep_force.y() * motion.y_rate +
+                      forces.creep_force.z() * rates.z + forces.creep_moment.x() * rates.roll +
+                      forces.creep_moment.z() * motion.yaw_rate + forces.spin_moment * motion.spin;
+  EXPECT_GT(forces.friction_power, 0);
+  EXPECT_NEAR(-work / forces.friction_power, 1, 1e-9);
+}
+
+const double pi = std::acos(-1.0);
+
+std::array<double, 4> logarithms(const KalkerCoefficients& c)
+{
+  return {std::log(c.c11), std::log(c.c22), std::log(c.c23), std::log(c.c33)};
+}
+
+TEST(KalkerTable, CircularContactHasTheTabulatedValues)
+{
+  const KalkerCoefficients c = KalkerTable(0.25).at(1);
+  EXPECT_NEAR(c.c11, 4.12, 1e-9);
+  EXPECT_NEAR(c.c22, 3.67, 1e-9);
+  EXPECT_NEAR(c.c23, 1.47, 1e-9);
+  EXPECT_NEAR(c.c33, 1.19, 1e-9);
+}
+
+TEST(KalkerTable, NarrowContactApproachesStripTheory)
+{
+  // Limits for a/b = g to 0 (Kalker 1990, appendix E). At g = 0.1 the remainder is a few per cent; for C23 it is 7 %.
+  const double g = 0.1;
+  for (const double poisson : {0.0, 0.25, 0.5})
+  {
+    const KalkerCoefficients c = KalkerTable(poisson).at(g);
+    EXPECT_NEAR(c.c11 / (pi * pi / (4 * (1 - poisson))), 1, 0.03) << poisson;
+    EXPECT_NEAR(c.c22 / (pi * pi / 4), 1, 0.03) << poisson;
+    EXPECT_NEAR(c.c23 / (pi * std::sqrt(g) / (3 * (1 - poisson))), 1, 0.12) << poisson;
+    EXPECT_NEAR(c.c33 / (pi * pi / (16 * (1 - poisson) * g)), 1, 0.06) << poisson;
+  }
+}
+
+TEST(KalkerTable, CurvesAreSmooth)
+{
+  // A wrong digit in a row makes a kink. The slopes in logarithms of neighbouring intervals differ by up to 0.12,
+  // because the values of the table have three digits; one wrong unit in the second digit changes them by 0.2 and more.
+  const std::vector<double> ratios = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
+  for (const double poisson : {0.0, 0.25, 0.5})
+  {
+    const KalkerTable table(poisson);
+    for (const bool is_long : {false, true})
+    {
+      for (std::size_t i = 1; i + 1 < ratios.size(); ++i)
+      {
+        const auto at = [&](std::size_t k) { return logarithms(table.at(is_long ? 1 / ratios[k] : ratios[k])); };
+        const auto before = at(i - 1), here = at(i), after = at(i + 1);
+        for (std::size_t k = 0; k < here.size(); ++k)
+        {
+          const double first = (here[k] - before[k]) / std::log(ratios[i] / ratios[i - 1]);
+          const double second = (after[k] - here[k]) / std::log(ratios[i + 1] / ratios[i]);
+          EXPECT_NEAR(first, second, 0.15)
+              << "C" << k << ", ratio " << ratios[i] << ", long " << is_long << ", " << poisson;
+        }
+      }
+    }
+  }
+}
+
+TEST(KalkerTable, LiesBetweenItsNeighboursAndContinuesBeyondItsEnds)
+{
+  const KalkerTable table(0.28);
+  EXPECT_GT(table.at(1.05).c22, table.at(1).c22);
+  EXPECT_LT(table.at(1.05).c22, table.at(1 / 0.9).c22);
+  EXPECT_TRUE(KalkerTable::contains(0.1));
+  EXPECT_TRUE(KalkerTable::contains(10));
+  EXPECT_FALSE(KalkerTable::contains(10.1));
+  EXPECT_FALSE(KalkerTable::contains(0.09));
+  EXPECT_NEAR(table.at(20).c22 / table.at(10).c22, table.at(10).c22 / table.at(5).c22, 1e-9);
+}
+
+TEST(KalkerTable, RefusesAnImpossiblePoissonRatio)
+{
+  EXPECT_THROW(KalkerTable(-0.01), std::invalid_argument);
+  EXPECT_THROW(KalkerTable(0.51), std::invalid_argument);
+  EXPECT_THROW(KalkerTable(std::nan("")), std::invalid_argument);
+}
 }  // namespace
-}  // namespace simulate_wheelset

@@ -268,7 +268,7 @@ TEST_P(ReferenceStateTest, HeightAgreesWithTheReference)
 // reference it is the normal at a weighted centre of interpenetration. The two centres may be 0.2 mm apart (two cells
 // of the reference). On the smallest mean radius of the tread, 80 mm, this turns the normal by 2.5 mrad; on the 13 mm
 // of the flange root by 15 mrad. Where one plane replaces several, the difference is the angle between them.
-// outward_force_test.cpp checks the direction against the work of the vertical force.
+// moments_test.cpp checks the direction against the work of the vertical force.
 TEST_P(ReferenceStateTest, OutwardForceDiffersOnlyByTheChoiceOfTheNormal)
 {
   for (const Side side : {Side::left, Side::right})

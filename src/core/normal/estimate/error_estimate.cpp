@@ -330,7 +330,7 @@ const ErrorWeights& gridErrorWeights()
   // * pressure, second: as many estimates hold on 2000 gaps with lobes, waves and curvature discontinuities as on
   //   others.
   // * pressure, third: the largest estimate holds on 402 curvature discontinuities between arcs of 13 mm to 3 m radius.
-  // * pressure, fourth: test/stability/roughness_test.cpp passes.
+  // * pressure, fourth: test/stability/conditions_test.cpp passes.
   // * area, all but the first: one and a half times to twice as much, for narrow ends and for curvature discontinuities
   //   of wheelsets.
   // * residual (the last weight of each): set by hand. On 150 wheelsets the errors of pressure and area that it caused
