@@ -138,7 +138,3 @@ class Command(unittest.TestCase):
                                   text=True, check=False, preexec_fn=no_file_larger_than(2**10))
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("contact_geometry.csv: File too large", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -68,7 +68,3 @@ class Points(unittest.TestCase):
 
     def test_largest_distance_is_that_of_parallel_curves(self):
         self.assertAlmostEqual(largest_distance(Line(0), Line(1 * MM)), 1 * MM, delta=1e-12)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -226,7 +226,3 @@ class Command(unittest.TestCase):
                               preexec_fn=no_file_larger_than(2**10))
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("60E1.png: File too large", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

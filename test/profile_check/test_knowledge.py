@@ -35,7 +35,3 @@ class SurfaceKnowledge(unittest.TestCase):
         self.assertEqual(surface_knowledge(Sections(), (5 * MM, 12 * MM)).usual_error, 2)
         self.assertEqual(surface_knowledge(Sections(), (35 * MM, 43 * MM)).usual_error, 7)
         self.assertEqual(surface_knowledge(Sections(), (48 * MM, 60 * MM)).usual_error, 50)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -111,7 +111,3 @@ class NearestStandard(ProfileCase):
         y = 0.5 * MM * np.arange(-60, 61)
         plate = self.curve_through(np.column_stack([y, -2 * np.maximum(abs(y) - 15 * MM, 0) - 1e-3 * y**2]))
         self.assertGreater(nearest.nearest_standard(plate, "rail").rms, 0.5 * MM)
-
-
-if __name__ == "__main__":
-    unittest.main()

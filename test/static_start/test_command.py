@@ -64,7 +64,3 @@ class StaticStart(unittest.TestCase):
     def test_mistakes_are_named(self):
         self.assertIn("--load nan: must be a finite number", self.run_command("--load", "nan", status=1)[0])
         self.assertIn("nowhere.yaml", self.run_command("--load", "1e5", "--config", "nowhere.yaml", status=1)[0])
-
-
-if __name__ == "__main__":
-    unittest.main()
