@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/profile/profile_measures.h"
+#include "core/profile/curve/measures.h"
 #include "python/bindings.h"
 #include "python/read_profile.h"
 #include "ros/parameters/profile_parameters.h"
@@ -52,7 +52,7 @@ py::object describeProfile(const std::string& name, const std::string& kind, con
   {
     return py::cast(described(core::describedProfile(name, kindOf(kind), reading)));
   }
-  catch (const core::ProfileError& error)
+  catch (const core::FileError& error)
   {
     return py::cast((error.line() > 0 ? "line " + std::to_string(error.line()) + ": " : "") + error.reason());
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Profile files of all formats: each gives a profile that can be evaluated at every point, or a ProfileError.
+// Profile files of all formats: each gives a profile that can be evaluated at every point, or a FileError.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::abort();
       }
     }
-    catch (const core::ProfileError&)  // rejected with a reason
+    catch (const core::FileError&)  // rejected with a reason
     {
     }
   }

@@ -20,7 +20,7 @@ struct SceneProfile
 
 /// Loads a standard profile by name, or a file. A file is looked up in `folder`, then in test/stability/profiles.
 /// @param noise  standard deviation of the points of a file [m]; without it the default of the file format.
-/// @throw ProfileError, std::invalid_argument as loadProfile() and readProfile().
+/// @throw FileError, std::invalid_argument as loadProfile() and readProfile().
 SceneProfile loadSceneProfile(const std::string& name, ProfileKind kind, std::optional<double> noise = std::nullopt,
                               const std::string& folder = "");
 

@@ -102,7 +102,7 @@ struct ParameterRange
 /// curve is the sum of the lengths of all preceding sections plus the local parameter of the section. Each section is
 /// evaluated exactly, without resampling. At the boundary of two sections, the second one is used.
 ///
-/// Standard profiles: standard_profiles.h. Profiles from files: profile_reader.h.
+/// Standard profiles, and profiles from files: profile_reader.h.
 class Profile
 {
  public:
@@ -111,9 +111,6 @@ class Profile
   /// @throw std::invalid_argument if there is no section, a length is not positive and finite, a radius is not
   /// positive, or a polynomial has too many coefficients.
   Profile(std::string name, const std::vector<ProfileSection>& sections);
-  /// Profile of several parts. The parameters of two parts are part_distance apart.
-  /// @throw std::invalid_argument if there is no part, or as above.
-  static Profile ofParts(std::string name, const std::vector<std::vector<ProfileSection>>& parts);
 
   /// Distance of the parameter u from the end of a part to the beginning of the next one [m]. No contact is as wide.
   static constexpr double part_distance = 0.1;
@@ -135,20 +132,30 @@ class Profile
   /// Parameters u of all section boundaries, including both ends of the profile [m]. Curvature, and with rounded
   /// standards also position, may be discontinuous there.
   const std::vector<double>& discontinuities() const { return start_; }
+  /// Section between discontinuities() `index` and `index` + 1.
+  ProfileSection section(std::size_t index) const;
+
+ protected:
+  /// Profile without sections. A derived class adds them, part by part, and calls makeBuckets() and then findOrigins().
+  explicit Profile(std::string name) : name_(std::move(name)) { clear(); }
+  /// Removes all sections, but keeps their memory.
+  void clear();
+  /// Begins the next part. A section of length part_distance between it and the part before is a straight continuation.
+  void beginPart();
+  /// Adds a section to the part.
+  void add(const ProfileSection& section);
+  /// Replaces the curve of a section. Call findOrigins() after the last one.
+  void setLaw(std::size_t section, const SectionLaw& law) { law_[section] = law; }
+  /// Makes a section the straight continuation of the one before.
+  void setContinuation(std::size_t section);
+  /// Prepares the look-up of sections by their parameter.
+  void makeBuckets();
+  /// Finds ParameterRange::origin of each part.
+  void findOrigins();
 
  private:
   friend class ProfileCursor;
-  friend class ChangingProfile;
 
-  explicit Profile(std::string name) : name_(std::move(name)) {}
-  void clear();
-  void addPart(const std::vector<ProfileSection>& sections);
-  void add(const SectionLaw& law, double length, const ShapeError& error = {});
-  void beginPart();
-  static LineSection continuation(const SectionLaw& law, double length);
-  void finish();
-  void makeBuckets();
-  void findOrigins();
   std::size_t sectionAt(double u) const;
 
   std::string name_;

@@ -19,13 +19,13 @@ enum class ProfileKind
   rail_section  ///< section of a switch or crossing, or of a check rail: origin and shape are free
 };
 
-/// Profile file that cannot be used. what() is "file:line: reason", or "file: reason" if the file as a whole is wrong.
-class ProfileError : public std::runtime_error
+/// File that cannot be used. what() is "file:line: reason", or "file: reason" if the file as a whole is wrong.
+class FileError : public std::runtime_error
 {
  public:
   /// @param line   number of the line, from 1; 0 for the file as a whole
   /// @param reason the broken rule
-  ProfileError(const std::string& file, std::size_t line, const std::string& reason);
+  FileError(const std::string& file, std::size_t line, const std::string& reason);
 
   /// Path of the file.
   const std::string& file() const { return file_; }
@@ -39,6 +39,7 @@ class ProfileError : public std::runtime_error
   std::size_t line_;
   std::string reason_;
 };
+using ProfileError [[deprecated("use FileError")]] = FileError;  ///< earlier name, for one version
 
 /// How the points of a file are read. Each option states what the content of a file may leave open. The options are
 /// applied in this order: unit, y and z, origin, shift, rotate, mirror.
@@ -123,10 +124,9 @@ struct DescribedProfile
 
 /// Returns a standard profile by its name, or a profile from a file by its path.
 ///
-/// Names: standardProfileNames(), in standard_profiles.h. Any other text is the path of a file for readProfile();
-/// `reading` applies to files.
+/// Names: standardProfileNames(). Any other text is the path of a file for readProfile(); `reading` applies to files.
 /// @throw std::invalid_argument if the named standard profile is of the other kind, or if `reading` has an option.
-/// @throw ProfileError in the cases of readProfile().
+/// @throw FileError in the cases of readProfile().
 DescribedProfile describedProfile(const std::string& name_or_path, ProfileKind kind,
                                   const ProfileReading& reading = {});
 /// The profile of describedProfile().
@@ -171,7 +171,7 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 /// @param path     path of the file
 /// @param kind     expected kind of the profile
 /// @param reading  options
-/// @throw ProfileError if the file cannot be read, is truncated, malformed or of the wrong kind, is larger than 4 MiB
+/// @throw FileError if the file cannot be read, is truncated, malformed or of the wrong kind, is larger than 4 MiB
 /// or has more than 20000 points. Also if it does not contain a plausible profile: fewer than 10 points, points not in
 /// order along the curve, a gap of more than 25 mm, a width outside 20 mm to 300 mm, a height above 120 mm, or a shape
 /// that is not that of a wheel or rail.
@@ -191,7 +191,7 @@ Profile readProfile(const std::string& path, ProfileKind kind, const ProfileRead
 ///
 /// Slices are files of readProfile(). In a table without titles, y points to the field side and z down, and the unit is
 /// the metre if the curve is less than 1 wide, else the millimetre.
-/// @throw ProfileError with file, line and reason.
+/// @throw FileError with file, line and reason.
 RailSeries readRailSlices(const std::string& path, const ProfileReading& reading = {});
 /// The same. Adds a line for each file to `notes`: its name and ProfileReport::text.
 RailSeries readRailSlices(const std::string& path, const ProfileReading& reading, std::vector<std::string>& notes);

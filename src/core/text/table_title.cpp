@@ -3,24 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
+#include <sstream>
 
+#include "core/pi.h"
 #include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double degree = 3.14159265358979323846 / 180;
-
 std::string withoutQuotes(std::string text)
 {
   text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
   return trim(text);
 }
 
-/// Text from a sign at `open` to the one at the end; empty if this is another sign.
-std::string toEnd(const std::string& text, std::size_t open, char close)
+/// Text in brackets that open at `open` and close at the end of the text; empty if its last character is not `close`.
+std::string insideBrackets(const std::string& text, std::size_t open, char close)
 {
   return text.back() == close ? trim(text.substr(open + 1, text.size() - open - 2)) : "";
 }
@@ -52,6 +53,13 @@ std::string nameOfLength(double unit)
     }
   }
   return std::to_string(unit) + " m";
+}
+
+std::string millimetres(double length)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << length * 1e3 << " mm";
+  return text.str();
 }
 
 const Units& angleUnits()
@@ -96,11 +104,7 @@ std::vector<TableTitle> titlesIn(const std::string& line)
                          : line.find('\t') != std::string::npos ? '\t'
                          : line.find(',') != std::string::npos  ? ','
                                                                 : ' ';
-  std::vector<std::string> fields = separator == ' ' ? splitWords(line) : splitFields(line, separator);
-  while (fields.size() > 1 && fields.back().empty())
-  {
-    fields.pop_back();
-  }
+  std::vector<std::string> fields = splitAt(line, separator);
   for (std::size_t i = fields.size(); separator == ' ' && i-- > 1;)
   {
     const bool after_slash = fields[i - 1] == "/" || fields[i][0] == '/';
@@ -123,7 +127,7 @@ TableTitle titleOf(const std::string& text)
   for (const char* brackets : {"[]", "()"})
   {
     const std::size_t open = title.find(brackets[0]);
-    const std::string unit = open == std::string::npos ? "" : toEnd(title, open, brackets[1]);
+    const std::string unit = open == std::string::npos ? "" : insideBrackets(title, open, brackets[1]);
     if (brackets[0] == '[' ? !unit.empty() : isUnit(unit))
     {
       return {trim(title.substr(0, open)), unit};

@@ -23,6 +23,8 @@ constexpr NamedUnit named_lengths[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"u
 const Units& lengthUnits();
 /// Usual name of a unit of length [m]; its value if it has none.
 std::string nameOfLength(double unit);
+/// Text of a length [m], in millimetres.
+std::string millimetres(double length);
 /// Units of angle [rad]: rad, mrad, deg (or °).
 const Units& angleUnits();
 

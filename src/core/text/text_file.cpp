@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <system_error>
 
-#include "core/text/encoding.h"
 #include "core/text/words.h"
 
 namespace wheel_rail_contact::core
@@ -15,10 +15,138 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr std::size_t longest_line = 1000;
+constexpr char32_t replacement = 0xFFFD;  ///< stands for bytes that are no character
+
+bool beginsWith(const std::string& bytes, const std::string& mark)
+{
+  return bytes.compare(0, mark.size(), mark) == 0;
+}
+
+std::uint32_t byteAt(const std::string& bytes, std::size_t i)
+{
+  return static_cast<unsigned char>(bytes[i]);
+}
+
+/// Number of bytes that follow the first byte of a character in UTF-8; 4 if it is not a first byte.
+std::size_t following(std::uint32_t first)
+{
+  if (first < 0x80)
+  {
+    return 0;
+  }
+  return first >= 0xC2 && first < 0xE0 ? 1 : first >= 0xE0 && first < 0xF0 ? 2 : first >= 0xF0 && first < 0xF5 ? 3 : 4;
+}
+
+bool isUtf8(const std::string& bytes)
+{
+  for (std::size_t i = 0; i < bytes.size();)
+  {
+    const std::size_t more = following(byteAt(bytes, i));
+    if (more > 3 || i + more >= bytes.size() + (more == 0 ? 1 : 0))
+    {
+      return false;
+    }
+    for (std::size_t k = 1; k <= more; ++k)
+    {
+      if ((byteAt(bytes, i + k) & 0xC0U) != 0x80)
+      {
+        return false;
+      }
+    }
+    i += more + 1;
+  }
+  return true;
+}
+
+void append(std::string& text, char32_t character)
+{
+  const auto tail = [character](unsigned shift) { return static_cast<char>(0x80 | ((character >> shift) & 0x3F)); };
+  if (character < 0x80)
+  {
+    text += static_cast<char>(character);
+  }
+  else if (character < 0x800)
+  {
+    text += {static_cast<char>(0xC0 | (character >> 6)), tail(0)};
+  }
+  else
+  {
+    text += {static_cast<char>(0xE0 | (character >> 12)), tail(6), tail(0)};
+  }
+}
+
+/// Text from UTF-16 after its byte order mark. Characters beyond the first 65536 become the replacement character.
+std::string fromUtf16(const std::string& bytes, bool big_endian)
+{
+  std::string text;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2)
+  {
+    const char32_t unit = (byteAt(bytes, big_endian ? i : i + 1) << 8U) | byteAt(bytes, big_endian ? i + 1 : i);
+    append(text, unit >= 0xD800 && unit < 0xE000 ? replacement : unit);
+  }
+  return text;
+}
+
+std::string fromLatin1(const std::string& bytes)
+{
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+  {
+    append(text, byteAt(bytes, i));
+  }
+  return text;
+}
+
+/// Text in UTF-8 with the lines as they are in the file.
+std::string asUtf8(const std::string& bytes)
+{
+  if (beginsWith(bytes, "\xEF\xBB\xBF"))
+  {
+    return bytes.substr(3);
+  }
+  if (beginsWith(bytes, "\xFF\xFE") || beginsWith(bytes, "\xFE\xFF"))
+  {
+    return fromUtf16(bytes, bytes[0] == '\xFE');
+  }
+  return isUtf8(bytes) ? bytes : fromLatin1(bytes);
+}
+
+bool isControl(char c)
+{
+  const auto code = static_cast<unsigned char>(c);
+  return (code < 0x20 && c != '\n' && c != '\t' && c != '\v' && c != '\f') || code == 0x7F;
+}
+
+/// Text of a file in UTF-8, with lines that end with \n; nothing if the bytes are not a text: they contain control
+/// characters.
+std::optional<std::string> decodedText(const std::string& bytes)
+{
+  const std::string text = asUtf8(bytes);
+  std::string lines;
+  lines.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const bool before_newline = i + 1 < text.size() && text[i + 1] == '\n';
+    if (text[i] != '\r')
+    {
+      lines += text[i];
+    }
+    else if (!before_newline)
+    {
+      lines += '\n';
+    }
+  }
+  // Ctrl-Z ends the text of files of DOS.
+  while (!lines.empty() && lines.back() == '\x1A')
+  {
+    lines.pop_back();
+  }
+  return std::any_of(lines.begin(), lines.end(), isControl) ? std::nullopt : std::optional(lines);
+}
 
 std::string contentOf(const std::string& path, std::size_t largest)
 {
-  const auto refuse = [&path](const std::string& reason) { throw TextError(path, 0, reason); };
+  const auto refuse = [&path](const std::string& reason) { throw FileError(path, 0, reason); };
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
@@ -47,15 +175,13 @@ std::string contentOf(const std::string& path, std::size_t largest)
   }
   return *text;
 }
-
-std::string located(const std::string& file, std::size_t line, const std::string& reason)
-{
-  return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason;
-}
 }  // namespace
 
-TextError::TextError(const std::string& file, std::size_t line, const std::string& reason)
-    : std::runtime_error(located(file, line, reason)), file_(file), line_(line), reason_(reason)
+FileError::FileError(const std::string& file, std::size_t line, const std::string& reason)
+    : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason),
+      file_(file),
+      line_(line),
+      reason_(reason)
 {
 }
 
@@ -85,6 +211,16 @@ void TextFile::rewind()
   line_.clear();
 }
 
+double TextFile::numberIn(const std::string& word) const
+{
+  const std::optional<double> value = parseNumber(word);
+  if (!value)
+  {
+    refuse("'" + word + "' is not a number");
+  }
+  return *value;
+}
+
 void TextFile::refuse(const std::string& reason) const
 {
   refuse(number_, reason);
@@ -92,6 +228,6 @@ void TextFile::refuse(const std::string& reason) const
 
 void TextFile::refuse(std::size_t line, const std::string& reason) const
 {
-  throw TextError(path_, line, reason);
+  throw FileError(path_, line, reason);
 }
 }  // namespace wheel_rail_contact::core

@@ -16,17 +16,6 @@ bool isLoneNumber(const std::string& line)
   return line.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// Fields of a line without empty ones at its end; separator ' ': white space.
-std::vector<std::string> splitAt(const std::string& line, char separator)
-{
-  std::vector<std::string> fields = separator == ' ' ? splitWords(line) : splitFields(line, separator);
-  while (fields.size() > 1 && fields.back().empty())
-  {
-    fields.pop_back();
-  }
-  return fields;
-}
-
 bool beginsWithNumber(const std::string& line)
 {
   return parseNumber(withPoint(line.substr(0, line.find_first_of("; \t")))) ||
@@ -152,11 +141,7 @@ void TextTable::takeComment(const std::vector<Line>& comments, const TitleRule& 
 
 std::vector<std::string> TextTable::fieldsOf(const std::string& line) const
 {
-  std::vector<std::string> fields = separator_ == ' ' ? splitWords(line) : splitFields(line, separator_);
-  while (fields.size() > columns_ && fields.back().empty())
-  {
-    fields.pop_back();
-  }
+  std::vector<std::string> fields = splitAt(line, separator_, columns_);
   if (separator_ != ',')
   {
     std::transform(fields.begin(), fields.end(), fields.begin(), withPoint);

@@ -23,7 +23,7 @@ class TextTable
   using TitleRule = std::function<bool(const std::vector<TableTitle>&)>;
 
   /// Finds titles and separator. Keeps a reference to `file`, which must outlive the table.
-  /// @throw TextError if the file contains only comments.
+  /// @throw FileError if the file contains only comments.
   TextTable(TextFile& file, const TitleRule& are_titles);
 
   /// Titles of the columns; empty if the file has none.
@@ -34,11 +34,11 @@ class TextTable
   std::size_t columns() const { return columns_; }
   /// Reads the fields of the next row, with a decimal point.
   /// @return false after the last row
-  /// @throw TextError if the row has another number of columns.
+  /// @throw FileError if the row has another number of columns.
   bool next(std::vector<std::string>& fields);
   /// Number in a field of the current row.
   /// @param column  its name in the message; empty: not named
-  /// @throw TextError if it is not a finite number.
+  /// @throw FileError if it is not a finite number.
   double number(const std::string& field, const std::string& column = "") const;
 
  private:

@@ -63,6 +63,16 @@ std::vector<std::string> splitFields(const std::string& line, char separator)
   return fields;
 }
 
+std::vector<std::string> splitAt(const std::string& line, char separator, std::size_t least)
+{
+  std::vector<std::string> fields = separator == ' ' ? splitWords(line) : splitFields(line, separator);
+  while (fields.size() > least && fields.back().empty())
+  {
+    fields.pop_back();
+  }
+  return fields;
+}
+
 std::string trim(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(white_space);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ int decimalPlaces(const std::string& number);
 std::vector<std::string> splitWords(const std::string& line);
 /// Fields of a line, without white space at their ends.
 std::vector<std::string> splitFields(const std::string& line, char separator);
+/// Fields of a line without empty ones at its end; separator ' ': white space.
+/// @param least  number of fields that are kept although they are empty
+std::vector<std::string> splitAt(const std::string& line, char separator, std::size_t least = 1);
 /// Text without white space at its ends.
 std::string trim(const std::string& text);
 /// Text with the letters A to Z in lower case.

@@ -246,7 +246,7 @@ TrackLine readTrackLine(const std::string& path, double gauge_at_rest, LineAxes 
     LineFile file(path, axes);
     return {path, stationsOf(file, gauge_at_rest)};
   }
-  catch (const TextError& error)
+  catch (const FileError& error)
   {
     throw std::invalid_argument(error.what());
   }

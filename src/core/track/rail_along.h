@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/profile/changing_profile.h"
+#include "core/profile/along/changing_profile.h"
 #include "core/track/placement.h"
 
 namespace wheel_rail_contact::core

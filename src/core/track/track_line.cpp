@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/profile/monotone_cubic.h"
+#include "core/profile/curve/monotone_cubic.h"
 #include "core/track/line_station.h"
 
 namespace wheel_rail_contact::core

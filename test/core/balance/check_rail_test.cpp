@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/balance/rail_support.h"
-#include "core/profile/smoothing_spline.h"
+#include "core/profile/curve/spline.h"
 #include "core/track/placement.h"
 #include "core/track/rail_search.h"
 #include "wheelset_scene.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The profile of a rail at a place of the line.
-#include "core/profile/changing_profile.h"
+#include "core/profile/along/changing_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "../allocation_counter.h"
-#include "core/profile/changing_profile.h"
+#include "core/profile/along/changing_profile.h"
 #include "section_scenes.h"
 
 #ifdef __GLIBC__

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/profile/profile_measures.h"
+#include "core/profile/curve/measures.h"
 
 #include <gtest/gtest.h>
 

@@ -146,8 +146,8 @@ TEST(MirroredProfile, OfAWheelOfTheRightOrientationIsNotAWheel)
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
   const std::string given = folder.write("given.csv", csv(wheel));
   const std::string negated_file = folder.write("negated.csv", csv(changed(wheel, negated)));
-  EXPECT_THROW(readProfile(given, ProfileKind::wheel, mirror), ProfileError);
-  EXPECT_THROW(readProfile(negated_file, ProfileKind::wheel), ProfileError);
+  EXPECT_THROW(readProfile(given, ProfileKind::wheel, mirror), FileError);
+  EXPECT_THROW(readProfile(negated_file, ProfileKind::wheel), FileError);
   EXPECT_NO_THROW(loadProfile(negated_file, ProfileKind::wheel, mirror));
 }
 

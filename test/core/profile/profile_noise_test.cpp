@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/profile/noise_estimate.h"
+#include "core/profile/noise/noise.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -152,7 +152,7 @@ TEST(NoiseEstimate, CountsTheDigitsOfAFile)
   EXPECT_LT(report.smoothing, 14e-6);
   // Whole millimetres do not determine a curvature.
   const std::string whole = folder.write("rail.csv", table(noisy(rail60E1(), 0, 1 * mm), 0));
-  EXPECT_THROW(readProfile(whole, ProfileKind::rail), ProfileError);
+  EXPECT_THROW(readProfile(whole, ProfileKind::rail), FileError);
 }
 
 TEST(Smoothing, IsEstimatedUnlessStated)
@@ -337,6 +337,6 @@ TEST(Outliers, ThatAreManyAreRefused)
   {
     points[i].z += 0.05 * mm;
   }
-  EXPECT_THROW(readProfile(folder.write("rail.csv", table(points, 7)), ProfileKind::rail), ProfileError);
+  EXPECT_THROW(readProfile(folder.write("rail.csv", table(points, 7)), ProfileKind::rail), FileError);
 }
 }  // namespace wheel_rail_contact::core

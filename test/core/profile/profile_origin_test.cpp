@@ -39,7 +39,7 @@ class OriginTest : public testing::Test
       read(points, kind, reading);
       return "accepted";
     }
-    catch (const ProfileError& error)
+    catch (const FileError& error)
     {
       return error.reason();
     }
@@ -149,7 +149,7 @@ TEST_F(OriginTest, OfASimpackWheelMayBeItsFlangeBack)
     readProfile(path, ProfileKind::wheel);
     ADD_FAILURE() << "accepted";
   }
-  catch (const ProfileError& error)
+  catch (const FileError& error)
   {
     EXPECT_TRUE(contains(error.reason(), "origin: flange_back")) << error.reason();
   }

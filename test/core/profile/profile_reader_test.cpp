@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "core/profile/smoothing_spline.h"
+#include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 
 namespace wheel_rail_contact::core
@@ -23,7 +23,7 @@ using test::parameterAt;
 using test::Point;
 using test::pointsOf;
 
-/// Expects a ProfileError with this line and a reason that contains `reason`.
+/// Expects a FileError with this line and a reason that contains `reason`.
 void expectRejected(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
 {
   SCOPED_TRACE(path + ", expected error: " + reason);
@@ -32,7 +32,7 @@ void expectRejected(const std::string& path, ProfileKind kind, std::size_t line,
     readProfile(path, kind);
     ADD_FAILURE() << "the file was accepted";
   }
-  catch (const ProfileError& error)
+  catch (const FileError& error)
   {
     EXPECT_EQ(error.file(), path);
     EXPECT_EQ(error.line(), line) << error.what();
@@ -81,7 +81,7 @@ TEST(LoadProfile, ContentDeterminesTheFileFormat)
     loadProfile("S1003", ProfileKind::wheel);
     ADD_FAILURE() << "S1003 is no file";
   }
-  catch (const ProfileError& error)
+  catch (const FileError& error)
   {
     EXPECT_NE(error.reason().find("neither the name of a standard profile"), std::string::npos);
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "section_scenes.h"
 #include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact::core
@@ -205,7 +206,7 @@ TEST(Profile, PartsAreSeparateCurvesThatIncludeTheirEnds)
 {
   const std::vector<ProfileSection> first{{ArcSection{0, 0, 0.02, pi, -1}, 0.03}, {LineSection{0, 0.02, 1, 0}, 0.01}};
   const std::vector<ProfileSection> second{{LineSection{0.05, 0.01, 0.8, 0.6}, 0.02}};
-  const Profile profile = Profile::ofParts("two", {first, second});
+  const section_scenes::ProfileOfParts profile({first, second});
   ASSERT_EQ(profile.parts().size(), 2U);
   EXPECT_EQ(profile.parts()[0].begin, 0);
   EXPECT_DOUBLE_EQ(profile.parts()[0].end, 0.04);
@@ -241,8 +242,8 @@ TEST(Profile, InvalidSectionsAreRejected)
 TEST(ProfilePart, OriginIsItsPointNearestToTheOriginOfTheProfile)
 {
   // An arc of 0.3 m about a point below, whose top is 2 mm above the origin and 5 mm to the side; and a line beside it.
-  const Profile profile = Profile::ofParts(
-      "parts", {{{ArcSection{0.005, -0.298, 0.3, pi / 2 + 0.1, -1}, 0.06}}, {{LineSection{0.1, 0.0, 0, 1}, 0.02}}});
+  const section_scenes::ProfileOfParts profile(
+      {{{ArcSection{0.005, -0.298, 0.3, pi / 2 + 0.1, -1}, 0.06}}, {{LineSection{0.1, 0.0, 0, 1}, 0.02}}});
   const CurvePoint nearest = profile.at(profile.parts()[0].origin);
   EXPECT_NEAR(nearest.y * nearest.dy + nearest.z * nearest.dz, 0, 1e-9);
   EXPECT_NEAR(nearest.y, 0.005 - 0.3 * 0.005 / std::hypot(0.005, 0.298), 1e-9);

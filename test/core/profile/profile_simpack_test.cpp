@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/profile/smoothing_spline.h"
+#include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -74,7 +74,7 @@ class SimpackProfile : public testing::Test
       readProfile(folder_.write(kind == ProfileKind::rail ? "bad.prr" : "bad.prw", text), kind);
       ADD_FAILURE() << "the file was accepted";
     }
-    catch (const ProfileError& error)
+    catch (const FileError& error)
     {
       EXPECT_NE(error.reason().find(reason), std::string::npos) << error.what();
       EXPECT_EQ(error.line() > 0, in_a_line) << error.what();

@@ -56,7 +56,7 @@ class SlicesTest : public testing::Test
       read(text);
       FAIL() << "accepted: " << text;
     }
-    catch (const ProfileError& error)
+    catch (const FileError& error)
     {
       EXPECT_EQ(error.line(), line) << error.what();
       EXPECT_NE(error.reason().find(reason), std::string::npos) << error.what();

@@ -61,7 +61,7 @@ class TableTest : public testing::Test
       const Profile read = readProfile(folder_.write("rail.txt", text), ProfileKind::rail, reading);
       EXPECT_LT(deviation(read, pointsOf(rail60E1())), digits);
     }
-    catch (const ProfileError& error)
+    catch (const FileError& error)
     {
       ADD_FAILURE() << error.what();
     }
@@ -76,7 +76,7 @@ class TableTest : public testing::Test
       readProfile(folder_.write("bad.txt", text), kind, reading);
       return "accepted";
     }
-    catch (const ProfileError& error)
+    catch (const FileError& error)
     {
       return error.reason();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves between two sections of a rail.
-#include "core/profile/section_blend.h"
+#include "core/profile/along/section_blend.h"
 
 #include <gtest/gtest.h>
 
@@ -243,8 +243,7 @@ TEST(RailSections, MistakesAreRefused)
   constexpr auto gauge = RailSections::Placement::gauge;
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto head = shared(profileOf({})), other = shared(profileOf({0.001}));
-  const auto two =
-      shared(Profile::ofParts("two", {{{LineSection{0, 0, 1, 0}, 0.1}}, {{LineSection{0.2, 0, 1, 0}, 0.1}}}));
+  const auto two = shared(ProfileOfParts({{{LineSection{0, 0, 1, 0}, 0.1}}, {{LineSection{0.2, 0, 1, 0}, 0.1}}}));
   EXPECT_THROW(RailSections({}, gauge), std::invalid_argument);
   EXPECT_THROW(RailSections({{}}, gauge), std::invalid_argument);
   EXPECT_THROW(RailSections({{{0, nullptr, {}}}}, gauge), std::invalid_argument);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/profile/section_blend.h"
+#include "core/profile/along/section_blend.h"
 #include "wheel_rail_contact/core/profile.h"
 
 /// Rail sections of straight lines and arcs, and their exact curves.
@@ -55,6 +55,25 @@ inline Profile groovedProfile(const Head& one, const Head& two, double depth)
   addHead(two, depth - two.radius, head_depth - two.radius, sections);
   return {"grooved", sections};
 }
+
+/// Profile of several parts.
+class ProfileOfParts : public Profile
+{
+ public:
+  explicit ProfileOfParts(const std::vector<std::vector<ProfileSection>>& parts) : Profile("parts")
+  {
+    for (const std::vector<ProfileSection>& sections : parts)
+    {
+      beginPart();
+      for (const ProfileSection& section : sections)
+      {
+        add(section);
+      }
+    }
+    makeBuckets();
+    findOrigins();
+  }
+};
 
 inline std::shared_ptr<const Profile> shared(const Profile& profile)
 {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/profile/smoothing_spline.h"
+#include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

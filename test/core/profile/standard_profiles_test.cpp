@@ -34,7 +34,7 @@ TEST(StandardProfiles, MessageOnAnUnknownNameListsAllOfThem)
     loadProfile("61E1", ProfileKind::rail);
     FAIL();
   }
-  catch (const ProfileError& error)
+  catch (const FileError& error)
   {
     for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail})
     {

@@ -38,7 +38,7 @@ Sections sectionsOf(const Head& head)
 struct TwoParts
 {
   TwoParts(const Sections& first, const Sections& second)
-      : both(shared(Profile::ofParts("both", {first, second})), RailFrame{}),
+      : both(shared(section_scenes::ProfileOfParts({first, second})), RailFrame{}),
         alone{PlacedRail(shared({"first", first}), RailFrame{}), PlacedRail(shared({"second", second}), RailFrame{})}
   {
   }

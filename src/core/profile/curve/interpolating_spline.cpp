@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/profile/curve/spline.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Column = std::vector<double>;
+
+constexpr std::size_t least_points = 4;
+constexpr double longest_polygon = 10.0;  ///< [m]; limits the memory of a spline
+
+[[noreturn]] void refuse(const std::string& reason)
+{
+  throw std::invalid_argument("profile spline: " + reason);
+}
+
+void checkPoint(const SampledPoint& point, std::size_t i)
+{
+  if (!std::isfinite(point.y) || !std::isfinite(point.z))
+  {
+    refuse("point " + std::to_string(i) + " is not finite");
+  }
+  if (!(point.weight > 0.0) || !std::isfinite(point.weight))
+  {
+    refuse("weight of point " + std::to_string(i) + " is " + std::to_string(point.weight) + ", must be positive");
+  }
+}
+
+/// Second derivatives of the natural cubic spline with values f at knots u (Thomas algorithm).
+Column secondDerivatives(const Column& u, const Column& f)
+{
+  const std::size_t n = u.size();
+  Column second(n, 0.0);
+  Column upper(n, 0.0);
+  for (std::size_t i = 1; i + 1 < n; ++i)
+  {
+    const double left = u[i] - u[i - 1];
+    const double right = u[i + 1] - u[i];
+    const double pivot = 2.0 * (left + right) - left * upper[i - 1];
+    const double bend = 6.0 * ((f[i + 1] - f[i]) / right - (f[i] - f[i - 1]) / left);
+    upper[i] = right / pivot;
+    second[i] = (bend - left * second[i - 1]) / pivot;
+  }
+  for (std::size_t i = n - 1; i-- > 1;)
+  {
+    second[i] -= upper[i] * second[i + 1];
+  }
+  return second;
+}
+
+/// Coefficients of the cubic between knots i and i + 1.
+void fillCubic(const Column& u, const Column& f, const Column& second, std::size_t i, double* c)
+{
+  const double h = u[i + 1] - u[i];
+  c[0] = f[i];
+  c[1] = (f[i + 1] - f[i]) / h - h * (2.0 * second[i] + second[i + 1]) / 6.0;
+  c[2] = 0.5 * second[i];
+  c[3] = (second[i + 1] - second[i]) / (6.0 * h);
+}
+}  // namespace
+
+std::vector<double> polygonLength(const std::vector<SampledPoint>& points)
+{
+  if (points.size() < least_points)
+  {
+    refuse("number of points is " + std::to_string(points.size()) + ", must be at least " +
+           std::to_string(least_points));
+  }
+  std::vector<double> length(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    checkPoint(points[i], i);
+    if (i > 0)
+    {
+      length[i] = length[i - 1] + std::hypot(points[i].y - points[i - 1].y, points[i].z - points[i - 1].z);
+      if (!(length[i] > length[i - 1]))
+      {
+        refuse("points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are equal");
+      }
+    }
+  }
+  if (!(length.back() <= longest_polygon))
+  {
+    refuse("polygon through the points is " + std::to_string(length.back()) + " m long, must be at most " +
+           std::to_string(longest_polygon) + " m");
+  }
+  return length;
+}
+
+std::vector<ProfileSection> interpolatingSpline(const std::vector<SampledPoint>& points)
+{
+  const Column u = polygonLength(points);
+  Column y;
+  Column z;
+  for (const SampledPoint& point : points)
+  {
+    y.push_back(point.y);
+    z.push_back(point.z);
+  }
+  const Column bend_y = secondDerivatives(u, y);
+  const Column bend_z = secondDerivatives(u, z);
+  std::vector<ProfileSection> sections;
+  for (std::size_t i = 0; i + 1 < u.size(); ++i)
+  {
+    CubicSection cubic{};
+    fillCubic(u, y, bend_y, i, cubic.y);
+    fillCubic(u, z, bend_z, i, cubic.z);
+    sections.push_back({cubic, u[i + 1] - u[i]});
+  }
+  return sections;
+}
+}  // namespace wheel_rail_contact::core

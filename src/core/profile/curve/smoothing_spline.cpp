@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "core/pi.h"
+#include "core/profile/curve/spline.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Column = std::vector<double>;
+
+/// Number of uniform cubic B-splines that are non-zero in an interval.
+constexpr std::size_t cover = 4;
+constexpr double knot_distance = 0.5e-3;  ///< [m]
+constexpr double group_length = 0.2e-3;   ///< of points that are averaged [m]
+/// Coefficients of the third difference: one row of the penalty.
+constexpr std::array<double, cover> third_difference = {-1.0, 3.0, -3.0, 1.0};
+/// The penalty is multiplied by (reference_curvature / curvature)², with a curvature of at least least_curvature [1/m].
+constexpr double least_curvature = 3.0;
+constexpr double reference_curvature = 10.0;
+/// Distance beyond the ends of a corner over which the penalty is also reduced [m].
+constexpr double corner_reach = 2e-3;
+
+std::array<double, cover> basis(double t)
+{
+  const double s = 1.0 - t;
+  return {s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0, (3.0 * s * s * s - 6.0 * s * s + 4.0) / 6.0,
+          t * t * t / 6.0};
+}
+
+/// Least-squares fit of both coordinates by B-splines with a penalty.
+class PenalisedFit
+{
+ public:
+  explicit PenalisedFit(const std::vector<SampledPoint>& points);
+
+  /// Fits with the strongest penalty for which the weighted mean square deviation is at most `target` [m²].
+  void fitTo(double target);
+  /// Adapts the penalty to the curvature of the present fit.
+  void relaxAtCorners();
+  /// @param noise  standard deviation of the points [m], for the error of the curve
+  std::vector<ProfileSection> sections(double noise) const;
+
+ private:
+  /// Lower triangle of a symmetric band matrix with three diagonals below the main one, by columns.
+  using Band = std::vector<std::array<double, cover>>;
+
+  struct Sample
+  {
+    std::size_t interval;
+    std::array<double, cover> basis;
+    SampledPoint point;  ///< weights scaled to the mean 1
+  };
+
+  void fit(double penalty);
+  double deviationOf(const std::array<double, cover>& combination, std::size_t interval) const;
+  ShapeError errorOf(std::size_t interval, double noise) const;
+  double meanSquare() const;
+  double curvature(std::size_t i) const;
+  static void factorise(Band& band);
+  static Column solve(const Band& factors, Column x);
+
+  std::vector<Sample> samples_;
+  std::size_t intervals_ = 0;
+  double step_ = 0;  ///< distance of the knots [m]
+  Band normal_;      ///< normal matrix of the least squares, without penalty
+  Column right_y_, right_z_;
+  Column relaxation_;  ///< factor of the penalty in each row [-]
+  Column y_, z_;       ///< coefficients [m]
+  Band factors_;       ///< of the equations of the last fit
+};
+
+PenalisedFit::PenalisedFit(const std::vector<SampledPoint>& points)
+{
+  const Column u = polygonLength(points);
+  intervals_ = static_cast<std::size_t>(std::ceil(u.back() / knot_distance)) + 1;
+  step_ = u.back() / static_cast<double>(intervals_);
+  const std::size_t size = intervals_ + cover - 1;
+  normal_.assign(size, {});
+  right_y_.assign(size, 0.0);
+  right_z_.assign(size, 0.0);
+  relaxation_.assign(intervals_ - 1, 1.0);
+  double weights = 0;
+  for (const SampledPoint& point : points)
+  {
+    weights += point.weight;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    Sample sample{std::min(static_cast<std::size_t>(u[i] / step_), intervals_ - 1), {}, points[i]};
+    sample.basis = basis(u[i] / step_ - static_cast<double>(sample.interval));
+    sample.point.weight *= static_cast<double>(points.size()) / weights;
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      const std::size_t row = sample.interval + a;
+      const double share = sample.point.weight * sample.basis[a];
+      right_y_[row] += share * sample.point.y;
+      right_z_[row] += share * sample.point.z;
+      for (std::size_t b = a; b < cover; ++b)
+      {
+        normal_[row][b - a] += share * sample.basis[b];
+      }
+    }
+    samples_.push_back(sample);
+  }
+}
+
+void PenalisedFit::factorise(Band& band)
+{
+  for (std::size_t i = 0; i < band.size(); ++i)
+  {
+    const std::size_t below = std::min(cover, band.size() - i);
+    std::array<double, cover> column = band[i];
+    for (std::size_t a = 1; a < below; ++a)
+    {
+      band[i][a] = column[a] / column[0];
+      for (std::size_t b = 1; b <= a; ++b)
+      {
+        band[i + b][a - b] -= band[i][a] * column[b];
+      }
+    }
+  }
+}
+
+Column PenalisedFit::solve(const Band& factors, Column x)
+{
+  const auto below = [&](std::size_t i) { return std::min(cover, x.size() - i); };
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    for (std::size_t a = 1; a < below(i); ++a)
+    {
+      x[i + a] -= factors[i][a] * x[i];
+    }
+  }
+  for (std::size_t i = x.size(); i-- > 0;)
+  {
+    x[i] /= factors[i][0];
+    for (std::size_t a = 1; a < below(i); ++a)
+    {
+      x[i] -= factors[i][a] * x[i + a];
+    }
+  }
+  return x;
+}
+
+void PenalisedFit::fit(double penalty)
+{
+  Band band = normal_;
+  for (std::size_t i = 0; i < relaxation_.size(); ++i)
+  {
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      for (std::size_t b = a; b < cover; ++b)
+      {
+        band[i + a][b - a] += penalty * relaxation_[i] * third_difference[a] * third_difference[b];
+      }
+    }
+  }
+  factorise(band);
+  y_ = solve(band, right_y_);
+  z_ = solve(band, right_z_);
+  factors_ = std::move(band);
+}
+
+double PenalisedFit::meanSquare() const
+{
+  double sum = 0;
+  for (const Sample& sample : samples_)
+  {
+    double dy = -sample.point.y;
+    double dz = -sample.point.z;
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      dy += sample.basis[a] * y_[sample.interval + a];
+      dz += sample.basis[a] * z_[sample.interval + a];
+    }
+    sum += sample.point.weight * (dy * dy + dz * dz);
+  }
+  return sum / static_cast<double>(samples_.size());
+}
+
+void PenalisedFit::fitTo(double target)
+{
+  // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
+  double low = -15.0;
+  double high = 25.0;
+  for (int halving = 0; halving < 30; ++halving)
+  {
+    const double middle = 0.5 * (low + high);
+    fit(std::exp(middle));
+    (meanSquare() < target ? low : high) = middle;
+  }
+  fit(std::exp(low));
+}
+
+/// Curvature at the middle of B-spline i [1/m], with i from 1 to the second-last.
+double PenalisedFit::curvature(std::size_t i) const
+{
+  const double dy = 0.5 * (y_[i + 1] - y_[i - 1]);
+  const double dz = 0.5 * (z_[i + 1] - z_[i - 1]);
+  const double bend = dy * (z_[i + 1] - 2.0 * z_[i] + z_[i - 1]) - dz * (y_[i + 1] - 2.0 * y_[i] + y_[i - 1]);
+  return bend / std::pow(dy * dy + dz * dz, 1.5);
+}
+
+void PenalisedFit::relaxAtCorners()
+{
+  const std::size_t last = y_.size() - 2;
+  const auto reach = static_cast<std::size_t>(std::ceil(corner_reach / step_));
+  for (std::size_t row = 0; row < relaxation_.size(); ++row)
+  {
+    const std::size_t middle = row + 1;
+    double sharpest = least_curvature;
+    for (std::size_t i = middle > reach ? middle - reach : 1; i <= std::min(middle + 1 + reach, last); ++i)
+    {
+      sharpest = std::max(sharpest, std::abs(curvature(i)));
+    }
+    relaxation_[row] = (reference_curvature / sharpest) * (reference_curvature / sharpest);
+  }
+}
+
+/// Standard deviation of a linear combination of the coefficients of an interval, for noise of 1. The covariance is
+/// that of Wahba (Bayesian confidence intervals for the cross-validated smoothing spline, J. R. Statist. Soc. B 45,
+/// 1983): the inverse of the equations. It contains the bias of the smoothing.
+double PenalisedFit::deviationOf(const std::array<double, cover>& combination, std::size_t interval) const
+{
+  Column right(y_.size(), 0.0);
+  for (std::size_t a = 0; a < cover; ++a)
+  {
+    right[interval + a] = combination[a];
+  }
+  const Column x = solve(factors_, right);
+  double variance = 0;
+  for (std::size_t a = 0; a < cover; ++a)
+  {
+    variance += combination[a] * x[interval + a];
+  }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+/// Error of the curve in the middle of an interval: by noise, and by the smoothing of a change of curvature. The latter
+/// is taken as half the change over a quarter of the wavelength on either side that has both deviations: that is how
+/// far the smoothing reaches.
+ShapeError PenalisedFit::errorOf(std::size_t interval, double noise) const
+{
+  constexpr double middle = 0.5;
+  constexpr std::array<double, cover> second_derivative = {0.5, -0.5, -0.5, 0.5};  // there, times step²
+  const double position = noise * deviationOf(basis(middle), interval);
+  const double by_noise = noise * deviationOf(second_derivative, interval) / (step_ * step_);
+  const double quarter = by_noise > 0 ? 0.5 * pi * std::sqrt(position / by_noise) : 0;
+  const std::size_t last = y_.size() - 2, here = interval + 1;
+  const auto reach = static_cast<std::size_t>(std::ceil(std::min(quarter / step_, static_cast<double>(last))));
+  const double change = curvature(std::min(here + 1 + reach, last)) - curvature(here > reach ? here - reach : 1);
+  return {position, std::hypot(by_noise, 0.5 * change), false};
+}
+
+std::vector<ProfileSection> PenalisedFit::sections(double noise) const
+{
+  std::vector<ProfileSection> sections;
+  for (std::size_t i = 0; i < intervals_; ++i)
+  {
+    CubicSection cubic{};
+    const auto fill = [this, i](const Column& q, double* c)
+    {
+      c[0] = (q[i] + 4.0 * q[i + 1] + q[i + 2]) / 6.0;
+      c[1] = (q[i + 2] - q[i]) / (2.0 * step_);
+      c[2] = (q[i] - 2.0 * q[i + 1] + q[i + 2]) / (2.0 * step_ * step_);
+      c[3] = (-q[i] + 3.0 * q[i + 1] - 3.0 * q[i + 2] + q[i + 3]) / (6.0 * step_ * step_ * step_);
+    };
+    fill(y_, cubic.y);
+    fill(z_, cubic.z);
+    sections.push_back({cubic, step_, errorOf(i, noise)});
+  }
+  return sections;
+}
+}  // namespace
+
+std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
+{
+  std::vector<SampledPoint> means;
+  for (std::size_t i = 0; i < points.size();)
+  {
+    SampledPoint sum{0, 0, 0};
+    const SampledPoint& first = points[i];
+    for (; i < points.size() && std::hypot(points[i].y - first.y, points[i].z - first.z) < group_length; ++i)
+    {
+      sum.y += points[i].weight * points[i].y;
+      sum.z += points[i].weight * points[i].z;
+      sum.weight += points[i].weight;
+    }
+    means.push_back({sum.y / sum.weight, sum.z / sum.weight, sum.weight});
+  }
+  return means;
+}
+
+namespace
+{
+/// Largest distance of the curve from the polygon through the points, at the points and in the middle between them,
+/// over what is plausible there: a share of the distance of the points.
+double excess(const std::vector<ProfileSection>& sections, const std::vector<SampledPoint>& points, double noise)
+{
+  constexpr double share = 0.3, times_noise = 20, least = 1e-5;  // arcs rise less between points; [-, -, m]
+  const Profile curve("", sections);
+  const Column u = polygonLength(points);
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const CurvePoint p = curve.at(0.5 * (u[i] + u[i + 1]));
+    const double y = 0.5 * (points[i].y + points[i + 1].y), z = 0.5 * (points[i].z + points[i + 1].z);
+    const double plausible = share * (u[i + 1] - u[i]) + times_noise * noise + least;
+    largest = std::max(largest, std::hypot(p.y - y, p.z - z) / plausible);
+  }
+  return largest;
+}
+}  // namespace
+
+std::vector<ProfileSection> smoothingSpline(const std::vector<SampledPoint>& points, double noise)
+{
+  if (!(noise > 0.0 && noise <= max_spline_noise))
+  {
+    throw std::invalid_argument("profile spline: noise is " + std::to_string(noise * 1e6) +
+                                " um, must be above 0 and at most " + std::to_string(max_spline_noise * 1e6) + " um");
+  }
+  PenalisedFit fit(points);
+  fit.fitTo(noise * noise);
+  fit.relaxAtCorners();
+  fit.fitTo(noise * noise);
+  std::vector<ProfileSection> sections = fit.sections(noise);
+  if (!(excess(sections, points, noise) <= 1))
+  {
+    throw std::invalid_argument("profile spline: the curve leaves the points: their noise is not " +
+                                std::to_string(noise * 1e6) + " um, or points are missing");
+  }
+  return sections;
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/profile/files/steps.h"
+#include "core/text/table_title.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double micrometre = 1e-6;      ///< [m]
+constexpr double least_movement = 1e-9;  ///< shorter ones are rounding [m]
+/// Ratio of length and width of a missing range from which it is the side of a head or a wheel, which carries nothing.
+constexpr double steep = 3;
+
+std::string micrometres(double length)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << length / micrometre << " um";
+  return text.str();
+}
+
+/// Range of y in which points of a profile are missing [m].
+struct MissingRange
+{
+  double y_first, y_last;
+  double length;  ///< along the curve [m]
+};
+
+/// Ranges in which points are missing, from the gauge side.
+std::vector<MissingRange> missingRanges(const Profile& profile)
+{
+  std::vector<MissingRange> ranges;
+  const std::vector<double>& places = profile.discontinuities();
+  bool missing_before = false;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  {
+    const bool missing = profile.errorAt(0.5 * (places[i] + places[i + 1])).missing;
+    if (missing && !missing_before)
+    {
+      ranges.push_back({profile.at(places[i]).y, 0, 0});
+    }
+    if (missing)
+    {
+      ranges.back().y_last = profile.at(places[i + 1]).y;
+      ranges.back().length += places[i + 1] - places[i];
+    }
+    missing_before = missing;
+  }
+  return ranges;
+}
+
+/// One line with what was understood of a file.
+std::string reportText(const Profile& profile, const ProfileReport& report)
+{
+  std::ostringstream text;
+  text << report.format << ", " << report.points << " points";
+  if (report.omitted > 0)
+  {
+    text << " (" << report.omitted << " omitted: closer than 0.05 mm, running back, or beside the head)";
+  }
+  text << ", unit " << nameOfLength(report.unit) << ", y "
+       << (report.y == ProfileReading::Y::outward ? "outward" : "inward") << ", z "
+       << (report.z == ProfileReading::Z::up ? "up" : "down");
+  if (std::hypot(report.moved_y, report.moved_z) > least_movement)
+  {
+    text << ", moved by " << millimetres(report.moved_y) << " outward and " << millimetres(report.moved_z) << " up";
+  }
+  text << ", noise " << (report.noise ? micrometres(*report.noise) : "not known (too few points)");
+  text << (report.smoothing > 0 ? ", smoothed for " + micrometres(report.smoothing) : ", not smoothed");
+  for (const MissingRange& range : missingRanges(profile))
+  {
+    if (range.length > steep * std::abs(range.y_last - range.y_first))
+    {
+      continue;
+    }
+    text << ", points missing over " << millimetres(range.length) << " from y = " << millimetres(range.y_first)
+         << " to " << millimetres(range.y_last);
+  }
+  if (!report.remark.empty())
+  {
+    text << ", " << report.remark;
+  }
+  return text.str();
+}
+
+/// @throw std::invalid_argument if an option is out of range.
+void checkReading(const ProfileReading& reading)
+{
+  constexpr double farthest = 1.0;  // [m]
+  const auto require = [](bool rule, const char* text)
+  {
+    if (!rule)
+    {
+      throw std::invalid_argument(std::string("profile: ") + text);
+    }
+  };
+  require(!reading.smoothing || (*reading.smoothing >= 0 && *reading.smoothing <= max_spline_noise),
+          "smoothing must be 0 to 1e-4 m");
+  require(!reading.unit || (*reading.unit > 0 && std::isfinite(*reading.unit)), "unit must be a positive length");
+  require(std::abs(reading.shift_y) <= farthest && std::abs(reading.shift_z) <= farthest, "shift must be at most 1 m");
+  require(std::isfinite(reading.rotate), "rotate must be finite");
+}
+
+std::vector<FittedPoint> fittedPoints(const std::vector<SampledPoint>& points)
+{
+  std::vector<FittedPoint> fitted;
+  std::transform(points.begin(), points.end(), std::back_inserter(fitted),
+                 [](const SampledPoint& p) {
+                   return FittedPoint{p.y, p.z};
+                 });
+  return fitted;
+}
+}  // namespace
+
+DescribedProfile profileOf(const TextFile& file, const FileProfile& content, ProfileKind kind,
+                           const ProfileReading& reading)
+{
+  checkReading(reading);
+  FramedPoints framed = framedPoints(file, content, kind, reading);
+  std::vector<SampledPoint>& points = framed.placed.points;
+  ProfileReport report;
+  report.remark = content.remark;
+  const std::vector<ProfileSection> sections = curveThrough(file, content, framed.axes.unit, reading, points, report);
+  report.format = content.format;
+  report.points = points.size();
+  report.omitted = content.points.size() - points.size();
+  report.unit = framed.axes.unit;
+  report.y = framed.axes.y;
+  report.z = framed.axes.z;
+  report.moved_y = framed.placed.moved_y;
+  report.moved_z = framed.placed.moved_z;
+  Profile profile(std::filesystem::path(file.path()).filename().string(), sections);
+  report.text = reportText(profile, report);
+  return {std::move(profile), std::move(report), fittedPoints(points)};
+}
+}  // namespace wheel_rail_contact::core
