@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bag/bag_compression.h"
-
 #include <bzlib.h>
 #include <roslz4/lz4s.h>
 

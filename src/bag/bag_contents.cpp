@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "bag/bag_compression.h"
-
 namespace wheel_rail_contact
 {
 namespace

@@ -12,8 +12,6 @@
 #include <system_error>
 #include <utility>
 
-#include "bag/bag_compression.h"
-
 namespace wheel_rail_contact
 {
 namespace

@@ -2,7 +2,6 @@
 // Conversion of single messages of a bag from and to bytes.
 #pragma once
 
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/message_traits.h>
 #include <ros/serialization.h>
 
@@ -52,8 +51,4 @@ std::string serialized(const Message& message)
   ros::serialization::serialize(stream, message);
   return bytes;
 }
-
-/// Transforms in the bytes of a message tf2_msgs/TFMessage.
-/// @throw ros::serialization::StreamOverrunException if the message is truncated.
-std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data);
 }  // namespace wheel_rail_contact

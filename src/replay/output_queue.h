@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "replay/replay_item.h"
+#include "replay/replay_source.h"
 
 namespace wheel_rail_contact
 {

@@ -17,7 +17,7 @@
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
 #include "replay/result_counts.h"
-#include "replay/warm_up_inputs.h"
+#include "replay/warm_up.h"
 
 namespace wheel_rail_contact
 {

@@ -15,6 +15,25 @@ namespace wheel_rail_contact
 {
 namespace
 {
+/// Transforms in the bytes of a message tf2_msgs/TFMessage. They are added one by one, without reserving memory: the
+/// count in a damaged message may be arbitrarily large.
+/// @throw ros::serialization::StreamOverrunException if the message is truncated.
+std::vector<geometry_msgs::TransformStamped> parseTransforms(std::string_view data)
+{
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  readStream(data,
+             [&transforms](auto& stream)
+             {
+               std::uint32_t count = 0;
+               stream.next(count);
+               for (; count > 0; --count)
+               {
+                 stream.next(transforms.emplace_back());
+               }
+             });
+  return transforms;
+}
+
 /// Longest time for which an input waits for its transform [ns].
 constexpr auto transform_timeout_ns = static_cast<std::uint64_t>(InputPreparation::transform_timeout * 1e9);
 

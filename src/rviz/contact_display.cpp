@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/contact_display.h"
 
+#include <rviz/default_plugin/marker_utils.h>
+
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -14,6 +16,30 @@
 namespace wheel_rail_contact
 {
 using rviz::StatusProperty;
+using visualization_msgs::Marker;
+
+void MarkerDrawing::show(const visualization_msgs::MarkerArray& markers)
+{
+  for (const Marker& marker : markers.markers)
+  {
+    showOne(marker);
+  }
+  const MarkerKeys kept = keysOf(markers);
+  for (auto entry = shown_.begin(); entry != shown_.end();)
+  {
+    entry = kept.count(entry->first) > 0 ? std::next(entry) : shown_.erase(entry);
+  }
+}
+
+void MarkerDrawing::showOne(const Marker& marker)
+{
+  rviz::MarkerBasePtr& drawn = shown_[{marker.ns, marker.id}];
+  if (!drawn)
+  {
+    drawn.reset(rviz::createMarker(marker.type, nullptr, context_, parent_));
+  }
+  drawn->setMessage(marker);
+}
 
 ContactDisplay::ContactDisplay() : properties_(this)
 {
@@ -203,5 +229,3 @@ void ContactDisplay::draw()
   context_->queueRender();
 }
 }  // namespace wheel_rail_contact
-
-PLUGINLIB_EXPORT_CLASS(wheel_rail_contact::ContactDisplay, rviz::Display)

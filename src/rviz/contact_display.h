@@ -1,24 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <OgreMaterial.h>
+#include <OgreSharedPtr.h>
+#include <rviz/default_plugin/markers/marker_base.h>
+#include <rviz/message_filter_display.h>
+#include <visualization_msgs/MarkerArray.h>
+#include <wheel_rail_contact/WheelsetContact.h>
+
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include <rviz/message_filter_display.h>
-#include <wheel_rail_contact/WheelsetContact.h>
 #include "ros/markers/contact_trail.h"
 #include "ros/markers/contact_view.h"
+#include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/parameters/parameters.h"
-
 #include "rviz/display_properties.h"
-#include "rviz/marker_drawing.h"
-#include "rviz/panel_picture.h"
 #include "rviz/screen_panel.h"
 
 namespace wheel_rail_contact
 {
+/// Draws markers in the scene of rviz, with the marker classes of rviz.
+class MarkerDrawing
+{
+ public:
+  /// `context` and `parent` must outlive the object.
+  MarkerDrawing(rviz::DisplayContext* context, Ogre::SceneNode* parent) : context_(context), parent_(parent) {}
+
+  /// Shows these markers, and removes all others that it has shown.
+  void show(const visualization_msgs::MarkerArray& markers);
+
+ private:
+  void showOne(const visualization_msgs::Marker& marker);
+
+  rviz::DisplayContext* context_;
+  Ogre::SceneNode* parent_;
+  std::map<MarkerKey, rviz::MarkerBasePtr> shown_;
+};
+
 /// rviz display of the messages WheelsetContact (doc/rviz.md).
 class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
 {

@@ -5,12 +5,43 @@
 #include <OgreTexture.h>
 #include <Overlay/OgreOverlay.h>
 #include <Overlay/OgreOverlayContainer.h>
-
+#include <std_msgs/ColorRGBA.h>
 #include <QImage>
+
 #include <string>
+#include <vector>
+
+#include "ros/evaluation/result_text.h"
 
 namespace wheel_rail_contact
 {
+/// Meaning of a colour of the scene.
+struct LegendEntry
+{
+  std_msgs::ColorRGBA color;  ///< colour of the field before the text
+  std::string text;           ///< UTF-8
+};
+
+/// Colour scale of a pressure or a stress.
+struct PanelScale
+{
+  std::string caption;  ///< above the scale
+  double max = 1e9;     ///< upper end [Pa], > 0
+  double highest = 0;   ///< if it is above the scale, the scale has a note [Pa]
+};
+
+/// Contents of the screen panel.
+struct PanelContents
+{
+  std::vector<TextLine> lines;      ///< text; the first line is drawn larger
+  std::vector<PanelScale> scales;   ///< below the text, one beside another
+  std::vector<LegendEntry> legend;  ///< below the colour scales
+};
+
+/// Lines of text above colour scales in MPa and a legend, on a dark translucent background.
+/// @param letter_size height of the letters [pixels]
+QImage panelPicture(const PanelContents& contents, int letter_size);
+
 /// A picture in the upper left corner of the render window of rviz, in front of the scene.
 class ScreenPanel
 {

@@ -7,7 +7,6 @@
 
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
-#include "ros/markers/contact_frame.h"
 
 using namespace wheel_rail_contact;
 using visualization_msgs::Marker;

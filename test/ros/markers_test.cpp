@@ -7,9 +7,9 @@
 #include <string>
 
 #include "result_scene.h"
-#include "ros/markers/color_map.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/marker_tools.h"
+#include "ros/markers/scene_colors.h"
 #include "ros/markers/track_markers.h"
 
 using namespace wheel_rail_contact;

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "result_scene.h"
-#include "ros/markers/color_map.h"
 #include "ros/markers/contact_scene.h"
+#include "ros/markers/scene_colors.h"
 
 using namespace wheel_rail_contact;
 using visualization_msgs::Marker;

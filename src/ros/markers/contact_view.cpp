@@ -1,12 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/contact_view.h"
 
-#include "ros/markers/contact_frame.h"
+#include <cmath>
+
 #include "ros/markers/rail_motion.h"
 
 namespace wheel_rail_contact
 {
+using Eigen::Vector3d;
 using visualization_msgs::MarkerArray;
+
+namespace
+{
+/// Frame at the reference point of a rail at rest, parallel to the track frame, at x = 0: a place for the view before
+/// the first contact.
+Eigen::Isometry3d railFrame(const core::PlacedRail& at_rest, core::Side side)
+{
+  const core::PlanePoint p = at_rest.referencePoint();
+  return Eigen::Isometry3d(Eigen::Translation3d(0, core::sideSign(side) * p.y, p.z));
+}
+}  // namespace
+
+std::optional<Eigen::Isometry3d> contactFrame(const core::WheelsetResult& result, core::Side side)
+{
+  double total = 0;
+  Vector3d place = Vector3d::Zero(), force = Vector3d::Zero();
+  for (const core::PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      const double n = patch.normal_force;
+      total += n;
+      place += n * Vector3d(patch.pose.x, patch.pose.y, patch.pose.z);
+      force += n * Vector3d(0, -std::sin(patch.pose.angle), std::cos(patch.pose.angle));
+    }
+  }
+  if (!(total > 0))
+  {
+    return std::nullopt;
+  }
+  return Eigen::Translation3d(place / total) * Eigen::AngleAxisd(std::atan2(-force.y(), force.z()), Vector3d::UnitX());
+}
 
 Eigen::Isometry3d ContactView::frame(const ContactOutput& output, const core::ContactModelConfig* model,
                                      const SceneOptions& options, core::Side side)

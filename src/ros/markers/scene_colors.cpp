@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/markers/color_map.h"
+#include "ros/markers/scene_colors.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "replay/warm_up_inputs.h"
+#include "replay/warm_up.h"
 
 #include <gtest/gtest.h>
 
