@@ -3,6 +3,7 @@
 import contextlib
 import io
 import math
+import os
 import subprocess
 import sys
 import tempfile
@@ -152,6 +153,16 @@ class Command(unittest.TestCase):
             self.assertNotIn(hint, self.run_check(outward)[1])
             self.assertIn(hint, self.run_check(inward)[1])
             self.assertNotIn(hint, self.run_check(inward, "--y", "inward")[1])
+
+    def test_name_of_a_file_need_not_be_utf_8(self):
+        self.standard_rail()
+        rail = Path(os.fsdecode(os.fsencode(self.folder) + b"/\xe9.csv"))
+        (self.folder / "60E1_clean.csv").rename(rail)
+        status, out, err = self.run_check(rail, "--write", self.folder / "clean.csv")
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("/\ufffd.csv: rail, by its content\n", out)
+        self.assertTrue(Path(f"{self.folder / 'pictures' / rail.name}.png").is_file())
+        self.assertIn("/\ufffd.csv'\n", (self.folder / "clean.csv").read_text(encoding="utf-8"))
 
     def test_refused_file_does_not_stop_the_others(self):
         bad = write_table(self.folder / "bad.csv", [[0, 0], [1, 0]])

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The nearest standard profile: its motion, its distance, and what is compared."""
-import unittest
 from unittest import mock
 
 import numpy as np

@@ -61,11 +61,11 @@ def _check_file(file, options, plot):
             return False
         target = options.out / _picture_name(file)
         with writing(target):
-            picture.draw(plot, Tables(profile), Path(file).name, target)
-        print(f"  wrote {target}")
+            picture.draw(plot, Tables(profile), checked.text_of(Path(file).name), target)
+        print(f"  wrote {checked.text_of(target)}")
         if options.write:
             _copy(clean, options.write)
-            print(f"  wrote {options.write}")
+            print(f"  wrote {checked.text_of(options.write)}")
     return True
 
 

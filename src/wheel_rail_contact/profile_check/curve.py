@@ -14,7 +14,6 @@ SPACING = 1e-4  # of the points of a drawn curve [m]
 class Curve:
     """Curve of a profile of one part, by its parameter u [m] in [0, length].
 
-    name: of the profile
     length: largest u
     boundaries: u of all section boundaries, with both ends
     """
@@ -22,8 +21,13 @@ class Curve:
     def __init__(self, profile):
         """profile: Profile of the extension module."""
         self._profile = profile
-        self.name, self.length = profile.name, profile.length
+        self.length = profile.length
         self.boundaries = np.array(native().profile_boundaries(profile))
+
+    @property
+    def name(self):
+        """Of the profile."""
+        return self._profile.name
 
     def at(self, u):
         """(n, 6) points and derivatives at (n,) u: y, z [m], dy, dz [-], ddy, ddz [1/m]."""
