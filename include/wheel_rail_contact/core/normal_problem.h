@@ -178,18 +178,13 @@ struct NormalSolution
   double residual = 0;
 };
 
-/// Estimated relative errors of one patch of a solution [-], all >= 0. They are estimates, not bounds.
+/// Estimated relative errors of one patch of a solution [-], all >= 0. They are estimates, not bounds. The effect of
+/// the residual is included.
 struct ErrorEstimate
 {
   double max_pressure = 0;  ///< of the highest pressure
   double area = 0;          ///< of the contact area
   double approach = 0;      ///< of the approach of the patch, counted from its first touch
-  /// Part of `area` from narrow ends of the contact: columns in which the pressure is narrower than the cells resolve.
-  /// More cells along the track reduce it; more cells across hardly do.
-  double narrow_ends = 0;
-  /// Residual relative to the approach of the patch. Its effect is included in the first three errors; finer cells do
-  /// not reduce it.
-  double residual = 0;
 
   /// Largest of max_pressure, area and approach [-].
   double largest() const;

@@ -33,8 +33,8 @@ GridLayout layGrid(const SurfaceArea& area, const GridSize& size, bool symmetric
   const double least_dy = (area.arc_most - area.arc_least) / (grid.ny - 1);
   const auto index = [](double least)
   { return cell_aspect::indexAbove(std::max(least, smallest_cell) / smallest_cell); };
-  const int along = std::max(index(least_dx), index(least_dy) + cell_aspect::kLowest);
-  const int across = std::max(index(least_dy), along - cell_aspect::kHighest);
+  const int along = std::max(index(least_dx), index(least_dy) + cell_aspect::lowest_index);
+  const int across = std::max(index(least_dy), along - cell_aspect::highest_index);
   grid.dx = smallest_cell * cell_aspect::aspect(along);
   grid.dy = smallest_cell * cell_aspect::aspect(across);
   const double place = std::round(area.origin.rail_u / grid.dy) * grid.dy;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -19,7 +21,6 @@ double pressureVariance(double half_length)
 
 double displacementPerForce(double modulus, double variance, double y, double z)
 {
-  static const double pi = std::acos(-1.0);
   return 1 / (pi * modulus * std::sqrt(variance + y * y + z * z));
 }
 

@@ -8,12 +8,12 @@
 
 #include "core/balance/tuning.h"
 #include "core/normal/measures/elliptic.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Range of the overlap along the track [m].

@@ -6,6 +6,7 @@
 
 #include "core/geometry/radius_integral.h"
 #include "core/option_check.h"
+#include "core/pi.h"
 #include "core/track/bracketed_root.h"
 #include "wheel_rail_contact/core/contact_geometry.h"
 
@@ -13,7 +14,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 constexpr double centre_tolerance = 1e-14;  ///< [m]
 /// Largest |dr| per amplitude that counts as none [-]. The conicity is then at most pi² / 16 times as large: that of a
 /// constant |dr| which changes its sign in the centre.

@@ -3,11 +3,13 @@
 
 #include <cmath>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double half_over_pi = 0.5 / std::acos(-1.0);
+constexpr double half_over_pi = 0.5 / pi;
 }  // namespace
 
 Stress cornerStress(double x, double y, double z, double poisson)

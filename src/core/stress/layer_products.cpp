@@ -3,11 +3,12 @@
 
 #include <cmath>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 constexpr std::array<int, 2> parities{0, 1};
 
 /// Even (0) or odd (1) part of the lines of a field: column k is line half + k plus or minus line half - 1 - k.

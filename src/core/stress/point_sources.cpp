@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 constexpr double part_width = 0.5;   ///< width of joined or divided columns, over the distance of the forces along them
 constexpr double near_columns = 2;   ///< reach of the columns without thinning, in distances of the forces
 constexpr double far_spacing = 0.4;  ///< distance of the forces of a column, over its distance from the nearest point
@@ -98,11 +99,11 @@ void PointSources::addLine(const Line& line, double spacing)
   }
 }
 
-std::array<Stress, kPoints> PointSources::at(const Places& places, double poisson) const
+std::array<Stress, point_batch> PointSources::at(const Places& places, double poisson) const
 {
   PointForceSums sums;
   laneKernels().point_forces({x_.data(), y_.data(), force_.data(), x_.size()}, places, sums);
-  std::array<Stress, kPoints> stresses;
+  std::array<Stress, point_batch> stresses;
   for (std::size_t k = 0; k < stresses.size(); ++k)
   {
     stresses[k] = stressOf(sums, k, places.depth[k], poisson);

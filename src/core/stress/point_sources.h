@@ -46,7 +46,7 @@ class PointSources
            const std::vector<double>& places);
 
   /// Stress [Pa] at the places.
-  std::array<Stress, kPoints> at(const Places& places, double poisson) const;
+  std::array<Stress, point_batch> at(const Places& places, double poisson) const;
 
  private:
   void addParts(const Line& line, double width, double spacing);

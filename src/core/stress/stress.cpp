@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "core/option_check.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
 constexpr int fewest_depths = 4, most_depths = 64;  ///< of StressConfig::depths
 
 /// Invariants of a stress.

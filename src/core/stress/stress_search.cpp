@@ -9,13 +9,13 @@ namespace wheel_rail_contact::core
 namespace
 {
 // Lengths in units of the shorter semi-axis, except steps along the logarithm of the depth.
-constexpr double rough_spacing = 0.55;      ///< of the forces of the first search
-constexpr double fine_spacing = 0.25;       ///< of the forces for the maxima; halved for maxima close to the surface
-constexpr double near_depth = 1.3;          ///< the spacing is halved for a maximum at less than so many spacings
-constexpr double least_depth = 1;           ///< least depth of the search, in spacings
-constexpr double column_spacing = 0.6;      ///< longest distance of the columns of the first search
-constexpr Eigen::Index column_count = 10;   ///< of the first search, at least, if so many are loaded
-constexpr std::size_t below = kPoints / 2;  ///< points below the centre of a column; the others are for |xz|
+constexpr double rough_spacing = 0.55;     ///< of the forces of the first search
+constexpr double fine_spacing = 0.25;      ///< of the forces for the maxima; halved for maxima close to the surface
+constexpr double near_depth = 1.3;         ///< the spacing is halved for a maximum at less than so many spacings
+constexpr double least_depth = 1;          ///< least depth of the search, in spacings
+constexpr double column_spacing = 0.6;     ///< longest distance of the columns of the first search
+constexpr Eigen::Index column_count = 10;  ///< of the first search, at least, if so many are loaded
+constexpr std::size_t below = point_batch / 2;  ///< points below the centre of a column; the others are for |xz|
 /// Depths of the first search. Von Mises and shear stress have their maxima at 0.45 to 0.8 below ellipses, deeper below
 /// a flat pressure, and less deep below a part of the patch; |xz| at 0.35 to 0.7.
 constexpr std::array<double, below> first_depths{0.38, 0.46, 0.57, 0.72, 0.9, 1.15, 1.5, 1.9};
@@ -120,7 +120,7 @@ void StressSearch::searchBelow(Column& column, double poisson) const
     const double side = k % 2 == 0 ? -orthogonal_x : orthogonal_x;
     put(places, below + k, column.x + side * column.half, column.y, orthogonal_depths[k / 2]);
   }
-  const std::array<Stress, kPoints> stresses = rough_.at(places, poisson);
+  const std::array<Stress, point_batch> stresses = rough_.at(places, poisson);
   column.von_mises = column.alternating = {};
   for (std::size_t k = 0; k < below; ++k)
   {
@@ -190,12 +190,12 @@ void StressSearch::refine(Top* const* tops, std::size_t count, double spacing, d
   for (int round = 0; round < most_rounds; ++round)
   {
     PointSources::Places places;
-    for (std::size_t k = 0; k < kPoints; ++k)
+    for (std::size_t k = 0; k < point_batch; ++k)
     {
       const Eigen::Vector3d place = tops[std::min(k / star_size, count - 1)]->place(k % star_size);
       put(places, k, place.x(), place.y(), std::max(place.z(), least_depth * spacing));
     }
-    const std::array<Stress, kPoints> stresses = fine_.at(places, poisson);
+    const std::array<Stress, point_batch> stresses = fine_.at(places, poisson);
     bool ends = true;
     for (std::size_t k = 0; k < count; ++k)
     {

@@ -40,7 +40,7 @@ class StressSearch
  private:
   /// A kind of stress.
   using Measure = double (*)(const Stress&);
-  static constexpr std::size_t star_size = kPoints / 2;  ///< points of a star, see Top::place()
+  static constexpr std::size_t star_size = point_batch / 2;  ///< points of a star, see Top::place()
   /// Place under a column, in units of the shorter semi-axis.
   struct Column
   {

@@ -10,7 +10,7 @@
 
 #include "core/normal/operator/cell_aspect.h"
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "core/normal/solvers/hertz.h"
+#include "hertz_load.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 /// Random contacts defined by the gap of two bodies, for tests and for the calibration of error estimates.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hertz_load.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -44,26 +46,24 @@ TEST(Hertz, EllipsesObeyJohnsonsEquations)
   }
 }
 
-TEST(Hertz, ForceAndApproachInvertEachOther)
+TEST(Hertz, LongerAxisLiesAlongTheSmallerCurvature)
 {
-  for (const double ratio : {0.01, 0.5, 1.0, 30.0})
+  for (const double ratio : {0.01, 0.5, 30.0})
   {
-    const GapCurvature gap = {2.0, 2.0 * ratio};
-    const HertzContact by_force = hertzForForce(gap, modulus, force);
-    const HertzContact by_approach = hertzForApproach(gap, modulus, by_force.approach);
-    EXPECT_NEAR(by_approach.force / force, 1, 1e-12) << ratio;
-    EXPECT_EQ(by_force.semi_axis_x > by_force.semi_axis_y, ratio > 1);
+    const HertzContact contact = hertzForApproach({2.0, 2.0 * ratio}, modulus, 1e-4);
+    EXPECT_EQ(contact.semi_axis_x > contact.semi_axis_y, ratio > 1);
   }
 }
 
 TEST(Hertz, HasNoResultWithoutPositiveCurvature)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(hertzForForce({1, 0}, modulus, force).status, SolveStatus::invalid_problem);
-  EXPECT_EQ(hertzForForce({-1, 1}, modulus, force).status, SolveStatus::invalid_problem);
-  EXPECT_EQ(hertzForForce({1, nan}, modulus, force).status, SolveStatus::invalid_problem);
-  EXPECT_EQ(hertzForForce({1, 1}, modulus, nan).status, SolveStatus::invalid_problem);
-  EXPECT_EQ(hertzForForce({1, 1}, 0, force).status, SolveStatus::invalid_problem);
+  constexpr double approach = 1e-4;
+  EXPECT_EQ(hertzForApproach({1, 0}, modulus, approach).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(hertzForApproach({-1, 1}, modulus, approach).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(hertzForApproach({1, nan}, modulus, approach).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(hertzForApproach({1, 1}, modulus, nan).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(hertzForApproach({1, 1}, 0, approach).status, SolveStatus::invalid_problem);
   EXPECT_EQ(hertzForApproach({1, 1}, modulus, -1e-6).status, SolveStatus::no_contact);
   EXPECT_EQ(hertzForApproach({1, 1}, modulus, -1e-6).force, 0);
 }

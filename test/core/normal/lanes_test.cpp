@@ -129,7 +129,7 @@ TEST_P(Lanes, PointForceSumsEqualThoseInDoublePrecision)
 {
   const std::array<float, 3> x{0.1F, -0.4F, 1.3F}, y{0.2F, 0.9F, -0.7F}, force{1.5F, 0.3F, 2.0F};
   PointsBelow points;
-  for (std::size_t k = 0; k < kPoints; ++k)
+  for (std::size_t k = 0; k < point_batch; ++k)
   {
     points.x[k] = 0.1F * static_cast<float>(k) - 0.8F;
     points.y[k] = 0.3F;
@@ -137,7 +137,7 @@ TEST_P(Lanes, PointForceSumsEqualThoseInDoublePrecision)
   }
   PointForceSums sums;
   kernels_.point_forces({x.data(), y.data(), force.data(), x.size()}, points, sums);
-  for (std::size_t k = 0; k < kPoints; ++k)
+  for (std::size_t k = 0; k < point_batch; ++k)
   {
     double one = 0, x_sum = 0, y_sum = 0, xx = 0, xy = 0, yy = 0, chi_xx = 0, chi_xy = 0, chi_yy = 0;
     for (std::size_t f = 0; f < x.size(); ++f)

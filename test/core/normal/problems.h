@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/normal/operator/influence.h"
-#include "core/normal/solvers/hertz.h"
+#include "hertz_load.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 /// Normal contact problems for tests.

@@ -15,14 +15,14 @@ TEST(PointSources, AgreeWithTheSumOfAllCells)
   PointSources sources;
   sources.set(cells.grid, cells.pressure, 2, 0.1, {});  // lengths in units of 2
   PointSources::Places places;
-  for (std::size_t k = 0; k < kPoints; ++k)
+  for (std::size_t k = 0; k < point_batch; ++k)
   {
     places.x[k] = 0.1F * static_cast<float>(k % 4) - 0.2F;
     places.y[k] = 0.15F * static_cast<float>(k / 4) - 0.1F;
     places.depth[k] = 0.25F + 0.02F * static_cast<float>(k);
   }
-  const std::array<Stress, kPoints> stresses = sources.at(places, 0.3);
-  for (std::size_t k = 0; k < kPoints; ++k)
+  const std::array<Stress, point_batch> stresses = sources.at(places, 0.3);
+  for (std::size_t k = 0; k < point_batch; ++k)
   {
     const Stress expected =
         stressAt(cells.grid, cells.pressure, 0.3, {2.0 * places.x[k], 2.0 * places.y[k], 2.0 * places.depth[k]});

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/normal/estimate/patch_errors.h"
 #include "core/normal/measures/cells_around.h"
 #include "core/normal/measures/gap_steps.h"
 #include "core/normal/measures/peak_pressure.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
@@ -193,7 +193,7 @@ double stepAfter(const Eigen::ArrayXXd& gap, Index row, Index j)
 double errorFromSteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double finer = 4;
-  const double spike = finer * modulus / (std::acos(-1.0) * gap.grid.dy);
+  const double spike = finer * modulus / (pi * gap.grid.dy);
   const auto p = pressure.pressure.row(peak.row);
   double highest = 0;
   for (Index j = std::max<Index>(peak.first, 2); j < std::min(peak.last, gap.gap.cols() - 3); ++j)
@@ -247,8 +247,7 @@ double largestApproach(const NormalProblem& problem, const NormalSolution& solut
 ErrorEstimate onSteepSurface(const ErrorEstimate& plane)
 {
   constexpr double factor = 1.5, more = 1e-3;
-  return {factor * plane.max_pressure + more, factor * plane.area + more, factor * plane.approach + more,
-          plane.narrow_ends, plane.residual};
+  return {factor * plane.max_pressure + more, factor * plane.area + more, factor * plane.approach + more};
 }
 
 /// Errors of a patch as if it carried its load alone.
@@ -270,26 +269,6 @@ ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& so
 double ErrorEstimate::largest() const
 {
   return std::max({max_pressure, area, approach});
-}
-
-ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors)
-{
-  return std::accumulate(errors.begin(), errors.end(), ErrorEstimate(),
-                         [](const ErrorEstimate& one, const ErrorEstimate& other) { return largestOf(one, other); });
-}
-
-ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other)
-{
-  return {std::max(one.max_pressure, other.max_pressure), std::max(one.area, other.area),
-          std::max(one.approach, other.approach), std::max(one.narrow_ends, other.narrow_ends),
-          std::max(one.residual, other.residual)};
-}
-
-ErrorEstimate ofResidual(double residual)
-{
-  const ErrorWeights& weights = gridErrorWeights();
-  return {weights.max_pressure.back() * residual, weights.area.back() * residual, weights.approach.back() * residual, 0,
-          residual};
 }
 
 ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double modulus, double residual)

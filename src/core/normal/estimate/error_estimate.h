@@ -9,14 +9,6 @@
 
 namespace wheel_rail_contact::core
 {
-/// The larger error of each quantity.
-ErrorEstimate largestOf(const ErrorEstimate& one, const ErrorEstimate& other);
-/// The largest error of each quantity; zero if the list is empty.
-ErrorEstimate largestOf(const std::vector<ErrorEstimate>& errors);
-
-/// Errors caused by a residual [-]. `residual` is relative to the own approach of the patch.
-ErrorEstimate ofResidual(double residual);
-
 /// Terms of the discretisation error, computed from a solution on its grid. An estimate is a weighted sum of these
 /// terms.
 ///

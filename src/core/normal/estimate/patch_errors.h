@@ -27,8 +27,7 @@ inline ErrorEstimate weighted(const ShapeWeights& weights, const ShapeTerms& ter
 inline ErrorEstimate weighted(const ErrorWeights& weights, const ErrorTerms& terms)
 {
   return {std::max(weighted(weights.max_pressure, terms.max_pressure), terms.least_pressure_error),
-          std::max(weighted(weights.area, terms.area), terms.narrow_end), weighted(weights.approach, terms.approach),
-          std::max(weights.area[1] * terms.area[1], terms.narrow_end), terms.max_pressure.back()};
+          std::max(weighted(weights.area, terms.area), terms.narrow_end), weighted(weights.approach, terms.approach)};
 }
 
 /// Errors of all patches from `alone(k)`, the errors of each patch as if it carried its load alone. The error of the
@@ -53,7 +52,7 @@ void withSharedApproach(const NormalProblem& problem, const NormalSolution& solu
     if (error.largest() > 0 && own > 0)
     {
       const double relative = shift / own;
-      error = {error.max_pressure + 0.5 * relative, error.area + relative, relative, error.narrow_ends, error.residual};
+      error = {error.max_pressure + 0.5 * relative, error.area + relative, relative};
     }
   }
 }

@@ -11,10 +11,10 @@ namespace
 {
 /// Position of the edge of a line with a single loaded cell [cells]: the middle of the range in which exactly one cell
 /// is loaded.
-constexpr double kLoneCell = 0.325;
+constexpr double lone_cell = 0.325;
 /// Smallest area, as a share of the polygon. Limits the bias correction where the edge consists of corners only
 /// (islands of single cells).
-constexpr double kLeastShare = 0.5;
+constexpr double least_share = 0.5;
 
 double straightEdge(double p1, double p2)
 {
@@ -104,7 +104,7 @@ double edgeDistance(double p1, double p2, double p3)
 {
   if (!(p2 > 0))
   {
-    return kLoneCell;
+    return lone_cell;
   }
   const double straight = straightEdge(p1, p2);
   // Factor of the term distance^(3/2). The divisor is the value of the bracket for this term.
@@ -117,16 +117,16 @@ void EdgePolygon::frame(const Eigen::ArrayXXd& pressure, bool mirrored)
 {
   rows_ = pressure.rows();
   columns_ = pressure.cols();
-  stride_ = rows_ + 2 * kFrame;
+  stride_ = rows_ + 2 * frame_width;
   mirrored_ = mirrored;
-  framed_.assign(static_cast<std::size_t>(stride_ * (columns_ + 2 * kFrame)), 0.0);
+  framed_.assign(static_cast<std::size_t>(stride_ * (columns_ + 2 * frame_width)), 0.0);
   crossings_.reserve(2 * framed_.size());
   inputs_.reserve(2 * framed_.size());
   for (Eigen::Index j = 0; j < columns_; ++j)
   {
-    double* column = framed_.data() + kFrame + (j + kFrame) * stride_;
+    double* column = framed_.data() + frame_width + (j + frame_width) * stride_;
     std::copy_n(pressure.data() + j * rows_, rows_, column);
-    for (Eigen::Index i = 0; mirrored && i < std::min<Eigen::Index>(kFrame, rows_); ++i)
+    for (Eigen::Index i = 0; mirrored && i < std::min<Eigen::Index>(frame_width, rows_); ++i)
     {
       column[-1 - i] = column[i];
     }
@@ -149,13 +149,13 @@ double EdgePolygon::cells(double aspect)
     inputs_.push_back(edgeInputs(crossing, longer));
     bias += static_cast<double>(known.crossing(inputs_.back()));
   }
-  return std::max(polygon - bias, kLeastShare * polygon);
+  return std::max(polygon - bias, least_share * polygon);
 }
 
 EdgePolygon::Cell EdgePolygon::loadedCell(const EdgeCrossing& crossing) const
 {
   const std::ptrdiff_t from_corner = crossing.loaded - framed_.data();
-  return {from_corner % stride_ - kFrame, from_corner / stride_ - kFrame};
+  return {from_corner % stride_ - frame_width, from_corner / stride_ - frame_width};
 }
 
 EdgeCrossing EdgePolygon::crossingAfter(const double* p, std::ptrdiff_t step) const

@@ -24,11 +24,11 @@ double edgeDistance(double p1, double p2, double p3);
 /// pressures around each crossing.
 class EdgePolygon
 {
-  static constexpr int kFrame = 3;  ///< readable cells around the pressure
+  static constexpr int frame_width = 3;  ///< readable cells around the pressure
 
  public:
-  /// Copies a pressure (rows × columns) into a frame of kFrame zeros. With `mirrored`, the rows before the first one
-  /// are the mirror image. Allocates only if the array is larger than all previous ones.
+  /// Copies a pressure (rows × columns) into a frame of frame_width zeros. With `mirrored`, the rows before the first
+  /// one are the mirror image. Allocates only if the array is larger than all previous ones.
   void frame(const Eigen::ArrayXXd& pressure, bool mirrored);
 
   /// Area of the framed pressure [cells]; of a mirrored pressure: area of the stored half.
@@ -60,7 +60,7 @@ class EdgePolygon
   /// Framed pressure of a cell. The next row is at +1, the next column at +stride_.
   const double* at(Eigen::Index row, Eigen::Index column) const
   {
-    return framed_.data() + (row + kFrame) + (column + kFrame) * stride_;
+    return framed_.data() + (row + frame_width) + (column + frame_width) * stride_;
   }
   /// Crossing between a cell and the one `step` further, exactly one of which is loaded.
   EdgeCrossing crossingAfter(const double* p, std::ptrdiff_t step) const;

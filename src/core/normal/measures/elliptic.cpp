@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 Elliptic elliptic(double kappa)
@@ -21,7 +23,7 @@ Elliptic elliptic(double kappa)
     share += modulus_squared > 0 ? power * c * c / modulus_squared : 0;
   }
   Elliptic result;
-  result.k = 0.5 * std::acos(-1.0) / mean;
+  result.k = 0.5 * pi / mean;
   result.d = 0.5 * result.k * share;
   return result;
 }

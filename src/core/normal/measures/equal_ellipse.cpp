@@ -6,13 +6,12 @@
 
 #include "core/normal/measures/contact_edge.h"
 #include "core/normal/measures/elliptic.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double pi = std::acos(-1.0);
-
 /// Integrals of 1, t and t² over a line t.
 struct Moments
 {

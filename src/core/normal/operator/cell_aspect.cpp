@@ -10,23 +10,23 @@ namespace cell_aspect
 {
 namespace
 {
-constexpr double kAspectsPerOctave = 8;
+constexpr double aspects_per_octave = 8;
 }
 
 double aspect(int index)
 {
-  return std::exp2(index / kAspectsPerOctave);
+  return std::exp2(index / aspects_per_octave);
 }
 
 int indexAbove(double value)
 {
-  return static_cast<int>(std::ceil(kAspectsPerOctave * std::log2(value)));
+  return static_cast<int>(std::ceil(aspects_per_octave * std::log2(value)));
 }
 
 int nearestIndex(double dx_over_dy)
 {
-  const double clamped = std::clamp(dx_over_dy, aspect(kLowest), aspect(kHighest));
-  return static_cast<int>(std::lround(kAspectsPerOctave * std::log2(clamped)));
+  const double clamped = std::clamp(dx_over_dy, aspect(lowest_index), aspect(highest_index));
+  return static_cast<int>(std::lround(aspects_per_octave * std::log2(clamped)));
 }
 
 Cell coveringCell(double length, double width, int nx, int ny)

@@ -8,16 +8,17 @@ namespace wheel_rail_contact::core
 /// 4.4 % larger than required.
 namespace cell_aspect
 {
-constexpr int kLowest = -24;  ///< index of aspect 1/8
-constexpr int kHighest = 40;  ///< index of aspect 32
+constexpr int lowest_index = -24;  ///< index of aspect 1/8
+constexpr int highest_index = 40;  ///< index of aspect 32
 
 /// Aspect dx/dy of the series by its index [-].
 double aspect(int index);
 
-/// Smallest index of the series, continued beyond kLowest and kHighest, whose value is at least `value` (> 0).
+/// Smallest index of the series, continued beyond lowest_index and highest_index, whose value is at least `value` (>
+/// 0).
 int indexAbove(double value);
 
-/// Index of the aspect nearest to `dx_over_dy` (> 0) in the logarithm, limited to kLowest … kHighest.
+/// Index of the aspect nearest to `dx_over_dy` (> 0) in the logarithm, limited to lowest_index … highest_index.
 int nearestIndex(double dx_over_dy);
 
 /// Cell of an nx × ny grid whose aspect is in the series.

@@ -27,7 +27,7 @@ class HalfTransform
   struct Lines
   {
     int count = 1;    ///< number of lines, stored one after another
-    int unit = 1;     ///< doubles of a value: 1, or in a single line a multiple of kLanes
+    int unit = 1;     ///< doubles of a value: 1, or in a single line a multiple of lane_padding
     int pitch = 1;    ///< doubles from value to value, at least `unit`; modes have no gaps
     bool all = true;  ///< true: all modes; false: those of even number only
   };

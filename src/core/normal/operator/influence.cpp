@@ -11,11 +11,11 @@ namespace
 {
 /// Distance beyond which quadrature replaces the closed form, in lengths of the longer side of the rectangle [-]. From
 /// there on the error of the six-point rule is below 1e-14.
-constexpr double kFar = 8;
+constexpr double far_ratio = 8;
 
 /// Six-point Gauss–Legendre rule on [-1, 1]: the three positive nodes and their weights.
-constexpr std::array<double, 3> kNodes = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
-constexpr std::array<double, 3> kWeights = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+constexpr std::array<double, 3> gauss_nodes = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+constexpr std::array<double, 3> gauss_weights = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
 
 /// Second antiderivative of 1/rho: d²F/dxdy = 1/sqrt(x² + y²).
 double corner(double x, double y)
@@ -40,14 +40,14 @@ double inverseDistance(double x, double y)
 double quadrature(double x, double y, double dx, double dy)
 {
   double sum = 0;
-  for (std::size_t i = 0; i < kNodes.size(); ++i)
+  for (std::size_t i = 0; i < gauss_nodes.size(); ++i)
   {
-    for (std::size_t j = 0; j < kNodes.size(); ++j)
+    for (std::size_t j = 0; j < gauss_nodes.size(); ++j)
     {
-      const double a = 0.5 * dx * kNodes[i], b = 0.5 * dy * kNodes[j];
+      const double a = 0.5 * dx * gauss_nodes[i], b = 0.5 * dy * gauss_nodes[j];
       const double near = inverseDistance(x - a, y - b) + inverseDistance(x - a, y + b);
       const double far = inverseDistance(x + a, y - b) + inverseDistance(x + a, y + b);
-      sum += kWeights[i] * kWeights[j] * (near + far);
+      sum += gauss_weights[i] * gauss_weights[j] * (near + far);
     }
   }
   return 0.25 * dx * dy * sum;
@@ -56,7 +56,7 @@ double quadrature(double x, double y, double dx, double dy)
 
 double rectangleInfluence(double x, double y, double dx, double dy)
 {
-  const bool far = std::hypot(x, y) > kFar * std::max(dx, dy);
+  const bool far = std::hypot(x, y) > far_ratio * std::max(dx, dy);
   return far ? quadrature(x, y, dx, dy) : closedForm(x, y, dx, dy);
 }
 

@@ -11,15 +11,14 @@
 #include "core/normal/operator/half_transform.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/operator/lanes.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double kPi = std::acos(-1.0);
-
 /// Number of doubles of the modes that are transformed at a time: two such arrays fill the fastest cache (32 KiB).
-constexpr int kPart = 2048;
+constexpr int part_size = 2048;
 
 void check(const OperatorShape& shape)
 {
@@ -83,7 +82,7 @@ class Spectrum
     period.reserve(2 * static_cast<std::size_t>(length));
     for (int k = 0; k < 2 * length; ++k)
     {
-      period.push_back(std::cos(kPi * k / length));
+      period.push_back(std::cos(pi * k / length));
     }
     std::vector<double> table;
     table.reserve(static_cast<std::size_t>((length + 1) * (length + 1)));
@@ -240,8 +239,8 @@ InfluenceOperator::Tables::Diagonal InfluenceOperator::Tables::diagonal(const Sp
   result.modes_x = all ? 2 * x->half() : x->half();
   result.modes_y = all ? 2 * y->half() : y->half();
   result.line = 2 * y->modeStride(all);
-  result.lanes = std::min(result.line, std::max(2 * kLanes, roundUpToLanes(kPart / (2 * x->half()))));
-  result.lines = std::max(kLanes, kPart / (2 * y->half()));
+  result.lanes = std::min(result.line, std::max(2 * lane_padding, roundUpToLanes(part_size / (2 * x->half()))));
+  result.lines = std::max(lane_padding, part_size / (2 * y->half()));
   result.factors.resize(x_parts * result.modes_x * result.line);
   for (int px = 0; px < x_parts; ++px)
   {
@@ -364,7 +363,7 @@ void InfluenceOperator::fillOffsets()
 
 void InfluenceOperator::fillProbe()
 {
-  constexpr double kGoldenRatio = 0.6180339887498949;
+  constexpr double golden_ratio = 0.6180339887498949;
   Tables& tables = *tables_;
   tables.probe.resize(tables.fieldSize());
   tables.probe_product.resize(tables.fieldSize());
@@ -373,7 +372,7 @@ void InfluenceOperator::fillProbe()
   {
     for (int column = 0; column < tables.shape.ny; ++column, ++cell)
     {
-      tables.probe[rowOffset(row) + columnOffset(column)] = 0.5 + std::fmod(cell * kGoldenRatio, 1.0);
+      tables.probe[rowOffset(row) + columnOffset(column)] = 0.5 + std::fmod(cell * golden_ratio, 1.0);
     }
   }
   Workspace workspace;
@@ -383,11 +382,11 @@ void InfluenceOperator::fillProbe()
 
 bool InfluenceOperator::isProduct(const double* pressure, const double* displacement) const
 {
-  constexpr double kTolerance = 1e-9;
+  constexpr double tolerance = 1e-9;
   const int size = fieldSize();
   const double found = laneKernels().dot(size, tables_->probe.data(), displacement);
   const double expected = laneKernels().dot(size, tables_->probe_product.data(), pressure);
-  return std::abs(found - expected) <= kTolerance * expected;
+  return std::abs(found - expected) <= tolerance * expected;
 }
 
 void InfluenceOperator::precondition(const double* residual, double* direction, Workspace& workspace) const

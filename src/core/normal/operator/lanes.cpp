@@ -10,8 +10,8 @@ namespace
 {
 namespace baseline
 {
-constexpr int kWidth = 2;
-constexpr const char* kName = "baseline";
+constexpr int register_width = 2;
+constexpr const char* kernel_name = "baseline";
 #include "core/normal/operator/lanes_body.h"
 }  // namespace baseline
 
@@ -21,8 +21,8 @@ constexpr const char* kName = "baseline";
 #pragma GCC target("avx,fma")
 namespace avx
 {
-constexpr int kWidth = 4;
-constexpr const char* kName = "avx";
+constexpr int register_width = 4;
+constexpr const char* kernel_name = "avx";
 #include "core/normal/operator/lanes_body.h"
 }  // namespace avx
 #pragma GCC pop_options
@@ -31,8 +31,8 @@ constexpr const char* kName = "avx";
 #pragma GCC target("avx512f")
 namespace avx512
 {
-constexpr int kWidth = 8;
-constexpr const char* kName = "avx512";
+constexpr int register_width = 8;
+constexpr const char* kernel_name = "avx512";
 #include "core/normal/operator/lanes_body.h"
 }  // namespace avx512
 #pragma GCC pop_options
@@ -48,7 +48,7 @@ void LaneBuffer::resize(int size)
   if (size > capacity_)
   {
     const std::size_t bytes = static_cast<std::size_t>(size) * sizeof(double);
-    data_.reset(static_cast<double*>(::operator new[](bytes, std::align_val_t{kLanes * sizeof(double)})));
+    data_.reset(static_cast<double*>(::operator new[](bytes, std::align_val_t{lane_padding * sizeof(double)})));
     capacity_ = size;
   }
   size_ = size;
@@ -61,14 +61,14 @@ std::vector<const LaneKernels*> supportedLaneKernels()
 #ifdef WHEEL_RAIL_CONTACT_WIDE_REGISTERS
   if (__builtin_cpu_supports("avx512f"))
   {
-    supported.push_back(&avx512::kKernels);
+    supported.push_back(&avx512::kernels);
   }
   if (__builtin_cpu_supports("avx") && __builtin_cpu_supports("fma"))
   {
-    supported.push_back(&avx::kKernels);
+    supported.push_back(&avx::kernels);
   }
 #endif
-  supported.push_back(&baseline::kKernels);
+  supported.push_back(&baseline::kernels);
   return supported;
 }
 

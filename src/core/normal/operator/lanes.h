@@ -10,11 +10,11 @@
 namespace wheel_rail_contact::core
 {
 /// Fields are padded to a multiple of this number of doubles and aligned to it.
-constexpr int kLanes = 8;
+constexpr int lane_padding = 8;
 
 constexpr int roundUpToLanes(int count)
 {
-  return (count + kLanes - 1) / kLanes * kLanes;
+  return (count + lane_padding - 1) / lane_padding * lane_padding;
 }
 
 /// Aligned array of doubles. It only grows: a size that is not larger than a previous one allocates nothing.
@@ -32,14 +32,14 @@ class LaneBuffer
  private:
   struct Free
   {
-    void operator()(double* data) const { ::operator delete[](data, std::align_val_t{kLanes * sizeof(double)}); }
+    void operator()(double* data) const { ::operator delete[](data, std::align_val_t{lane_padding * sizeof(double)}); }
   };
   std::unique_ptr<double[], Free> data_;
   int size_ = 0, capacity_ = 0;
 };
 
 /// Product of a lane-major matrix with a strided one: out(l, c) = scale(l, c) * sum over k of a(l, k) * b(k, c), for
-/// all l < lanes (a multiple of kLanes), k < inner, c < columns. l is contiguous in memory.
+/// all l < lanes (a multiple of lane_padding), k < inner, c < columns. l is contiguous in memory.
 struct LaneProduct
 {
   int lanes = 0, inner = 0, columns = 0;
@@ -59,7 +59,7 @@ struct BlockLines
   int lines = 1;
   int stride = 0;  ///< doubles from line to line
   int count = 0;   ///< values in each block
-  int unit = 1;    ///< doubles in a value: 1 (count is then a multiple of kLanes), or a multiple of kLanes
+  int unit = 1;    ///< doubles in a value: 1 (count is then a multiple of lane_padding), or a multiple of lane_padding
 };
 
 /// Layout of values with gaps between them.
@@ -112,9 +112,9 @@ struct StepSums
 };
 
 /// Number of points at which the stress is computed together.
-constexpr int kPoints = 16;
+constexpr int point_batch = 16;
 /// A value for each of these points.
-using PointValues = std::array<float, kPoints>;
+using PointValues = std::array<float, point_batch>;
 
 /// Points below a surface that carries point forces.
 struct PointsBelow
@@ -140,7 +140,7 @@ struct PointForces
 };
 
 /// Inner loops of the operator, the solvers and the stress, compiled for one instruction set. `size` is a multiple of
-/// kLanes in all of them.
+/// lane_padding in all of them.
 struct LaneKernels
 {
   const char* name = nullptr;
@@ -154,7 +154,7 @@ struct LaneKernels
 
   /// (a, b) = (a + b, a - b).
   void (*butterfly)(const BlockLines& blocks, double* data) = nullptr;
-  /// (a, b) = (c a + s b, c' b - s' a) with the table c, s, c', s' of the values, each padded to kLanes; and the
+  /// (a, b) = (c a + s b, c' b - s' a) with the table c, s, c', s' of the values, each padded to lane_padding; and the
   /// transposed operation.
   void (*turn)(const BlockLines& blocks, const double* turns, double* data) = nullptr;
   void (*turn_back)(const BlockLines& blocks, const double* turns, double* data) = nullptr;

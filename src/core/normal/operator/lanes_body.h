@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, inside a namespace that defines kWidth and kName. No include guard.
+// Included by lanes.cpp once per instruction set, inside a namespace that defines register_width and kernel_name. No
+// include guard.
 
-using Register = double __attribute__((vector_size(kWidth * sizeof(double))));
-using Memory = double __attribute__((vector_size(kWidth * sizeof(double)), aligned(sizeof(double))));
+using Register = double __attribute__((vector_size(register_width * sizeof(double))));
+using Memory = double __attribute__((vector_size(register_width * sizeof(double)), aligned(sizeof(double))));
 
 inline Register load(const double* from)
 {
@@ -17,7 +18,7 @@ inline void store(double* to, Register value)
 inline double sumOf(Register value)
 {
   double sum = 0;
-  for (int l = 0; l < kWidth; ++l)
+  for (int l = 0; l < register_width; ++l)
   {
     sum += value[l];
   }
@@ -27,7 +28,7 @@ inline double sumOf(Register value)
 inline double maxOf(Register value)
 {
   double largest = value[0];
-  for (int l = 1; l < kWidth; ++l)
+  for (int l = 1; l < register_width; ++l)
   {
     largest = value[l] > largest ? value[l] : largest;
   }
@@ -46,7 +47,7 @@ inline void tile(const LaneProduct& product, int lane, int column)
     Register left[R];
     for (int r = 0; r < R; ++r)
     {
-      left[r] = load(a + r * kWidth);
+      left[r] = load(a + r * register_width);
     }
     for (int c = 0; c < C; ++c)
     {
@@ -64,8 +65,8 @@ inline void tile(const LaneProduct& product, int lane, int column)
     const std::ptrdiff_t at = lane + static_cast<std::ptrdiff_t>(column + c) * product.out_stride;
     for (int r = 0; r < R; ++r)
     {
-      const Register value = product.scale ? sum[r][c] * load(product.scale + at + r * kWidth) : sum[r][c];
-      store(product.out + at + r * kWidth, value);
+      const Register value = product.scale ? sum[r][c] * load(product.scale + at + r * register_width) : sum[r][c];
+      store(product.out + at + r * register_width, value);
     }
   }
 }
@@ -74,7 +75,7 @@ inline void tile(const LaneProduct& product, int lane, int column)
 template <int R, int C>
 inline int tileLanes(const LaneProduct& product, int lane, int column)
 {
-  for (; lane + R * kWidth <= product.lanes; lane += R * kWidth)
+  for (; lane + R * register_width <= product.lanes; lane += R * register_width)
   {
     tile<R, C>(product, lane, column);
   }
@@ -95,9 +96,9 @@ inline int tileColumns(const LaneProduct& product, int column)
 void multiply(const LaneProduct& product)
 {
   int column = 0;
-  if constexpr (kWidth == 8)  // 32 registers, 16 of them for the sums
+  if constexpr (register_width == 8)  // 32 registers, 16 of them for the sums
   {
-    column = product.lanes % (4 * kWidth) == 0 ? tileColumns<4, 4>(product, 0) : tileColumns<2, 8>(product, 0);
+    column = product.lanes % (4 * register_width) == 0 ? tileColumns<4, 4>(product, 0) : tileColumns<2, 8>(product, 0);
   }
   tileColumns<2, 1>(product, tileColumns<2, 4>(product, column));
 }
@@ -106,7 +107,7 @@ void fold(int pairs, int block, const double* sign, const double* in, double* ou
 {
   for (int pair = 0; pair < pairs; ++pair, in += 2 * block, out += 2 * block)
   {
-    for (int k = 0; k < block; k += kWidth)
+    for (int k = 0; k < block; k += register_width)
     {
       const Register a = load(in + k), b = load(in + block + k);
       store(out + k, a + b);
@@ -119,7 +120,7 @@ void unfold(int pairs, int block, const double* sign, const double* in, double* 
 {
   for (int pair = 0; pair < pairs; ++pair, in += 2 * block, out += 2 * block)
   {
-    for (int k = 0; k < block; k += kWidth)
+    for (int k = 0; k < block; k += register_width)
     {
       const Register even = load(in + k), odd = load(sign + k) * load(in + block + k);
       store(out + k, even + odd);
@@ -132,6 +133,7 @@ void unfold(int pairs, int block, const double* sign, const double* in, double* 
 #include "core/normal/operator/solver_loops_body.h"
 #include "core/normal/operator/transform_loops_body.h"
 
-constexpr LaneKernels kKernels = {kName,     multiply, fold,       unfold,     butterfly, turn,  turnBack, split,
-                                  join,      combine,  multiplyBy, sum,        scale,     add,   dot,      countBelow,
-                                  rootDepth, advance,  residual,   maskedSums, trial,     chord, stepSums, pointForces};
+constexpr LaneKernels kernels = {kernel_name, multiply,   fold,  unfold,     butterfly,  turn,
+                                 turnBack,    split,      join,  combine,    multiplyBy, sum,
+                                 scale,       add,        dot,   countBelow, rootDepth,  advance,
+                                 residual,    maskedSums, trial, chord,      stepSums,   pointForces};

@@ -14,10 +14,10 @@ namespace wheel_rail_contact::core
 namespace
 {
 /// Relative difference below which two aspects are treated as equal. The coefficients differ by no more.
-constexpr double kSameAspect = 1e-9;
+constexpr double same_aspect = 1e-9;
 
 /// Number of operators kept for a grid whose aspects are not in the series of cell_aspect.h.
-constexpr int kOthersKept = 8;
+constexpr int others_kept = 8;
 
 using Shared = std::shared_ptr<const InfluenceOperator>;
 
@@ -50,7 +50,7 @@ class SharedOperators
   /// An operator of the same size, whose tables can be shared in part; null if there is none.
   Shared anyOf(int nx, int ny) const
   {
-    const auto first = operators_.lower_bound({nx, ny, false, cell_aspect::kLowest});
+    const auto first = operators_.lower_bound({nx, ny, false, cell_aspect::lowest_index});
     const bool same_size =
         first != operators_.end() && std::get<0>(first->first) == nx && std::get<1>(first->first) == ny;
     return same_size ? first->second : nullptr;
@@ -74,7 +74,7 @@ bool findInSeries(double aspect, int& index)
     return false;
   }
   index = cell_aspect::nearestIndex(aspect);
-  return std::abs(cell_aspect::aspect(index) - aspect) <= kSameAspect * aspect;
+  return std::abs(cell_aspect::aspect(index) - aspect) <= same_aspect * aspect;
 }
 }  // namespace
 
@@ -113,9 +113,9 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
 {
   std::vector<Entry>& entries = family(nx, ny, symmetric).entries;
   auto at =
-      std::lower_bound(entries.begin(), entries.end(), aspect * (1 - kSameAspect),
+      std::lower_bound(entries.begin(), entries.end(), aspect * (1 - same_aspect),
                        [](const Entry& entry, double wanted) { return entry.influence->shape().aspect < wanted; });
-  if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + kSameAspect))
+  if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + same_aspect))
   {
     Entry added;
     int index = 0;
@@ -141,7 +141,7 @@ void OperatorCache::forgetOldest(Family& family)
 {
   const auto others =
       std::count_if(family.entries.begin(), family.entries.end(), [](const Entry& entry) { return !entry.in_series; });
-  if (others <= kOthersKept)
+  if (others <= others_kept)
   {
     return;
   }

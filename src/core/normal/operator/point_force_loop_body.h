@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of lanes_body.h.
 
-using FloatRegister = float __attribute__((vector_size(kWidth * sizeof(double))));
-using FloatMemory = float __attribute__((vector_size(kWidth * sizeof(double)), aligned(sizeof(float))));
-using FloatBits = int __attribute__((vector_size(kWidth * sizeof(double))));
-constexpr int kFloats = kWidth * static_cast<int>(sizeof(double) / sizeof(float));
+using FloatRegister = float __attribute__((vector_size(register_width * sizeof(double))));
+using FloatMemory = float __attribute__((vector_size(register_width * sizeof(double)), aligned(sizeof(float))));
+using FloatBits = int __attribute__((vector_size(register_width * sizeof(double))));
+constexpr int float_width = register_width * static_cast<int>(sizeof(double) / sizeof(float));
 
 inline FloatRegister load(const float* from)
 {
@@ -19,10 +19,10 @@ inline void store(float* to, FloatRegister value)
 /// 1 / sqrt(value), by Newton's method from an approximation by the bits of the number.
 inline FloatRegister inverseRoot(FloatRegister value)
 {
-  constexpr int kMagic = 0x5F375A86;  // relative error of the first approximation: 3.4 %
-  constexpr int kSteps = 3;           // 1.7e-3, 4.4e-6, rounding
-  auto root = reinterpret_cast<FloatRegister>(kMagic - (reinterpret_cast<FloatBits>(value) >> 1));
-  for (int step = 0; step < kSteps; ++step)
+  constexpr int magic = 0x5F375A86;  // relative error of the first approximation: 3.4 %
+  constexpr int newton_steps = 3;    // 1.7e-3, 4.4e-6, rounding
+  auto root = reinterpret_cast<FloatRegister>(magic - (reinterpret_cast<FloatBits>(value) >> 1));
+  for (int step = 0; step < newton_steps; ++step)
   {
     root = root * (1.5F - 0.5F * value * root * root);
   }
@@ -31,7 +31,7 @@ inline FloatRegister inverseRoot(FloatRegister value)
 
 void pointForces(const PointForces& forces, const PointsBelow& points, PointForceSums& sums)
 {
-  for (int at = 0; at < kPoints; at += kFloats)
+  for (int at = 0; at < point_batch; at += float_width)
   {
     const FloatRegister px = load(points.x.data() + at), py = load(points.y.data() + at);
     const FloatRegister z = load(points.depth.data() + at), zz = z * z;

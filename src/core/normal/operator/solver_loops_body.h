@@ -4,7 +4,7 @@
 double sum(int size, const double* values)
 {
   Register total = {};
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     total += load(values + i);
   }
@@ -13,7 +13,7 @@ double sum(int size, const double* values)
 
 void scale(int size, double factor, double* values)
 {
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     store(values + i, factor * load(values + i));
   }
@@ -21,7 +21,7 @@ void scale(int size, double factor, double* values)
 
 void multiplyBy(int size, const double* factors, double* values)
 {
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     store(values + i, load(factors + i) * load(values + i));
   }
@@ -29,7 +29,7 @@ void multiplyBy(int size, const double* factors, double* values)
 
 void add(int size, double factor, const double* values, double* out)
 {
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     store(out + i, load(out + i) + factor * load(values + i));
   }
@@ -38,7 +38,7 @@ void add(int size, double factor, const double* values, double* out)
 double dot(int size, const double* a, const double* b)
 {
   Register total = {};
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     total += load(a + i) * load(b + i);
   }
@@ -49,7 +49,7 @@ double countBelow(int size, double limit, const double* values)
 {
   const Register zero = {}, one = zero + 1;
   Register count = zero;
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     count += load(values + i) < limit + zero ? one : zero;
   }
@@ -72,7 +72,7 @@ CellSum advance(int size, double length, const double* s, const double* q, const
 {
   const Register zero = {}, one = zero + 1;
   Register sum = zero, count = zero;
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     const Register moved = load(p + i) + length * load(s + i);
     const Register pressure = moved > zero ? moved : zero;
@@ -89,7 +89,7 @@ Violation residual(int size, double shift, const double* p, const double* u, con
 {
   const Register zero = {};
   Register inside = zero, outside = zero;
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     const Register minus_w = shift - (load(u + i) + load(gap + i));
     const Register positive = minus_w > zero ? minus_w : zero;
@@ -107,7 +107,7 @@ MaskedSums maskedSums(int size, const double* r, const double* z, const double* 
 {
   const Register zero = {}, one = zero + 1;
   Register count = zero, sum_z = zero, sum_q = zero, z_q = zero, z_r = zero;
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     const Register force = load(r + i);
     const auto free = force != zero;
@@ -126,7 +126,7 @@ double trial(int size, const TrialStep& step, const double* r, const double* p, 
 {
   const Register zero = {};
   Register sum = zero;
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     const Register direction = load(z + i) - step.shift + step.beta * load(last + i);
     const Register moved = load(p + i) + (load(r + i) != zero ? step.length * direction : zero);
@@ -140,7 +140,7 @@ double trial(int size, const TrialStep& step, const double* r, const double* p, 
 double chord(int size, double scale, const double* r, const double* p, double* trial)
 {
   Register slope = {};
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     const Register step = scale * load(trial + i) - load(p + i);
     store(trial + i, step);
@@ -153,7 +153,7 @@ StepSums stepSums(int size, const double* p, const double* s, const double* q)
 {
   const Register zero = {};
   Register s_q = zero, fall = zero;
-  for (int i = 0; i < size; i += kWidth)
+  for (int i = 0; i < size; i += register_width)
   {
     const Register step = load(s + i);
     s_q += step * load(q + i);

@@ -8,7 +8,7 @@ inline void forEach(const BlockLines& blocks, int pitch, const Body& body)
   const int run = blocks.unit == pitch ? blocks.count * blocks.unit : blocks.unit;
   for (int at = 0, spread = 0; at < blocks.count * blocks.unit; at += run, spread += pitch)
   {
-    for (int i = 0; i < run; i += kWidth)
+    for (int i = 0; i < run; i += register_width)
     {
       body(at + i, spread + i);
     }
@@ -22,7 +22,7 @@ inline void forEachTurn(const BlockLines& blocks, int pitch, const double* turns
   const int table = roundUpToLanes(blocks.count);
   if (blocks.unit == 1)
   {
-    for (int n = 0; n < blocks.count; n += kWidth)
+    for (int n = 0; n < blocks.count; n += register_width)
     {
       const double* t = turns + n;
       body(n, n, load(t), load(t + table), load(t + 2 * table), load(t + 3 * table));
@@ -34,7 +34,7 @@ inline void forEachTurn(const BlockLines& blocks, int pitch, const double* turns
   {
     const double* t = turns + n;
     const Register c = zero + t[0], s = zero + t[table], c_alt = zero + t[2 * table], s_alt = zero + t[3 * table];
-    for (int i = 0; i < blocks.unit; i += kWidth)
+    for (int i = 0; i < blocks.unit; i += register_width)
     {
       body(n * blocks.unit + i, n * pitch + i, c, s, c_alt, s_alt);
     }
@@ -46,7 +46,7 @@ void butterfly(const BlockLines& blocks, double* data)
   const int size = blocks.count * blocks.unit;
   for (int line = 0; line < blocks.lines; ++line, data += blocks.stride)
   {
-    for (int i = 0; i < size; i += kWidth)
+    for (int i = 0; i < size; i += register_width)
     {
       const Register a = load(data + i), b = load(data + size + i);
       store(data + i, a + b);
@@ -156,7 +156,7 @@ inline void combineBlocks(const BlockLines& blocks, double* data)
   for (int line = 0; line < blocks.lines; ++line, data += blocks.stride)
   {
     double first_a = data[0], first_b = data[size];
-    for (int i = 0; i < size; i += kWidth)
+    for (int i = 0; i < size; i += register_width)
     {
       Register a = load(data + i), b = load(data + size + i);
       if (blocks.unit > 1 && i < blocks.unit)

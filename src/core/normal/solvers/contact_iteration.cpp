@@ -10,22 +10,22 @@ namespace
 {
 /// If the trial point was clipped, a step along the chord that is longer than this share is extended to the whole
 /// chord. The clipped cells then leave the contact at once. The energy decreases for any value above 1/2.
-constexpr double kWholeChord = 0.6;
+constexpr double whole_chord = 0.6;
 
 /// Limits for the change of the trial length in one step, and for the length itself (1: the preconditioner is the exact
 /// inverse).
-constexpr double kShorten = 0.25, kLengthen = 2, kShortest = 0.02, kLongest = 3;
+constexpr double shortest_change = 0.25, longest_change = 2, shortest_trial = 0.02, longest_trial = 3;
 
 /// A relative decrease of a pressure within this of 1 is taken as a decrease to zero.
-constexpr double kRounding = 1e-9;
+constexpr double rounding = 1e-9;
 
 /// Number of products without a new lowest residual after which the iteration is regarded as stalled.
-constexpr int kPatience = 40;
+constexpr int patience = 40;
 
 /// A trial point is accepted only if the slope of the energy along the chord is at least this share of the slope of the
-/// unclipped direction. Otherwise up to kAttempts shorter ones are tried.
-constexpr double kEnoughSlope = 0.2;
-constexpr int kAttempts = 2;
+/// unclipped direction. Otherwise up to most_attempts shorter ones are tried.
+constexpr double enough_slope = 0.2;
+constexpr int most_attempts = 2;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
   {
     std::fill_n(field->data(), length, 0.0);
   }
-  std::fill_n(gap_.data(), length, kNoSurface);
+  std::fill_n(gap_.data(), length, no_surface_gap);
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     workspace_.reserve(*patches_[k].influence);
@@ -130,7 +130,7 @@ bool ContactIteration::shouldContinue(SolveStatus& status)
     best_at_ = products_;
   }
   status = products_ >= options_.max_products ? SolveStatus::iteration_limit : SolveStatus::stalled;
-  return products_ < options_.max_products && products_ - best_at_ <= kPatience;
+  return products_ < options_.max_products && products_ - best_at_ <= patience;
 }
 
 void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
@@ -210,12 +210,12 @@ double ContactIteration::chooseStep()
   double slope = chord(z_, step);
   step.beta = 0;
   step.shift = 0;
-  for (int attempt = 0; attempt < kAttempts && !(slope > kEnoughSlope * step.length * z_r_); ++attempt)
+  for (int attempt = 0; attempt < most_attempts && !(slope > enough_slope * step.length * z_r_); ++attempt)
   {
     slope = chord(z_, step);
-    step.length *= kShorten;
+    step.length *= shortest_change;
   }
-  return slope > kEnoughSlope * step.length * z_r_ ? slope : gradientChord();
+  return slope > enough_slope * step.length * z_r_ ? slope : gradientChord();
 }
 
 /// Computes z and the share of the last step in the next one that makes both conjugate.
@@ -312,10 +312,11 @@ bool ContactIteration::stepLength(double slope, double& length)
     return false;
   }
   length = slope / s_q_;
-  trial_length_ = std::clamp(trial_length_ * std::clamp(length, kShorten, kLengthen), kShortest, kLongest);
-  if (fall > 1 - kRounding)  // the trial point was clipped
+  trial_length_ =
+      std::clamp(trial_length_ * std::clamp(length, shortest_change, longest_change), shortest_trial, longest_trial);
+  if (fall > 1 - rounding)  // the trial point was clipped
   {
-    length = length > kWholeChord ? 1 : length;
+    length = length > whole_chord ? 1 : length;
     s_q_ = 0;
   }
   else if (fall * length > 1)

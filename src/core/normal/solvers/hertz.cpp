@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "core/normal/measures/elliptic.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double kPi = std::acos(-1.0);
-
 /// Ratio b/a <= 1 of the axes of the contact ellipse for curvatures in the ratio A/B <= 1. A belongs to the longer
 /// axis.
 ///
@@ -29,7 +28,7 @@ double axesRatio(double curvature_ratio, Elliptic& integrals)
     const double error = std::log(rest / (squared * integrals.d)) - target;
     // Derivatives of K and D with respect to m = k² (for D near the circle: its limit).
     const double k_slope = rest / (2 * squared);
-    const double d_slope = m > 1e-4 ? (rest / squared - integrals.d) / (2 * m) : 3 * kPi / 32;
+    const double d_slope = m > 1e-4 ? (rest / squared - integrals.d) / (2 * m) : 3 * pi / 32;
     const double slope = -2 * squared * ((k_slope - d_slope) / rest - d_slope / integrals.d) - 2;
     log_kappa = std::min(log_kappa - error / slope, 0.0);
     if (std::abs(error) < 1e-8)  // the step just made squares the error
@@ -58,19 +57,21 @@ HertzContact fromShape(const GapCurvature& gap, double modulus, double longer, d
   contact.semi_axis_y = long_in_x ? kappa * longer : longer;
   contact.max_pressure = modulus * curvature * longer / (kappa * integrals.d);
   contact.approach = curvature * longer * longer * integrals.k / integrals.d;
-  contact.area = kPi * kappa * longer * longer;
+  contact.area = pi * kappa * longer * longer;
   contact.force = 2.0 / 3.0 * contact.max_pressure * contact.area;
   return contact;
 }
 
-HertzContact solve(const GapCurvature& gap, double modulus, double value, bool is_force)
+}  // namespace
+
+HertzContact hertzForApproach(const GapCurvature& gap, double modulus, double approach)
 {
   HertzContact contact;
-  if (!isPositive(gap.a) || !isPositive(gap.b) || !isPositive(modulus) || !std::isfinite(value))
+  if (!isPositive(gap.a) || !isPositive(gap.b) || !isPositive(modulus) || !std::isfinite(approach))
   {
     return contact;
   }
-  if (value <= 0)
+  if (approach <= 0)
   {
     contact.status = SolveStatus::no_contact;
     return contact;
@@ -78,19 +79,7 @@ HertzContact solve(const GapCurvature& gap, double modulus, double value, bool i
   const double curvature = std::min(gap.a, gap.b);
   Elliptic integrals;
   const double kappa = axesRatio(curvature / std::max(gap.a, gap.b), integrals);
-  const double longer = is_force ? std::cbrt(1.5 * value * integrals.d / (kPi * curvature * modulus))
-                                 : std::sqrt(value * integrals.d / (curvature * integrals.k));
+  const double longer = std::sqrt(approach * integrals.d / (curvature * integrals.k));
   return fromShape(gap, modulus, longer, kappa, integrals);
-}
-}  // namespace
-
-HertzContact hertzForForce(const GapCurvature& gap, double modulus, double force)
-{
-  return solve(gap, modulus, force, true);
-}
-
-HertzContact hertzForApproach(const GapCurvature& gap, double modulus, double approach)
-{
-  return solve(gap, modulus, approach, false);
 }
 }  // namespace wheel_rail_contact::core

@@ -25,13 +25,11 @@ struct GapCurvature
   double b = 0;  ///< B, > 0
 };
 
-/// Closed form of Hertz 1882 for a force [N] (Johnson 1985, eq. 4.26 to 4.32). Elliptic integrals by the
+/// Closed form of Hertz 1882 for an approach [m] (Johnson 1985, eq. 4.26 to 4.32). Elliptic integrals by the
 /// arithmetic–geometric mean; ellipticity by Newton's method, to rounding. `modulus` is the contact modulus E*
 /// [Pa] (positive).
 ///
 /// The status is invalid_problem for curvatures that are not positive, for which no Hertz solution exists, and for
-/// values that are not finite. It is no_contact, with all values zero, for a force that is not positive.
-HertzContact hertzForForce(const GapCurvature& gap, double modulus, double force);
-/// Same for an approach [m] instead of a force.
+/// values that are not finite. It is no_contact, with all values zero, for an approach that is not positive.
 HertzContact hertzForApproach(const GapCurvature& gap, double modulus, double approach);
 }  // namespace wheel_rail_contact::core

@@ -8,6 +8,7 @@
 #include "core/normal/estimate/patch_errors.h"
 #include "core/normal/solvers/overlap_shape.h"
 #include "core/normal/solvers/patch_fields.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
@@ -99,7 +100,7 @@ class Sections
 /// Integral of sqrt(1 - t²) from the left end of a section to t; lengths in half-lengths of the section.
 double semicircle(double t)
 {
-  constexpr double quarter = 0.78539816339744831;  // pi / 4
+  constexpr double quarter = 0.25 * pi;
   if (std::abs(t) >= 1)
   {
     return t > 0 ? 2 * quarter : 0;

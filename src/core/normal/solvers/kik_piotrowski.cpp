@@ -14,8 +14,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double kLoadTolerance = 1e-10;  ///< relative error of the load
-constexpr int kMostEvaluations = 60;
+constexpr double load_tolerance = 1e-10;  ///< relative error of the load
+constexpr int most_evaluations = 60;
 
 /// Output of test/calibration/calibrate_error_estimate.cpp.
 constexpr ShapeWeights error_weights{
@@ -86,7 +86,7 @@ SolveStatus KikPiotrowski::Impl::findApproach(const NormalProblem& problem, Norm
   const double pressed = problem.value / problem.modulus;
   double log_approach = std::log(9.0 / 8.0 * pressed * pressed * bend) / 3;
   double power = 1.5, last_approach = 0, last_error = 0;
-  for (solution.iterations = 1; solution.iterations <= kMostEvaluations; ++solution.iterations)
+  for (solution.iterations = 1; solution.iterations <= most_evaluations; ++solution.iterations)
   {
     solution.approach = first + std::exp(log_approach);
     double load = 0;
@@ -95,7 +95,7 @@ SolveStatus KikPiotrowski::Impl::findApproach(const NormalProblem& problem, Norm
       return SolveStatus::no_positive_curvature;
     }
     solution.residual = std::abs(load / problem.value - 1);
-    if (solution.residual < kLoadTolerance)
+    if (solution.residual < load_tolerance)
     {
       return SolveStatus::converged;
     }

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double kPi = std::acos(-1.0);
-
 bool isValid(const PatchGap& patch)
 {
   const Grid& grid = patch.grid;
@@ -67,7 +67,7 @@ int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<Patch
     patch.begin = length;
     patch.size = cache ? patch.influence->fieldSize() : roundUpToLanes(grid.rows() * grid.ny);
     patch.weight = problem.patches[k].weight;
-    patch.stiffness = kPi * problem.modulus / patch.grid.dy;
+    patch.stiffness = pi * problem.modulus / patch.grid.dy;
     patch.force = patch.stiffness * patch.grid.cellArea();
     patch.least_gap = problem.patches[k].gap.minCoeff();
     length += patch.size;

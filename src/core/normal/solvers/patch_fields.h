@@ -26,7 +26,7 @@ struct PatchLayout
 };
 
 /// Gap of padding cells, which never touch [m].
-constexpr double kNoSurface = 1e300;
+constexpr double no_surface_gap = 1e300;
 
 /// True if the problem is valid: cells, finite gaps, and weights, modulus and value in range.
 bool isValid(const NormalProblem& problem);

@@ -6,6 +6,7 @@
 
 #include "core/normal/estimate/patch_errors.h"
 #include "core/normal/operator/influence.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
@@ -38,7 +39,7 @@ double pointForceBias(const PatchPressure& pressure, double modulus)
       }
     }
   }
-  return std::abs(sum) / (std::acos(-1.0) * modulus);
+  return std::abs(sum) / (pi * modulus);
 }
 
 ErrorEstimate pointForceErrors(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch)

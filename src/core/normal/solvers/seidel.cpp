@@ -19,7 +19,7 @@ namespace
 {
 /// Largest number of secant steps for the load. Few are needed; more are a sign that the sweeps ended too early for an
 /// accurate load.
-constexpr int kSecantSteps = 30;
+constexpr int most_secant_steps = 30;
 
 void checkShare(const char* name, double value)
 {
@@ -84,7 +84,7 @@ void Seidel::Sweeps::begin(const NormalProblem& problem)
   {
     field->resize(length);
   }
-  std::fill_n(gap_.data(), length, kNoSurface);
+  std::fill_n(gap_.data(), length, no_surface_gap);
   clearPressure();
   tables_.resize(std::max(tables_.size(), patches_.size()));
   for (std::size_t k = 0; k < patches_.size(); ++k)
@@ -203,7 +203,7 @@ SolveStatus Seidel::Sweeps::solvePrinted()
   }
   double depth = approachForLoad(*problem_, patches_, gap_) - first;
   double exponent = 1.5, last_depth = 0, last_load = 0;  // load ~ depth^exponent: 3/2 for Hertz
-  for (int step = 0; step < kSecantSteps; ++step)
+  for (int step = 0; step < most_secant_steps; ++step)
   {
     const SolveStatus status = applyApproach(first + depth);
     const double load = loadOf(patches_, p_);

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double kPi = std::acos(-1.0);
-
 /// Steps of the search for the interpenetration level; the first guess needs no more.
-constexpr int kHalvings = 12;
+constexpr int halvings = 12;
 
 bool isLoadControlled(const NormalProblem& problem)
 {
@@ -23,7 +23,7 @@ bool isLoadControlled(const NormalProblem& problem)
 double equivalentRadius(const PatchLayout& patch, const LaneBuffer& gap, double level)
 {
   const double cells = laneKernels().count_below(patch.size, level, gap.data() + patch.begin);
-  return std::sqrt(cells * patch.grid.cellArea() / kPi);
+  return std::sqrt(cells * patch.grid.cellArea() / pi);
 }
 
 /// Load of circular Hertz contacts with the interpenetration areas of the patches [N]. `level` is half the approach: F
@@ -49,7 +49,7 @@ double levelForLoad(const NormalProblem& problem, const std::vector<PatchLayout>
     const double one_cell = patch.weight * problem.modulus * std::sqrt(patch.grid.cellArea());
     high = std::min(high, (patch.least_gap + problem.value / one_cell) / patch.weight);
   }
-  for (int halving = 0; halving < kHalvings; ++halving)
+  for (int halving = 0; halving < halvings; ++halving)
   {
     const double middle = 0.5 * (low + high);
     (loadAt(problem, patches, gap, middle) < problem.value ? low : high) = middle;
@@ -159,7 +159,7 @@ Start coldStart(const NormalProblem& problem, const std::vector<PatchLayout>& pa
     const double radius = equivalentRadius(patch, gap, own_level);
     double* p = pressure.data() + patch.begin;
     laneKernels().root_depth(patch.size, own_level, gap.data() + patch.begin, p);
-    const double factor = radius > 0 ? 4 * problem.modulus / (kPi * radius) * std::sqrt(depth) / patch.stiffness : 0;
+    const double factor = radius > 0 ? 4 * problem.modulus / (pi * radius) * std::sqrt(depth) / patch.stiffness : 0;
     laneKernels().scale(patch.size, factor, p);
   }
   if (isLoadControlled(problem))

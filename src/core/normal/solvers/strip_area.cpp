@@ -7,15 +7,14 @@
 
 #include "core/normal/measures/elliptic.h"
 #include "core/normal/solvers/hertz.h"
+#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-const double kPi = std::acos(-1.0);
-
 /// Share of the approach at which the overlap of the undeformed bodies gives the contact area.
-constexpr double kVirtualPenetration = 0.55;
+constexpr double virtual_penetration = 0.55;
 
 /// Squared half-length of a strip below a level [m²]; not positive if the strip is not loaded.
 double squaredLength(const Strip& strip, double level)
@@ -189,7 +188,7 @@ StripArea stripAreaAt(const StripGap& gap, double modulus, double approach)
   {
     return area;
   }
-  area.level = gap.deepest.gap + kVirtualPenetration * approach;
+  area.level = gap.deepest.gap + virtual_penetration * approach;
   area.sound = gap.deepest.bend > 0;
   double squares = 0, lengths = 0;
   for (std::size_t j = 0; j + 1 < gap.strips.size(); ++j)
@@ -205,12 +204,12 @@ StripArea stripAreaAt(const StripGap& gap, double modulus, double approach)
   {
     return area;
   }
-  area.half_length = std::sqrt(kVirtualPenetration * approach / gap.deepest.bend);
+  area.half_length = std::sqrt(virtual_penetration * approach / gap.deepest.bend);
   correctShape(area);
   // Each strip carries a half-ellipse: pressure / half_length * pi/2 * l² per unit of width, corrected along and
   // across.
-  area.pressure = kPi * modulus * approach * area.along * area.half_length / compliance(gap, area);
-  area.force = 0.5 * kPi * area.pressure * squares * area.along * area.across / area.half_length;
+  area.pressure = pi * modulus * approach * area.along * area.half_length / compliance(gap, area);
+  area.force = 0.5 * pi * area.pressure * squares * area.along * area.across / area.half_length;
   area.area = 2 * lengths * area.along * area.across;
   return area;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pi.h"
 #include "core/profile/standard/sections.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -132,7 +133,7 @@ Profile coneWheel(double slope)
 
 Profile lmaWheel()
 {
-  const double sine = std::sin(70.0 * std::acos(-1.0) / 180.0);  // of the flank
+  const double sine = std::sin(70.0 * pi / 180.0);  // of the flank
   const double cosine = std::sqrt(1.0 - sine * sine);
   const Circle tread{15.5, -std::sqrt(450.0 * 450.0 - 15.5 * 15.5), 450.0};  // through the running circle
   const Circle transition = inside(tread, 90.0, -5.5);
