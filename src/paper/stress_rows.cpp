@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/stress/shakedown.h"
+#include "core/stress/stress_search.h"
 #include "paper/placement.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 

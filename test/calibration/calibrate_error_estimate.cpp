@@ -31,7 +31,7 @@
 #include <vector>
 
 #include "../core/normal/error_samples.h"
-#include "core/normal/estimate/patch_errors.h"
+#include "core/normal/estimate/error_estimate.h"
 
 namespace
 {

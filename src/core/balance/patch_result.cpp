@@ -8,7 +8,7 @@
 #include "core/balance/least_gap.h"
 #include "core/balance/model_error.h"
 #include "core/balance/whole_pressure.h"
-#include "core/normal/measures/equal_ellipse.h"
+#include "core/normal/measures/ellipse.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/balance/tuning.h"
-#include "core/normal/measures/elliptic.h"
+#include "core/normal/measures/ellipse.h"
 #include "core/pi.h"
 
 namespace wheel_rail_contact::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/balance/whole_pressure.h"
-#include "core/stress/shakedown.h"
+#include "core/stress/stress_search.h"
 
 namespace wheel_rail_contact::core
 {

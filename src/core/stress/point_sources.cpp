@@ -102,7 +102,7 @@ void PointSources::addLine(const Line& line, double spacing)
 std::array<Stress, point_batch> PointSources::at(const Places& places, double poisson) const
 {
   PointForceSums sums;
-  laneKernels().point_forces({x_.data(), y_.data(), force_.data(), x_.size()}, places, sums);
+  pointForceKernels().sums({x_.data(), y_.data(), force_.data(), x_.size()}, places, sums);
   std::array<Stress, point_batch> stresses;
   for (std::size_t k = 0; k < stresses.size(); ++k)
   {

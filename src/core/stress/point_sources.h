@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/normal/operator/lanes.h"
+#include "core/stress/point_forces.h"
 #include "wheel_rail_contact/core/stress.h"
 
 namespace wheel_rail_contact::core

@@ -47,6 +47,8 @@ double alternating(const Stress& stress)
 {
   return std::abs(stress.xz);
 }
+
+const double tension_over_shear = std::sqrt(3.0);  ///< of stresses with the same von Mises stress [-]
 }  // namespace
 
 void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, const PatchColumns& patch,
@@ -275,5 +277,18 @@ bool StressSearch::Top::advance(const Stress* star, double least)
 StressPeak StressSearch::scaled(const StressPeak& peak) const
 {
   return {peak.value, unit_ * peak.x, unit_ * peak.y, unit_ * peak.depth};
+}
+
+double loadFactor(double max_pressure, double yield)
+{
+  return yield > 0 ? max_pressure * tension_over_shear / yield : 0;
+}
+
+double shakedownLimit(double max_pressure, double orthogonal, double von_mises)
+{
+  // Half of two changes of the stress during a passage: of xz, which changes its sign, and of a stress that comes and
+  // goes.
+  const double range = std::max(orthogonal, 0.5 * von_mises / tension_over_shear);
+  return range > 0 ? max_pressure / range : 0;
 }
 }  // namespace wheel_rail_contact::core

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/estimate/patch_errors.h"
 #include "core/normal/measures/cells_around.h"
 #include "core/normal/measures/gap_steps.h"
 #include "core/normal/measures/peak_pressure.h"

@@ -6,7 +6,6 @@
 
 #include "core/normal/measures/contact_edge.h"
 #include "core/normal/measures/edge_bias.h"
-#include "core/normal/measures/relu_network.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core

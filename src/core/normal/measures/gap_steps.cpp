@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/measures/second_difference.h"
-
 namespace wheel_rail_contact::core
 {
 namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -111,35 +110,7 @@ struct StepSums
   double fall = 0;  ///< largest relative decrease of a pressure, max(-s / p): 1 / fall is the longest step with p >= 0
 };
 
-/// Number of points at which the stress is computed together.
-constexpr int point_batch = 16;
-/// A value for each of these points.
-using PointValues = std::array<float, point_batch>;
-
-/// Points below a surface that carries point forces.
-struct PointsBelow
-{
-  PointValues x{}, y{};  ///< place on the surface
-  PointValues depth{};   ///< > 0
-};
-
-/// Sums over point forces f at distances (x, y) from points at depth z, r² = x² + y² + z² (Boussinesq; Johnson 1985,
-/// eq. 3.20).
-struct PointForceSums
-{
-  PointValues one{}, x{}, y{}, xx{}, xy{}, yy{};  ///< of f / r⁵ times 1, x, y, x², x y, y²
-  PointValues chi_xx{}, chi_yy{}, chi_xy{};       ///< of f times second derivatives of ln(r + z)
-};
-
-/// Point forces on a surface.
-struct PointForces
-{
-  const float *x = nullptr, *y = nullptr;  ///< places
-  const float* force = nullptr;
-  std::size_t count = 0;
-};
-
-/// Inner loops of the operator, the solvers and the stress, compiled for one instruction set. `size` is a multiple of
+/// Inner loops of the operator and the solvers, compiled for one instruction set. `size` is a multiple of
 /// lane_padding in all of them.
 struct LaneKernels
 {
@@ -192,10 +163,6 @@ struct LaneKernels
   /// trial = scale trial - p; returns its product with r.
   double (*chord)(int size, double scale, const double* r, const double* p, double* trial) = nullptr;
   StepSums (*step_sums)(int size, const double* p, const double* s, const double* q) = nullptr;
-
-  /// Sums over all forces. Relative error below 1e-5 of the largest terms. Lengths must not be far from 1: fifth powers
-  /// occur.
-  void (*point_forces)(const PointForces& forces, const PointsBelow& points, PointForceSums& sums) = nullptr;
 };
 
 /// Kernels that this processor supports, widest registers first.

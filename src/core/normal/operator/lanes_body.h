@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included by lanes.cpp once per instruction set, inside a namespace that defines register_width and kernel_name. No
-// include guard.
+// Part of lanes.cpp, see core/simd/instruction_sets_body.h. No include guard.
 
 using Register = double __attribute__((vector_size(register_width * sizeof(double))));
 using Memory = double __attribute__((vector_size(register_width * sizeof(double)), aligned(sizeof(double))));
@@ -129,11 +128,9 @@ void unfold(int pairs, int block, const double* sign, const double* in, double* 
   }
 }
 
-#include "core/normal/operator/point_force_loop_body.h"
 #include "core/normal/operator/solver_loops_body.h"
 #include "core/normal/operator/transform_loops_body.h"
 
-constexpr LaneKernels kernels = {kernel_name, multiply,   fold,  unfold,     butterfly,  turn,
-                                 turnBack,    split,      join,  combine,    multiplyBy, sum,
-                                 scale,       add,        dot,   countBelow, rootDepth,  advance,
-                                 residual,    maskedSums, trial, chord,      stepSums,   pointForces};
+constexpr LaneKernels kernels = {kernel_name, multiply, fold,       unfold,     butterfly, turn,  turnBack, split,
+                                 join,        combine,  multiplyBy, sum,        scale,     add,   dot,      countBelow,
+                                 rootDepth,   advance,  residual,   maskedSums, trial,     chord, stepSums};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/measures/elliptic.h"
+#include "core/normal/measures/ellipse.h"
 #include "core/pi.h"
 
 namespace wheel_rail_contact::core

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/normal/estimate/patch_errors.h"
-#include "core/normal/solvers/overlap_shape.h"
+#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/patch_fields.h"
 #include "core/pi.h"
 
@@ -219,6 +218,30 @@ GapMinimum fitMinimum(const PatchGap& gap)
   minimum.x = grid.symmetric ? 0 : grid.x(cells.row()) + sx;
   minimum.y = grid.y(cells.column()) + sy;
   return minimum;
+}
+
+OverlapMismatch compareOverlap(const PatchGap& gap, const GapMinimum& paraboloid, double level)
+{
+  const Grid& grid = gap.grid;
+  const double cosine = std::cos(paraboloid.angle), sine = std::sin(paraboloid.angle);
+  double own = 0, ideal = 0, apart = 0;
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    const double y = grid.y(j) - paraboloid.y;
+    for (int i = 0; i < grid.rows(); ++i)
+    {
+      const double x = grid.x(i) - paraboloid.x;
+      const double first = cosine * x + sine * y, second = cosine * y - sine * x;
+      const double smooth =
+          paraboloid.gap + paraboloid.curvature.a * first * first + paraboloid.curvature.b * second * second;
+      const double depth = std::max(level - gap.gap(i, j), 0.0), smooth_depth = std::max(level - smooth, 0.0);
+      own += depth;
+      ideal += smooth_depth;
+      apart += std::abs(depth - smooth_depth);
+    }
+  }
+  return own > 0 && ideal > 0 ? OverlapMismatch{std::abs(std::log(own / ideal)), 2 * apart / (own + ideal)}
+                              : OverlapMismatch{};
 }
 
 void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolution& solution)

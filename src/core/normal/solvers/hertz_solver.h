@@ -25,6 +25,15 @@ struct GapMinimum
 /// cell from the lowest one; on a symmetric grid it lies at x = 0. Requires 3 × 3 cells (symmetric: 2 stored rows).
 GapMinimum fitMinimum(const PatchGap& gap);
 
+/// Difference between the part of a gap below a level and that of a paraboloid, both on the cells of the gap.
+struct OverlapMismatch
+{
+  double volume = 0;  ///< |ln(ratio of the volumes)| [-]
+  double shape = 0;   ///< volume that is not common to both, over the mean of both [-], 0 … 2
+};
+
+OverlapMismatch compareOverlap(const PatchGap& gap, const GapMinimum& paraboloid, double level);
+
 /// Hertz's closed form with the curvatures of each gap at its lowest point.
 ///
 /// Several patches share the approach. Their forces are summed in closed form, and the approach that carries the load

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/normal/estimate/patch_errors.h"
-#include "core/normal/solvers/overlap_shape.h"
+#include "core/normal/estimate/error_estimate.h"
+#include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/patch_fields.h"
 #include "core/normal/solvers/strip_area.h"
 
@@ -20,6 +20,40 @@ constexpr int most_evaluations = 60;
 /// Output of test/calibration/calibrate_error_estimate.cpp.
 constexpr ShapeWeights error_weights{
     {0.113, 0, 0.847, 0.00813}, {0.100, 0.0661, 0.0013, 0.0112}, {0.0622, 0, 0.0560, 0.00569}};
+
+/// Paraboloid, with axes along x and y, whose part below `level` has the centroid and second moments of the volume of
+/// the gap below it. Requires at least one cell below the level.
+GapMinimum momentParaboloid(const PatchGap& gap, double level)
+{
+  const Grid& grid = gap.grid;
+  double sum = 0, x1 = 0, x2 = 0, y1 = 0, y2 = 0, deepest = 0;
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    double column = 0;
+    for (int i = 0; i < grid.rows(); ++i)
+    {
+      const double depth = std::max(level - gap.gap(i, j), 0.0), x = grid.x(i);
+      column += depth;
+      deepest = std::max(deepest, depth);
+      x1 += depth * x;
+      x2 += depth * x * x;
+    }
+    const double y = grid.y(j);
+    sum += column;
+    y1 += column * y;
+    y2 += column * y * y;
+  }
+  GapMinimum paraboloid;
+  paraboloid.gap = level - deepest;
+  paraboloid.x = grid.symmetric ? 0 : x1 / sum;
+  paraboloid.y = y1 / sum;
+  // The second moment of a paraboloid about its axis is a sixth of the squared semi-axis. That of a cell about its own
+  // axis is added.
+  const double half_x2 = 6 * (x2 / sum - paraboloid.x * paraboloid.x + grid.dx * grid.dx / 12);
+  const double half_y2 = 6 * (y2 / sum - paraboloid.y * paraboloid.y + grid.dy * grid.dy / 12);
+  paraboloid.curvature = {deepest / half_x2, deepest / half_y2};
+  return paraboloid;
+}
 }  // namespace
 
 struct KikPiotrowski::Impl

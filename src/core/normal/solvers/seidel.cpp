@@ -7,11 +7,10 @@
 #include <string>
 
 #include "core/normal/measures/pressure_measures.h"
-#include "core/normal/operator/influence_table.h"
+#include "core/normal/operator/influence.h"
 #include "core/normal/solvers/patch_fields.h"
-#include "core/normal/solvers/point_force_bias.h"
+#include "core/normal/solvers/point_force_errors.h"
 #include "core/normal/solvers/starting_pressure.h"
-#include "core/normal/solvers/stripe_energy.h"
 
 namespace wheel_rail_contact::core
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/normal/measures/elliptic.h"
+#include "core/normal/measures/ellipse.h"
 #include "core/normal/solvers/hertz.h"
 #include "core/pi.h"
 

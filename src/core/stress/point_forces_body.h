@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of lanes_body.h.
+// Part of point_forces.cpp, see core/simd/instruction_sets_body.h. No include guard.
 
 using FloatRegister = float __attribute__((vector_size(register_width * sizeof(double))));
 using FloatMemory = float __attribute__((vector_size(register_width * sizeof(double)), aligned(sizeof(float))));
@@ -68,3 +68,5 @@ void pointForces(const PointForces& forces, const PointsBelow& points, PointForc
     store(sums.chi_xy.data() + at, chi_xy);
   }
 }
+
+constexpr PointForceKernels kernels = {kernel_name, pointForces};

@@ -26,4 +26,14 @@ SemiAxes equalEllipse(const PatchPressure& patch);
 /// K. On a contact of Hertz it is the derivative of the load by the approach (Johnson 1985, eq. 4.26).
 /// @param modulus  contact modulus E* [Pa]
 double punchStiffness(const SemiAxes& axes, double modulus);
+
+/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) / k².
+struct Elliptic
+{
+  double k = 0, d = 0;
+};
+
+/// Computes the integrals by the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), without cancellation at
+/// kappa = 1. Requires 0 < kappa <= 1.
+Elliptic elliptic(double kappa);
 }  // namespace wheel_rail_contact::core

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/solvers/point_force_bias.h"
+#include "core/normal/solvers/point_force_errors.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/estimate/patch_errors.h"
+#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/operator/influence.h"
 #include "core/pi.h"
 
@@ -14,6 +14,30 @@ namespace
 {
 /// Errors per unit of the bias over the approach [-].
 constexpr ErrorEstimate errors_per_bias{1.4, 3.2, 0.9};
+
+/// Smallest box of cells around a pressure; size in cells of the whole grid.
+struct LoadedBox
+{
+  int rows = 0, columns = 0;
+};
+
+LoadedBox loadedBox(const Grid& grid, const double* p)
+{
+  const int rows = grid.rows();
+  int first_row = rows, last_row = -1, first_column = grid.ny, last_column = -1;
+  for (int cell = 0; cell < rows * grid.ny; ++cell)
+  {
+    if (p[cell] > 0)
+    {
+      first_row = std::min(first_row, cell % rows);
+      last_row = std::max(last_row, cell % rows);
+      first_column = std::min(first_column, cell / rows);
+      last_column = std::max(last_column, cell / rows);
+    }
+  }
+  const int height = grid.symmetric ? 2 * (last_row + 1) : last_row - first_row + 1;
+  return last_row < 0 ? LoadedBox() : LoadedBox{height, last_column - first_column + 1};
+}
 }  // namespace
 
 double pointForceBias(const PatchPressure& pressure, double modulus)
@@ -51,5 +75,21 @@ ErrorEstimate pointForceErrors(const NormalProblem& problem, const NormalSolutio
   }
   bias /= ownApproach(problem, solution, patch);
   return {errors_per_bias.max_pressure * bias, errors_per_bias.area * bias, errors_per_bias.approach * bias};
+}
+
+double stripeEnergy(const Grid& grid, const double* pressure)
+{
+  const LoadedBox box = loadedBox(grid, pressure);
+  double energy = 0;
+  for (int column = 0; column < box.columns; ++column)
+  {
+    for (int row = 0; row < box.rows; ++row)
+    {
+      const double pairs = (row > 0 ? 2.0 : 1.0) * (column > 0 ? 2.0 : 1.0) * (box.rows - row) * (box.columns - column);
+      const double sign = column % 2 == 0 ? 1 : -1;
+      energy += sign * pairs * pointInfluence(row * grid.dx, column * grid.dy, grid.dx, grid.dy);
+    }
+  }
+  return energy;
 }
 }  // namespace wheel_rail_contact::core

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/stress/point_forces.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+#define KERNELS_BODY "core/stress/point_forces_body.h"
+#include "core/simd/instruction_sets_body.h"
+}  // namespace
+
+std::vector<const PointForceKernels*> supportedPointForceKernels()
+{
+  return supportedKernels();
+}
+
+const PointForceKernels& pointForceKernels()
+{
+  static const PointForceKernels& kernels = *supportedPointForceKernels().front();
+  return kernels;
+}
+}  // namespace wheel_rail_contact::core
