@@ -64,7 +64,7 @@ void LoadedWheel::findParts()
                      first.wheel_u,
                      0,
                      contact_.halfSpaceRatio(island.patch, island.first, island.last),
-                     contact_.problem().patches[island.patch].turn.size() > 0};
+                     contact_.problem().normals[island.patch].areTurned()};
     for (int row = 0; row < patch.grid.rows(); ++row)
     {
       if ((patch.pressure.row(row).segment(island.first, island.last - island.first + 1) > 0).any())

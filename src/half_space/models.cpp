@@ -17,18 +17,18 @@ Eigen::Index deepestColumn(const PatchGap& patch)
   return column;
 }
 
-void setTurn(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
+void setTurn(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::ArrayXd& turn)
 {
   const double reference = columns[static_cast<std::size_t>(deepestColumn(patch))].angle();
-  patch.turn.resize(patch.grid.ny);
+  turn.resize(patch.grid.ny);
   for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
   {
-    patch.turn[j] = columns[static_cast<std::size_t>(j)].angle() - reference;
+    turn[j] = columns[static_cast<std::size_t>(j)].angle() - reference;
   }
 }
 
 /// Changes the problem of the package to that of a model.
-void convert(const ContactModelConfig& config, const LoadedWheel& wheel, Model model, NormalProblem& problem)
+void convert(const ContactModelConfig& config, const LoadedWheel& wheel, Model model, CurvedProblem& problem)
 {
   const PlacedWheel placed(*config.wheel_profile.left, config.wheelset, Side::left, wheel.pose());
   for (std::size_t k = 0; k < problem.patches.size(); ++k)
@@ -41,10 +41,10 @@ void convert(const ContactModelConfig& config, const LoadedWheel& wheel, Model m
         patch = planarGap(placed, wheel.rail(), columns, patch.grid, deepestColumn(patch));
         break;
       case Model::curved:
-        patch.turn.resize(0);
+        problem.normals[k].turn.resize(0);
         break;
       case Model::turned:
-        setTurn(columns, patch);
+        setTurn(columns, patch, problem.normals[k].turn);
         break;
     }
     if (patch.gap.size() == 0)
@@ -54,6 +54,7 @@ void convert(const ContactModelConfig& config, const LoadedWheel& wheel, Model m
   }
   if (model == Model::planar)
   {
+    problem.normals.clear();
     problem.coupling.resize(0, 0);
   }
 }
@@ -74,11 +75,11 @@ const char* toString(Model model)
 
 std::vector<ModelFigures> solveModel(const ContactModelConfig& config, const LoadedWheel& wheel, Model model)
 {
-  NormalProblem problem = wheel.contact().problem();
+  CurvedProblem problem = wheel.contact().problem();
   convert(config, wheel, model, problem);
   NormalSolution solution;
   ConjugateGradients solver(fine_solution);
-  solver.solve(problem, false, solution);
+  solver.solveCurved(problem, false, solution);
   if (!isUsable(solution.status))
   {
     throw std::runtime_error(std::string("model ") + toString(model) + ": " + toString(solution.status));

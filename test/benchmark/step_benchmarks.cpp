@@ -46,7 +46,7 @@ void problem(benchmark::State& state, const core::GridSize& size)
   one.solveOn(size);
   core::OverlapGrids grids(one.config, core::Side::left, one.rail);
   grids.setRail(one.rail);
-  core::NormalProblem built;
+  core::CurvedProblem built;
   built.modulus = one.wheel.problem().modulus;
   for (auto _ : state)
   {

@@ -80,6 +80,10 @@ class TimedSolver : public core::NormalSolver
   {
     spent_ += seconds([&] { solver_->solve(problem, warm, solution); });
   }
+  void solveCurved(const core::CurvedProblem& problem, bool warm, core::NormalSolution& solution) override
+  {
+    spent_ += seconds([&] { solver_->solveCurved(problem, warm, solution); });
+  }
   void estimateErrors(const core::NormalProblem& problem, const core::NormalSolution& solution,
                       std::vector<core::ErrorEstimate>& errors) const override
   {

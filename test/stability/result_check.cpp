@@ -29,7 +29,7 @@ bool meetsConditionsInCells(std::string_view method)
   return method != "hertz" && method != "kik_piotrowski";
 }
 
-/// True for methods that meet the load on a curved surface. The others take a patch as flat (PatchGap::column_weight);
+/// True for methods that meet the load on a curved surface. The others take a patch as flat (PatchResult::left_out);
 /// their load differs by the turn of the normals.
 bool meetsLoad(const ContactModelConfig& config)
 {

@@ -88,21 +88,14 @@ struct PatchGap
   /// angle to the direction of the load. The patch is closed by weight times the common approach, and weight times its
   /// normal force counts in the common load. 1 for a single patch that is pressed along its normal.
   double weight = 1;
-  /// Further factor of the weight in each column [-], > 0; empty: 1 everywhere. Columns on a curved surface have
-  /// different normals. Only ConjugateGradients uses it.
-  Eigen::ArrayXd column_weight;
-  /// Angle about x of the normal in each column, from that of the patch [rad]; empty: 0 everywhere. The displacement by
-  /// a pressure in another column is projected onto the normal. Only ConjugateGradients uses it.
-  Eigen::ArrayXd turn;
 };
 
 /// Frictionless contact of half-spaces, in one or several patches.
 ///
-/// Find the pressure p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every patch. (With
-/// column_weight, weight is the product of both.) A is the influence matrix, w the remaining distance of the deformed
-/// surfaces. All patches have one common approach. Either the approach is given, or the load: sum(weight * N_k) = load,
-/// with the normal force N_k of patch k. Patches deform one another only by `coupling`: contacts close to one another
-/// must be in one grid, as one patch.
+/// Find the pressure p >= 0 with w = A p + gap - weight * approach >= 0 and p w = 0 in every patch. A is the influence
+/// matrix, w the remaining distance of the deformed surfaces. All patches have one common approach. Either the approach
+/// is given, or the load: sum(weight * N_k) = load, with the normal force N_k of patch k. Patches do not deform one
+/// another: contacts close to one another must be in one grid, as one patch.
 struct NormalProblem
 {
   /// The given quantity.
@@ -112,14 +105,37 @@ struct NormalProblem
     approach  ///< `value` is the common approach [m]
   };
 
-  std::vector<PatchGap> patches;  ///< gaps of all patches
-  /// Displacement of a column by the normal force in another [m/N]: symmetric, with the columns of all patches one
-  /// after another, and zero between columns of the same patch. Empty: patches do not deform one another. Only
-  /// ConjugateGradients uses it.
-  Eigen::MatrixXd coupling;
+  std::vector<PatchGap> patches;    ///< gaps of all patches
   double modulus = 0;               ///< contact modulus E* [Pa], see contactModulus()
   Control control = Control::load;  ///< meaning of `value`
   double value = 0;                 ///< load [N] or approach [m]
+};
+
+/// Normals of the columns of a patch on a curved surface.
+struct ColumnNormals
+{
+  /// Further factor of PatchGap::weight in each column [-], > 0; empty: 1 everywhere.
+  Eigen::ArrayXd weight;
+  /// Angle about x of the normal in each column, from that of the patch [rad]; empty: 0 everywhere. The displacement by
+  /// a pressure in another column is projected onto the normal.
+  Eigen::ArrayXd turn;
+
+  /// True if the normals differ.
+  bool areTurned() const { return (turn != 0).any(); }
+};
+
+/// A normal problem on curved surfaces: the columns of a patch have normals of their own, and the patches deform one
+/// another. See NormalSolver::solveCurved().
+struct CurvedProblem : NormalProblem
+{
+  std::vector<ColumnNormals> normals;  ///< of each patch; empty: the columns of a patch have its normal
+  /// Displacement of a column by the normal force in another [m/N]: symmetric, with the columns of all patches one
+  /// after another, and zero between columns of the same patch. Not used with one patch. Empty: patches do not deform
+  /// one another.
+  Eigen::MatrixXd coupling;
+
+  /// True if the patches deform one another.
+  bool isCoupled() const { return patches.size() > 1 && coupling.size() > 0; }
 };
 
 /// Reason for which a solution ended. It determines whether the solution is usable.

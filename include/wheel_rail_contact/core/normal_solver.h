@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "wheel_rail_contact/core/normal_problem.h"
@@ -42,6 +43,14 @@ class NormalSolver
   /// starts from it. For shapes that it has solved before, it allocates no memory. Does not throw for a numerical
   /// failure: check NormalSolution::status.
   virtual void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) = 0;
+
+  /// Solves a problem on curved surfaces. The default implementation solves it as a NormalProblem, with one normal for
+  /// each patch, and leaves out the rest.
+  virtual void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution);
+
+  /// What solveCurved() leaves out of this problem: "column normals" and "patch coupling"; empty: nothing. A string
+  /// with static lifetime.
+  virtual std::string_view leftOut(const CurvedProblem& problem) const;
 
   /// Estimates the errors of each patch of a usable solution of this method; zero for a patch without pressure.
   /// `errors` is resized to the number of patches. The default implementation is for methods that compute a pressure in

@@ -129,6 +129,9 @@ struct PatchResult
   /// Bound of the relative error of max_pressure and area because both bodies are taken to be half-spaces [-], a
   /// function of half_space_ratio; 1: not known. It adds to error_estimate. See doc/half_space.md.
   double model_error = 0;
+  /// What the method leaves out of the contact of curved surfaces: "column normals" (each column of cells has its own),
+  /// "patch coupling" (patches deform one another), or both, separated by a comma; empty: nothing.
+  std::string_view left_out;
   double vertical_force = 0;  ///< vertical part Q of normal_force, on the rail, down positive [N]
   double lateral_force = 0;   ///< lateral part Y of normal_force, on the rail, outward positive [N]
   /// Semi-axis a along the track of the ellipse with the area of the patch and the ratio of its second moments about x

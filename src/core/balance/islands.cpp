@@ -25,7 +25,7 @@ void addIslands(std::size_t patch, const Eigen::ArrayXXd& pressure, std::vector<
 }
 }  // namespace
 
-void Islands::find(const NormalProblem& problem, const NormalSolution& solution)
+void Islands::find(const CurvedProblem& problem, const NormalSolution& solution)
 {
   whole_problem_ = &problem;
   whole_solution_ = &solution;
@@ -81,13 +81,8 @@ void Islands::cut(const Island& island, PatchGap& gap, PatchPressure& pressure)
   }
   Eigen::Index row = 0, deepest = 0;
   gap.gap.minCoeff(&row, &deepest);
-  const bool weighted = whole_gap.column_weight.size() > 0;
-  gap.weight = whole_gap.weight * (weighted ? whole_gap.column_weight[island.begin + deepest] : 1);
-  gap.turn.resize(0);
-  if (whole_gap.turn.size() > 0)
-  {
-    gap.turn = whole_gap.turn.segment(island.begin, island.columns);
-  }
+  const bool weighted = !whole_problem_->normals.empty() && whole_problem_->normals[island.patch].weight.size() > 0;
+  gap.weight = whole_gap.weight * (weighted ? whole_problem_->normals[island.patch].weight[island.begin + deepest] : 1);
   pressure.grid = gap.grid;
   pressure.pressure = whole.pressure.middleCols(island.begin, island.columns);
   measures_.measure(gap, whole_problem_->modulus, pressure);

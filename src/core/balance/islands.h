@@ -22,7 +22,7 @@ class Islands
 {
  public:
   /// Finds the islands of a solution and measures their pressure.
-  void find(const NormalProblem& problem, const NormalSolution& solution);
+  void find(const CurvedProblem& problem, const NormalSolution& solution);
 
   /// Removes the islands.
   void clear() { islands_.clear(); }
@@ -35,7 +35,7 @@ class Islands
  private:
   void cut(const Island& island, PatchGap& gap, PatchPressure& pressure);
 
-  const NormalProblem* whole_problem_ = nullptr;
+  const CurvedProblem* whole_problem_ = nullptr;
   const NormalSolution* whole_solution_ = nullptr;
   bool separate_ = false;
   std::vector<Island> islands_;

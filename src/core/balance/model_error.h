@@ -10,6 +10,6 @@ namespace wheel_rail_contact::core
 /// that on a plane by terms of the order of distance over radius. They have opposite signs on a wheel and on a rail,
 /// and cancel where both have the same radius, so the square remains.
 /// @param half_space_ratio  PatchResult::half_space_ratio [rad]
-/// @param is_turned         displacements are projected onto the normals of the columns (PatchGap::turn)
+/// @param is_turned         displacements are projected onto the normals of the columns (ColumnNormals::turn)
 double modelError(double half_space_ratio, bool is_turned);
 }  // namespace wheel_rail_contact::core

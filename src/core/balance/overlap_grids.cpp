@@ -76,7 +76,7 @@ void OverlapGrids::setRail(const PlacedRail& rail)
 }
 
 OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach,
-                                          NormalProblem& problem)
+                                          CurvedProblem& problem)
 {
   placed_wheel_.emplace(*config_.wheel_profile[side_], config_.wheelset, side_, pose);
   const PlacedWheel& wheel = *placed_wheel_;
@@ -272,7 +272,7 @@ const OverlapGrids::Laid* OverlapGrids::laidBefore(const SurfaceArea& area, cons
 
 /// Adds the grid over the intervals `first` to `last` (exclusive), if there are columns that overlap.
 void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size,
-                           Choice choice, Reach reach, NormalProblem& problem)
+                           Choice choice, Reach reach, CurvedProblem& problem)
 {
   const SurfaceArea area = areaOf(wheel, first, last, 0, reach);
   const Laid* const before = choice != Choice::own ? laidBefore(area, size) : nullptr;
@@ -280,11 +280,11 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
   Laid laid = before != nullptr ? *before : Laid{planned, planned, reach, area.whole};
   laid.reach = reach;
   appendPatch(problem);
-  bool found = fillGrid(wheel, size, area, laid.used, problem.patches.back());
+  bool found = fillGrid(wheel, size, area, laid.used, problem.patches.back(), problem.normals.back());
   if (!found && before != nullptr)  // the cells of the kept grid are too large
   {
     laid = {planned, planned, reach, area.whole};
-    found = fillGrid(wheel, size, area, laid.used, problem.patches.back());
+    found = fillGrid(wheel, size, area, laid.used, problem.patches.back(), problem.normals.back());
   }
   laid.has_patch = found;
   laid_.push_back(laid);
@@ -300,7 +300,7 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
 /// Fills the last columns and their patch. If the area is the whole overlap, and the overlap is found to be larger,
 /// area and grid are widened. @return false if no cell overlaps
 bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout,
-                            PatchGap& patch)
+                            PatchGap& patch, ColumnNormals& normals)
 {
   std::vector<SurfaceColumn>& columns = columns_.back();
   for (double margin = tuning::overlap_margin; margin < 2; margin *= 2)
@@ -318,7 +318,7 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
       {
         return false;
       }
-      setNormals(columns, patch, spare_turn_);
+      setNormals(columns, patch, normals);
       setUnseenSlope(columns, patch);
       return true;
     }
@@ -329,37 +329,38 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
 }
 
 /// Appends a patch, with the memory of a removed one if there is any.
-void OverlapGrids::appendPatch(NormalProblem& problem)
+void OverlapGrids::appendPatch(CurvedProblem& problem)
 {
   if (spare_patches_.empty())
   {
     problem.patches.emplace_back();
+    problem.normals.emplace_back();
     columns_.emplace_back();
     return;
   }
   problem.patches.push_back(std::move(spare_patches_.back()));
+  problem.normals.push_back(std::move(spare_normals_.back()));
   columns_.push_back(std::move(spare_columns_.back()));
   spare_patches_.pop_back();
+  spare_normals_.pop_back();
   spare_columns_.pop_back();
 }
 
-void OverlapGrids::removeLast(NormalProblem& problem)
+void OverlapGrids::removeLast(CurvedProblem& problem)
 {
   spare_patches_.push_back(std::move(problem.patches.back()));
+  spare_normals_.push_back(std::move(problem.normals.back()));
   spare_columns_.push_back(std::move(columns_.back()));
   problem.patches.pop_back();
+  problem.normals.pop_back();
   columns_.pop_back();
 }
 
 /// Sets the displacement of the columns of each grid by the forces in the columns of the others: that of a point force
 /// on a half-space (Johnson 1985, eq. 3.22b), at the root mean square distance of two half-ellipses along the track,
 /// and projected onto the normal.
-void OverlapGrids::couple(NormalProblem& problem)
+void OverlapGrids::couple(CurvedProblem& problem)
 {
-  if ((problem.patches.size() > 1) != (problem.coupling.size() > 0))
-  {
-    problem.coupling.swap(spare_coupling_);
-  }
   if (problem.patches.size() < 2)
   {
     return;

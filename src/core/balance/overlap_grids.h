@@ -22,7 +22,7 @@ namespace wheel_rail_contact::core
 /// (Reach::expected). If the pressure reaches its edge, or the rest of the overlap may touch (isComplete()), a grid
 /// over the whole overlap must follow. Intervals of the overlap that are closer to one another than the wider of them
 /// is wide are in one grid. Each grid is a patch of the problem. The forces in one grid displace the others
-/// (NormalProblem::coupling).
+/// (CurvedProblem::coupling).
 class OverlapGrids
 {
  public:
@@ -66,7 +66,7 @@ class OverlapGrids
   const PlacedRail& rail() const { return *rail_; }
 
   /// Finds the overlap at a pose. Sets patches and coupling of the problem, whose modulus must be set, if there is one.
-  Overlap build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach, NormalProblem& problem);
+  Overlap build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach, CurvedProblem& problem);
 
   /// The next grids cover this pressure of the last problem and a cell more on each side, instead of the overlap.
   void follow(const std::vector<PatchPressure>& pressure);
@@ -105,11 +105,12 @@ class OverlapGrids
   const Laid* laidBefore(const SurfaceArea& area, const GridSize& size) const;
   void join(bool keep);
   void addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size, Choice choice,
-               Reach reach, NormalProblem& problem);
-  bool fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout, PatchGap& patch);
-  void appendPatch(NormalProblem& problem);
-  void removeLast(NormalProblem& problem);
-  void couple(NormalProblem& problem);
+               Reach reach, CurvedProblem& problem);
+  bool fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout, PatchGap& patch,
+                ColumnNormals& normals);
+  void appendPatch(CurvedProblem& problem);
+  void removeLast(CurvedProblem& problem);
+  void couple(CurvedProblem& problem);
 
   const ContactModelConfig& config_;
   Side side_;
@@ -126,8 +127,7 @@ class OverlapGrids
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;
   std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
+  std::vector<ColumnNormals> spare_normals_;
   std::vector<std::vector<SurfaceColumn>> spare_columns_;
-  Eigen::ArrayXd spare_turn_;
-  Eigen::MatrixXd spare_coupling_;  ///< empty while a problem has a coupling
 };
 }  // namespace wheel_rail_contact::core

@@ -32,31 +32,27 @@ void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
   }
 }
 
-void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, Eigen::ArrayXd& spare)
+void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals)
 {
   const auto at = [&](Eigen::Index j) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(j)]; };
   const auto lowest = [&](Eigen::Index j) { return patch.gap.col(j).minCoeff(); };
   Eigen::Index row = 0, deepest = 0;
   patch.gap.minCoeff(&row, &deepest);
   patch.weight = std::max(at(deepest).perUp(), tuning::smallest_opening);
-  patch.column_weight.resize(patch.grid.ny);
+  normals.weight.resize(patch.grid.ny);
   double turn_least = 0, turn_most = 0;
   for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
   {
-    patch.column_weight[j] = std::max(at(j).perUp(), tuning::smallest_opening) / patch.weight;
+    normals.weight[j] = std::max(at(j).perUp(), tuning::smallest_opening) / patch.weight;
     const double turn = lowest(j) < 0 ? at(j).turnFrom(at(deepest)) : 0;
     turn_least = std::min(turn_least, turn);
     turn_most = std::max(turn_most, turn);
   }
   const bool turns = turn_most - turn_least > tuning::plane_turn;
-  if (turns != (patch.turn.size() > 0))
+  normals.turn.setZero(patch.grid.ny);
+  for (Eigen::Index j = 0; turns && j < patch.grid.ny; ++j)
   {
-    patch.turn.swap(spare);
-  }
-  patch.turn.resize(turns ? patch.grid.ny : 0);
-  for (Eigen::Index j = 0; j < patch.turn.size(); ++j)
-  {
-    patch.turn[j] = at(j).angle() - at(deepest).angle();
+    normals.turn[j] = at(j).angle() - at(deepest).angle();
   }
 }
 

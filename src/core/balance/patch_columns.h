@@ -12,9 +12,9 @@ namespace wheel_rail_contact::core
 /// Leaves columns out that a vertical displacement hardly opens, or closes.
 void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
 
-/// Sets weights and normals of the columns. The reference is the column with the deepest overlap.
-/// @param spare  memory of `turn` while the normals hardly turn
-void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, Eigen::ArrayXd& spare);
+/// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
+/// hardly turn.
+void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
 
 /// Sets PatchGap::unseen_slope.
 void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch);

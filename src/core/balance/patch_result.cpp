@@ -82,12 +82,6 @@ void spread(Side side, const Grid& grid, const Centre& centre, const Eigen::Arra
   wholePressure(side, grid, stored, result.pressure);
 }
 
-/// True if the displacements were projected onto the normals of the columns.
-bool isTurned(const ContactConfig& config, const PatchGap& gap)
-{
-  return gap.turn.size() > 0 &&
-         (config.method == NormalMethod::automatic || config.method == NormalMethod::conjugate_gradient);
-}
 }  // namespace
 
 void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& out)
@@ -135,7 +129,9 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.iterations = solution.iterations;
   out.residual = solution.residual;
   out.half_space_ratio = contact.halfSpaceRatio(of.patch, of.first, of.last);
-  out.model_error = modelError(out.half_space_ratio, isTurned(balance.config().contact, gap));
+  out.left_out = contact.leftOut();
+  const bool is_turned = out.left_out.empty() && contact.problem().normals[of.patch].areTurned();
+  out.model_error = modelError(out.half_space_ratio, is_turned);
   spread(side, gap.grid, centre, pressure.pressure, out);
 }
 }  // namespace wheel_rail_contact::core

@@ -149,10 +149,10 @@ OverlapGrids::Overlap WheelContact::build(OverlapGrids::Reach reach)
 void WheelContact::solveProblem()
 {
   const bool warm = solution_.patches.size() == problem_.patches.size();
-  solver_.solve(problem_, warm, solution_);
+  solver_.solveCurved(problem_, warm, solution_);
   if (warm && !isUsable(solution_.status))
   {
-    solver_.solve(problem_, false, solution_);
+    solver_.solveCurved(problem_, false, solution_);
   }
   ++solutions_;
 }

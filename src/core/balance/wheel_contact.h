@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "core/balance/overlap_grids.h"
@@ -112,7 +113,9 @@ class WheelContact
   double halfSpaceRatio(std::size_t patch, Eigen::Index first, Eigen::Index last) const;
 
   const OverlapGrids& grids() const { return grids_; }
-  const NormalProblem& problem() const { return problem_; }
+  const CurvedProblem& problem() const { return problem_; }
+  /// What the method leaves out of the problem, see NormalSolver::leftOut().
+  std::string_view leftOut() const { return solver_.leftOut(problem_); }
   const NormalSolution& solution() const { return solution_; }
   /// Number of normal problems since the object was made.
   int solutions() const { return solutions_; }
@@ -133,7 +136,7 @@ class WheelContact
   GridSize size_;
   std::size_t level_ = 0;
   OverlapGrids grids_;
-  NormalProblem problem_;
+  CurvedProblem problem_;
   NormalSolution solution_;
   std::vector<NormalSolution> kept_;  ///< last solutions on the other grids
   ContactTangent tangent_;

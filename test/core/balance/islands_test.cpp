@@ -15,23 +15,23 @@ namespace wheel_rail_contact::core
 namespace
 {
 /// Two bowls on one grid, at y = -5 mm and y = 4 mm, of which the second is higher by `rise` [m].
-NormalProblem twoBowls(double rise)
+CurvedProblem twoBowls(double rise)
 {
   const Grid grid = problems::centredGrid(32, 96, 0.02, 0.02, true);
-  return problems::underLoad(problems::sampled(grid,
-                                               [rise](double x, double y)
-                                               {
-                                                 const double first = y + 5e-3, second = y - 4e-3;
-                                                 return 1.1 * x * x +
-                                                        std::min(30 * first * first, 50 * second * second + rise);
-                                               }),
-                             5e4);
+  return problems::curved(problems::underLoad(
+      problems::sampled(grid,
+                        [rise](double x, double y)
+                        {
+                          const double first = y + 5e-3, second = y - 4e-3;
+                          return 1.1 * x * x + std::min(30 * first * first, 50 * second * second + rise);
+                        }),
+      5e4));
 }
 
 class IslandsTest : public testing::Test
 {
  protected:
-  void solve(const NormalProblem& problem)
+  void solve(const CurvedProblem& problem)
   {
     problem_ = problem;
     ConjugateGradients().solve(problem_, false, solution_);
@@ -39,7 +39,7 @@ class IslandsTest : public testing::Test
     islands_.find(problem_, solution_);
   }
 
-  NormalProblem problem_;
+  CurvedProblem problem_;
   NormalSolution solution_;
   Islands islands_;
 };
@@ -95,8 +95,9 @@ TEST_F(IslandsTest, ASingleContactIsTheWholeProblem)
 
 TEST_F(IslandsTest, APatchWithoutPressureHasNoIsland)
 {
-  NormalProblem problem = twoBowls(1e-3);
+  CurvedProblem problem = twoBowls(1e-3);
   problem.patches.push_back(problem.patches[0]);
+  problem.normals.emplace_back();
   problem.patches[1].gap += 1e-3;
   solve(problem);
   ASSERT_EQ(islands_.islands().size(), 1U);

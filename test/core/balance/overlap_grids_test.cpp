@@ -33,7 +33,7 @@ class OverlapGridsTest : public testing::Test
   WheelsetPose overlapping(double y, double yaw, double depth)
   {
     WheelsetPose pose{y, 0.47, yaw, 0};
-    NormalProblem none = problem_;
+    CurvedProblem none = problem_;
     EXPECT_EQ(grids_.build(pose, size, OverlapGrids::Choice::own, OverlapGrids::Reach::whole, none),
               OverlapGrids::Overlap::none);
     pose.z -= grids_.touch().separation + depth;
@@ -92,7 +92,7 @@ class OverlapGridsTest : public testing::Test
   PlacedRail rail_ = restingRail(config_, Side::left);
   OverlapGrids grids_{config_, Side::left, rail_};
   ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
-  NormalProblem problem_;
+  CurvedProblem problem_;
 };
 }  // namespace
 

@@ -118,8 +118,12 @@ class ColdSolver : public NormalSolver
   const char* name() const override { return "conjugate_gradient"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override
   {
-    warm_starts += warm ? 1 : 0;
     solver_.solve(problem, warm, solution);
+  }
+  void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution) override
+  {
+    warm_starts += warm ? 1 : 0;
+    solver_.solveCurved(problem, warm, solution);
     solution.status = warm ? SolveStatus::stalled : solution.status;
   }
   int warm_starts = 0;

@@ -109,13 +109,16 @@ TEST(ConjugateGradients, ReportsAStalledResidual)
 // Two patches that pull one another farther than they deflect: the energy falls without limit.
 TEST(ConjugateGradients, RejectsAnIndefiniteMatrix)
 {
-  NormalProblem problem = hertzCase(2, 16, 32, true).problem;
+  CurvedProblem problem = problems::curved(hertzCase(2, 16, 32, true).problem);
   problem.patches.push_back(problem.patches[0]);
+  problem.normals.clear();
   const int columns = problem.patches[0].grid.ny;
   problem.coupling.setZero(2 * columns, 2 * columns);
   problem.coupling.topRightCorner(columns, columns).setConstant(-1e-6);
   problem.coupling.bottomLeftCorner(columns, columns).setConstant(-1e-6);
-  const NormalSolution solution = solved(problem);
+  ConjugateGradients solver;
+  NormalSolution solution;
+  solver.solveCurved(problem, false, solution);
   EXPECT_EQ(solution.status, SolveStatus::indefinite);
   EXPECT_FALSE(isUsable(solution.status));
 }

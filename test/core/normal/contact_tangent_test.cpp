@@ -18,29 +18,31 @@ namespace
 {
 constexpr unsigned seed = 11;
 
-NormalSolution solved(const NormalProblem& problem)
+NormalSolution solved(const CurvedProblem& problem)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-9;
   NormalSolution solution;
-  ConjugateGradients(options).solve(problem, false, solution);
+  ConjugateGradients(options).solveCurved(problem, false, solution);
   return solution;
 }
 
 /// Openings by a displacement along the normals and by a rotation about x, in each column.
-Eigen::ArrayXXd openingsOf(const PatchGap& patch)
+Eigen::ArrayXXd openingsOf(const CurvedProblem& problem, std::size_t k = 0)
 {
+  const PatchGap& patch = problem.patches[k];
+  const Eigen::ArrayXd& weight = problem.normals[k].weight;
   Eigen::ArrayXXd openings(patch.grid.ny, 2);
   for (int j = 0; j < patch.grid.ny; ++j)
   {
-    const double own = patch.column_weight.size() > 0 ? patch.column_weight[j] : 1;
+    const double own = weight.size() > 0 ? weight[j] : 1;
     openings.row(j) << patch.weight * own, patch.grid.y(j);
   }
   return openings;
 }
 
 /// Stiffness of a problem with one patch, by a factorisation of the matrix of the loaded cells.
-Eigen::MatrixXd denseStiffness(const NormalProblem& problem, const NormalSolution& solution,
+Eigen::MatrixXd denseStiffness(const CurvedProblem& problem, const NormalSolution& solution,
                                const Eigen::ArrayXXd& openings)
 {
   const PatchGap& patch = problem.patches[0];
@@ -61,7 +63,8 @@ Eigen::MatrixXd denseStiffness(const NormalProblem& problem, const NormalSolutio
     right.row(a) = openings.row(column(a)).matrix();
     for (Eigen::Index b = 0; b < n; ++b)
     {
-      const double turn = patch.turn.size() > 0 ? patch.turn[column(a)] - patch.turn[column(b)] : 0;
+      const Eigen::ArrayXd& turns = problem.normals[0].turn;
+      const double turn = turns.size() > 0 ? turns[column(a)] - turns[column(b)] : 0;
       matrix(a, b) = all(cells[static_cast<std::size_t>(a)], cells[static_cast<std::size_t>(b)]) * std::cos(turn);
     }
   }
@@ -76,15 +79,14 @@ TEST(ContactTangent, AgreesWithAFactorisationOfTheMatrix)
   for (int scene = 0; scene < 8; ++scene)
   {
     SCOPED_TRACE(scene);
-    NormalProblem problem = problems::randomProblem(random, 1);
-    PatchGap& patch = problem.patches[0];
+    CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
     if (scene % 2 == 1)
     {
-      patch.turn = Eigen::ArrayXd::LinSpaced(patch.grid.ny, -0.5, 0.4);
-      patch.column_weight = patch.turn.cos();
+      problem.normals[0].turn = Eigen::ArrayXd::LinSpaced(problem.patches[0].grid.ny, -0.5, 0.4);
+      problem.normals[0].weight = problem.normals[0].turn.cos();
     }
     const NormalSolution solution = solved(problem);
-    const Eigen::ArrayXXd openings = openingsOf(patch);
+    const Eigen::ArrayXXd openings = openingsOf(problem);
     const Eigen::MatrixXd exact = denseStiffness(problem, solution, openings);
     const Eigen::MatrixXd found = ContactTangent(1e-8).stiffness(problem, solution, {openings});
     const double rotation = std::sqrt(exact(0, 0) * exact(1, 1));  // scale of the product of both displacements
@@ -100,10 +102,11 @@ TEST(ContactTangent, AgreesWithAFactorisationOfTheMatrix)
 TEST(ContactTangent, OfAHertzContactIsThreeHalvesOfTheSecantStiffness)
 {
   const problems::HertzCase hertz = problems::hertzCase(1.5, 48, 48, true);
-  const NormalSolution solution = solved(hertz.problem);
+  const CurvedProblem problem = problems::curved(hertz.problem);
+  const NormalSolution solution = solved(problem);
   ContactTangent tangent;
   const Eigen::MatrixXd stiffness =
-      tangent.stiffness(hertz.problem, solution, {Eigen::ArrayXXd::Ones(hertz.problem.patches[0].grid.ny, 1)});
+      tangent.stiffness(problem, solution, {Eigen::ArrayXXd::Ones(problem.patches[0].grid.ny, 1)});
   EXPECT_NEAR(stiffness(0, 0) * solution.approach / (1.5 * solution.patches[0].force), 1, 0.02);
   EXPECT_LE(tangent.products(), 8);
 }
@@ -111,15 +114,16 @@ TEST(ContactTangent, OfAHertzContactIsThreeHalvesOfTheSecantStiffness)
 TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
 {
   std::mt19937_64 random(seed);
-  const NormalProblem both = problems::randomProblem(random, 2);
+  const CurvedProblem both = problems::curved(problems::randomProblem(random, 2));
   const NormalSolution solution = solved(both);
   std::vector<Eigen::ArrayXXd> openings;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2, 2);
   for (std::size_t k = 0; k < 2; ++k)
   {
-    openings.push_back(openingsOf(both.patches[k]));
-    NormalProblem one = both;
+    openings.push_back(openingsOf(both, k));
+    CurvedProblem one = both;
     one.patches = {both.patches[k]};
+    one.normals = {both.normals[k]};
     NormalSolution part = solution;
     part.patches = {solution.patches[k]};
     sum += ContactTangent(1e-8).stiffness(one, part, {openings.back()});

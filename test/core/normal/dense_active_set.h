@@ -25,14 +25,16 @@ class DenseActiveSet
     int factorisations = 0;
   };
 
-  explicit DenseActiveSet(const NormalProblem& problem) : problem_(problem)
+  explicit DenseActiveSet(const NormalProblem& problem, std::vector<ColumnNormals> normals = {}) : problem_(problem)
   {
-    for (const PatchGap& patch : problem.patches)
+    normals.resize(problem.patches.size());
+    for (std::size_t k = 0; k < normals.size(); ++k)
     {
+      const PatchGap& patch = problem.patches[k];
       State state;
       state.matrix = influenceMatrix(patch.grid, problem.modulus);
-      state.weight = patch.weight * ofCells(patch, patch.column_weight, 1);
-      const Eigen::VectorXd turn = ofCells(patch, patch.turn, 0);
+      state.weight = patch.weight * ofCells(patch, normals[k].weight, 1);
+      const Eigen::VectorXd turn = ofCells(patch, normals[k].turn, 0);
       for (Eigen::Index i = 0; i < turn.size(); ++i)
       {
         state.matrix.col(i).array() *= (turn.array() - turn[i]).cos();

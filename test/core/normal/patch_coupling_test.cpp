@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patches that deform one another (NormalProblem::coupling).
+// Patches that deform one another (CurvedProblem::coupling).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,18 +17,18 @@ namespace
 const double pi = std::acos(-1.0);
 constexpr unsigned seed = 11;
 
-NormalSolution solved(const NormalProblem& problem, NormalSolution solution = {}, bool warm = false)
+NormalSolution solved(const CurvedProblem& problem, NormalSolution solution = {}, bool warm = false)
 {
   ConjugateGradientsOptions options;
   options.residual = 1e-9;
-  ConjugateGradients(options).solve(problem, warm, solution);
+  ConjugateGradients(options).solveCurved(problem, warm, solution);
   return solution;
 }
 
 /// Displacement of each column of two patches by the forces in the columns of the other: that of a point force on a
 /// half-space (Johnson 1985, eq. 3.22b), at the root of `distance`² + `spread`² [m].
 template <typename Distance>
-void couple(NormalProblem& problem, double spread, Distance distance)
+void couple(CurvedProblem& problem, double spread, Distance distance)
 {
   const Grid &one = problem.patches[0].grid, &other = problem.patches[1].grid;
   problem.coupling.setZero(one.ny + other.ny, one.ny + other.ny);
@@ -43,13 +43,14 @@ void couple(NormalProblem& problem, double spread, Distance distance)
 }
 
 /// Two random patches 20 mm apart, with weights and normals of their own columns.
-NormalProblem randomCoupledProblem(std::mt19937_64& random)
+CurvedProblem randomCoupledProblem(std::mt19937_64& random)
 {
-  NormalProblem problem = problems::randomProblem(random, 2);
-  for (PatchGap& patch : problem.patches)
+  CurvedProblem problem = problems::curved(problems::randomProblem(random, 2));
+  for (std::size_t k = 0; k < problem.patches.size(); ++k)
   {
-    patch.turn = Eigen::ArrayXd::LinSpaced(patch.grid.ny, -0.2, problems::uniform(random, 0, 0.4));
-    patch.column_weight = patch.turn.cos();
+    ColumnNormals& normals = problem.normals[k];
+    normals.turn = Eigen::ArrayXd::LinSpaced(problem.patches[k].grid.ny, -0.2, problems::uniform(random, 0, 0.4));
+    normals.weight = normals.turn.cos();
   }
   couple(problem, 3e-3, [](double here, double there) { return 0.02 + there - here; });
   return problem;
@@ -76,10 +77,10 @@ double bowl(bool second, double x, double y)
 }
 
 /// One grid that holds both bowls.
-NormalProblem onOneGrid(double approach)
+CurvedProblem onOneGrid(double approach)
 {
   const Grid grid = problems::centredGrid(64, 240, 0.024, 0.024, true);
-  NormalProblem problem;
+  CurvedProblem problem;
   problem.modulus = problems::steel();
   problem.control = NormalProblem::Control::approach;
   problem.value = approach;
@@ -89,10 +90,10 @@ NormalProblem onOneGrid(double approach)
 }
 
 /// The same cells around each bowl, as two patches. y is measured from the lowest point of each.
-NormalProblem onTwoGrids(double approach)
+CurvedProblem onTwoGrids(double approach)
 {
   const Grid grid = problems::centredGrid(64, 80, 0.024, 0.008, true);
-  NormalProblem problem = onOneGrid(approach);
+  CurvedProblem problem = onOneGrid(approach);
   problem.patches = {problems::sampled(grid, [](double x, double y) { return bowl(false, x, y); }),
                      problems::sampled(grid, [](double x, double y) { return bowl(true, x, y); })};
   return problem;
@@ -115,7 +116,7 @@ TEST(PatchCoupling, WorkOfTwoPressuresIsSymmetric)
   std::mt19937_64 random(seed);
   for (int scene = 0; scene < 10; ++scene)
   {
-    NormalProblem problem = randomCoupledProblem(random);
+    CurvedProblem problem = randomCoupledProblem(random);
     const NormalSolution one = solved(problem);
     problem.patches[0].gap += 1e-5;
     problem.patches[1].gap *= 0.9;
@@ -133,7 +134,7 @@ TEST(PatchCoupling, LoadIsTheDerivativeOfTheEnergy)
   constexpr double approach = 1e-4, step = 5e-7;
   const auto at = [](double value)
   {
-    NormalProblem problem = onTwoGrids(value);
+    CurvedProblem problem = onTwoGrids(value);
     couple(problem, 4e-3, [](double here, double there) { return 2 * half_distance + there - here; });
     return problem;
   };
@@ -154,7 +155,7 @@ TEST(PatchCoupling, DistantPatchesCarryTheForcesOfOneGridThatHoldsBoth)
   for (const double approach : {5e-5, 1e-4})
   {
     const auto whole = forcesOfHalves(solved(onOneGrid(approach)).patches[0]);
-    NormalProblem problem = onTwoGrids(approach);
+    CurvedProblem problem = onTwoGrids(approach);
     const NormalSolution apart = solved(problem);
     const double spread = std::sqrt(2 * 0.2 * 0.5 * approach / 1.1);
     couple(problem, spread, [](double here, double there) { return 2 * half_distance + there - here; });
@@ -172,7 +173,7 @@ TEST(PatchCoupling, DistantPatchesCarryTheForcesOfOneGridThatHoldsBoth)
 // An earlier displacement without coupling does not belong to the coupled problem.
 TEST(PatchCoupling, AWarmStartFromTheUncoupledSolutionGivesTheCoupledOne)
 {
-  NormalProblem problem = onTwoGrids(1e-4);
+  CurvedProblem problem = onTwoGrids(1e-4);
   const NormalSolution apart = solved(problem);
   couple(problem, 4e-3, [](double here, double there) { return 2 * half_distance + there - here; });
   const NormalSolution cold = solved(problem), warm = solved(problem, apart, true), again = solved(problem, cold, true);
@@ -187,7 +188,7 @@ TEST(PatchCoupling, AWarmStartFromTheUncoupledSolutionGivesTheCoupledOne)
 
 TEST(PatchCoupling, ACouplingOfTheWrongSizeIsAnInvalidProblem)
 {
-  NormalProblem problem = onTwoGrids(1e-4);
+  CurvedProblem problem = onTwoGrids(1e-4);
   const Eigen::Index columns = 2 * problem.patches[0].grid.ny;
   for (const Eigen::Index size : {Eigen::Index{1}, columns - 1, columns + 1})
   {

@@ -79,6 +79,15 @@ inline HertzCase hertzCase(double ratio, int nx, int ny, bool symmetric, double 
   return hertz;
 }
 
+/// The same problem on a curved surface, with normals to be set.
+inline CurvedProblem curved(const NormalProblem& plane)
+{
+  CurvedProblem problem;
+  static_cast<NormalProblem&>(problem) = plane;
+  problem.normals.resize(plane.patches.size());
+  return problem;
+}
+
 /// Matrix of the influence coefficients of a grid [m/Pa], with the cells in the order of the gap array.
 inline Eigen::MatrixXd influenceMatrix(const Grid& grid, double modulus, Kernel kernel = Kernel::rectangle)
 {

@@ -9,25 +9,25 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-double weightOf(const PatchGap& patch, Eigen::Index column)
+double weightOf(const ColumnNormals& normals, Eigen::Index column)
 {
-  return patch.column_weight.size() > 0 ? patch.column_weight[column] : 1;
+  return normals.weight.size() > 0 ? normals.weight[column] : 1;
 }
 
-double turnOf(const PatchGap& patch, Eigen::Index column)
+double turnOf(const ColumnNormals& normals, Eigen::Index column)
 {
-  return patch.turn.size() > 0 ? patch.turn[column] : 0;
+  return normals.turn.size() > 0 ? normals.turn[column] : 0;
 }
 }  // namespace
 
-void ColumnFields::begin(const NormalProblem& problem, std::vector<PatchLayout>& patches, int length, LaneBuffer& gap)
+void ColumnFields::begin(const CurvedProblem* problem, std::vector<PatchLayout>& patches, int length, LaneBuffer& gap)
 {
-  const auto any = [&problem](const auto& property)
-  { return std::any_of(problem.patches.begin(), problem.patches.end(), property); };
-  scaled_ = any([](const PatchGap& patch) { return patch.column_weight.size() > 0; });
-  turned_ = any([](const PatchGap& patch) { return patch.turn.size() > 0; });
-  coupled_ = problem.coupling.size() > 0;
-  coupling_ = &problem.coupling;
+  const auto any = [problem](const auto& property)
+  { return problem && std::any_of(problem->normals.begin(), problem->normals.end(), property); };
+  scaled_ = any([](const ColumnNormals& normals) { return normals.weight.size() > 0; });
+  turned_ = any([](const ColumnNormals& normals) { return normals.areTurned(); });
+  coupled_ = problem && problem->isCoupled();
+  coupling_ = coupled_ ? &problem->coupling : nullptr;
   length_ = length;
   if (!scaled_ && !turned_ && !coupled_)
   {
@@ -40,33 +40,36 @@ void ColumnFields::begin(const NormalProblem& problem, std::vector<PatchLayout>&
     std::fill_n(field.data(), length, 1.0);  // the padding, too
     for (std::size_t k = 0; k < patches.size(); ++k)
     {
-      values_.resize(problem.patches[k].grid.ny);
+      values_.resize(patches[k].grid.ny);
       for (Eigen::Index j = 0; j < values_.size(); ++j)
       {
-        values_[j] = value(problem.patches[k], j);
+        values_[j] = value(problem->normals[k], j);
       }
       columnsToField(patches[k], values_, field);
     }
   };
-  fill(weightOf, weight_);
-  fill([](const PatchGap& patch, Eigen::Index j) { return 1 / weightOf(patch, j); }, per_weight_);
   if (turned_)
   {
     product_.resize(length);
-    fill([](const PatchGap& patch, Eigen::Index j) { return std::cos(turnOf(patch, j)) / weightOf(patch, j); },
+    fill([](const ColumnNormals& normals, Eigen::Index j)
+         { return std::cos(turnOf(normals, j)) / weightOf(normals, j); },
          cosine_);
-    fill([](const PatchGap& patch, Eigen::Index j) { return std::sin(turnOf(patch, j)) / weightOf(patch, j); }, sine_);
+    fill([](const ColumnNormals& normals, Eigen::Index j)
+         { return std::sin(turnOf(normals, j)) / weightOf(normals, j); },
+         sine_);
   }
   if (scaled_)
   {
+    fill(weightOf, weight_);
+    fill([](const ColumnNormals& normals, Eigen::Index j) { return 1 / weightOf(normals, j); }, per_weight_);
     kernels_.multiply_by(length, per_weight_.data(), gap.data());
     for (std::size_t k = 0; k < patches.size(); ++k)
     {
-      const PatchGap& patch = problem.patches[k];
+      const PatchGap& patch = problem->patches[k];
       double& least = patches[k].least_gap = std::numeric_limits<double>::infinity();
       for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
       {
-        least = std::min(least, patch.gap.col(j).minCoeff() / weightOf(patch, j));
+        least = std::min(least, patch.gap.col(j).minCoeff() / weightOf(problem->normals[k], j));
       }
     }
   }

@@ -14,13 +14,13 @@ namespace wheel_rail_contact::core
 /// column. The displacement by a pressure is projected onto the normal of each column: with the angles t of the
 /// normals, the matrix is A_ij cos(t_i - t_j), that is C A C + S A S with C = diag(cos t), S = diag(sin t). It is
 /// symmetric and positive definite, as A is, because for every p it is the sum of the energies of C p and S p.
-/// NormalProblem::coupling adds displacements by the forces in the columns of other patches.
+/// CurvedProblem::coupling adds displacements by the forces in the columns of other patches.
 class ColumnFields
 {
  public:
   /// Sets the fields; `length`: length of the arrays that contain the patches. Scales the gap, also its smallest value
-  /// in the layout.
-  void begin(const NormalProblem& problem, std::vector<PatchLayout>& patches, int length, LaneBuffer& gap);
+  /// in the layout. Without a problem, all columns have the normal of their patch.
+  void begin(const CurvedProblem* problem, std::vector<PatchLayout>& patches, int length, LaneBuffer& gap);
 
   /// True if the normals differ from column to column.
   bool turned() const { return turned_; }

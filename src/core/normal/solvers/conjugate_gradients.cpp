@@ -28,12 +28,30 @@ struct ConjugateGradients::Impl
 {
   explicit Impl(const ConjugateGradientsOptions& options) : iteration(options) {}
 
+  void solve(const NormalProblem& problem, const CurvedProblem* curved, bool warm, NormalSolution& solution);
   void finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution);
 
   OperatorCache cache;
   ContactIteration iteration;
   PressureMeasures measures;
 };
+
+/// Solves a problem. `curved`: the same problem, or null if it is plane.
+void ConjugateGradients::Impl::solve(const NormalProblem& problem, const CurvedProblem* curved, bool warm,
+                                     NormalSolution& solution)
+{
+  solution.patches.resize(problem.patches.size());
+  if (!isValid(problem) || (curved && !hasValidSurface(*curved)))
+  {
+    solution.status = SolveStatus::invalid_problem;
+    solution.iterations = 0;
+    solution.residual = 1;
+    return;
+  }
+  iteration.begin(problem, curved, cache);
+  const bool touching = iteration.start(warm ? &solution : nullptr);
+  finish(problem, touching ? iteration.iterate() : SolveStatus::no_contact, solution);
+}
 
 void ConjugateGradients::Impl::finish(const NormalProblem& problem, SolveStatus status, NormalSolution& solution)
 {
@@ -69,17 +87,11 @@ void ConjugateGradients::prepare(int nx, int ny)
 
 void ConjugateGradients::solve(const NormalProblem& problem, bool warm, NormalSolution& solution)
 {
-  solution.patches.resize(problem.patches.size());
-  if (!isValid(problem))
-  {
-    solution.status = SolveStatus::invalid_problem;
-    solution.iterations = 0;
-    solution.residual = 1;
-    return;
-  }
-  ContactIteration& iteration = impl_->iteration;
-  iteration.begin(problem, impl_->cache);
-  const bool touching = iteration.start(warm ? &solution : nullptr);
-  impl_->finish(problem, touching ? iteration.iterate() : SolveStatus::no_contact, solution);
+  impl_->solve(problem, nullptr, warm, solution);
+}
+
+void ConjugateGradients::solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution)
+{
+  impl_->solve(problem, &problem, warm, solution);
 }
 }  // namespace wheel_rail_contact::core

@@ -46,6 +46,8 @@ class ConjugateGradients : public NormalSolver
   void prepare(int nx, int ny);
 
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
+  void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution) override;
+  std::string_view leftOut(const CurvedProblem& /*problem*/) const override { return {}; }
 
  private:
   struct Impl;

@@ -29,7 +29,7 @@ constexpr int most_attempts = 2;
 
 }  // namespace
 
-void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
+void ContactIteration::begin(const NormalProblem& problem, const CurvedProblem* curved, OperatorCache& cache)
 {
   problem_ = &problem;
   load_controlled_ = problem.control == NormalProblem::Control::load;
@@ -49,7 +49,7 @@ void ContactIteration::begin(const NormalProblem& problem, OperatorCache& cache)
     workspace_.reserve(*patches_[k].influence);
     toField(patches_[k], 1, problem.patches[k].gap, gap_);
   }
-  columns_.begin(problem, patches_, length, gap_);
+  columns_.begin(curved, patches_, length, gap_);
   residual_ = 1;
   s_q_ = 0;
   trial_length_ = 1;

@@ -19,7 +19,8 @@ class ContactIteration
   explicit ContactIteration(const ConjugateGradientsOptions& options) : options_(options) {}
 
   /// Sets fields and gap for a valid problem, without pressure. The problem must exist until the end of the solution.
-  void begin(const NormalProblem& problem, OperatorCache& cache);
+  /// @param curved  the same problem, or null if it is plane
+  void begin(const NormalProblem& problem, const CurvedProblem* curved, OperatorCache& cache);
 
   /// Finds a first pressure, from `earlier` if it is given and has the same shapes. Returns false if nothing touches.
   bool start(const NormalSolution* earlier);

@@ -76,7 +76,7 @@ void ContactTangent::solve(const LaneBuffer& right)
 }
 
 /// Sets all fields.
-void ContactTangent::begin(const NormalProblem& problem, const NormalSolution& solution,
+void ContactTangent::begin(const CurvedProblem& problem, const NormalSolution& solution,
                            const std::vector<Eigen::ArrayXXd>& openings)
 {
   length_ = layOut(problem, &cache_, patches_);
@@ -85,7 +85,7 @@ void ContactTangent::begin(const NormalProblem& problem, const NormalSolution& s
     field->resize(length_);
     std::fill_n(field->data(), length_, 0.0);
   }
-  columns_.begin(problem, patches_, length_, gap_);
+  columns_.begin(&problem, patches_, length_, gap_);
   for (std::size_t k = 0; k < patches_.size(); ++k)
   {
     workspace_.reserve(*patches_[k].influence);
@@ -122,7 +122,7 @@ ContactTangent::Forces ContactTangent::column(Eigen::Index displacement)
   return forces;
 }
 
-ContactTangent::Stiffness ContactTangent::stiffness(const NormalProblem& problem, const NormalSolution& solution,
+ContactTangent::Stiffness ContactTangent::stiffness(const CurvedProblem& problem, const NormalSolution& solution,
                                                     const std::vector<Eigen::ArrayXXd>& openings)
 {
   begin(problem, solution, openings);
@@ -135,7 +135,7 @@ ContactTangent::Stiffness ContactTangent::stiffness(const NormalProblem& problem
   return 0.5 * (stiffness + stiffness.transpose());
 }
 
-ContactTangent::Forces ContactTangent::stiffness(const NormalProblem& problem, const NormalSolution& solution,
+ContactTangent::Forces ContactTangent::stiffness(const CurvedProblem& problem, const NormalSolution& solution,
                                                  const std::vector<Eigen::ArrayXXd>& openings,
                                                  Eigen::Index displacement)
 {

@@ -31,18 +31,18 @@ class ContactTangent
   /// @param openings  for each patch an array ny × n: change of the gap in each column per unit of each displacement; n
   /// <= most
   /// @return n × n; zero if no cell is under pressure, not a number if the iteration fails
-  Stiffness stiffness(const NormalProblem& problem, const NormalSolution& solution,
+  Stiffness stiffness(const CurvedProblem& problem, const NormalSolution& solution,
                       const std::vector<Eigen::ArrayXXd>& openings);
 
   /// Column `displacement` of the same matrix, without the others.
-  Forces stiffness(const NormalProblem& problem, const NormalSolution& solution,
+  Forces stiffness(const CurvedProblem& problem, const NormalSolution& solution,
                    const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
 
   /// Number of products with the influence matrix in the last call.
   int products() const { return products_; }
 
  private:
-  void begin(const NormalProblem& problem, const NormalSolution& solution,
+  void begin(const CurvedProblem& problem, const NormalSolution& solution,
              const std::vector<Eigen::ArrayXXd>& openings);
   Forces column(Eigen::Index displacement);
   double dot(const LaneBuffer& a, const LaneBuffer& b) const;

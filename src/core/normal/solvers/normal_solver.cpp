@@ -40,6 +40,20 @@ const char* toString(NormalMethod method)
   }
 }
 
+void NormalSolver::solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution)
+{
+  solve(problem, warm, solution);
+}
+
+std::string_view NormalSolver::leftOut(const CurvedProblem& problem) const
+{
+  if (problem.normals.empty())
+  {
+    return problem.isCoupled() ? "patch coupling" : "";
+  }
+  return problem.isCoupled() ? "column normals, patch coupling" : "column normals";
+}
+
 void NormalSolver::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
                                   std::vector<ErrorEstimate>& errors) const
 {

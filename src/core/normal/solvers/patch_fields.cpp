@@ -15,10 +15,7 @@ bool isValid(const PatchGap& patch)
   const bool shaped = grid.nx >= 2 && grid.ny >= 2 && !(grid.symmetric && grid.nx % 2 != 0) &&
                       patch.gap.rows() == grid.rows() && patch.gap.cols() == grid.ny;
   const bool sized = grid.dx > 0 && grid.dy > 0 && std::isfinite(grid.dx) && std::isfinite(grid.dy);
-  const auto fits = [&grid](const Eigen::ArrayXd& values) { return values.size() == 0 || values.size() == grid.ny; };
-  const bool weighted = patch.weight > 0 && std::isfinite(patch.weight) && fits(patch.column_weight) &&
-                        fits(patch.turn) && (patch.column_weight > 0).all() && patch.column_weight.isFinite().all() &&
-                        patch.turn.isFinite().all();
+  const bool weighted = patch.weight > 0 && std::isfinite(patch.weight);
   // Zero times a value that is not finite is NaN, and so is the sum.
   return shaped && sized && weighted && (patch.gap * 0).sum() == 0;
 }
@@ -43,15 +40,31 @@ bool isValid(const NormalProblem& problem)
   const bool load = problem.control == NormalProblem::Control::load;
   bool valid = !problem.patches.empty() && problem.modulus > 0 && std::isfinite(problem.modulus) &&
                std::isfinite(problem.value) && (!load || problem.value > 0);
-  Eigen::Index columns = 0;
   for (const PatchGap& patch : problem.patches)
   {
     valid = valid && isValid(patch);
-    columns += patch.grid.ny;
+  }
+  return valid;
+}
+
+bool hasValidSurface(const CurvedProblem& problem)
+{
+  bool valid = problem.normals.empty() || problem.normals.size() == problem.patches.size();
+  Eigen::Index columns = 0;
+  for (std::size_t k = 0; k < problem.patches.size(); ++k)
+  {
+    const int count = problem.patches[k].grid.ny;
+    columns += count;
+    if (valid && !problem.normals.empty())
+    {
+      const auto& [weight, turn] = problem.normals[k];
+      valid = (weight.size() == 0 || weight.size() == count) && (turn.size() == 0 || turn.size() == count) &&
+              (weight > 0).all() && weight.isFinite().all() && turn.isFinite().all();
+    }
   }
   const Eigen::MatrixXd& coupling = problem.coupling;
-  const bool coupled = coupling.size() == 0 || (coupling.rows() == columns && coupling.cols() == columns);
-  return valid && coupled && coupling.allFinite();
+  return valid &&
+         (!problem.isCoupled() || (coupling.rows() == columns && coupling.cols() == columns && coupling.allFinite()));
 }
 
 int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches)

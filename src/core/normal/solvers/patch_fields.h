@@ -31,6 +31,9 @@ constexpr double no_surface_gap = 1e300;
 /// True if the problem is valid: cells, finite gaps, and weights, modulus and value in range.
 bool isValid(const NormalProblem& problem);
 
+/// True if normals and coupling of a problem fit its columns, and are in range.
+bool hasValidSurface(const CurvedProblem& problem);
+
 /// Arranges the patches one after another. With a cache, cells are in the order of the operators, otherwise in that of
 /// the gap arrays. Returns the length of the arrays.
 int layOut(const NormalProblem& problem, OperatorCache* cache, std::vector<PatchLayout>& patches);
