@@ -11,7 +11,6 @@
 
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
-#include "core/balance/shape_effect.h"
 #include "core/balance/stress_beneath.h"
 #include "core/balance/wheelset_balance.h"
 

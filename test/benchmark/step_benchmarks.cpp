@@ -3,7 +3,7 @@
 
 #include "benchmarks.h"
 #include "core/balance/islands.h"
-#include "core/balance/whole_pressure.h"
+#include "core/balance/patch_result.h"
 #include "core/stress/stress_search.h"
 
 namespace wheel_rail_contact

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/balance/model_error.h"
+#include "core/balance/patch_result.h"
 #include "half_space/cell_grids.h"
 #include "half_space/models.h"
 #include "half_space/planar_gap.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/balance/islands.h"
 
+#include <algorithm>
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -86,5 +88,18 @@ void Islands::cut(const Island& island, PatchGap& gap, PatchPressure& pressure)
   pressure.grid = gap.grid;
   pressure.pressure = whole.pressure.middleCols(island.begin, island.columns);
   measures_.measure(gap, whole_problem_->modulus, pressure);
+}
+
+void WheelError::add(const ContactMeasures& patch, const ErrorEstimate& error)
+{
+  const double height = patch.max_pressure / wheel_.max_pressure;
+  pressure_ = std::max(pressure_, height - 1 + error.max_pressure * height);
+  area_ += error.area * patch.area / wheel_.area;
+  approach_ += error.approach * patch.force / wheel_.force;
+}
+
+double WheelError::largest() const
+{
+  return std::max({pressure_, area_, approach_});
 }
 }  // namespace wheel_rail_contact::core

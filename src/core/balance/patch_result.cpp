@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "core/balance/contact_place.h"
-#include "core/balance/least_gap.h"
-#include "core/balance/model_error.h"
-#include "core/balance/whole_pressure.h"
 #include "core/normal/measures/ellipse.h"
+#include "core/track/gap.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -82,6 +80,11 @@ void spread(Side side, const Grid& grid, const Centre& centre, const Eigen::Arra
   wholePressure(side, grid, stored, result.pressure);
 }
 
+constexpr double size_error = 0.012;     ///< [-]
+constexpr double turned_factor = 0.12;   ///< [1/rad²]
+constexpr double parallel_factor = 0.5;  ///< normals that turn are taken to be parallel [1/rad²]
+constexpr double largest_ratio = 0.55;   ///< of the contacts that were compared, approximately [rad]
+constexpr double not_known = 1;          ///< [-]
 }  // namespace
 
 void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& out)
@@ -133,5 +136,61 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   const bool is_turned = out.left_out.empty() && contact.problem().normals[of.patch].areTurned();
   out.model_error = modelError(out.half_space_ratio, is_turned);
   spread(side, gap.grid, centre, pressure.pressure, out);
+}
+
+void wholePressure(Side side, const Grid& grid, const Eigen::ArrayXXd& stored, Eigen::ArrayXXd& whole)
+{
+  whole.resize(grid.nx, grid.ny);
+  if (grid.symmetric)
+  {
+    whole.bottomRows(grid.rows()) = stored;
+    whole.topRows(grid.rows()) = stored.colwise().reverse();
+  }
+  else
+  {
+    whole = stored;
+  }
+  if (side == Side::right)
+  {
+    whole.rowwise().reverseInPlace();
+  }
+}
+
+double modelError(double half_space_ratio, bool is_turned)
+{
+  if (!(half_space_ratio <= largest_ratio))
+  {
+    return not_known;
+  }
+  return size_error + (is_turned ? turned_factor : parallel_factor) * half_space_ratio * half_space_ratio;
+}
+
+ShapeEffect shapeEffect(Side side, const WheelsetBalance& balance, const Profile& profile, std::size_t island,
+                        double max_pressure)
+{
+  const WheelContact& contact = balance.wheel(side).contact();
+  const Island& of = balance.islands(side).islands()[island];
+  const std::vector<SurfaceColumn>& columns = contact.grids().columns()[of.patch];
+  const SurfaceColumn &begin = columns[static_cast<std::size_t>(of.first)],
+                      &end = columns[static_cast<std::size_t>(of.last)];
+  const ShapeError of_rail = contact.rail().profile().errorWithin(begin.rail_u, end.rail_u);
+  const ShapeError of_wheel =
+      profile.errorWithin(std::min(begin.wheel_u, end.wheel_u), std::max(begin.wheel_u, end.wheel_u));
+  if (of_rail.missing || of_wheel.missing)
+  {
+    return {1, true};
+  }
+  const double curvature_error = std::hypot(of_rail.curvature, of_wheel.curvature);
+  if (curvature_error == 0 || of.first == of.last)
+  {
+    return {};
+  }
+  const double width = static_cast<double>(of.last - of.first) * contact.problem().patches[of.patch].grid.dy;
+  const double curvature = std::abs(end.wheel_slope - begin.wheel_slope) / width;
+  const double position_error = std::hypot(of_rail.position, of_wheel.position);
+  const double long_waves = 0.5 * curvature_error / curvature;
+  const double short_waves =
+      0.5 * contact.problem().modulus * std::sqrt(position_error * curvature_error) / max_pressure;
+  return {std::min({long_waves, short_waves, 1.0}), false};
 }
 }  // namespace wheel_rail_contact::core

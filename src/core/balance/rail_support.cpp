@@ -3,11 +3,15 @@
 
 namespace wheel_rail_contact::core
 {
+namespace
+{
+/// Rail of a side in the ideal track, along the line. Keeps a reference to its sections, if it has any.
 RailAlong railAlong(const ContactModelConfig& config, Side side)
 {
   const auto& sections = config.rail_sections[side];
   return sections ? RailAlong(*sections, config.track, side) : RailAlong(config.rail_profile[side], config.track, side);
 }
+}  // namespace
 
 PlacedRail restingRail(const ContactModelConfig& config, Side side, double x)
 {
@@ -33,5 +37,25 @@ Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclinati
   compliance.col(1) = toCoordinates(deflectionInTrack(table, {0, -1, 0}, inclination));
   compliance.col(2) = toCoordinates(deflectionInTrack(table, {0, 0, 1}, inclination));
   return compliance;
+}
+
+SupportedRail::SupportedRail(const ContactModelConfig& config, Side side)
+    : along_(railAlong(config, side)), bends_(config.rail_bending.model == RailBendingConfig::Model::compliance)
+{
+  if (bends_)
+  {
+    compliance_ = supportCompliance(config.rail_bending.table[side], config.track.rail_inclination[side]);
+  }
+  if (config.rail_bending.model == RailBendingConfig::Model::prescribed)
+  {
+    prescribed_ = toCoordinates(config.rail_bending.prescribed);
+  }
+  offset_ = prescribed_;
+}
+
+void SupportedRail::displace(const RailDeflection& displacement)
+{
+  displacement_ = displacement;
+  offset_ = prescribed_ + toCoordinates(displacement);
 }
 }  // namespace wheel_rail_contact::core

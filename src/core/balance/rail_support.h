@@ -8,8 +8,6 @@
 
 namespace wheel_rail_contact::core
 {
-/// Rail of a side in the ideal track, along the line. Keeps a reference to its sections, if it has any.
-RailAlong railAlong(const ContactModelConfig& config, Side side);
 /// Rail of a side in the ideal track at the place x of the line [m]. For pictures: RailAlong is faster where the
 /// profile changes. Side axes.
 PlacedRail restingRail(const ContactModelConfig& config, Side side, double x = 0);
@@ -23,4 +21,40 @@ RailDeflection toDeflection(const Eigen::Vector3d& coordinates);
 
 /// Compliance along the coordinates, from the table of the upright rail, for a rail inclined by `inclination` [rad].
 Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclination);
+
+/// A rail on its supports: its place in the track, a given displacement, and the deflection by forces. Side axes; the
+/// forces and displacements are along the coordinates above.
+class SupportedRail
+{
+ public:
+  /// Keeps references to the sections of the rail, if it has any.
+  SupportedRail(const ContactModelConfig& config, Side side);
+
+  /// Moves along the line to x [m], which the sections of the rail contain. @return true if the profile or its place in
+  /// the ideal track is another one than before
+  bool moveTo(double x) { return along_.moveTo(x); }
+  /// Sets the displacement besides the prescribed one and that by forces.
+  void displace(const RailDeflection& displacement);
+
+  /// Rail in the ideal track.
+  const PlacedRail& atRest() const { return along_.rail(); }
+  /// Length of the longest profile, over all places [m].
+  double longest() const { return along_.longest(); }
+  /// See displace().
+  const RailDeflection& displacement() const { return displacement_; }
+  /// True if forces deflect it.
+  bool bends() const { return bends_; }
+  /// Displacement per force; zero if it does not bend.
+  const Eigen::Matrix3d& compliance() const { return compliance_; }
+  /// Whole displacement under forces.
+  Eigen::Vector3d under(const Eigen::Vector3d& forces) const { return offset_ + compliance_ * forces; }
+
+ private:
+  RailAlong along_;
+  Eigen::Matrix3d compliance_ = Eigen::Matrix3d::Zero();
+  bool bends_;
+  Eigen::Vector3d prescribed_ = Eigen::Vector3d::Zero();
+  RailDeflection displacement_;
+  Eigen::Vector3d offset_;  ///< both together
+};
 }  // namespace wheel_rail_contact::core

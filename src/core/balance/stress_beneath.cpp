@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/balance/whole_pressure.h"
+#include "core/balance/patch_result.h"
 #include "core/stress/stress_search.h"
 
 namespace wheel_rail_contact::core

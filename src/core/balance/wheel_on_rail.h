@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/balance/supported_rail.h"
+#include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 

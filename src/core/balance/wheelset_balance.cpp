@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/balance/islands.h"
 #include "core/balance/tuning.h"
-#include "core/balance/wheel_error.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core

@@ -7,7 +7,7 @@
 #include "core/balance/islands.h"
 #include "core/balance/load_transfer.h"
 #include "core/balance/wheel_on_rail.h"
-#include "core/track/rail_on_line.h"
+#include "core/track/rail_along.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 

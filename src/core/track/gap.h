@@ -59,4 +59,8 @@ double arcLength(const Profile& profile, double from, double to);
 /// @return false if no column has points of both bodies.
 bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid,
                      Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns);
+
+/// Minimum of a gap [m], also between the cells: from parabolas along and across the track through the lowest cell and
+/// its neighbours.
+double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap);
 }  // namespace wheel_rail_contact::core

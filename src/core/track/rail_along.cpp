@@ -2,6 +2,7 @@
 #include "core/track/rail_along.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace wheel_rail_contact::core
@@ -67,5 +68,26 @@ PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side s
   const auto frame = [&](std::size_t i) { return PlacedRail(running[i].profile, track, side).frame(); };
   const std::size_t index = by_gauge ? changing.section() : 0, next = std::min(index + 1, running.size() - 1);
   return {changing.profile(), between(frame(index), frame(by_gauge ? next : 0), changing.share())};
+}
+
+Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest)
+{
+  const double sine = std::clamp(station.cross_level / (at_rest.left.y + at_rest.right.y), -1.0, 1.0);
+  Sides<RailDeflection> displaced;
+  for (const Side side : sides)
+  {
+    const RailDeflection& in_plane = station.rail[side];
+    const PlanePoint& rest = at_rest[side];
+    const double tilt = sideSign(side) * std::asin(sine);  // raises the rail
+    const double y = rest.y + in_plane.lateral, z = rest.z + in_plane.vertical;
+    displaced[side] = {std::cos(tilt) * y - std::sin(tilt) * z - rest.y,
+                       std::sin(tilt) * y + std::cos(tilt) * z - rest.z, in_plane.roll - tilt};
+  }
+  return displaced;
+}
+
+double tiltOf(const Sides<RailDeflection>& displaced, double half_base)
+{
+  return std::atan(0.5 * (displaced.left.vertical - displaced.right.vertical) / half_base);
 }
 }  // namespace wheel_rail_contact::core

@@ -7,6 +7,7 @@
 
 #include "core/profile/along/changing_profile.h"
 #include "core/track/placement.h"
+#include "wheel_rail_contact/core/track.h"
 
 namespace wheel_rail_contact::core
 {
@@ -39,4 +40,12 @@ class RailAlong
 /// Rail with sections at a place of the line [m], or at the nearest one that it contains. For pictures: its profile is
 /// made for each call.
 PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side side, double x);
+
+/// Displacement of the rail of each Side at a place of a line, from its place in the ideal track. Side axes.
+/// @param at_rest  reference points of the rails in the ideal track, side axes
+Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest);
+
+/// Angle by which displaced rails turn the track, left up positive [rad].
+/// @param half_base  half the distance of the running circles [m]
+double tiltOf(const Sides<RailDeflection>& displaced, double half_base);
 }  // namespace wheel_rail_contact::core

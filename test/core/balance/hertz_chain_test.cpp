@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/balance/model_error.h"
+#include "core/balance/patch_result.h"
 #include "round_bodies.h"
 
 using namespace wheel_rail_contact::core;

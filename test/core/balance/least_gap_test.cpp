@@ -6,7 +6,6 @@
 
 #include "../../manchester_scene.h"
 #include "../normal/problems.h"
-#include "core/balance/least_gap.h"
 #include "core/track/gap.h"
 
 namespace wheel_rail_contact::core

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/balance/rail_support.h"
-#include "core/track/rail_on_line.h"
+#include "core/track/rail_along.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 

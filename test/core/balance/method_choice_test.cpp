@@ -7,7 +7,7 @@
 #include <map>
 
 #include "../normal/error_samples.h"
-#include "core/balance/least_gap.h"
+#include "core/track/gap.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/model_error.h"
+#include "core/balance/patch_result.h"
 
 #include <gtest/gtest.h>
 

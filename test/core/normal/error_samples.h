@@ -6,12 +6,12 @@
 #include <memory>
 #include <vector>
 
-#include "core/balance/least_gap.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/kik_piotrowski.h"
 #include "core/normal/solvers/seidel.h"
+#include "core/track/gap.h"
 #include "errors_of.h"
 #include "gap_scenes.h"
 #include "pressure_extent.h"

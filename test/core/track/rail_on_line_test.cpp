@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Places of the rails on a line, measured on placed rails by the definitions of EN 13848-1.
-#include "core/track/rail_on_line.h"
+#include "core/track/rail_along.h"
 
 #include <gtest/gtest.h>
 

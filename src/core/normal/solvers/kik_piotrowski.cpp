@@ -56,40 +56,28 @@ GapMinimum momentParaboloid(const PatchGap& gap, double level)
 }
 }  // namespace
 
-struct KikPiotrowski::Impl
+bool KikPiotrowski::fit(const NormalProblem& problem)
 {
-  std::vector<StripGap> gaps;
-  std::vector<StripArea> areas;
-
-  bool fit(const NormalProblem& problem);
-  SolveStatus solve(const NormalProblem& problem, NormalSolution& solution);
-  bool loadAt(const NormalProblem& problem, double approach, double& load);
-  SolveStatus findApproach(const NormalProblem& problem, NormalSolution& solution);
-  double firstTouch(const NormalProblem& problem) const;
-};
-
-bool KikPiotrowski::Impl::fit(const NormalProblem& problem)
-{
-  gaps.resize(problem.patches.size());
-  areas.resize(problem.patches.size());
+  gaps_.resize(problem.patches.size());
+  areas_.resize(problem.patches.size());
   bool large_enough = true;
-  for (std::size_t k = 0; k < gaps.size(); ++k)
+  for (std::size_t k = 0; k < gaps_.size(); ++k)
   {
-    large_enough = large_enough && fitStrips(problem.patches[k], gaps[k]);
+    large_enough = large_enough && fitStrips(problem.patches[k], gaps_[k]);
   }
   return large_enough;
 }
 
 /// Load at a common approach. Returns false if the gap of a loaded strip does not open along x.
-bool KikPiotrowski::Impl::loadAt(const NormalProblem& problem, double approach, double& load)
+bool KikPiotrowski::loadAt(const NormalProblem& problem, double approach, double& load)
 {
   load = 0;
-  for (std::size_t k = 0; k < gaps.size(); ++k)
+  for (std::size_t k = 0; k < gaps_.size(); ++k)
   {
     const PatchGap& patch = problem.patches[k];
-    areas[k] = stripAreaAt(gaps[k], problem.modulus, patch.weight * approach - gaps[k].deepest.gap);
-    load += patch.weight * areas[k].force;
-    if (!areas[k].sound)
+    areas_[k] = stripAreaAt(gaps_[k], problem.modulus, patch.weight * approach - gaps_[k].deepest.gap);
+    load += patch.weight * areas_[k].force;
+    if (!areas_[k].sound)
     {
       return false;
     }
@@ -97,21 +85,21 @@ bool KikPiotrowski::Impl::loadAt(const NormalProblem& problem, double approach, 
   return true;
 }
 
-double KikPiotrowski::Impl::firstTouch(const NormalProblem& problem) const
+double KikPiotrowski::firstTouch(const NormalProblem& problem) const
 {
   double first = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < gaps.size(); ++k)
+  for (std::size_t k = 0; k < gaps_.size(); ++k)
   {
-    first = std::min(first, gaps[k].deepest.gap / problem.patches[k].weight);
+    first = std::min(first, gaps_[k].deepest.gap / problem.patches[k].weight);
   }
   return first;
 }
 
 /// Common approach that carries the load, by a secant method on the logarithms of approach (from the first touch) and
 /// load. A Hertz load is proportional to the power 3/2 of the approach.
-SolveStatus KikPiotrowski::Impl::findApproach(const NormalProblem& problem, NormalSolution& solution)
+SolveStatus KikPiotrowski::findApproach(const NormalProblem& problem, NormalSolution& solution)
 {
-  const double first = firstTouch(problem), bend = gaps[0].deepest.bend;
+  const double first = firstTouch(problem), bend = gaps_[0].deepest.bend;
   if (!(bend > 0))
   {
     return SolveStatus::no_positive_curvature;
@@ -145,7 +133,7 @@ SolveStatus KikPiotrowski::Impl::findApproach(const NormalProblem& problem, Norm
   return SolveStatus::iteration_limit;
 }
 
-SolveStatus KikPiotrowski::Impl::solve(const NormalProblem& problem, NormalSolution& solution)
+SolveStatus KikPiotrowski::findAreas(const NormalProblem& problem, NormalSolution& solution)
 {
   if (!isValid(problem) || !fit(problem))
   {
@@ -162,24 +150,19 @@ SolveStatus KikPiotrowski::Impl::solve(const NormalProblem& problem, NormalSolut
   return !sound ? SolveStatus::no_positive_curvature : load > 0 ? SolveStatus::converged : SolveStatus::no_contact;
 }
 
-KikPiotrowski::KikPiotrowski() : impl_(std::make_unique<Impl>()) {}
-KikPiotrowski::~KikPiotrowski() = default;
-KikPiotrowski::KikPiotrowski(KikPiotrowski&&) noexcept = default;
-KikPiotrowski& KikPiotrowski::operator=(KikPiotrowski&&) noexcept = default;
-
 void KikPiotrowski::solve(const NormalProblem& problem, bool /*warm*/, NormalSolution& solution)
 {
   solution.patches.resize(problem.patches.size());
   solution.iterations = 0;
   solution.residual = 0;
-  solution.status = impl_->solve(problem, solution);
+  solution.status = findAreas(problem, solution);
   for (std::size_t k = 0; isUsable(solution.status) && k < problem.patches.size(); ++k)
   {
     const Grid& grid = problem.patches[k].grid;
-    const StripArea& area = impl_->areas[k];
+    const StripArea& area = areas_[k];
     PatchPressure& patch = solution.patches[k];
     patch.grid = grid;
-    fillPressure(grid, impl_->gaps[k], area, patch.pressure);
+    fillPressure(grid, gaps_[k], area, patch.pressure);
     patch.force = area.force;
     patch.area = area.area;
     patch.moved_at_discontinuities = 0;

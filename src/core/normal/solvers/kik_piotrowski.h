@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/normal/estimate/error_estimate.h"
+#include "core/normal/solvers/strip_area.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
 namespace wheel_rail_contact::core
@@ -34,11 +34,6 @@ namespace wheel_rail_contact::core
 class KikPiotrowski : public NormalSolver
 {
  public:
-  KikPiotrowski();
-  ~KikPiotrowski() override;
-  KikPiotrowski(KikPiotrowski&&) noexcept;
-  KikPiotrowski& operator=(KikPiotrowski&&) noexcept;
-
   const char* name() const override { return "kik_piotrowski"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 
@@ -50,7 +45,13 @@ class KikPiotrowski : public NormalSolver
   static ShapeTerms errorTerms(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  bool fit(const NormalProblem& problem);
+  SolveStatus findAreas(const NormalProblem& problem, NormalSolution& solution);
+  bool loadAt(const NormalProblem& problem, double approach, double& load);
+  SolveStatus findApproach(const NormalProblem& problem, NormalSolution& solution);
+  double firstTouch(const NormalProblem& problem) const;
+
+  std::vector<StripGap> gaps_;
+  std::vector<StripArea> areas_;
 };
 }  // namespace wheel_rail_contact::core

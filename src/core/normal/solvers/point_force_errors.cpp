@@ -15,31 +15,8 @@ namespace
 /// Errors per unit of the bias over the approach [-].
 constexpr ErrorEstimate errors_per_bias{1.4, 3.2, 0.9};
 
-/// Smallest box of cells around a pressure; size in cells of the whole grid.
-struct LoadedBox
-{
-  int rows = 0, columns = 0;
-};
-
-LoadedBox loadedBox(const Grid& grid, const double* p)
-{
-  const int rows = grid.rows();
-  int first_row = rows, last_row = -1, first_column = grid.ny, last_column = -1;
-  for (int cell = 0; cell < rows * grid.ny; ++cell)
-  {
-    if (p[cell] > 0)
-    {
-      first_row = std::min(first_row, cell % rows);
-      last_row = std::max(last_row, cell % rows);
-      first_column = std::min(first_column, cell / rows);
-      last_column = std::max(last_column, cell / rows);
-    }
-  }
-  const int height = grid.symmetric ? 2 * (last_row + 1) : last_row - first_row + 1;
-  return last_row < 0 ? LoadedBox() : LoadedBox{height, last_column - first_column + 1};
-}
-}  // namespace
-
+/// Absolute difference between the displacement of the highest cell by forces at the cell centres (Kernel::point_force)
+/// and that by the pressure itself [m]. `modulus`: contact modulus E* [Pa].
 double pointForceBias(const PatchPressure& pressure, double modulus)
 {
   const Grid& grid = pressure.grid;
@@ -65,6 +42,31 @@ double pointForceBias(const PatchPressure& pressure, double modulus)
   }
   return std::abs(sum) / (pi * modulus);
 }
+
+/// Smallest box of cells around a pressure; size in cells of the whole grid.
+struct LoadedBox
+{
+  int rows = 0, columns = 0;
+};
+
+LoadedBox loadedBox(const Grid& grid, const double* p)
+{
+  const int rows = grid.rows();
+  int first_row = rows, last_row = -1, first_column = grid.ny, last_column = -1;
+  for (int cell = 0; cell < rows * grid.ny; ++cell)
+  {
+    if (p[cell] > 0)
+    {
+      first_row = std::min(first_row, cell % rows);
+      last_row = std::max(last_row, cell % rows);
+      first_column = std::min(first_column, cell / rows);
+      last_column = std::max(last_column, cell / rows);
+    }
+  }
+  const int height = grid.symmetric ? 2 * (last_row + 1) : last_row - first_row + 1;
+  return last_row < 0 ? LoadedBox() : LoadedBox{height, last_column - first_column + 1};
+}
+}  // namespace
 
 ErrorEstimate pointForceErrors(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch)
 {

@@ -6,10 +6,6 @@
 
 namespace wheel_rail_contact::core
 {
-/// Absolute difference between the displacement of the highest cell by forces at the cell centres (Kernel::point_force)
-/// and that by the pressure itself [m]. `modulus`: contact modulus E* [Pa].
-double pointForceBias(const PatchPressure& pressure, double modulus);
-
 /// Errors of a solution with point forces in addition to those of its grid, in a patch with pressure.
 ///
 /// They are multiples of the bias over the approach. The factors were fitted once, by a program that is not kept, to
