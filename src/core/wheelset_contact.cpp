@@ -104,10 +104,10 @@ struct PlaceRange
 };
 }  // namespace
 
-class WheelsetContact::Chain
+class WheelsetContact::Calculation
 {
  public:
-  explicit Chain(ContactModelConfig config)
+  explicit Calculation(ContactModelConfig config)
       : config_(checked(std::move(config))), levels_(config_), balance_(config_, levels_), stress_(config_)
   {
     if (config_.contact.check_branches && config_.wheelset.solve_height_and_roll)
@@ -176,7 +176,7 @@ class WheelsetContact::Chain
       result_.reason = reason;
       return;
     }
-    if (const std::optional<PlaceRange> range = leftRange(state.distance))
+    if (const std::optional<PlaceRange> range = exceededRange(state.distance))
     {
       result_.status = ContactStatus::outside_line;
       result_.reason = range->reason(state.distance);
@@ -202,7 +202,7 @@ class WheelsetContact::Chain
   }
 
   /// The range that a place [m] is outside of; empty if it is on the line.
-  std::optional<PlaceRange> leftRange(double x) const
+  std::optional<PlaceRange> exceededRange(double x) const
   {
     const TrackLine* line = config_.track.line.get();
     if (line != nullptr && !line->contains(x))
@@ -341,7 +341,10 @@ class WheelsetContact::Chain
   std::size_t patch_count_ = 0;
 };
 
-WheelsetContact::WheelsetContact(ContactModelConfig config) : chain_(std::make_unique<Chain>(std::move(config))) {}
+WheelsetContact::WheelsetContact(ContactModelConfig config)
+    : calculation_(std::make_unique<Calculation>(std::move(config)))
+{
+}
 
 WheelsetContact::~WheelsetContact() = default;
 WheelsetContact::WheelsetContact(WheelsetContact&&) noexcept = default;
@@ -349,21 +352,21 @@ WheelsetContact& WheelsetContact::operator=(WheelsetContact&&) noexcept = defaul
 
 const WheelsetResult& WheelsetContact::evaluate(const WheelsetState& state)
 {
-  return chain_->evaluate(state);
+  return calculation_->evaluate(state);
 }
 
 Eigen::Matrix3d WheelsetContact::stiffness(Side side)
 {
-  return chain_->stiffness(side);
+  return calculation_->stiffness(side);
 }
 
 void WheelsetContact::reset()
 {
-  chain_->reset();
+  calculation_->reset();
 }
 
 const ContactModelConfig& WheelsetContact::config() const
 {
-  return chain_->config();
+  return calculation_->config();
 }
 }  // namespace wheel_rail_contact::core

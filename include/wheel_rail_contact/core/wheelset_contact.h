@@ -45,7 +45,7 @@ class WheelsetContact
   const ContactModelConfig& config() const;
 
  private:
-  class Chain;
-  std::unique_ptr<Chain> chain_;
+  class Calculation;
+  std::unique_ptr<Calculation> calculation_;
 };
 }  // namespace wheel_rail_contact::core

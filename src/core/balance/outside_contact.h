@@ -27,8 +27,8 @@ double displacementPerForce(double modulus, double variance, double y, double z)
 
 /// Contact outside of the grids of a wheel, which a solution on these grids does not show.
 ///
-/// Near a contact the distance of the surfaces grows with that from the contact. Another contact needs a place farther
-/// away where it is smaller again, and negative.
+/// Beside a contact, the gap of the displaced surfaces grows with the distance from the contact. There is another
+/// contact only if the gap falls again farther away, below zero.
 class OutsideContact
 {
  public:

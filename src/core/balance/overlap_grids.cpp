@@ -62,8 +62,8 @@ OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side, const Pl
       search_(*config.wheel_profile[side], rail.profile(), longest_rail, severalParts(config, side)),
       outside_(search_, placed_, columns_)
 {
-  laid_.reserve(usual_grids);
-  before_.reserve(usual_grids);
+  group_grids_.reserve(usual_grids);
+  earlier_grids_.reserve(usual_grids);
   placed_.reserve(usual_grids);
   pressed_.reserve(usual_grids);
   joined_.reserve(2 * usual_grids);
@@ -90,9 +90,9 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
     return Overlap::none;
   }
   search_.overlapIntervals(0, intervals_);
-  std::swap(before_, laid_);
+  std::swap(earlier_grids_, group_grids_);
   join(choice != Choice::own);
-  laid_.clear();
+  group_grids_.clear();
   placed_.clear();
   misses_overlap_ = false;
   for (std::size_t k = problem.patches.size(); k > 0; --k)
@@ -112,13 +112,13 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
 void OverlapGrids::join(bool keep)
 {
   joined_.clear();
-  for (const RailPart& one : pressed_)
+  for (const RailRegion& one : pressed_)
   {
     joined_.emplace_back(one.u_begin, one.u_end);
   }
-  for (std::size_t k = 0; keep && k < before_.size(); ++k)
+  for (std::size_t k = 0; keep && k < earlier_grids_.size(); ++k)
   {
-    const auto& [grid, origin] = before_[k].used;
+    const auto& [grid, origin] = earlier_grids_[k].used;
     joined_.emplace_back(origin.rail_u + grid.y(0), origin.rail_u + grid.y(grid.ny - 1));
   }
 }
@@ -159,19 +159,19 @@ bool OverlapGrids::fitIntervals(double lower)
   std::size_t count = 0;
   for (std::size_t first = 0; first < intervals_.size(); first = endOfGroup(first), ++count)
   {
-    if (count >= laid_.size())
+    if (count >= group_grids_.size())
     {
       return false;
     }
-    const Laid& laid = laid_[count];
-    const Grid& grid = laid.planned.grid;
-    const SurfaceArea area = areaOf(*placed_wheel_, first, endOfGroup(first), lower, laid.reach);
-    if (laid.has_patch && !layGrid(area, {grid.nx, grid.ny}, grid.symmetric).equals(laid.planned))
+    const GroupGrid& group = group_grids_[count];
+    const Grid& grid = group.planned.grid;
+    const SurfaceArea area = areaOf(*placed_wheel_, first, endOfGroup(first), lower, group.reach);
+    if (group.has_patch && !layGrid(area, {grid.nx, grid.ny}, grid.symmetric).equals(group.planned))
     {
       return false;
     }
   }
-  return count == laid_.size();
+  return count == group_grids_.size();
 }
 
 /// The area for the intervals from `first` to `last` (exclusive) of a wheel that is `lower` below its place [m]. Its
@@ -185,7 +185,7 @@ SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, st
                                                    [](const OverlapInterval& one, const OverlapInterval& other)
                                                    { return one.contact.separation < other.contact.separation; })
                                       ->contact;
-  RailPart part = overlapOf(wheel, begin, end, lower), inner;
+  RailRegion part = overlapOf(wheel, begin, end, lower), inner;
   const bool whole =
       reach == Reach::whole || !(findPressed(begin->u_begin, (end - 1)->u_end, inner) ||
                                  (last - first == 1 && findContact(search_, wheel, *begin, lower, inner)));
@@ -214,10 +214,10 @@ void OverlapGrids::follow(const std::vector<PatchPressure>& pressure)
 }
 
 /// Finds the part that carries pressure between two parameters of the rail profile. @return false if there is none
-bool OverlapGrids::findPressed(double u_begin, double u_end, RailPart& all) const
+bool OverlapGrids::findPressed(double u_begin, double u_end, RailRegion& all) const
 {
   all = {infinity, -infinity, infinity, -infinity};
-  for (const RailPart& one : pressed_)
+  for (const RailRegion& one : pressed_)
   {
     if (one.u_end > u_begin && one.u_begin < u_end)
     {
@@ -255,16 +255,16 @@ bool OverlapGrids::isComplete(const NormalProblem& problem, const NormalSolution
 }
 
 /// A grid of the last call that covers the area; null if there is none.
-const OverlapGrids::Laid* OverlapGrids::laidBefore(const SurfaceArea& area, const GridSize& size) const
+const OverlapGrids::GroupGrid* OverlapGrids::earlierGrid(const SurfaceArea& area, const GridSize& size) const
 {
-  for (const Laid& laid : before_)
+  for (const GroupGrid& group : earlier_grids_)
   {
-    const double shift = arcLength(rail_->profile(), laid.used.origin.rail_u, area.origin.rail_u);
-    if (GridSize{laid.used.grid.nx, laid.used.grid.ny} == size &&
-        laid.used.grid.symmetric == (placed_wheel_->pose().yaw == 0) &&
-        covers(laid.used, area, shift, (laid.whole ? tuning::most_larger : 1) * tuning::most_larger))
+    const double shift = arcLength(rail_->profile(), group.used.origin.rail_u, area.origin.rail_u);
+    if (GridSize{group.used.grid.nx, group.used.grid.ny} == size &&
+        group.used.grid.symmetric == (placed_wheel_->pose().yaw == 0) &&
+        covers(group.used, area, shift, (group.whole ? tuning::most_larger : 1) * tuning::most_larger))
     {
-      return &laid;
+      return &group;
     }
   }
   return nullptr;
@@ -275,26 +275,26 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
                            Choice choice, Reach reach, CurvedProblem& problem)
 {
   const SurfaceArea area = areaOf(wheel, first, last, 0, reach);
-  const Laid* const before = choice != Choice::own ? laidBefore(area, size) : nullptr;
+  const GroupGrid* const before = choice != Choice::own ? earlierGrid(area, size) : nullptr;
   const GridLayout planned = layGrid(area, size, wheel.pose().yaw == 0);
-  Laid laid = before != nullptr ? *before : Laid{planned, planned, reach, area.whole};
-  laid.reach = reach;
+  GroupGrid group = before != nullptr ? *before : GroupGrid{planned, planned, reach, area.whole};
+  group.reach = reach;
   appendPatch(problem);
-  bool found = fillGrid(wheel, size, area, laid.used, problem.patches.back(), problem.normals.back());
+  bool found = fillGrid(wheel, size, area, group.used, problem.patches.back(), problem.normals.back());
   if (!found && before != nullptr)  // the cells of the kept grid are too large
   {
-    laid = {planned, planned, reach, area.whole};
-    found = fillGrid(wheel, size, area, laid.used, problem.patches.back(), problem.normals.back());
+    group = {planned, planned, reach, area.whole};
+    found = fillGrid(wheel, size, area, group.used, problem.patches.back(), problem.normals.back());
   }
-  laid.has_patch = found;
-  laid_.push_back(laid);
+  group.has_patch = found;
+  group_grids_.push_back(group);
   if (!found)
   {
     misses_overlap_ = misses_overlap_ || std::any_of(&intervals_[first], &intervals_[first] + (last - first), isDeep);
     removeLast(problem);
     return;
   }
-  placed_.push_back({laid.used.origin, area.half_length, area.whole});
+  placed_.push_back({group.used.origin, area.half_length, area.whole});
 }
 
 /// Fills the last columns and their patch. If the area is the whole overlap, and the overlap is found to be larger,

@@ -7,7 +7,7 @@
 
 #include "core/balance/grid_layout.h"
 #include "core/balance/outside_contact.h"
-#include "core/balance/rail_part.h"
+#include "core/balance/rail_region.h"
 #include "core/track/gap.h"
 #include "core/track/rail_search.h"
 #include "wheel_rail_contact/core/config.h"
@@ -70,7 +70,7 @@ class OverlapGrids
 
   /// The next grids cover this pressure of the last problem and a cell more on each side, instead of the overlap.
   void follow(const std::vector<PatchPressure>& pressure);
-  /// The next grids are laid over the overlap again.
+  /// The next grids are group over the overlap again.
   void unfollow() { pressed_.clear(); }
 
   /// Position of the smallest separation at the last pose. Valid unless the wheel was beside the rail.
@@ -89,7 +89,7 @@ class OverlapGrids
 
  private:
   /// A grid as it was planned for its overlap, and as it was used after the overlap had been found to be larger.
-  struct Laid
+  struct GroupGrid
   {
     GridLayout planned, used;
     Reach reach = Reach::whole;
@@ -99,10 +99,10 @@ class OverlapGrids
 
   bool isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const;
   bool fitIntervals(double lower);
-  bool findPressed(double u_begin, double u_end, RailPart& all) const;
+  bool findPressed(double u_begin, double u_end, RailRegion& all) const;
   SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower, Reach reach) const;
   std::size_t endOfGroup(std::size_t first) const;
-  const Laid* laidBefore(const SurfaceArea& area, const GridSize& size) const;
+  const GroupGrid* earlierGrid(const SurfaceArea& area, const GridSize& size) const;
   void join(bool keep);
   void addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size, Choice choice,
                Reach reach, CurvedProblem& problem);
@@ -119,10 +119,10 @@ class OverlapGrids
   InitialContact touch_;
   std::vector<OverlapInterval> intervals_, lower_intervals_;
   std::vector<std::vector<SurfaceColumn>> columns_;
-  std::vector<Laid> laid_, before_;                ///< of each group of intervals, in this and in the last call
-  std::vector<PlacedGrid> placed_;                 ///< of each patch
-  std::vector<RailPart> pressed_;                  ///< see follow()
-  std::vector<std::pair<double, double>> joined_;  ///< see join()
+  std::vector<GroupGrid> group_grids_, earlier_grids_;  ///< of each group of intervals, in this and in the last call
+  std::vector<PlacedGrid> placed_;                      ///< of each patch
+  std::vector<RailRegion> pressed_;                     ///< see follow()
+  std::vector<std::pair<double, double>> joined_;       ///< see join()
   OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;

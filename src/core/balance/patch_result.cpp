@@ -72,7 +72,7 @@ double deepestWithin(double u_first, double u_last, const std::vector<OverlapInt
 }
 
 /// Copies the whole pressure field of a patch, in track axes, from the centre of pressure.
-void spread(Side side, const Grid& grid, const Centre& centre, const Eigen::ArrayXXd& stored, PatchResult& result)
+void copyPressure(Side side, const Grid& grid, const Centre& centre, const Eigen::ArrayXXd& stored, PatchResult& result)
 {
   const double first = (0.5 - 0.5 * grid.nx) * grid.dx, y0 = grid.y0 - centre.y;
   const double mirrored = -(y0 + (grid.ny - 1) * grid.dy);
@@ -135,7 +135,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.left_out = contact.leftOut();
   const bool is_turned = out.left_out.empty() && contact.problem().normals[of.patch].areTurned();
   out.model_error = modelError(out.half_space_ratio, is_turned);
-  spread(side, gap.grid, centre, pressure.pressure, out);
+  copyPressure(side, gap.grid, centre, pressure.pressure, out);
 }
 
 void wholePressure(Side side, const Grid& grid, const Eigen::ArrayXXd& stored, Eigen::ArrayXXd& whole)

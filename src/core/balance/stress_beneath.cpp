@@ -56,7 +56,7 @@ void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t 
   grid_.y0 = side == Side::left ? patch.grid.y0 : -patch.grid.y(patch.grid.ny - 1);
   grid_.y0 -= static_cast<double>(of.begin) * grid_.dy;
   grid_.ny = whole.grid.ny;
-  const PatchColumns columns{of.begin, of.columns};
+  const ColumnRange columns{of.begin, of.columns};
   search_.set(grid_, pressure_, columns, axes);
   fillBody(config_.rail_material[side].poisson, columns, axes, patch.max_pressure, patch.rail_stress);
   if (config_.wheel_material[side].poisson == config_.rail_material[side].poisson)
@@ -76,7 +76,7 @@ void StressBeneath::fill(Side side, const WheelsetBalance& balance, std::size_t 
   }
 }
 
-void StressBeneath::fillBody(double poisson, const PatchColumns& columns, const SemiAxes& axes, double max_pressure,
+void StressBeneath::fillBody(double poisson, const ColumnRange& columns, const SemiAxes& axes, double max_pressure,
                              PatchStress& stress)
 {
   const HighestStresses highest = search_.find(poisson);

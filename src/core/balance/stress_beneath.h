@@ -18,7 +18,7 @@ class StressBeneath
   void fill(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& patch);
 
  private:
-  void fillBody(double poisson, const PatchColumns& columns, const SemiAxes& axes, double max_pressure,
+  void fillBody(double poisson, const ColumnRange& columns, const SemiAxes& axes, double max_pressure,
                 PatchStress& stress);
 
   const ContactModelConfig& config_;

@@ -7,21 +7,22 @@ namespace wheel_rail_contact::core::tuning
 {
 // Accuracy.
 
-/// Largest opening of the gap by what is left of the balance, over the overlap and per unit of contact/tolerance [-].
-/// The pressure changes by about half of the opening, so this is a fiftieth of the tolerance.
+/// Stopping limit of the search of height, roll and deflection. The next step would open the gap by at most this part
+/// of the overlap, per unit of contact/tolerance [-]. The pressure changes by about half of the opening, which is a
+/// fiftieth of the tolerance.
 constexpr double opening_per_tolerance = 0.04;
 /// The same limit is this many times larger where the forces jump because the grid changes: the jumps are up to the
 /// errors of the grids [-].
 constexpr double jump_share = 20;
-/// The same limit is multiplied by this while the slopes are those of a constant pressure distribution, which are up to
-/// three times too small [-].
+/// Factor of the same limit while the height per roll is estimated with a constant distribution of the pressure, which
+/// makes it up to three times too small [-].
 constexpr double unknown_share = 0.3;
 /// Largest approach from the height of the gap to the final one, over the overlap [-]. The normals of the rail are
 /// those of the columns at both heights.
 constexpr double remaining_approach = 0.1;
-/// Part of an energy or of an overlap that the solutions do not resolve [-].
+/// Relative error of an energy or of an overlap that the residual of the solutions causes [-].
 constexpr double noise = 1e-3;
-/// Largest part of the forces that a last step may close [-].
+/// Largest difference of the forces of contact and rail that the last step may remove, over the forces [-].
 constexpr double last_step = 0.05;
 
 /// Residual of the normal solution per unit of contact/tolerance [-]. In 150 random wheelsets the errors of pressure

@@ -282,7 +282,7 @@ double WheelContact::opening(const MotionVector& move) const
 }
 
 /// Copies the openings by the independent movements. The rail moving up opens the gap as the wheel moving down does.
-void WheelContact::takeOpenings()
+void WheelContact::selectOpenings()
 {
   tangent_openings_.resize(openings_.size());
   for (std::size_t k = 0; k < openings_.size(); ++k)
@@ -302,7 +302,7 @@ MotionVector WheelContact::verticalStiffness()
   {
     return row;
   }
-  takeOpenings();
+  selectOpenings();
   tangent_.setResidual(tuning::rough_residual);
   const ContactTangent::Forces elastic = tangent_.stiffness(problem_, solution_, tangent_openings_, 0);
   for (std::size_t m = 0; m < independent.size(); ++m)
@@ -319,7 +319,7 @@ MotionMatrix WheelContact::stiffness(double residual)
   {
     return MotionMatrix::Zero();
   }
-  takeOpenings();
+  selectOpenings();
   tangent_.setResidual(residual);
   const ContactTangent::Stiffness elastic = tangent_.stiffness(problem_, solution_, tangent_openings_);
   MotionMatrix stiffness;

@@ -129,7 +129,7 @@ class WheelContact
   WheelStatus none(WheelStatus status);
   void evaluate();
   void openings(std::size_t patch);
-  void takeOpenings();
+  void selectOpenings();
   MotionMatrix geometricStiffness() const;
 
   NormalSolver& solver_;

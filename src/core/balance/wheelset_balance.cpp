@@ -20,7 +20,7 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLev
       accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
       balances_moments_(config.wheelset.balance == WheelsetConfig::Balance::moments),
       greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
-      wheels_([&](Side side) { return WheelOnRail(config, side, levels.solver()); })
+      wheels_([&](Side side) { return WheelEquilibrium(config, side, levels.solver()); })
 {
 }
 
@@ -87,7 +87,7 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
   z_ = given ? state.z : warm_ ? z_ : config_.wheelset.meanRadius();
   roll_ = given ? state.roll : warm_ ? roll_ : start_roll_ + tilt(state_);
   reason_ = {};
-  laid_ = false;
+  own_grids_required_ = false;
   heights_ = z_;
   if (warm_ && !given)
   {
@@ -102,8 +102,8 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
   WheelStatus status = WheelStatus::solved;
   do
   {
-    status = given ? hold() : balance();
-  } while (isUsable(status) && (layOwnGrids() || refine()));
+    status = given ? solveAtGivenHeight() : balanceLoads();
+  } while (isUsable(status) && (requireOwnGrids() || refine()));
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
   depth_ = given ? depthOfHeight(status) : 0;
   if (depth_ > deepest)
@@ -190,10 +190,10 @@ bool WheelsetBalance::refine()
   bool refined = false;
   for (const Side side : sides)
   {
-    if (fresh_[side])
+    if (unestimated_[side])
     {
       wheel_errors_[side] = wheels_[side].loaded() ? estimate(side) : 0;
-      fresh_[side] = false;
+      unestimated_[side] = false;
     }
     const std::size_t level = levels_.finer(level_[side], wheel_errors_[side]);
     if (level != level_[side])
@@ -209,9 +209,9 @@ bool WheelsetBalance::refine()
 /// Has wheels solved again whose grids are not those of their final heights, so that the result does not depend on the
 /// start of the search.
 /// @return true if there are any; at most once on the same levels
-bool WheelsetBalance::layOwnGrids()
+bool WheelsetBalance::requireOwnGrids()
 {
-  if (laid_)
+  if (own_grids_required_)
   {
     return false;
   }
@@ -222,7 +222,7 @@ bool WheelsetBalance::layOwnGrids()
     solved_[side] = solved_[side] && !others;
     any = any || others;
   }
-  laid_ = true;
+  own_grids_required_ = true;
   return any;
 }
 
@@ -230,7 +230,7 @@ void WheelsetBalance::setLevel(Side side, std::size_t level)
 {
   level_[side] = level;
   wheels_[side].keepResponse(level > 0);
-  laid_ = false;
+  own_grids_required_ = false;
   solved_[side] = false;
   wheels_[side].contact().setGrid(level, levels_.at(level));
 }

@@ -6,7 +6,7 @@
 #include "core/balance/grid_levels.h"
 #include "core/balance/islands.h"
 #include "core/balance/load_transfer.h"
-#include "core/balance/wheel_on_rail.h"
+#include "core/balance/wheel_equilibrium.h"
 #include "core/track/rail_along.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
@@ -16,10 +16,10 @@ namespace wheel_rail_contact::core
 /// Both wheels of a wheelset on the surfaces of their rails: finds height, roll and the deflections of the rails for
 /// given wheel loads, or the loads for a given height and roll.
 ///
-/// At a given roll, each wheel has one height under its load (WheelOnRail). The roll is the one for which both heights
-/// are equal. Their difference brackets it: it is positive at a low roll and negative at a high one. Newton's method
-/// with the slopes of the heights finds it; bisection takes over where a step leaves the bracket. On rigid rails the
-/// difference falls as the roll grows while tan(left contact angle) + tan(right contact angle) < distance of the
+/// At a given roll, each wheel has one height under its load (WheelEquilibrium). The roll is the one for which both
+/// heights are equal. Their difference brackets it: it is positive at a low roll and negative at a high one. Newton's
+/// method with the slopes of the heights finds it; bisection takes over where a step leaves the bracket. On rigid rails
+/// the difference falls as the roll grows while tan(left contact angle) + tan(right contact angle) < distance of the
 /// contacts / rolling radius. Beyond that, several rolls may be in equilibrium; the result is then one at which the
 /// difference falls.
 ///
@@ -46,8 +46,8 @@ class WheelsetBalance
   double height() const { return z_; }   ///< height of the axle centre, track frame [m]
   double roll() const { return roll_; }  ///< roll, track frame [rad]
   /// A wheel on its rail.
-  const WheelOnRail& wheel(Side side) const { return wheels_[side]; }
-  WheelOnRail& wheel(Side side) { return wheels_[side]; }
+  const WheelEquilibrium& wheel(Side side) const { return wheels_[side]; }
+  WheelEquilibrium& wheel(Side side) { return wheels_[side]; }
   /// Separate contacts of a wheel.
   const Islands& islands(Side side) const { return islands_[side]; }
   /// Estimated errors of these contacts.
@@ -69,11 +69,11 @@ class WheelsetBalance
   void beginTransfer();
   double leverOf(Side side) const;
   void distribute(double sum, double transfer);
-  WheelStatus balance();
+  WheelStatus balanceLoads();
   LoadTransfer::Step advanceTransfer(double sum);
   WheelStatus search();
-  WheelStatus pass(bool keep_grids);
-  WheelStatus hold();
+  WheelStatus solveMovedWheels(bool keep_grids);
+  WheelStatus solveAtGivenHeight();
   double depthOfHeight(WheelStatus status);
   void placeOnLine();
   double tilt(const WheelsetState& state) const { return tiltOf(state.rail_displacement, config_.wheelset.halfBase()); }
@@ -83,9 +83,9 @@ class WheelsetBalance
   double updateSlopes();
   void turn(double roll);
   bool isNarrow(double range) const;
-  bool settle(double difference, double share);
+  bool closeDifference(double difference, double share);
   bool refine();
-  bool layOwnGrids();
+  bool requireOwnGrids();
   void setLevel(Side side, std::size_t level);
   double estimate(Side side);
   int count() const;
@@ -96,7 +96,7 @@ class WheelsetBalance
   double accuracy_;  ///< largest opening by what is left of the balance, over the overlap [-]
   bool balances_moments_;
   double greatest_turn_;  ///< of the roll in one step [rad]
-  Sides<WheelOnRail> wheels_;
+  Sides<WheelEquilibrium> wheels_;
   WheelsetState state_;
   LoadTransfer transfer_;
   Sides<double> loads_{};        ///< vertical wheel loads [N]
@@ -104,7 +104,7 @@ class WheelsetBalance
   Sides<double> slopes_{};       ///< their change per roll [m/rad]
   Sides<double> solved_roll_{};  ///< roll of the last solutions [rad]
   Sides<bool> solved_{};         ///< for this state
-  Sides<bool> fresh_{};          ///< its errors are not estimated yet
+  Sides<bool> unestimated_{};    ///< its errors are not estimated yet
   Sides<std::size_t> level_{};
   Sides<Islands> islands_;
   Sides<std::vector<ErrorEstimate>> errors_;
@@ -113,8 +113,8 @@ class WheelsetBalance
   bool any_solved_ = false;  ///< in the last pass
   double z_ = 0, roll_ = 0, start_roll_ = 0;
   bool warm_ = false;
-  double depth_ = 0;   ///< see depth()
-  bool laid_ = false;  ///< layOwnGrids() was called on these levels
+  double depth_ = 0;                 ///< see depth()
+  bool own_grids_required_ = false;  ///< requireOwnGrids() was called on these levels
   int solutions_ = 0;
   std::string_view reason_;
 };

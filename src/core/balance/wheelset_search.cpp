@@ -40,7 +40,7 @@ void WheelsetBalance::beginTransfer()
 /// Lever arm of a wheel: the moment of its contact, positive if it lifts the wheel, over its load [m].
 double WheelsetBalance::leverOf(Side side) const
 {
-  const WheelOnRail& wheel = wheels_[side];
+  const WheelEquilibrium& wheel = wheels_[side];
   const bool known = wheel.loaded() && loads_[side] > 0;
   return known ? wheel.moment() / loads_[side] : config_.wheelset.halfBase();
 }
@@ -57,7 +57,7 @@ void WheelsetBalance::distribute(double sum, double transfer)
 }
 
 /// Finds height and roll under the loads, and with WheelsetConfig::Balance::moments also the loads.
-WheelStatus WheelsetBalance::balance()
+WheelStatus WheelsetBalance::balanceLoads()
 {
   const double sum = -state_.force_z;
   if (!balances_moments_ || !(sum > least_load))
@@ -103,7 +103,7 @@ LoadTransfer::Step WheelsetBalance::advanceTransfer(double sum)
                            2 * config_.wheelset.halfBase() * tuning::jump_share * accuracy);
 }
 
-WheelStatus WheelsetBalance::hold()
+WheelStatus WheelsetBalance::solveAtGivenHeight()
 {
   open_ = 0;
   for (const Side side : sides)
@@ -112,12 +112,12 @@ WheelStatus WheelsetBalance::hold()
     {
       continue;
     }
-    const WheelStatus status = wheels_[side].hold(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
+    const WheelStatus status = wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
     if (!isUsable(status))
     {
       return status;
     }
-    solved_[side] = fresh_[side] = true;
+    solved_[side] = unestimated_[side] = true;
   }
   return WheelStatus::solved;
 }
@@ -129,7 +129,7 @@ double WheelsetBalance::depthOfHeight(WheelStatus status)
   double depth = infinity;
   for (const Side side : sides)
   {
-    WheelOnRail& wheel = wheels_[side];
+    WheelEquilibrium& wheel = wheels_[side];
     const WheelsetPose above{state_.y, config_.wheelset.meanRadius(), state_.yaw, state_.roll};
     if (isUsable(status))
     {
@@ -137,7 +137,7 @@ double WheelsetBalance::depthOfHeight(WheelStatus status)
     }
     else
     {
-      const bool touches = isUsable(wheel.carry(toSide(side, above), 0, accuracy_, false));
+      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0, accuracy_, false));
       depth = std::min(depth, touches ? wheel.height() - state_.z : 0);
     }
   }
@@ -154,12 +154,12 @@ bool WheelsetBalance::isMoved(Side side) const
 /// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
 double WheelsetBalance::openedBy(Side side, double roll) const
 {
-  const WheelOnRail& wheel = wheels_[side];
+  const WheelEquilibrium& wheel = wheels_[side];
   return wheel.loaded() ? wheel.openingPerRoll() * std::abs(roll) / wheel.contact().overlap() : 0;
 }
 
 /// Solves the wheels at the roll, as far as they are not.
-WheelStatus WheelsetBalance::pass(bool keep_grids)
+WheelStatus WheelsetBalance::solveMovedWheels(bool keep_grids)
 {
   any_solved_ = false;
   for (const Side side : sides)
@@ -168,14 +168,14 @@ WheelStatus WheelsetBalance::pass(bool keep_grids)
     {
       continue;
     }
-    const WheelStatus status = wheels_[side].carry(toSide(side, {state_.y, heights_[side], state_.yaw, roll_}),
-                                                   loads_[side], accuracy_, keep_grids && solved_[side]);
+    const WheelStatus status = wheels_[side].solveUnderLoad(toSide(side, {state_.y, heights_[side], state_.yaw, roll_}),
+                                                            loads_[side], accuracy_, keep_grids && solved_[side]);
     if (!isUsable(status))
     {
       return status;
     }
     heights_[side] = wheels_[side].height();
-    solved_[side] = fresh_[side] = any_solved_ = true;
+    solved_[side] = unestimated_[side] = any_solved_ = true;
     solved_roll_[side] = roll_;
   }
   return WheelStatus::solved;
@@ -205,7 +205,7 @@ void WheelsetBalance::turn(double roll)
 
 /// True if the roll that closes the difference of the heights [m] hardly changes the contacts. Turns the wheelset to
 /// it.
-bool WheelsetBalance::settle(double difference, double share)
+bool WheelsetBalance::closeDifference(double difference, double share)
 {
   const double closed = roll_ - difference / updateSlopes();
   const double limit = share * accuracy_;
@@ -228,7 +228,7 @@ bool WheelsetBalance::isNarrow(double range) const
   return std::all_of(sides.begin(), sides.end(),
                      [&](Side side)
                      {
-                       const WheelOnRail& wheel = wheels_[side];
+                       const WheelEquilibrium& wheel = wheels_[side];
                        return range < finest_bracket || (wheel.loaded() && wheel.openingPerRoll() * range <
                                                                                accuracy_ * wheel.contact().overlap());
                      });
@@ -244,20 +244,20 @@ WheelStatus WheelsetBalance::search()
       wheels_.left.keepResponse(false);
       wheels_.right.keepResponse(false);
     }
-    if (const WheelStatus status = pass(i >= tuning::early_solutions); !isUsable(status))
+    if (const WheelStatus status = solveMovedWheels(i >= tuning::early_solutions); !isUsable(status))
     {
       return status;
     }
     const double difference = heights_.left - heights_.right;
     const bool known = wheels_.left.responded() && wheels_.right.responded();
     // Other grids at the same place: the heights differ by the errors of the grids.
-    if (settle(difference, laid_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
+    if (closeDifference(difference, own_grids_required_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
     {
       return WheelStatus::solved;
     }
     wheels_.left.respond();
     wheels_.right.respond();
-    if (!known && settle(difference, 1))
+    if (!known && closeDifference(difference, 1))
     {
       return WheelStatus::solved;
     }
@@ -278,7 +278,7 @@ WheelStatus WheelsetBalance::search()
     }
     if (isNarrow(most - least) || !any_solved_)
     {
-      return settle(difference, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
+      return closeDifference(difference, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
     }
     turn(next);
     if (!(std::abs(roll_) < roll_limit))

@@ -28,14 +28,14 @@ constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of
 constexpr int most_rounds = 6;         ///< of parabolas
 constexpr double least_gain = 0.003;   ///< the search ends where the top of the parabolas is hardly higher [-]
 
-void put(PointSources::Places& places, std::size_t k, double x, double y, double depth)
+void setPlace(PointSources::Places& places, std::size_t k, double x, double y, double depth)
 {
   places.x[k] = static_cast<float>(x);
   places.y[k] = static_cast<float>(y);
   places.depth[k] = static_cast<float>(depth);
 }
 
-void take(double value, const PointSources::Places& places, std::size_t k, StressPeak& peak)
+void keepHigher(double value, const PointSources::Places& places, std::size_t k, StressPeak& peak)
 {
   if (value > peak.value)
   {
@@ -51,7 +51,7 @@ double alternating(const Stress& stress)
 const double tension_over_shear = std::sqrt(3.0);  ///< of stresses with the same von Mises stress [-]
 }  // namespace
 
-void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, const PatchColumns& patch,
+void StressSearch::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, const ColumnRange& patch,
                        const SemiAxes& axes)
 {
   unit_ = std::min(axes.along, axes.across);
@@ -118,16 +118,16 @@ void StressSearch::searchBelow(Column& column, double poisson) const
   PointSources::Places places;
   for (std::size_t k = 0; k < below; ++k)
   {
-    put(places, k, column.x, column.y, first_depths[k]);
+    setPlace(places, k, column.x, column.y, first_depths[k]);
     const double side = k % 2 == 0 ? -orthogonal_x : orthogonal_x;
-    put(places, below + k, column.x + side * column.half, column.y, orthogonal_depths[k / 2]);
+    setPlace(places, below + k, column.x + side * column.half, column.y, orthogonal_depths[k / 2]);
   }
   const std::array<Stress, point_batch> stresses = rough_.at(places, poisson);
   column.von_mises = column.alternating = {};
   for (std::size_t k = 0; k < below; ++k)
   {
-    take(vonMises(stresses[k]), places, k, column.von_mises);
-    take(alternating(stresses[below + k]), places, below + k, column.alternating);
+    keepHigher(vonMises(stresses[k]), places, k, column.von_mises);
+    keepHigher(alternating(stresses[below + k]), places, below + k, column.alternating);
   }
 }
 
@@ -195,7 +195,7 @@ void StressSearch::refine(Top* const* tops, std::size_t count, double spacing, d
     for (std::size_t k = 0; k < point_batch; ++k)
     {
       const Eigen::Vector3d place = tops[std::min(k / star_size, count - 1)]->place(k % star_size);
-      put(places, k, place.x(), place.y(), std::max(place.z(), least_depth * spacing));
+      setPlace(places, k, place.x(), place.y(), std::max(place.z(), least_depth * spacing));
     }
     const std::array<Stress, point_batch> stresses = fine_.at(places, poisson);
     bool ends = true;

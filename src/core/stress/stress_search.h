@@ -9,7 +9,7 @@
 namespace wheel_rail_contact::core
 {
 /// Columns of a grid that belong to a patch.
-struct PatchColumns
+struct ColumnRange
 {
   Eigen::Index begin = 0, count = 0;
 };
@@ -32,7 +32,7 @@ class StressSearch
  public:
   /// Takes the pressure of a grid [Pa], and keeps references to both. Cells outside of the patch count as well.
   /// @param axes  semi-axes of the patch; depths and distances of the search are multiples of the shorter one
-  void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, const PatchColumns& patch, const SemiAxes& axes);
+  void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, const ColumnRange& patch, const SemiAxes& axes);
 
   /// Searches in a body with this Poisson's ratio.
   HighestStresses find(double poisson);

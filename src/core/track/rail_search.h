@@ -31,7 +31,8 @@ class RailSearch
 
   /// Finds the position of the smallest separation.
   bool nearest(InitialContact& contact);
-  /// As ContactSearch. A change of the height does not change a contact that only the second search finds.
+  /// As ContactSearch. The intervals of the second search are those at the height of the wheel, whatever the
+  /// separation: the flange back moves along the face of the check rail.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals);
   void stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const;
   void moveEnds(double separation, OverlapInterval& interval) const;

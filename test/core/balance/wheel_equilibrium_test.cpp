@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Equilibrium of a wheel and its bending rail.
-#include "core/balance/wheel_on_rail.h"
+#include "core/balance/wheel_equilibrium.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ ConjugateGradients strictSolver()
 }
 
 /// Left wheel on a bending rail.
-class WheelOnRailTest : public testing::Test
+class WheelEquilibriumTest : public testing::Test
 {
  protected:
   static ContactModelConfig onPads(const ComplianceTable& table)
@@ -39,7 +39,7 @@ class WheelOnRailTest : public testing::Test
   }
 
   /// Coordinates of the deflection of the rail, and the forces on it.
-  static Eigen::Vector3d coordinates(const WheelOnRail& wheel) { return toCoordinates(wheel.rail().deflection); }
+  static Eigen::Vector3d coordinates(const WheelEquilibrium& wheel) { return toCoordinates(wheel.rail().deflection); }
   static Eigen::Vector3d forces(const RailResult& rail)
   {
     return {rail.lateral_force, -rail.vertical_force, rail.moment};
@@ -71,16 +71,16 @@ class WheelOnRailTest : public testing::Test
 
 // The forces of the contact are those that deflect the rail. Outward on the tread, at the gauge corner and on the
 // flange.
-TEST_F(WheelOnRailTest, ForcesOfTheContactDeflectTheRail)
+TEST_F(WheelEquilibriumTest, ForcesOfTheContactDeflectTheRail)
 {
   for (const ComplianceTable& table : {softPads(), verySoftPads()})
   {
     config_ = onPads(table);
     for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
     {
-      WheelOnRail wheel(config_, Side::left, solver_);
+      WheelEquilibrium wheel(config_, Side::left, solver_);
       wheel.contact().setGrid(0, size);
-      ASSERT_EQ(wheel.carry({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
+      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
       const Eigen::Vector3d due = compliance().inverse() * coordinates(wheel);
       const Eigen::Vector3d found = wheel.contact().forces().tail<3>();
       EXPECT_NEAR(found[0], due[0], 1e-3 * load) << "y " << y;
@@ -93,14 +93,14 @@ TEST_F(WheelOnRailTest, ForcesOfTheContactDeflectTheRail)
 }
 
 // In equilibrium the potential energy is least: a rail displaced by 0.1 mm either way stores more.
-TEST_F(WheelOnRailTest, EquilibriumIsTheLeastPotentialEnergy)
+TEST_F(WheelEquilibriumTest, EquilibriumIsTheLeastPotentialEnergy)
 {
   for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
   {
     const WheelsetPose pose{y, 0.46, 0, 0};
-    WheelOnRail wheel(config_, Side::left, solver_);
+    WheelEquilibrium wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, size);
-    ASSERT_EQ(wheel.carry(pose, load, strict, false), WheelStatus::solved) << "y " << y;
+    ASSERT_EQ(wheel.solveUnderLoad(pose, load, strict, false), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double least = potential(rail, pose);
     for (const double lateral : {-1e-4, 1e-4})
@@ -110,17 +110,17 @@ TEST_F(WheelOnRailTest, EquilibriumIsTheLeastPotentialEnergy)
   }
 }
 
-TEST_F(WheelOnRailTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
+TEST_F(WheelEquilibriumTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
 {
   for (const double y : {0.0, 6e-3, 7e-3})
   {
-    WheelOnRail wheel(config_, Side::left, solver_);
+    WheelEquilibrium wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, size);
-    ASSERT_EQ(wheel.carry({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
+    ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double height = wheel.height();
     wheel.reset();
-    ASSERT_EQ(wheel.hold({y, height, 0, 0}, strict), WheelStatus::solved) << "y " << y;
+    ASSERT_EQ(wheel.solveAtPose({y, height, 0, 0}, strict), WheelStatus::solved) << "y " << y;
     // The grids of the two solutions differ.
     EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 2e-3) << "y " << y;
     EXPECT_LT((coordinates(wheel) - rail).head<2>().norm(), 1e-3 * rail.head<2>().norm()) << "y " << y;
@@ -128,15 +128,15 @@ TEST_F(WheelOnRailTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
 }
 
 // The slope takes into account that the rail follows. Central differences of 0.1 mrad.
-TEST_F(WheelOnRailTest, HeightPerRollIsTheSlopeOfTheHeight)
+TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
 {
   for (const double y : {0.0, 3e-3})
   {
-    WheelOnRail wheel(config_, Side::left, solver_);
+    WheelEquilibrium wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, size);
     const auto heightAt = [&](double roll)
     {
-      EXPECT_EQ(wheel.carry({y, 0.46, 0, roll}, load, strict, false), WheelStatus::solved) << "y " << y;
+      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, load, strict, false), WheelStatus::solved) << "y " << y;
       return wheel.height();
     };
     const double slope = (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4;
@@ -146,24 +146,24 @@ TEST_F(WheelOnRailTest, HeightPerRollIsTheSlopeOfTheHeight)
   }
 }
 
-TEST_F(WheelOnRailTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
+TEST_F(WheelEquilibriumTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 {
-  WheelOnRail wheel(config_, Side::left, solver_);
+  WheelEquilibrium wheel(config_, Side::left, solver_);
   wheel.contact().setGrid(0, size);
-  ASSERT_EQ(wheel.carry({0, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
-  ASSERT_EQ(wheel.carry({0, 0.46, 0, 0}, 0, strict, false), WheelStatus::no_contact);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, 0, strict, false), WheelStatus::no_contact);
   EXPECT_FALSE(wheel.loaded());
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_TRUE(forces(wheel.rail()).isZero(0));
 }
 
 // A rail that does not bend stays where it was placed.
-TEST_F(WheelOnRailTest, ARigidRailIsNotDeflected)
+TEST_F(WheelEquilibriumTest, ARigidRailIsNotDeflected)
 {
   config_ = manchesterScene();
-  WheelOnRail wheel(config_, Side::left, solver_);
+  WheelEquilibrium wheel(config_, Side::left, solver_);
   wheel.contact().setGrid(0, size);
-  ASSERT_EQ(wheel.carry({3e-3, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
+  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 1e-6);
   EXPECT_GT(wheel.rail().lateral_force, 0);

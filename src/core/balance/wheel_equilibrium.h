@@ -14,11 +14,11 @@ namespace wheel_rail_contact::core
 /// energy of contact and rail and, under a load, load times height. Newton's method with the stiffness of the contact
 /// finds it. The contact is solved for a rail at rest: the rail deflects a hundred times as far as the surfaces. A
 /// step after which the energy is higher is shortened (Levenberg 1944, Marquardt 1963).
-class WheelOnRail
+class WheelEquilibrium
 {
  public:
   /// Keeps references to `config` and `solver`, which must outlive the object.
-  WheelOnRail(const ContactModelConfig& config, Side side, NormalSolver& solver);
+  WheelEquilibrium(const ContactModelConfig& config, Side side, NormalSolver& solver);
 
   /// The next solution starts from an undeflected rail.
   void reset();
@@ -36,15 +36,15 @@ class WheelOnRail
   /// @param accuracy    largest opening by the remaining deflection of the rail, over the overlap [-], see
   ///                    WheelContact::opening()
   /// @param keep_grids  starts on the grids of the last solution, see OverlapGrids::Choice
-  WheelStatus carry(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
+  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
   /// Finds the deflection at a given pose.
-  WheelStatus hold(const WheelsetPose& pose, double accuracy);
+  WheelStatus solveAtPose(const WheelsetPose& pose, double accuracy);
 
   /// Height of the axle centre in the last solution [m].
   double height() const { return height_; }
-  /// Computes how the contact and the deflection of the rail change with roll, which takes a few products with the
-  /// influence matrix. Until then the next functions take the distribution of the pressure, and the forces on the
-  /// rail, as constant.
+  /// Computes the derivatives of height and deflection by roll and lateral position, which takes a few products with
+  /// the influence matrix. Before this call, the next functions are for a constant distribution of the pressure and
+  /// constant forces on the rail.
   void respond();
   /// True: respond() is not called again after the next solutions. The response hardly differs on another grid.
   void keepResponse(bool keep) { keep_response_ = keep; }
@@ -77,10 +77,10 @@ class WheelOnRail
   WheelStatus searchHeight(const WheelsetPose& pose, double load, bool keep_grids);
   WheelStatus search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
   WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial);
-  bool settled(const Trial& trial, double accuracy, Eigen::Vector3d& step);
+  bool isEquilibrium(const Trial& trial, double accuracy, Eigen::Vector3d& step);
   static bool isNearlyClosed(const Trial& trial);
   bool isNear(double accuracy, const Eigen::Vector3d& step) const;
-  WheelStatus finish(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
+  WheelStatus accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
   double shortened(const Trial& best, const Trial& trial) const;
   Eigen::Vector3d restForces() const;
   WheelStatus touchAtRest(const WheelsetPose& pose);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/rail_part.h"
+#include "core/balance/rail_region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ std::pair<Eigen::Index, Eigen::Index> loadedLines(Eigen::Index count, const Line
 }
 }  // namespace
 
-RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower)
+RailRegion overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower)
 {
   Extent extent;
   std::for_each(begin, end,
@@ -98,7 +98,7 @@ RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const
 }
 
 bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
-                 RailPart& part)
+                 RailRegion& part)
 {
   if (!interval.has_one_minimum)
   {
@@ -116,7 +116,8 @@ bool findContact(const RailSearch& search, const PlacedWheel& wheel, const Overl
   return true;
 }
 
-RailPart pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin, const std::vector<SurfaceColumn>& columns)
+RailRegion pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
+                       const std::vector<SurfaceColumn>& columns)
 {
   const Grid& grid = patch.grid;
   const Eigen::ArrayXXd& p = patch.pressure;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/wheel_on_rail.h"
+#include "core/balance/wheel_equilibrium.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -25,13 +25,13 @@ static double lengthOf(const Eigen::Vector3d& move)
 }
 
 /// Forces of a trial and what it gave.
-struct WheelOnRail::Trial
+struct WheelEquilibrium::Trial
 {
   Eigen::Vector3d forces, open;
   double height = 0, merit = infinity, noise = 0;
 };
 
-WheelOnRail::WheelOnRail(const ContactModelConfig& config, Side side, NormalSolver& solver)
+WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, NormalSolver& solver)
     : config_(config),
       rail_(config, side),
       contact_(config, side, rail_.atRest(), solver, rail_.longest()),
@@ -40,14 +40,14 @@ WheelOnRail::WheelOnRail(const ContactModelConfig& config, Side side, NormalSolv
   setRail(0, RailDeflection());
 }
 
-void WheelOnRail::reset()
+void WheelEquilibrium::reset()
 {
   forces_.setZero();
   has_response_ = false;
   contact_.forget();
 }
 
-void WheelOnRail::moveTo(double x)
+void WheelEquilibrium::moveTo(double x)
 {
   if (rail_.moveTo(x))
   {
@@ -56,7 +56,7 @@ void WheelOnRail::moveTo(double x)
   }
 }
 
-void WheelOnRail::setRail(double lateral, const RailDeflection& displaced)
+void WheelEquilibrium::setRail(double lateral, const RailDeflection& displaced)
 {
   const RailBendingConfig& bending = config_.rail_bending;
   const bool is_constant = bending.lateral_force == RailBendingConfig::LateralForce::constant;
@@ -65,7 +65,7 @@ void WheelOnRail::setRail(double lateral, const RailDeflection& displaced)
 }
 
 /// Places the rail as the forces deflect it.
-void WheelOnRail::place(const Eigen::Vector3d& forces)
+void WheelEquilibrium::place(const Eigen::Vector3d& forces)
 {
   const Eigen::Vector3d coordinates = rail_.under(forces);
   if (!is_placed_ || coordinates != placed_)
@@ -77,7 +77,7 @@ void WheelOnRail::place(const Eigen::Vector3d& forces)
 }
 
 /// Forces on the rail that belong to the last solution.
-Eigen::Vector3d WheelOnRail::target() const
+Eigen::Vector3d WheelEquilibrium::target() const
 {
   Eigen::Vector3d forces = contact_.forces().tail<3>();
   if (!own_force_)
@@ -89,14 +89,14 @@ Eigen::Vector3d WheelOnRail::target() const
   return forces;
 }
 
-MotionVector WheelOnRail::railMove(const Eigen::Vector3d& move)
+MotionVector WheelEquilibrium::railMove(const Eigen::Vector3d& move)
 {
   MotionVector all = MotionVector::Zero();
   all.tail<3>() = move;
   return all;
 }
 
-void WheelOnRail::respond()
+void WheelEquilibrium::respond()
 {
   if (responded())
   {
@@ -151,13 +151,13 @@ void WheelOnRail::respond()
 }
 
 /// Step of the forces that closes the difference `open` between the forces of the contact and those on the rail.
-Eigen::Vector3d WheelOnRail::step(const Eigen::Vector3d& open) const
+Eigen::Vector3d WheelEquilibrium::step(const Eigen::Vector3d& open) const
 {
   const Eigen::Vector3d step = (Eigen::Matrix3d::Identity() - response_).partialPivLu().solve(open);
   return step.allFinite() ? step : open;
 }
 
-WheelStatus WheelOnRail::carry(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
+WheelStatus WheelEquilibrium::solveUnderLoad(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
 {
   under_load_ = true;
   return !(load > 0)     ? touchAtRest(pose)
@@ -165,14 +165,14 @@ WheelStatus WheelOnRail::carry(const WheelsetPose& pose, double load, double acc
                          : searchHeight(pose, load, keep_grids);
 }
 
-WheelStatus WheelOnRail::hold(const WheelsetPose& pose, double accuracy)
+WheelStatus WheelEquilibrium::solveAtPose(const WheelsetPose& pose, double accuracy)
 {
   under_load_ = false;
   return rail_.bends() ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, false);
 }
 
 /// Position of first touch without load.
-WheelStatus WheelOnRail::touchAtRest(const WheelsetPose& pose)
+WheelStatus WheelEquilibrium::touchAtRest(const WheelsetPose& pose)
 {
   forces_ = restForces();
   place(forces_);
@@ -186,13 +186,14 @@ WheelStatus WheelOnRail::touchAtRest(const WheelsetPose& pose)
 }
 
 /// Forces on the rail without a contact.
-Eigen::Vector3d WheelOnRail::restForces() const
+Eigen::Vector3d WheelEquilibrium::restForces() const
 {
   return own_force_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(given_lateral_, 0, 0);
 }
 
 /// Solves the contact on the rail as these forces deflect it.
-WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial)
+WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load,
+                                      Trial& trial)
 {
   place(forces);
   const WheelStatus status = under_load_ ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
@@ -216,7 +217,7 @@ WheelStatus WheelOnRail::solveOn(const Eigen::Vector3d& forces, const WheelsetPo
 }
 
 /// True if the last solution is in equilibrium. Otherwise sets the step of the forces that leads to it.
-bool WheelOnRail::settled(const Trial& trial, double accuracy, Eigen::Vector3d& step)
+bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen::Vector3d& step)
 {
   step = trial.open;
   if (!loaded_)
@@ -240,13 +241,13 @@ bool WheelOnRail::settled(const Trial& trial, double accuracy, Eigen::Vector3d& 
 }
 
 /// The grids of a solution of a search.
-OverlapGrids::Choice WheelOnRail::gridsOf(int solution, bool keep_grids)
+OverlapGrids::Choice WheelEquilibrium::gridsOf(int solution, bool keep_grids)
 {
   return keep_grids || solution > 0 ? OverlapGrids::Choice::kept : OverlapGrids::Choice::own;
 }
 
 /// Search on a rail that does not bend: only the height is unknown.
-WheelStatus WheelOnRail::searchHeight(const WheelsetPose& pose, double load, bool keep_grids)
+WheelStatus WheelEquilibrium::searchHeight(const WheelsetPose& pose, double load, bool keep_grids)
 {
   WheelsetPose at = pose;
   Trial trial;
@@ -256,14 +257,14 @@ WheelStatus WheelOnRail::searchHeight(const WheelsetPose& pose, double load, boo
     const WheelStatus status = solveOn(Eigen::Vector3d::Zero(), at, load, trial);
     if (!loaded_ || contact_.isDeepEnough())
     {
-      return finish(trial, Eigen::Vector3d::Zero(), status);
+      return accept(trial, Eigen::Vector3d::Zero(), status);
     }
     at.z = height_;
   }
   return WheelStatus::unbalanced;
 }
 
-WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
+WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
 {
   WheelsetPose at = pose;
   Eigen::Vector3d forces = forces_, step = Eigen::Vector3d::Zero(), rise_per_force = Eigen::Vector3d::Zero();
@@ -285,7 +286,7 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, double ac
     const double shorter = first ? 1 : usable ? shortened(best, trial) : 0.5;
     if (usable && shorter < 1 && share <= tuning::shortest_share && isNear(accuracy, step) && isNearlyClosed(trial))
     {
-      return finish(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
+      return accept(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
     }
     if (!usable || (shorter < 1 && share > tuning::shortest_share))
     {
@@ -295,9 +296,9 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, double ac
     {
       best = trial;
       share = 1;
-      if (settled(trial, accuracy, step))
+      if (isEquilibrium(trial, accuracy, step))
       {
-        return finish(trial, step, status);
+        return accept(trial, step, status);
       }
       const double far = lengthOf(rail_.compliance() * step);
       step *= far > tuning::longest_step ? tuning::longest_step / far : 1;
@@ -311,20 +312,20 @@ WheelStatus WheelOnRail::search(const WheelsetPose& pose, double load, double ac
 
 /// True if the forces of the contact and those on the rail are nearly equal. The stiffness is that of an exact
 /// solution; with other methods, a step may be small because it is wrong.
-bool WheelOnRail::isNearlyClosed(const Trial& trial)
+bool WheelEquilibrium::isNearlyClosed(const Trial& trial)
 {
   return trial.open.head<2>().norm() <= tuning::last_step * trial.forces.head<2>().norm();
 }
 
 /// True if the last solution carries load, and a step would change the contact little.
-bool WheelOnRail::isNear(double accuracy, const Eigen::Vector3d& step) const
+bool WheelEquilibrium::isNear(double accuracy, const Eigen::Vector3d& step) const
 {
   return loaded_ && contact_.isDeepEnough() &&
          contact_.opening(railMove(rail_.compliance() * step)) <= tuning::jump_share * accuracy * contact_.overlap();
 }
 
 /// Takes the last solution, with a last step of the forces, as the result.
-WheelStatus WheelOnRail::finish(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status)
+WheelStatus WheelEquilibrium::accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status)
 {
   forces_ = rail_.bends() ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.forces().tail<3>());
   if (under_load_ && loaded_ && rail_.bends())
@@ -339,7 +340,7 @@ WheelStatus WheelOnRail::finish(const Trial& trial, const Eigen::Vector3d& step,
 /// Share of the last step to be tried next; 1 if its end is accepted: if the energy has fallen, or if it is the same
 /// within its noise and its slope is smaller. The share is where the tangents of the energy at both ends meet (at the
 /// kink, if another place comes into contact), or where the slope vanishes.
-double WheelOnRail::shortened(const Trial& best, const Trial& trial) const
+double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
 {
   const double rise = trial.merit - best.merit, noise = std::max(trial.noise, best.noise);
   const Eigen::Vector3d move = rail_.compliance() * (trial.forces - best.forces);
@@ -356,19 +357,19 @@ double WheelOnRail::shortened(const Trial& best, const Trial& trial) const
   return after > 0 && before < 0 ? std::clamp(share, 0.1, 0.9) : 0.5;
 }
 
-double WheelOnRail::heightPerRoll() const
+double WheelEquilibrium::heightPerRoll() const
 {
   return !loaded_ ? touch_slope_ : responded_ ? height_per_roll_ : contact_.heightPer(wheel_roll);
 }
 
-double WheelOnRail::heightPerLateral() const
+double WheelEquilibrium::heightPerLateral() const
 {
   return !loaded_     ? contact_.grids().touch().slope
          : responded_ ? height_per_lateral_
                       : -contact_.heightPer(rail_lateral);
 }
 
-void WheelOnRail::predict(double lateral, double roll)
+void WheelEquilibrium::predict(double lateral, double roll)
 {
   if (loaded_ && rail_.bends() && has_response_)
   {
@@ -376,7 +377,7 @@ void WheelOnRail::predict(double lateral, double roll)
   }
 }
 
-double WheelOnRail::openingPerRoll() const
+double WheelEquilibrium::openingPerRoll() const
 {
   MotionVector move = MotionVector::Zero();
   move[wheel_roll] = 1;
@@ -387,7 +388,7 @@ double WheelOnRail::openingPerRoll() const
   return loaded_ ? contact_.opening(move) : 0;
 }
 
-RailResult WheelOnRail::rail() const
+RailResult WheelEquilibrium::rail() const
 {
   RailResult result;
   result.deflection = toDeflection(rail_.under(forces_));

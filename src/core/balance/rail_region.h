@@ -10,23 +10,23 @@
 namespace wheel_rail_contact::core
 {
 /// Part of a rail: x along the track, side axes, and a parameter of its profile [m].
-struct RailPart
+struct RailRegion
 {
   double x_least = 0, x_most = 0;
   double u_begin = 0, u_end = 0;
 };
 
 /// Part of the rail that a wheel overlaps in the intervals, with a margin. The wheel is `lower` below its place [m].
-RailPart overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower);
+RailRegion overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower);
 
 /// Finds the part that a Hertzian contact with the same overlap would need, with a margin.
 /// @return false unless the separation has one minimum
 bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
-                 RailPart& part);
+                 RailRegion& part);
 
-/// Part of the rail under a pressure, and a cell more on each side.
+/// Region of the rail that contains the loaded cells of a grid and one cell more on each side.
 /// @param origin   of the grid
 /// @param columns  of the grid
-RailPart pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
-                     const std::vector<SurfaceColumn>& columns);
+RailRegion pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
+                       const std::vector<SurfaceColumn>& columns);
 }  // namespace wheel_rail_contact::core
