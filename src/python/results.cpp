@@ -133,6 +133,8 @@ void bindPatch(py::module& module)
                     "half the angle by which the section turns across the patch [rad]")
       .def_readonly("model_error", &PatchResult::model_error,
                     "bound of the relative error of max_pressure and area because of the half-spaces; 1: not known [-]")
+      .def_readonly("left_out", &PatchResult::left_out,
+                    "what the method leaves out of the contact of curved surfaces: 'column normals', 'patch coupling'")
       .def_readonly("semi_axis_along", &PatchResult::semi_axis_along, "of the equivalent ellipse, along x [m]")
       .def_readonly("semi_axis_across", &PatchResult::semi_axis_across, "of the equivalent ellipse, along y [m]")
       .def_readonly("rolling_radius", &PatchResult::rolling_radius, "of the centre of pressure, from the axle [m]")

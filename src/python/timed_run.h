@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/balance/grid_levels.h"
-#include "core/balance/wheel_error.h"
+#include "core/balance/islands.h"
 
 namespace wheel_rail_contact
 {

@@ -59,11 +59,11 @@ void normal(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
   one.solveOn(size);
-  const core::NormalProblem problem = one.wheel.problem();
+  const core::CurvedProblem problem = one.wheel.problem();
   core::NormalSolution solution;
   for (auto _ : state)
   {
-    one.solver.solve(problem, false, solution);
+    one.solver.solveCurved(problem, false, solution);
     benchmark::DoNotOptimize(solution.approach);
   }
   state.counters["products"] = solution.iterations;

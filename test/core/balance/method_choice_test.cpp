@@ -178,5 +178,21 @@ TEST(MethodChoice, ASteadySceneKeepsOneGrid)
   EXPECT_EQ(changes, 0);
 }
 
+TEST(MethodChoice, APatchSaysWhatItsMethodLeavesOut)
+{
+  for (const NormalMethod method : all_normal_methods)
+  {
+    ContactModelConfig config = manchesterScene();
+    config.contact.method = method;
+    WheelsetContact contact(config);
+    const WheelsetResult& result = contact.evaluate(stateAt(0.001, 1e5));
+    ASSERT_EQ(result.status, ContactStatus::ok) << toString(method);
+    const bool is_complete = method == NormalMethod::automatic || method == NormalMethod::conjugate_gradient;
+    for (const PatchResult& patch : result.patches)
+    {
+      EXPECT_EQ(patch.left_out, is_complete ? "" : "column normals") << toString(method);
+    }
+  }
+}
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -338,8 +338,8 @@ class WheelsetSampler
     bool alike = true;
     for (const Side side : {Side::left, Side::right})
     {
-      const NormalProblem& problem = truth.wheel(side).contact().problem();
-      strict_.solve(problem, false, true_);
+      const CurvedProblem& problem = truth.wheel(side).contact().problem();
+      strict_.solveCurved(problem, false, true_);
       true_islands_.find(problem, true_);
       alike = add(levels.solver(), balance.islands(side), samples) && alike;
     }
