@@ -220,19 +220,6 @@ TEST_F(HostileInput, StampsMayDecrease)
   expectAllCounted();
 }
 
-TEST_F(HostileInput, MessagesWithoutAStampAreDroppedAndReported)
-{
-  sendPair(0, ContactClient::nextStamp());
-  for (int i = 0; i < 3; ++i)
-  {
-    sendPair(0, ros::Time());
-  }
-  sendPair(0, ContactClient::nextStamp());
-  expectAllCounted();
-  EXPECT_EQ(change("results"), 2U);
-  EXPECT_EQ(change("messages dropped: stamp 0, which means that the stamp is unknown"), 6U);
-}
-
 TEST_F(HostileInput, UnmatchedMessagesAreDroppedAndCounted)
 {
   sendPair(0, ContactClient::nextStamp());  // discards waiting messages of a previous test

@@ -162,21 +162,6 @@ TEST(LiveNode, EveryMessageIsEvaluatedOrCountedAsDropped)
   EXPECT_TRUE(client.request(0.0)) << "no result for a valid pair";
 }
 
-TEST(LiveNode, SlopLimitsTheDifferenceOfPairedStamps)
-{
-  ContactClient client("/loose", "/loose/contact_node");
-  const ros::Time stamp = ContactClient::nextStamp();
-  const auto result =
-      client.request(ContactClient::pose(0, stamp), ContactClient::load(-200e3, stamp + ros::Duration(0.004)));
-  ASSERT_TRUE(result);
-  EXPECT_EQ(result->header.stamp, stamp) << "the result has the stamp of the pose";
-  const ros::Time later = ContactClient::nextStamp();
-  client.send(ContactClient::pose(0, later));
-  client.send(ContactClient::load(-200e3, later + ros::Duration(0.006)));
-  spinUntil([] { return false; }, 0.3);
-  EXPECT_EQ(client.results().size(), 1U);
-}
-
 TEST(LiveNode, GivenHeightNeedsNoLoad)
 {
   ros::NodeHandle nh;
