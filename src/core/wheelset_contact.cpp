@@ -120,6 +120,7 @@ class WheelsetContact::Calculation
   {
     const bool given = !config_.wheelset.solve_height_and_roll;
     result_.x = state.x;
+    result_.distance = state.distance;
     result_.y = state.y;
     result_.yaw = state.yaw;
     result_.z = given ? state.z : config_.wheelset.meanRadius();

@@ -3,8 +3,35 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
+#include <string>
+
+#include "ros/evaluation/result_fields.h"
+
 namespace wheel_rail_contact
 {
+/// Visitor of the fields of a result that adds each as a read-only property.
+/// @param of gives the object of the core from that of Python
+template <typename Class, typename Of>
+auto propertiesOf(Class& bound, const Of& of)
+{
+  return [&bound, of](const ResultField& field, auto core, auto /*message*/)
+  {
+    const std::string unit = *field.unit == 0 ? "" : std::string(" [") + field.unit + "]";
+    bound.def_property_readonly(
+        field.name, [of, core](const typename Class::type& object) { return std::invoke(core, of(object)); },
+        (field.text + unit).c_str());
+  };
+}
+
+/// The same for an object of the core.
+template <typename Class>
+auto propertiesOf(Class& bound)
+{
+  return propertiesOf(
+      bound, [](const typename Class::type& object) -> const auto& { return object; });
+}
+
 // Parts of the Python module. Its names are described for users in the Python package, which wraps them.
 
 /// Adds the stress beneath a patch, and functions of stresses.

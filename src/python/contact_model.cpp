@@ -22,7 +22,7 @@ ParameterTree readParameters(const std::vector<ParameterSource>& sources)
   return tree;
 }
 
-std::string reasonOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
+std::string statusTextOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
 {
   return isUsable(result.status) ? sentences(result.reason, linearRangeWarning(result, linear_range)) : result.reason;
 }
@@ -38,7 +38,7 @@ core::WheelsetResult ContactModel::evaluate(const core::WheelsetState& state)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   core::WheelsetResult result = contact_.evaluate(state);
-  result.reason = reasonOf(result, config_.linear_range);
+  result.reason = statusTextOf(result, config_.linear_range);
   return result;
 }
 

@@ -26,8 +26,8 @@ ParameterTree readParameters(const std::vector<ParameterSource>& sources);
 /// @throw std::invalid_argument unless it is "left" or "right".
 core::Side sideOf(const std::string& name);
 
-/// Reason of a result as the node publishes it: with the warning of a rail beyond the linear range of its table.
-std::string reasonOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range);
+/// Text of a status as the node publishes it: with the warning of a rail beyond the linear range of its table.
+std::string statusTextOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range);
 
 /// Contact of one wheelset with the parameters of the node, without ROS topics. Thread-safe: calls of several threads
 /// wait for each other.

@@ -34,7 +34,7 @@ void bindMany(py::module& module)
           "(n,) names of the status")
       .def_property_readonly(
           "usable", [](const ManyResults& many) { return many.usable(); }, "(n,) True if the status is OK or LIFT_OFF")
-      .def_readonly("reason", &ManyResults::reason, "list of n reasons, empty if there is none")
+      .def_readonly("status_text", &ManyResults::status_text, "list of n reasons, empty if there is none")
       .def_readonly("above_tolerance", &ManyResults::above_tolerance,
                     "(n,) the estimated error of a wheel is above contact/tolerance")
       .def_readonly("implausible_force", &ManyResults::implausible_force,

@@ -138,8 +138,8 @@ class Evaluation
     results_.set(i, result, config_.linear_range);
     if (!results_.results.empty())
     {
-      results_.results[i] = result;
-      results_.results[i].reason = results_.reason[i];
+      results_.results[i] = std::make_shared<core::WheelsetResult>(result);
+      results_.results[i]->reason = results_.status_text[i];
     }
   }
 
@@ -154,7 +154,7 @@ class Evaluation
 };
 }  // namespace
 
-ManyResults::ManyResults(std::size_t count) : status(count), reason(count)
+ManyResults::ManyResults(std::size_t count) : status(count), status_text(count)
 {
   const auto rows = static_cast<Eigen::Index>(count);
   above_tolerance.setConstant(rows, 1, false);
@@ -181,7 +181,7 @@ Eigen::Array<bool, Eigen::Dynamic, 1> ManyResults::usable() const
 void ManyResults::set(std::size_t i, const core::WheelsetResult& result, const core::Sides<double>& linear_range)
 {
   status[i] = result.status;
-  reason[i] = reasonOf(result, linear_range);
+  status_text[i] = statusTextOf(result, linear_range);
   if (!isUsable(result.status))
   {
     return;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct ManyResults
   explicit ManyResults(std::size_t count);
 
   std::vector<core::ContactStatus> status;
-  std::vector<std::string> reason;  ///< as reasonOf()
+  std::vector<std::string> status_text;  ///< as statusTextOf()
   Eigen::Array<bool, Eigen::Dynamic, 1> above_tolerance, implausible_force;
   Eigen::ArrayXd z;                              ///< height of the axle centre [m]
   Eigen::ArrayXd roll;                           ///< roll of the axle [rad]
@@ -37,7 +38,8 @@ struct ManyResults
   SideColumns rail_lateral;     ///< displacement of the rail, outward positive [m]
   SideColumns rail_vertical;    ///< displacement of the rail, up positive [m]
   SideColumns rail_roll;        ///< rotation of the rail, positive if the crown moves outward [rad]
-  std::vector<core::WheelsetResult> results;  ///< with the pressures; empty unless they are kept
+  /// With the pressures; empty unless they are kept.
+  std::vector<std::shared_ptr<core::WheelsetResult>> results;
 
   /// True for each usable result.
   Eigen::Array<bool, Eigen::Dynamic, 1> usable() const;

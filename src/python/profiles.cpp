@@ -10,6 +10,7 @@
 
 #include "python/bindings.h"
 #include "python/read_profile.h"
+#include "ros/evaluation/text.h"
 #include "ros/parameters/compliance_table_file.h"
 #include "ros/parameters/file_names.h"
 #include "ros/parameters/model_files.h"
@@ -107,6 +108,17 @@ void bindProfile(py::module& module)
 
 void bindTable(py::module& module)
 {
+  using Moved = core::RailDeflection;
+  py::class_<Moved>(module, "RailDisplacement", "Displacement of a rail head at its reference point.")
+      .def_readonly("lateral", &Moved::lateral, "outward positive [m]")
+      .def_readonly("vertical", &Moved::vertical, "up positive [m]")
+      .def_readonly("roll", &Moved::roll, "rotation, positive if the crown moves outward [rad]")
+      .def("__repr__",
+           [](const Moved& rail)
+           {
+             return formatted("<RailDisplacement: lateral %.4f mm, vertical %.4f mm, roll %.4f mrad>",
+                              rail.lateral * 1e3, rail.vertical * 1e3, rail.roll * 1e3);
+           });
   using Table = ComplianceTableFile;
   py::class_<Table>(module, "ComplianceTable", "Compliance of a rail head; see doc/rail_bending.md.")
       .def_readonly("name", &Table::name, "of the rail and its supports")
@@ -128,7 +140,7 @@ void bindTable(py::module& module)
           },
           py::arg("lateral_force") = 0.0, py::arg("vertical_force") = 0.0, py::arg("moment") = 0.0,
           py::arg("inclination") = 0.0,
-          "RailDeflection by a lateral force (outward positive) [N], a vertical force (down positive) [N] and their "
+          "RailDisplacement by a lateral force (outward positive) [N], a vertical force (down positive) [N] and their "
           "moment about the reference point (outward roll positive) [N m], of a rail with an inclination [rad]")
       .def("__repr__", [](const Table& file) { return "<ComplianceTable " + file.name + ">"; });
   module.def("read_compliance_table",

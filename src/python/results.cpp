@@ -3,8 +3,11 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "core/pi.h"
 #include "python/bindings.h"
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/evaluation/conversions.h"
@@ -17,14 +20,39 @@ namespace wheel_rail_contact
 {
 namespace
 {
-using core::PatchResult;
 using core::WheelsetResult;
 
-std::string textOf(const PatchResult& patch)
+/// Patch of a result, which it keeps alive.
+struct Patch
 {
-  constexpr double degree = 3.14159265358979323846 / 180;
+  std::shared_ptr<const WheelsetResult> result;
+  const core::PatchResult* patch;
+};
+
+/// Pose as in a message, with the angles of its orientation.
+struct Pose
+{
+  geometry_msgs::Pose message;
+  double yaw, roll;  ///< [rad]
+  double axle_x;     ///< x of the axle centre [m]
+};
+
+/// Numbers x, y, z (and w) as an array with these names.
+template <typename... Numbers>
+py::object vectorOf(Numbers... numbers)
+{
+  return py::module::import("wheel_rail_contact.core.vector").attr("vector")(numbers...);
+}
+
+py::object vectorOf(const Eigen::Vector3d& v)
+{
+  return vectorOf(v.x(), v.y(), v.z());
+}
+
+std::string textOf(const core::PatchResult& patch)
+{
   return formatted("<PatchResult %s: %.0f MPa, %.2f kN, %.1f mm², %.2f°>", nameOf(patch.side), patch.max_pressure / 1e6,
-                   patch.normal_force / 1e3, patch.area * 1e6, patch.contact_angle / degree);
+                   patch.normal_force / 1e3, patch.area * 1e6, patch.contact_angle / core::degree);
 }
 
 std::string textOf(const WheelsetResult& result)
@@ -35,7 +63,7 @@ std::string textOf(const WheelsetResult& result)
     return std::string("<WheelsetResult ") + status + ": " + result.reason + ">";
   }
   double highest = 0;
-  for (const PatchResult& patch : result.patches)
+  for (const core::PatchResult& patch : result.patches)
   {
     highest = std::max(highest, patch.max_pressure);
   }
@@ -50,129 +78,141 @@ Eigen::ArrayXd centres(int count, double first, double width)
   return first + width * Eigen::ArrayXd::LinSpaced(count, 0, count - 1);
 }
 
+std::string textOf(const core::RailResult& rail)
+{
+  return formatted("<RailDeflection: lateral %.4f mm, vertical %.4f mm, roll %.4f mrad, Q %.2f kN, Y %.2f kN>",
+                   rail.deflection.lateral * 1e3, rail.deflection.vertical * 1e3, rail.deflection.roll * 1e3,
+                   rail.vertical_force / 1e3, rail.lateral_force / 1e3);
+}
+
 void bindForces(py::module& module)
 {
-  using core::RailDeflection;
   using core::RailResult;
   using core::WheelForces;
   using core::Wrench;
-  py::class_<WheelForces>(module, "WheelForces", "Contact forces of a wheel on its rail, by the normal pressure.")
-      .def_readonly("vertical_force", &WheelForces::vertical, "Q, down positive [N]")
-      .def_readonly("lateral_force", &WheelForces::lateral, "Y, outward positive [N]")
-      .def("__repr__", [](const WheelForces& forces)
-           { return formatted("<WheelForces: Q %.2f kN, Y %.2f kN>", forces.vertical / 1e3, forces.lateral / 1e3); });
+  py::class_<WheelForces> wheel(module, "WheelForces",
+                                "Contact forces of a wheel on its rail, by the normal pressure.");
+  visitWheel(propertiesOf(wheel));
+  wheel.def("__repr__", [](const WheelForces& forces)
+            { return formatted("<WheelForces: Q %.2f kN, Y %.2f kN>", forces.vertical / 1e3, forces.lateral / 1e3); });
   py::class_<Wrench>(module, "Wrench", "Force and moment, track axes.")
-      .def_readonly("force", &Wrench::force, "force along x, y, z; (3,) [N]")
-      .def_readonly("moment", &Wrench::moment, "moment about the axle centre; (3,) [N m]")
+      .def_property_readonly(
+          "force", [](const Wrench& wrench) { return vectorOf(wrench.force); }, "force along x, y, z; (3,) [N]")
+      .def_property_readonly(
+          "torque", [](const Wrench& wrench) { return vectorOf(wrench.moment); },
+          "moment about the axle centre; (3,) [N m]")
       .def("__repr__",
            [](const Wrench& wrench)
            {
              const Eigen::Vector3d force = wrench.force / 1e3, moment = wrench.moment / 1e3;
-             return formatted("<Wrench: force (%.2f, %.2f, %.2f) kN, moment (%.2f, %.2f, %.2f) kN m>", force.x(),
+             return formatted("<Wrench: force (%.2f, %.2f, %.2f) kN, torque (%.2f, %.2f, %.2f) kN m>", force.x(),
                               force.y(), force.z(), moment.x(), moment.y(), moment.z());
            });
-  py::class_<RailDeflection>(module, "RailDeflection", "Displacement of a rail head at its reference point.")
-      .def_readonly("lateral", &RailDeflection::lateral, "outward positive [m]")
-      .def_readonly("vertical", &RailDeflection::vertical, "up positive [m]")
-      .def_readonly("roll", &RailDeflection::roll, "rotation, positive if the crown moves outward [rad]")
+  py::class_<RailResult> rail(module, "RailDeflection", "Displacement of a rail, and the forces on it.");
+  visitRail(propertiesOf(rail));
+  rail.def("__repr__", [](const RailResult& result) { return textOf(result); });
+}
+
+void bindPose(py::module& module)
+{
+  py::class_<Pose>(module, "Pose", "Pose in the track frame.")
+      .def_property_readonly(
+          "position",
+          [](const Pose& pose)
+          {
+            const auto& p = pose.message.position;
+            return vectorOf(p.x, p.y, p.z);
+          },
+          "x, y, z; (3,) [m]")
+      .def_property_readonly(
+          "orientation",
+          [](const Pose& pose)
+          {
+            const auto& q = pose.message.orientation;
+            return vectorOf(q.x, q.y, q.z, q.w);
+          },
+          "quaternion x, y, z, w; (4,)")
+      .def_readonly("yaw", &Pose::yaw, "rotation about z, positive to the left [rad]")
+      .def_readonly("roll", &Pose::roll, "rotation about x, before the yaw [rad]")
+      .def_readonly("_axle_x", &Pose::axle_x)
       .def("__repr__",
-           [](const RailDeflection& rail)
+           [](const Pose& pose)
            {
-             return formatted("<RailDeflection: lateral %.4f mm, vertical %.4f mm, roll %.4f mrad>", rail.lateral * 1e3,
-                              rail.vertical * 1e3, rail.roll * 1e3);
-           });
-  py::class_<RailResult>(module, "RailResult", "Displacement of a rail, and the forces on it.")
-      .def_readonly("deflection", &RailResult::deflection, "whole displacement from its place in the ideal track")
-      .def_readonly("given", &RailResult::given, "its part by the line and with the state")
-      .def_readonly("lateral_force", &RailResult::lateral_force,
-                    "lateral force that bends the rail, outward positive [N]")
-      .def_readonly("vertical_force", &RailResult::vertical_force, "vertical force of the wheel, down positive [N]")
-      .def_readonly("moment", &RailResult::moment,
-                    "moment of both about the reference point of the head, outward roll positive [N m]")
-      .def("__repr__",
-           [](const RailResult& rail)
-           {
-             return formatted("<RailResult: lateral %.4f mm, vertical %.4f mm, roll %.4f mrad, Q %.2f kN, Y %.2f kN>",
-                              rail.deflection.lateral * 1e3, rail.deflection.vertical * 1e3, rail.deflection.roll * 1e3,
-                              rail.vertical_force / 1e3, rail.lateral_force / 1e3);
+             const auto& p = pose.message.position;
+             return formatted("<Pose: x %.3f mm, y %.3f mm, z %.3f mm, yaw %.3f mrad, roll %.3f mrad>", p.x * 1e3,
+                              p.y * 1e3, p.z * 1e3, pose.yaw * 1e3, pose.roll * 1e3);
            });
 }
 
 void bindPatch(py::module& module)
 {
-  using core::PatchPose;
-  py::class_<PatchPose>(module, "PatchPose", "Pose of a patch frame: x forward, y left in the tangent plane.")
-      .def_readonly("x", &PatchPose::x, "along the track, from the axle centre [m]")
-      .def_readonly("y", &PatchPose::y, "in the track frame [m]")
-      .def_readonly("z", &PatchPose::z, "in the track frame [m]")
-      .def_readonly("angle", &PatchPose::angle, "rotation about x, right-handed [rad]")
-      .def("__repr__",
-           [](const PatchPose& pose)
-           {
-             return formatted("<PatchPose: x %.3f mm, y %.3f mm, z %.3f mm, angle %.3f mrad>", pose.x * 1e3,
-                              pose.y * 1e3, pose.z * 1e3, pose.angle * 1e3);
-           });
-  py::class_<PatchResult>(module, "PatchResult", "A contact patch: a separate loaded region between wheel and rail.")
+  const auto of = [](const Patch& of_result) -> const core::PatchResult& { return *of_result.patch; };
+  py::class_<Patch> bound(module, "PatchResult", "A contact patch: a separate loaded region between wheel and rail.");
+  visitPatch(propertiesOf(bound, of));
+  bound
       .def_property_readonly(
-          "side", [](const PatchResult& patch) { return nameOf(patch.side); }, "left or right")
-      .def_readonly("method", &PatchResult::method, "method that solved the patch")
-      .def_readonly("pose", &PatchResult::pose, "patch frame; its origin is the centre of pressure")
-      .def_readonly("contact_angle", &PatchResult::contact_angle,
-                    "angle to the track plane, positive where the wheel presses the rail outward [rad]")
-      .def_readonly("normal_force", &PatchResult::normal_force, "resultant of the pressure [N]")
-      .def_readonly("vertical_force", &PatchResult::vertical_force, "its part Q on the rail, down positive [N]")
-      .def_readonly("lateral_force", &PatchResult::lateral_force, "its part Y on the rail, outward positive [N]")
-      .def_readonly("approach", &PatchResult::approach, "approach along the normal, from first touch [m]")
-      .def_readonly("area", &PatchResult::area, "contact area [m²]")
-      .def_readonly("max_pressure", &PatchResult::max_pressure, "highest pressure, found between the cells [Pa]")
-      .def_readonly("error_estimate", &PatchResult::error_estimate,
-                    "largest estimated relative error of max_pressure, area and approach [-]")
-      .def_readonly("iterations", &PatchResult::iterations, "number of products with the influence matrix")
-      .def_readonly("residual", &PatchResult::residual, "largest violation of the contact conditions, relative [-]")
-      .def_readonly("half_space_ratio", &PatchResult::half_space_ratio,
-                    "half the angle by which the section turns across the patch [rad]")
-      .def_readonly("model_error", &PatchResult::model_error,
-                    "bound of the relative error of max_pressure and area because of the half-spaces; 1: not known [-]")
-      .def_readonly("left_out", &PatchResult::left_out,
-                    "what the method leaves out of the contact of curved surfaces: 'column normals', 'patch coupling'")
-      .def_readonly("semi_axis_along", &PatchResult::semi_axis_along, "of the equivalent ellipse, along x [m]")
-      .def_readonly("semi_axis_across", &PatchResult::semi_axis_across, "of the equivalent ellipse, along y [m]")
-      .def_readonly("rolling_radius", &PatchResult::rolling_radius, "of the centre of pressure, from the axle [m]")
-      .def_readonly("wheel_s", &PatchResult::wheel_s, "arc length on the wheel profile, outward positive [m]")
-      .def_readonly("wheel_angle", &PatchResult::wheel_angle, "place around the wheel, forward positive [rad]")
-      .def_readonly("rail_s", &PatchResult::rail_s, "arc length on the rail profile, outward positive [m]")
-      .def_readonly("curvature_along", &PatchResult::curvature_along, "combined, along x, convex positive [1/m]")
-      .def_readonly("curvature_across", &PatchResult::curvature_across, "combined, across, convex positive [1/m]")
-      .def_readonly("normal_stiffness", &PatchResult::normal_stiffness, "normal force per approach [N/m]")
-      .def_readonly("wheel_stress", &PatchResult::wheel_stress, "PatchStress in the wheel")
-      .def_readonly("rail_stress", &PatchResult::rail_stress, "PatchStress in the rail")
-      .def_readonly("pressure", &PatchResult::pressure, "(nx, ny) pressures of the cells, read-only [Pa]")
+          "side", [](const Patch& p) { return nameOf(p.patch->side); }, "left or right")
       .def_property_readonly(
-          "x", [](const PatchResult& patch) { return centres(patch.grid.nx, patch.grid.x0, patch.grid.dx); },
+          "pose",
+          [](const Patch& p)
+          {
+            const double x = p.result->x;
+            return Pose{toMessage(p.patch->pose, x), 0, p.patch->pose.angle, x};
+          },
+          "patch frame; its origin is the centre of pressure")
+      .def_property_readonly(
+          "left_out", [](const Patch& p) { return p.patch->left_out; },
+          "what the method leaves out of the contact of curved surfaces: 'column normals', 'patch coupling'")
+      .def_property_readonly(
+          "wheel_stress", [](const Patch& p) -> const core::PatchStress& { return p.patch->wheel_stress; },
+          "PatchStress in the wheel")
+      .def_property_readonly(
+          "rail_stress", [](const Patch& p) -> const core::PatchStress& { return p.patch->rail_stress; },
+          "PatchStress in the rail")
+      .def_property_readonly(
+          "pressure", [](const Patch& p) -> const Eigen::ArrayXXd& { return p.patch->pressure; },
+          "(nx, ny) pressures of the cells, read-only [Pa]")
+      .def_property_readonly(
+          "x", [of](const Patch& p) { return centres(of(p).grid.nx, of(p).grid.x0, of(p).grid.dx); },
           "(nx,) centres of the cells along the track, forward, in the patch frame [m]")
       .def_property_readonly(
-          "y", [](const PatchResult& patch) { return centres(patch.grid.ny, patch.grid.y0, patch.grid.dy); },
+          "y", [of](const Patch& p) { return centres(of(p).grid.ny, of(p).grid.y0, of(p).grid.dy); },
           "(ny,) centres of the cells across the track, left, along the arc of the rail's section [m]")
       .def_property_readonly(
-          "dx", [](const PatchResult& patch) { return patch.grid.dx; }, "length of a cell along the track [m]")
+          "dx", [](const Patch& p) { return p.patch->grid.dx; }, "length of a cell along the track [m]")
       .def_property_readonly(
-          "dy", [](const PatchResult& patch) { return patch.grid.dy; }, "width of a cell across the track [m]")
-      .def("__repr__", [](const PatchResult& patch) { return textOf(patch); });
+          "dy", [](const Patch& p) { return p.patch->grid.dy; }, "width of a cell across the track [m]")
+      .def("__repr__", [](const Patch& p) { return textOf(*p.patch); });
+}
+
+std::vector<Patch> patchesOf(const std::shared_ptr<WheelsetResult>& result)
+{
+  std::vector<Patch> patches;
+  for (const core::PatchResult& patch : result->patches)
+  {
+    patches.push_back({result, &patch});
+  }
+  return patches;
 }
 }  // namespace
 
 void bindResults(py::module& module)
 {
+  using Shared = std::shared_ptr<WheelsetResult>;
   bindForces(module);
+  bindPose(module);
   bindPatch(module);
-  py::class_<WheelsetResult>(module, "WheelsetResult", "Contact of a wheelset with both rails in one state.")
+  py::class_<WheelsetResult, Shared>(module, "WheelsetResult", "Contact of a wheelset with both rails in one state.")
       .def_property_readonly(
           "status", [](const WheelsetResult& result) { return statusName(toMessage(result.status)); },
           "name of the status, as in the message WheelsetContact: OK, LIFT_OFF, ...")
       .def_property_readonly(
           "usable", [](const WheelsetResult& result) { return isUsable(result.status); },
           "True if the status is OK or LIFT_OFF; otherwise forces and rails are not valid, and there is no patch")
-      .def_readonly("reason", &WheelsetResult::reason, "reason for the status, or a warning; empty if there is none")
+      .def_readonly("status_text", &WheelsetResult::reason,
+                    "reason for the status, or a warning; empty if there is none")
+      .def_property_readonly(
+          "held", [](const WheelsetResult& /*result*/) { return false; }, "False: only the node holds results")
       .def_readonly("above_tolerance", &WheelsetResult::above_tolerance,
                     "the estimated error of a wheel is above contact/tolerance")
       .def_readonly("points_missing", &WheelsetResult::points_missing,
@@ -180,11 +220,13 @@ void bindResults(py::module& module)
       .def_readonly("near_branch", &WheelsetResult::near_branch, "another equilibrium of the state was found")
       .def_readonly("implausible_force", &WheelsetResult::implausible_force,
                     "the contact force of a wheel is beyond a plausible bound")
-      .def_readonly("x", &WheelsetResult::x, "axle centre in the track frame [m]")
-      .def_readonly("y", &WheelsetResult::y, "axle centre in the track frame [m]")
-      .def_readonly("z", &WheelsetResult::z, "axle centre in the track frame; the solved (or given) height [m]")
-      .def_readonly("yaw", &WheelsetResult::yaw, "rotation of the axle about z, positive to the left [rad]")
-      .def_readonly("roll", &WheelsetResult::roll, "the solved (or given) rotation, positive if left is raised [rad]")
+      .def_property_readonly(
+          "wheelset",
+          [](const WheelsetResult& r) {
+            return Pose{toMessage(core::WheelsetPose{r.y, r.z, r.yaw, r.roll}, r.x), r.yaw, r.roll, r.x};
+          },
+          "Pose of the axle centre; height and roll are the solved (or given) ones")
+      .def_readonly("distance", &WheelsetResult::distance, "place of the wheelset on the line [m]")
       .def_property_readonly(
           "left_wheel", [](const WheelsetResult& result) { return result.wheel.left; }, "forces of the left wheel")
       .def_property_readonly(
@@ -195,7 +237,7 @@ void bindResults(py::module& module)
           "right_rail", [](const WheelsetResult& result) { return result.rail.right; },
           "displacement of the right rail")
       .def_readonly("rail_wrench", &WheelsetResult::rail_wrench, "of the pressure of both rails on the wheelset")
-      .def_readonly("patches", &WheelsetResult::patches, "list of PatchResult, left side first")
+      .def_property_readonly("patches", &patchesOf, "list of PatchResult, left side first")
       .def("__repr__", [](const WheelsetResult& result) { return textOf(result); });
 }
 }  // namespace wheel_rail_contact

@@ -115,29 +115,23 @@ py::array_t<double> arrayOf(const std::vector<core::StressLayer>& layers)
 
 void bindClasses(py::module& module)
 {
-  py::class_<StressPeak>(module, "StressPeak", "A highest stress and its place.")
-      .def_readonly("value", &StressPeak::value, "[Pa]")
-      .def_readonly("x", &StressPeak::x, "along the track, forward, in the patch frame [m]")
-      .def_readonly("y", &StressPeak::y, "across the track, left, along the arc of the rail's section [m]")
-      .def_readonly("depth", &StressPeak::depth, "below the surface, along its normal [m]")
-      .def("__repr__",
-           [](const StressPeak& peak)
-           {
-             return formatted("<StressPeak: %.0f MPa at x %.3f mm, y %.3f mm, depth %.3f mm>", peak.value / 1e6,
-                              peak.x * 1e3, peak.y * 1e3, peak.depth * 1e3);
-           });
-  py::class_<PatchStress>(
+  py::class_<StressPeak> highest(module, "StressPeak", "A highest stress and its place.");
+  visitPeak(propertiesOf(highest));
+  highest.def("__repr__",
+              [](const StressPeak& peak)
+              {
+                return formatted("<StressPeak: %.0f MPa at x %.3f mm, y %.3f mm, depth %.3f mm>", peak.value / 1e6,
+                                 peak.x * 1e3, peak.y * 1e3, peak.depth * 1e3);
+              });
+  py::class_<PatchStress> beneath(
       module, "PatchStress",
       "Stress in a body beneath a patch, by the pressure on its grid, on a half-space. All numbers are 0 unless "
-      "stress/depths is above 0.")
-      .def_readonly("von_mises", &PatchStress::von_mises, "StressPeak: highest von Mises stress")
+      "stress/depths is above 0.");
+  visitStress(propertiesOf(beneath));
+  beneath.def_readonly("von_mises", &PatchStress::von_mises, "StressPeak: highest von Mises stress")
       .def_readonly("shear", &PatchStress::shear,
                     "StressPeak: highest shear stress, half the difference of the largest and the smallest principal "
                     "stress")
-      .def_readonly("load_factor", &PatchStress::load_factor,
-                    "highest pressure over the yield stress in shear [-]; 0 if the yield stress is not given")
-      .def_readonly("shakedown_limit", &PatchStress::shakedown_limit,
-                    "load_factor above which the body cannot shake down to an elastic state [-]")
       .def_property_readonly("depths", &depthsOf, "(n,) depths of the field [m]; empty without stress/field")
       .def_property_readonly(
           "field", [](const PatchStress& stress) { return arrayOf(stress.field); },

@@ -1,48 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/csv_rows.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cinttypes>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <system_error>
 
 #include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/result_fields.h"
 #include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-/// Column names with units: first the columns of the result, then those of the patch.
-constexpr const char* header =
-    "result [-],wheelset,stamp [s],status,reason,held [-],implausible_force [-],x [m],y [m],z [m],roll [rad],yaw "
-    "[rad],distance [m],"
-    "left_rail_lateral [m],left_rail_vertical [m],left_rail_roll [rad],left_lateral_force [N],left_vertical_force [N],"
-    "left_given_lateral [m],left_given_vertical [m],left_given_roll [rad],"
-    "right_rail_lateral [m],right_rail_vertical [m],right_rail_roll [rad],right_lateral_force [N],"
-    "right_vertical_force [N],right_given_lateral [m],right_given_vertical [m],right_given_roll [rad],"
-    "left_wheel_vertical_force [N],left_wheel_lateral_force [N],right_wheel_vertical_force [N],"
-    "right_wheel_lateral_force [N],rail_force_x [N],rail_force_y [N],rail_force_z [N],rail_torque_x [N m],"
-    "rail_torque_y [N m],rail_torque_z [N m],"
-    "side,patch_y [m],patch_z [m],contact_angle [rad],normal_force [N],approach [m],area [m^2],max_pressure [Pa],"
-    "error_estimate [-],iterations [-],residual [-],method,half_space_ratio [rad],"
-    "model_error [-],vertical_force [N],lateral_force [N],semi_axis_along [m],semi_axis_across [m],rolling_radius "
-    "[m],wheel_s [m],"
-    "wheel_angle [rad],rail_s [m],curvature_along [1/m],curvature_across [1/m],normal_stiffness [N/m],"
-    "wheel_von_mises [Pa],wheel_von_mises_x [m],wheel_von_mises_y [m],wheel_von_mises_depth [m],wheel_shear [Pa],"
-    "wheel_shear_depth [m],wheel_load_factor [-],wheel_shakedown_limit [-],"
-    "rail_von_mises [Pa],rail_von_mises_x [m],rail_von_mises_y [m],rail_von_mises_depth [m],rail_shear [Pa],"
-    "rail_shear_depth [m],rail_load_factor [-],rail_shakedown_limit [-]\n";
-constexpr const char* no_patch = ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,";
-
-/// Cell with nine significant digits, which is finer than any tolerance.
-std::string cell(double value)
-{
-  return formatted("%.9g,", value);
-}
-
 std::string quoted(const std::string& text)
 {
   std::string result = "\"";
@@ -58,70 +33,136 @@ std::string stamp(const ros::Time& time)
   return formatted("%" PRIu32 ".%09" PRIu32, time.sec, time.nsec);
 }
 
-std::string cells(const RailDeflection& rail)
+/// One pass over the columns of the table: the line of their names, or a row.
+class Line
 {
-  return cell(rail.lateral) + cell(rail.vertical) + cell(rail.roll) + cell(rail.lateral_force) +
-         cell(rail.vertical_force) + cell(rail.given_lateral) + cell(rail.given_vertical) + cell(rail.given_roll);
+ public:
+  explicit Line(bool has_names) : has_names_(has_names) {}
+
+  /// @param name with the unit, if there is one
+  void add(const std::string& name, const std::string& cell)
+  {
+    text_ += (text_.empty() ? "" : ",") + (has_names_ ? name : cell);
+  }
+  void add(const std::string& name, const char* /*unit*/, const std::string& text) { add(name, text); }
+  /// Cell with nine significant digits, which is finer than any tolerance.
+  void add(const std::string& name, const char* unit, double value)
+  {
+    add(name + " [" + unit + "]", formatted("%.9g", value));
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  bool has_names_;
+  std::string text_;
+};
+
+void addRail(const std::string& side, const RailDeflection& rail, Line& line)
+{
+  visitRail(
+      [&](const ResultField& field, auto /*core*/, auto message)
+      {
+        const std::string name = field.name;
+        if (name != "moment")
+        {
+          const bool is_whole = name.find('_') == std::string::npos;  // a displacement, not its part or a force
+          line.add(side + (is_whole ? "_rail_" : "_") + name, field.unit, std::invoke(message, rail));
+        }
+      });
 }
 
-std::string cells(const WheelForces& wheel)
+void addWheel(const std::string& side, const WheelForces& wheel, Line& line)
 {
-  return cell(wheel.vertical_force) + cell(wheel.lateral_force);
+  visitWheel([&](const ResultField& field, auto /*core*/, auto message)
+             { line.add(side + "_wheel_" + field.name, field.unit, std::invoke(message, wheel)); });
 }
 
-std::string cells(const geometry_msgs::Wrench& wrench)
+void addVector(const std::string& name, const char* unit, const geometry_msgs::Vector3& vector, Line& line)
 {
-  return cell(wrench.force.x) + cell(wrench.force.y) + cell(wrench.force.z) + cell(wrench.torque.x) +
-         cell(wrench.torque.y) + cell(wrench.torque.z);
+  line.add(name + "_x", unit, vector.x);
+  line.add(name + "_y", unit, vector.y);
+  line.add(name + "_z", unit, vector.z);
 }
 
-std::string cells(const PatchStress& stress)
+void addStress(const std::string& body, const PatchStress& stress, Line& line)
 {
-  return cell(stress.von_mises.value) + cell(stress.von_mises.x) + cell(stress.von_mises.y) +
-         cell(stress.von_mises.depth) + cell(stress.shear.value) + cell(stress.shear.depth) + cell(stress.load_factor) +
-         cell(stress.shakedown_limit);
+  line.add(body + "_von_mises", "Pa", stress.von_mises.value);
+  line.add(body + "_von_mises_x", "m", stress.von_mises.x);
+  line.add(body + "_von_mises_y", "m", stress.von_mises.y);
+  line.add(body + "_von_mises_depth", "m", stress.von_mises.depth);
+  line.add(body + "_shear", "Pa", stress.shear.value);
+  line.add(body + "_shear_depth", "m", stress.shear.depth);
+  visitStress([&](const ResultField& field, auto /*core*/, auto message)
+              { line.add(body + "_" + field.name, field.unit, std::invoke(message, stress)); });
 }
 
-/// All cells of a patch; the last one ends without a comma.
-std::string cells(const ContactPatch& patch)
+/// Columns of a patch, after those of the result.
+void addPatch(const ContactPatch& patch, Line& line)
 {
-  std::string row = (patch.side == ContactPatch::LEFT ? "left," : "right,") + cell(patch.pose.position.y) +
-                    cell(patch.pose.position.z) + cell(patch.contact_angle) + cell(patch.normal_force) +
-                    cell(patch.approach) + cell(patch.area) + cell(patch.max_pressure) + cell(patch.error_estimate) +
-                    cell(patch.iterations) + cell(patch.residual) + patch.method + "," + cell(patch.half_space_ratio) +
-                    cell(patch.model_error) + cell(patch.vertical_force) + cell(patch.lateral_force) +
-                    cell(patch.semi_axis_along) + cell(patch.semi_axis_across) + cell(patch.rolling_radius) +
-                    cell(patch.wheel_s) + cell(patch.wheel_angle) + cell(patch.rail_s) + cell(patch.curvature_along) +
-                    cell(patch.curvature_across) + cell(patch.normal_stiffness) + cells(patch.wheel_stress) +
-                    cells(patch.rail_stress);
-  row.pop_back();
-  return row;
+  line.add("side", patch.side == ContactPatch::LEFT ? "left" : "right");
+  line.add("patch_y", "m", patch.pose.position.y);
+  line.add("patch_z", "m", patch.pose.position.z);
+  visitPatch([&](const ResultField& field, auto /*core*/, auto message)
+             { line.add(field.name, field.unit, std::invoke(message, patch)); });
+  addStress("wheel", patch.wheel_stress, line);
+  addStress("rail", patch.rail_stress, line);
 }
 
-/// Cells of roll and yaw [rad] of an orientation without pitch, Rz(yaw) Rx(roll).
-std::string angles(const geometry_msgs::Quaternion& q)
+void addResult(const WheelsetContact& result, std::uint64_t number, const std::string& wheelset, Line& line)
 {
-  return cell(2 * std::atan2(q.x, q.w)) + cell(2 * std::atan2(q.z, q.w));
+  const auto& position = result.wheelset.position;
+  const auto& q = result.wheelset.orientation;  // without pitch: Rz(yaw) Rx(roll)
+  line.add("result [-]", std::to_string(number));
+  line.add("wheelset", wheelset);
+  line.add("stamp [s]", stamp(result.header.stamp));
+  line.add("status", statusName(result.status));
+  line.add("reason", quoted(result.status_text));
+  line.add("held [-]", result.held ? "1" : "0");
+  line.add("implausible_force [-]", result.implausible_force ? "1" : "0");
+  line.add("x", "m", position.x);
+  line.add("y", "m", position.y);
+  line.add("z", "m", position.z);
+  line.add("roll", "rad", 2 * std::atan2(q.x, q.w));
+  line.add("yaw", "rad", 2 * std::atan2(q.z, q.w));
+  line.add("distance", "m", result.distance);
+  addRail("left", result.left_rail, line);
+  addRail("right", result.right_rail, line);
+  addWheel("left", result.left_wheel, line);
+  addWheel("right", result.right_wheel, line);
+  addVector("rail_force", "N", result.rail_wrench.force, line);
+  addVector("rail_torque", "N m", result.rail_wrench.torque, line);
+}
+
+std::string patchText(const ContactPatch& patch, bool names)
+{
+  Line line(names);
+  addPatch(patch, line);
+  return "," + line.text() + "\n";
+}
+
+std::string header()
+{
+  Line line(true);
+  addResult({}, 0, "", line);
+  return line.text() + patchText({}, true);
 }
 }  // namespace
 
 std::string csvRows(const WheelsetContact& result, std::uint64_t number, const std::string& wheelset)
 {
-  const auto& position = result.wheelset.position;
-  const std::string start =
-      std::to_string(number) + "," + wheelset + "," + stamp(result.header.stamp) + "," + statusName(result.status) +
-      "," + quoted(result.status_text) + (result.held ? ",1," : ",0,") + (result.implausible_force ? "1," : "0,") +
-      cell(position.x) + cell(position.y) + cell(position.z) + angles(result.wheelset.orientation) +
-      cell(result.distance) + cells(result.left_rail) + cells(result.right_rail) + cells(result.left_wheel) +
-      cells(result.right_wheel) + cells(result.rail_wrench);
+  Line start(false);
+  addResult(result, number, wheelset, start);
   if (result.patches.empty())
   {
-    return start + no_patch + "\n";
+    const std::string names = patchText({}, true);
+    return start.text() + std::string(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')), ',') +
+           "\n";
   }
   std::string rows;
   for (const ContactPatch& patch : result.patches)
   {
-    rows += start + cells(patch) + "\n";
+    rows += start.text() + patchText(patch, false);
   }
   return rows;
 }
@@ -141,7 +182,7 @@ CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), truncation
   if (!resume)
   {
     file_.open(path);
-    file_ << header;
+    file_ << header();
     flush();
   }
 }
@@ -178,7 +219,7 @@ void CsvFile::truncate(std::uint64_t number)
   std::ifstream before(path_);
   std::string line;
   std::getline(before, line);
-  if (line + "\n" != header)
+  if (line + "\n" != header())
   {
     throw std::runtime_error(path_ + ": is not a table written by contact_replay");
   }

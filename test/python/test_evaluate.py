@@ -9,6 +9,7 @@ import resource
 import subprocess
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 import rosbag
@@ -22,7 +23,8 @@ PADS = {"rail_bending": {"model": "compliance", "table": "config/rails/pads_40_1
 PATCH_FIELDS = ("method", "contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
                 "residual", "half_space_ratio", "model_error", "vertical_force", "lateral_force", "semi_axis_along",
                 "semi_axis_across", "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
-RAIL_FIELDS = ("lateral", "vertical", "roll")
+RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "moment", "given_lateral", "given_vertical",
+               "given_roll")
 ROUNDING = 1e-7  # of numbers in messages, relative: the pressures are float32, poses are quaternions
 
 
@@ -49,28 +51,35 @@ class EvaluateEqualsReplay(unittest.TestCase):
                 self.assertEqual(patch.method, message.method)
             else:
                 self.assert_close(getattr(patch, name), getattr(message, name), name)
-        grid, position = message.grid, message.pose.position
+        grid = message.grid
         self.assert_close(patch.pressure, to_array(grid), "pressure")  # float32 in the message
         self.assert_close(patch.x, grid.x0 + grid.dx * np.arange(grid.nx), "x")
         self.assert_close(patch.y, grid.y0 + grid.dy * np.arange(grid.ny), "y")
-        self.assert_close([patch.pose.y, patch.pose.z], [position.y, position.z], "pose")
+        self.assert_equal_pose(patch.pose, message.pose)
+
+    def assert_equal_pose(self, pose, message):
+        for name, axes in (("position", "xyz"), ("orientation", "xyzw")):
+            expected = [getattr(getattr(message, name), axis) for axis in axes]
+            self.assert_close(getattr(pose, name), expected, name)
+            self.assertEqual([getattr(getattr(pose, name), axis) for axis in axes], list(getattr(pose, name)))
 
     def assert_equal_result(self, result, message):
         self.assertEqual(result.status, STATUSES[message.status])
-        self.assertEqual(result.reason, message.status_text)
-        self.assert_close(result.z, message.wheelset.position.z, "z")
+        self.assertEqual((result.status_text, result.held), (message.status_text, message.held))
+        self.assert_close(result.distance, message.distance, "distance")
+        self.assert_equal_pose(result.wheelset, message.wheelset)
         orientation = message.wheelset.orientation
-        self.assertAlmostEqual(result.roll, 2 * math.atan2(orientation.x, orientation.w), delta=1e-10)  # [rad]
+        self.assertAlmostEqual(result.wheelset.roll, 2 * math.atan2(orientation.x, orientation.w), delta=1e-10)  # [rad]
         for side in SIDES:
             rail, wheel = getattr(result, f"{side}_rail"), getattr(result, f"{side}_wheel")
             expected_rail, expected_wheel = getattr(message, f"{side}_rail"), getattr(message, f"{side}_wheel")
             for name in RAIL_FIELDS:
-                self.assert_close(getattr(rail.deflection, name), getattr(expected_rail, name), name)
-            self.assert_close(rail.lateral_force, expected_rail.lateral_force, "lateral_force")
+                self.assert_close(getattr(rail, name), getattr(expected_rail, name), name)
             self.assert_close([wheel.vertical_force, wheel.lateral_force],
                               [expected_wheel.vertical_force, expected_wheel.lateral_force], "wheel")
-        force = message.rail_wrench.force
-        self.assert_close(result.rail_wrench.force, [force.x, force.y, force.z], "rail_wrench")
+        for name in ("force", "torque"):
+            expected = getattr(message.rail_wrench, name)
+            self.assert_close(getattr(result.rail_wrench, name), [expected.x, expected.y, expected.z], name)
         self.assertEqual(len(result.patches), len(message.patches))
         for patch, expected in zip(result.patches, message.patches):
             self.assert_equal_patch(patch, expected)
@@ -89,20 +98,23 @@ class EvaluateEqualsReplay(unittest.TestCase):
             self.assert_equal_result(result, message)
 
     def test_yaw_has_the_same_sense(self):
-        message, = replayed([State(1_000_000_000, y=5e-3, yaw=0.02, force_z=LOAD)], {})
-        result = WheelsetContact().evaluate(y=5e-3, yaw=0.02, force_z=LOAD)
+        message, = replayed([State(1_000_000_000, x=12.5, y=5e-3, yaw=0.02, force_z=LOAD)], {})
+        result = WheelsetContact().evaluate(x=12.5, y=5e-3, yaw=0.02, force_z=LOAD)
+        self.assertAlmostEqual(result.wheelset.yaw, 0.02, delta=1e-12)
+        self.assert_equal_pose(result.wheelset, message.wheelset)
+        self.assertEqual(len(message.patches), 2)
         for patch, expected in zip(result.patches, message.patches):
-            self.assertGreater(abs(expected.pose.position.x), 1e-4)
+            self.assertGreater(abs(expected.pose.position.x - 12.5), 1e-4)
             # The quaternion rounds the yaw. The tolerance of the solution is 1 %.
-            np.testing.assert_allclose([patch.pose.x, patch.max_pressure], [expected.pose.position.x, expected.max_pressure],
-                                       rtol=0.01)
+            np.testing.assert_allclose([patch.pose.position.x - 12.5, patch.max_pressure],
+                                       [expected.pose.position.x - 12.5, expected.max_pressure], rtol=0.01)
 
 
 class ResultIsAValue(unittest.TestCase):
     def test_a_result_survives_later_calls_and_its_contact(self):
         contact = WheelsetContact()
         result = contact.evaluate(y=3e-3, force_z=LOAD)
-        pressure, z, text = result.patches[0].pressure, result.z, repr(result)
+        pressure, z, text = result.patches[0].pressure, result.wheelset.position.z, repr(result)
         copy = pressure.copy()
         for y in (-6e-3, 0.0, 6e-3):
             contact.evaluate(y=y, force_z=LOAD)
@@ -139,9 +151,48 @@ class ResultIsAValue(unittest.TestCase):
         self.assertRegex(repr(result), r"^<WheelsetResult OK: y 0\.000 mm, z \d+\.\d+ mm, .* 2 patches, \d+ MPa>$")
         self.assertRegex(repr(result.patches[0]), r"^<PatchResult left: \d+ MPa, 10\d\.\d+ kN, \d+\.\d mm², \d\.\d+°>$")
         self.assertEqual(repr(WheelsetContact()), "<WheelsetContact: wheels S1002, rails 60E1, method auto>")
-        for value in (result.left_wheel, result.right_rail, result.left_rail.deflection, result.rail_wrench,
+        for value in (result.left_wheel, result.right_rail, result.rail_wrench, result.wheelset,
                       result.patches[0].pose):
             self.assertRegex(repr(value), rf"^<{type(value).__name__}: [^<>]*>$")
+
+
+class EarlierNames(unittest.TestCase):
+    def setUp(self):
+        contact = WheelsetContact(PADS)
+        state = {"x": 12.5, "y": 5e-3, "yaw": 0.02, "force_z": LOAD, "rail_displacement": [[1e-3, 2e-3, 3e-3], [0, 0, 0]]}
+        self.result, self.many = contact.evaluate(**state), contact.evaluate_many(**state)
+
+    def assert_warns(self, owner, old, new, value):
+        with self.assertWarnsRegex(DeprecationWarning, rf"{type(owner).__name__}\.{old} is now {new}") as caught:
+            self.assertEqual(getattr(owner, old), value)
+        self.assertEqual(caught.filename, __file__)
+
+    def test_they_have_their_values_and_warn(self):
+        result, rail, pose = self.result, self.result.left_rail, self.result.patches[0].pose
+        position = result.wheelset.position
+        for name in "xyz":
+            self.assert_warns(result, name, f"wheelset.position.{name}", getattr(position, name))
+        for name in ("yaw", "roll"):
+            self.assert_warns(result, name, f"wheelset.{name}", getattr(result.wheelset, name))
+        self.assert_warns(result, "reason", "status_text", result.status_text)
+        self.assert_warns(self.many, "reason", "status_text", self.many.status_text)
+        self.assert_warns(pose, "x", "position.x, which is not counted from the axle centre", pose.position.x - 12.5)
+        self.assertLess(0, abs(pose.position.x - 12.5))
+        self.assert_warns(pose, "y", "position.y", pose.position.y)
+        self.assert_warns(pose, "angle", "roll", pose.roll)
+        self.assert_warns(rail, "deflection", "lateral, vertical, roll", rail)
+        with self.assertWarns(DeprecationWarning):
+            given = rail.given
+        np.testing.assert_allclose([given.lateral, given.vertical, given.roll], [1e-3, 2e-3, 3e-3], rtol=1e-12)
+        with self.assertWarns(DeprecationWarning):
+            np.testing.assert_array_equal(result.rail_wrench.moment, result.rail_wrench.torque)
+
+    def test_todays_names_do_not_warn(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for owner in (self.result, self.many, self.result.left_rail, self.result.rail_wrench, self.result.patches[0].pose):
+                repr(owner)
+            self.assertEqual(self.result.left_rail.given_lateral, 1e-3)
 
 
 class StartOfTheCalculation(unittest.TestCase):
@@ -198,14 +249,15 @@ class Misuse(unittest.TestCase):
         for arguments in ({"y": math.nan}, {"y": 5.0}, {"yaw": 1.0}):
             result = self.contact.evaluate(force_z=LOAD, **arguments)
             self.assertEqual((result.status, result.usable, result.patches), ("INVALID_INPUT", False, []))
-            self.assertTrue(result.reason)
+            self.assertTrue(result.status_text)
 
 
 class Inputs(unittest.TestCase):
     def test_given_height_and_roll_give_the_forces_of_the_solved_ones(self):
         fine = {"contact": {"tolerance": 1e-3}}
         solved = WheelsetContact(fine).evaluate(y=2e-3, force_z=LOAD)
-        given = WheelsetContact([fine, {"wheelset": {"free": []}}]).evaluate(y=2e-3, z=solved.z, roll=solved.roll)
+        given = WheelsetContact([fine, {"wheelset": {"free": []}}]).evaluate(y=2e-3, z=solved.wheelset.position.z,
+                                                                           roll=solved.wheelset.roll)
         for a, b in zip(solved.patches, given.patches):
             np.testing.assert_allclose(b.normal_force, a.normal_force, rtol=3e-3)  # a few tolerances
 
@@ -213,12 +265,12 @@ class Inputs(unittest.TestCase):
         contact = WheelsetContact()
         at_rest = contact.evaluate(y=0.0, force_z=LOAD)
         moved = contact.evaluate(y=1e-3, force_z=LOAD, rail_displacement=[[1e-3, 0, 0], [-1e-3, 0, 0]])
-        self.assertAlmostEqual(moved.patches[0].pose.y - at_rest.patches[0].pose.y, 1e-3, delta=1e-6)
-        self.assertAlmostEqual(moved.left_rail.deflection.lateral, 1e-3)
-        self.assertAlmostEqual(moved.right_rail.deflection.lateral, -1e-3)
+        self.assertAlmostEqual(moved.patches[0].pose.position.y - at_rest.patches[0].pose.position.y, 1e-3, delta=1e-6)
+        self.assertAlmostEqual(moved.left_rail.lateral, 1e-3)
+        self.assertAlmostEqual(moved.right_rail.lateral, -1e-3)
 
     def test_a_lateral_force_deflects_its_rail_outward(self):
         contact = WheelsetContact([PADS, {"rail_bending": {"lateral_force": "topic"}}])
         result = contact.evaluate(force_z=LOAD, rail_lateral_force=(20e3, 0.0))
-        self.assertGreater(result.left_rail.deflection.lateral, result.right_rail.deflection.lateral + 1e-4)
+        self.assertGreater(result.left_rail.lateral, result.right_rail.lateral + 1e-4)
         self.assertEqual(result.left_rail.lateral_force, 20e3)

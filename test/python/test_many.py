@@ -31,8 +31,8 @@ class ManyEqualsOne(unittest.TestCase):
         self.assertEqual(set(many.status), {"OK", "LIFT_OFF"})
         for i in range(9):
             one = self.cold(y=y[i], force_z=LOAD, torque_x=torque[i])
-            self.assertEqual((many.status[i], many.reason[i], many.z[i], many.roll[i]),
-                             (one.status, one.reason, one.z, one.roll))
+            self.assertEqual((many.status[i], many.status_text[i], many.z[i], many.roll[i]),
+                             (one.status, one.status_text, one.wheelset.position.z, one.wheelset.roll))
             for side, name in enumerate(("left", "right")):
                 patches = [patch for patch in one.patches if patch.side == name]
                 self.assertEqual(many.patches[i, side], len(patches))
@@ -42,7 +42,7 @@ class ManyEqualsOne(unittest.TestCase):
                     self.assertEqual(getattr(many, f"{body}_von_mises")[i, side], highest)
                 self.assertEqual(many.area[i, side], sum(patch.area for patch in patches))
                 self.assertEqual(many.vertical_force[i, side], getattr(one, f"{name}_wheel").vertical_force)
-                self.assertEqual(many.rail_vertical[i, side], getattr(one, f"{name}_rail").deflection.vertical)
+                self.assertEqual(many.rail_vertical[i, side], getattr(one, f"{name}_rail").vertical)
                 main = max(patches, key=lambda patch: patch.normal_force, default=None)
                 np.testing.assert_equal(many.contact_angle[i, side], main.contact_angle if main else np.nan)
             np.testing.assert_array_equal(many.results[i].patches[0].pressure, one.patches[0].pressure)
@@ -67,7 +67,7 @@ class ManyEqualsOne(unittest.TestCase):
         self.assertEqual(list(many.usable), [True, False, False])
         self.assertEqual(many.status[1], "INVALID_INPUT")
         self.assertTrue(np.isnan(many.max_pressure[1:]).all() and np.isfinite(many.max_pressure[0]).all())
-        self.assertTrue(all(many.reason[1:]))
+        self.assertTrue(all(many.status_text[1:]))
         self.assertEqual(repr(many), "<ManyResults: 3 states, 1 usable>")
 
     def test_numbers_and_arrays_are_combined(self):

@@ -20,11 +20,11 @@ def patch(side, ratio, size, normal_force, angle, x=0.0):
     left = 1 if side == "left" else -1
     return SimpleNamespace(side=side, normal_force=normal_force, semi_axis_along=size * ratio ** 0.5,
                            semi_axis_across=size / ratio ** 0.5,
-                           pose=SimpleNamespace(x=x, y=left * (0.75 - 0.03 * angle), z=-0.46, angle=left * angle))
+                           pose=SimpleNamespace(position=np.array([x, left * (0.75 - 0.03 * angle), -0.46]), roll=left * angle))
 
 
 def result(*patches):
-    return SimpleNamespace(patches=patches, y=0.0, z=0.0, roll=ROLL)
+    return SimpleNamespace(patches=patches, wheelset=SimpleNamespace(position=np.zeros(3), roll=ROLL))
 
 
 def in_python(of, creep, motion):
@@ -37,7 +37,7 @@ def case(of, creep, motion):
     """Line of a case for the C++ program."""
     numbers = [creep["poisson"], creep["friction"], *motion, ROLL, SPEED, len(of.patches)]
     for p in of.patches:
-        numbers += [p.side == "left", p.pose.x, p.pose.y - of.y, p.pose.z - of.z, p.pose.angle, p.normal_force,
+        numbers += [p.side == "left", *(p.pose.position - of.wheelset.position), p.pose.roll, p.normal_force,
                     p.semi_axis_along, p.semi_axis_across]
     return " ".join(repr(float(number)) if isinstance(number, float) else str(int(number)) for number in numbers)
 

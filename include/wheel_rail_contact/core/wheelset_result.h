@@ -176,6 +176,7 @@ struct WheelsetResult
   bool implausible_force = false;
   double x = 0, y = 0, z = 0;  ///< axle centre in the track frame [m]; z is the solved (or given) height
   double yaw = 0, roll = 0;    ///< rotation of the axle [rad]; roll is the solved (or given) one
+  double distance = 0;         ///< place of the wheelset on the line [m]; that of the state
   Sides<WheelForces> wheel;    ///< forces of each Side; valid only if the result is usable
   Wrench rail_wrench;      ///< of the normal pressure of both rails on the wheelset; valid only if the result is usable
   Sides<RailResult> rail;  ///< rail of each Side; valid only if the result is usable

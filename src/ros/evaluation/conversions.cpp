@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "ros/evaluation/stress_conversions.h"
+#include "ros/evaluation/result_fields.h"
 
 namespace wheel_rail_contact
 {
@@ -34,6 +35,34 @@ std::string_view methodNamed(const std::string& name)
   throw std::invalid_argument("contact patch: method '" + name + "' is unknown");
 }
 
+/// Assigns a field of a message from one of the core, or back.
+template <typename To, typename From>
+void assign(const From& from, To& to)
+{
+  to = static_cast<To>(from);
+}
+
+void assign(const std::string& from, std::string_view& to)
+{
+  to = methodNamed(from);
+}
+
+/// Visitor of fields that copies each from the core to the message.
+template <typename Core, typename Message>
+auto writing(const Core& from, Message& to)
+{
+  return [&from, &to](const ResultField& /*field*/, auto core, auto message)
+  { assign(std::invoke(core, from), std::invoke(message, to)); };
+}
+
+/// Visitor of fields that copies each from the message to the core.
+template <typename Message, typename Core>
+auto reading(const Message& from, Core& to)
+{
+  return [&from, &to](const ResultField& /*field*/, auto core, auto message)
+  { assign(std::invoke(message, from), std::invoke(core, to)); };
+}
+
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
 {
   geometry_msgs::Quaternion message;
@@ -42,6 +71,21 @@ geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
   message.z = q.z();
   message.w = q.w();
   return message;
+}
+
+void addField(const std::vector<core::StressLayer>& field, PatchStress& message)
+{
+  for (const core::StressLayer& layer : field)
+  {
+    message.depths.push_back(layer.depth);
+    for (const Eigen::ArrayXXd& component : layer.components)
+    {
+      const std::size_t begin = message.stress.size();
+      message.stress.resize(begin + static_cast<std::size_t>(component.size()));
+      Eigen::Map<Eigen::ArrayXXf>(message.stress.data() + begin, component.rows(), component.cols()) =
+          component.cast<float>();
+    }
+  }
 }
 }  // namespace
 
@@ -173,14 +217,15 @@ core::RailDeflection fromMessage(const RailDisplacement& message)
 WheelForces toMessage(const core::WheelForces& forces)
 {
   WheelForces message;
-  message.vertical_force = forces.vertical;
-  message.lateral_force = forces.lateral;
+  visitWheel(writing(forces, message));
   return message;
 }
 
 core::WheelForces fromMessage(const WheelForces& message)
 {
-  return {message.vertical_force, message.lateral_force};
+  core::WheelForces forces;
+  visitWheel(reading(message, forces));
+  return forces;
 }
 
 geometry_msgs::Wrench toMessage(const core::Wrench& wrench)
@@ -205,56 +250,64 @@ core::Wrench fromMessage(const geometry_msgs::Wrench& message)
 RailDeflection toMessage(const core::RailResult& rail)
 {
   RailDeflection message;
-  message.lateral = rail.deflection.lateral;
-  message.vertical = rail.deflection.vertical;
-  message.roll = rail.deflection.roll;
-  message.lateral_force = rail.lateral_force;
-  message.vertical_force = rail.vertical_force;
-  message.moment = rail.moment;
-  message.given_lateral = rail.given.lateral;
-  message.given_vertical = rail.given.vertical;
-  message.given_roll = rail.given.roll;
+  visitRail(writing(rail, message));
   return message;
 }
 
 core::RailResult fromMessage(const RailDeflection& message)
 {
   core::RailResult rail;
-  rail.deflection = {message.lateral, message.vertical, message.roll};
-  rail.given = {message.given_lateral, message.given_vertical, message.given_roll};
-  rail.lateral_force = message.lateral_force;
-  rail.vertical_force = message.vertical_force;
-  rail.moment = message.moment;
+  visitRail(reading(message, rail));
   return rail;
+}
+
+PatchStress toMessage(const core::PatchStress& stress, bool with_field)
+{
+  PatchStress message;
+  visitStress(writing(stress, message));
+  visitPeak(writing(stress.von_mises, message.von_mises));
+  visitPeak(writing(stress.shear, message.shear));
+  if (with_field)
+  {
+    addField(stress.field, message);
+  }
+  return message;
+}
+
+core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid& grid)
+{
+  core::PatchStress stress;
+  visitStress(reading(message, stress));
+  visitPeak(reading(message.von_mises, stress.von_mises));
+  visitPeak(reading(message.shear, stress.shear));
+  const std::size_t components = std::tuple_size<decltype(core::StressLayer::components)>::value;
+  const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
+  if (message.stress.size() != message.depths.size() * components * cells)
+  {
+    throw std::invalid_argument("stress field: " + std::to_string(message.stress.size()) + " values for " +
+                                std::to_string(message.depths.size()) + " depths and a grid of " +
+                                std::to_string(grid.nx) + " x " + std::to_string(grid.ny));
+  }
+  const float* values = message.stress.data();
+  for (const double depth : message.depths)
+  {
+    core::StressLayer& layer = stress.field.emplace_back();
+    layer.depth = depth;
+    for (Eigen::ArrayXXd& component : layer.components)
+    {
+      component = Eigen::Map<const Eigen::ArrayXXf>(values, grid.nx, grid.ny).cast<double>();
+      values += cells;
+    }
+  }
+  return stress;
 }
 
 ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
 {
   ContactPatch message;
   message.side = patch.side == core::Side::left ? ContactPatch::LEFT : ContactPatch::RIGHT;
-  message.method = std::string(patch.method);
   message.pose = toMessage(patch.pose, x);
-  message.contact_angle = patch.contact_angle;
-  message.normal_force = patch.normal_force;
-  message.approach = patch.approach;
-  message.area = patch.area;
-  message.max_pressure = patch.max_pressure;
-  message.error_estimate = patch.error_estimate;
-  message.iterations = static_cast<std::uint32_t>(patch.iterations);
-  message.residual = patch.residual;
-  message.half_space_ratio = patch.half_space_ratio;
-  message.model_error = patch.model_error;
-  message.vertical_force = patch.vertical_force;
-  message.lateral_force = patch.lateral_force;
-  message.semi_axis_along = patch.semi_axis_along;
-  message.semi_axis_across = patch.semi_axis_across;
-  message.rolling_radius = patch.rolling_radius;
-  message.wheel_s = patch.wheel_s;
-  message.wheel_angle = patch.wheel_angle;
-  message.rail_s = patch.rail_s;
-  message.curvature_along = patch.curvature_along;
-  message.curvature_across = patch.curvature_across;
-  message.normal_stiffness = patch.normal_stiffness;
+  visitPatch(writing(patch, message));
   message.wheel_stress = toMessage(patch.wheel_stress, with_grid);
   message.rail_stress = toMessage(patch.rail_stress, with_grid);
   if (with_grid)
@@ -272,29 +325,8 @@ core::PatchResult fromMessage(const ContactPatch& message, double x)
   }
   core::PatchResult patch;
   patch.side = message.side == ContactPatch::LEFT ? core::Side::left : core::Side::right;
-  patch.method = methodNamed(message.method);
   patch.pose = patchPoseFromMessage(message.pose, x);
-  patch.contact_angle = message.contact_angle;
-  patch.normal_force = message.normal_force;
-  patch.approach = message.approach;
-  patch.area = message.area;
-  patch.max_pressure = message.max_pressure;
-  patch.error_estimate = message.error_estimate;
-  patch.iterations = static_cast<int>(message.iterations);
-  patch.residual = message.residual;
-  patch.half_space_ratio = message.half_space_ratio;
-  patch.model_error = message.model_error;
-  patch.vertical_force = message.vertical_force;
-  patch.lateral_force = message.lateral_force;
-  patch.semi_axis_along = message.semi_axis_along;
-  patch.semi_axis_across = message.semi_axis_across;
-  patch.rolling_radius = message.rolling_radius;
-  patch.wheel_s = message.wheel_s;
-  patch.wheel_angle = message.wheel_angle;
-  patch.rail_s = message.rail_s;
-  patch.curvature_along = message.curvature_along;
-  patch.curvature_across = message.curvature_across;
-  patch.normal_stiffness = message.normal_stiffness;
+  visitPatch(reading(message, patch));
   fromMessage(message.grid, patch.grid, patch.pressure);
   patch.wheel_stress = fromMessage(message.wheel_stress, patch.grid);
   patch.rail_stress = fromMessage(message.rail_stress, patch.grid);
@@ -306,6 +338,7 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   WheelsetContact message;
   message.status = toMessage(result.status);
   message.status_text = result.reason;
+  message.distance = result.distance;
   message.wheelset = toMessage(core::WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
   message.left_wheel = toMessage(result.wheel.left);
   message.right_wheel = toMessage(result.wheel.right);
@@ -326,6 +359,7 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   core::WheelsetResult result;
   result.status = statusFromMessage(message.status);
   result.reason = message.status_text;
+  result.distance = message.distance;
   const core::WheelsetPose pose = wheelsetPoseFromMessage(message.wheelset);
   result.y = pose.y;
   result.z = pose.z;

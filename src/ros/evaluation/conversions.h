@@ -65,6 +65,14 @@ RailDeflection toMessage(const core::RailResult& rail);
 /// Deflection and forces of a rail from a message.
 core::RailResult fromMessage(const RailDeflection& message);
 
+/// Stress beneath a patch as a message.
+/// @param with_field  include the field
+PatchStress toMessage(const core::PatchStress& stress, bool with_field);
+/// Stress beneath a patch from a message.
+/// @param grid  grid of the patch
+/// @throw std::invalid_argument unless the field has six values for each cell and depth, or is empty.
+core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid& grid);
+
 /// Contact patch as a message.
 /// @param with_grid false: the grid of the message is left empty
 ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid);

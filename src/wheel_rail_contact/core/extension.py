@@ -3,6 +3,7 @@
 import importlib
 
 from ..command import PACKAGE
+from . import old_names
 
 _NAME = f"{PACKAGE}._core"
 
@@ -13,3 +14,4 @@ except ModuleNotFoundError as error:
         raise
     raise ImportError(f"the Python module {_NAME} was not found; build the package and source its setup.bash (builds with "
                       "sanitizers have no such module)") from None
+old_names.add_to(core)

@@ -36,11 +36,12 @@ class Contacts:
 
     def __init__(self, result, creep):
         patches = result.patches
-        column = np.array([[p.pose.x, p.pose.y - result.y, p.pose.z - result.z, p.pose.angle, p.normal_force,
+        centre = result.wheelset.position
+        column = np.array([[*(p.pose.position - centre), p.pose.roll, p.normal_force,
                             p.semi_axis_along, p.semi_axis_across, p.side == "left"] for p in patches]).reshape(-1, 8).T
         self.x, self.y, self.z, angle, self.normal_force, a, b, self.is_left = column
         self.sine, self.cosine, self.tangent = np.sin(angle), np.cos(angle), np.tan(angle)
-        self.roll = result.roll
+        self.roll = result.wheelset.roll
         c11, c22, c23, c33 = coefficients(a / b, creep["poisson"])
         g, product = creep["shear_modulus"], a * b
         self.k_xx, self.k_yy, self.k_zz = g * product * c11, g * product * c22, g * product ** 2 * c33
