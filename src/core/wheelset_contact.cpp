@@ -2,9 +2,7 @@
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +11,7 @@
 #include "core/balance/patch_result.h"
 #include "core/balance/stress_beneath.h"
 #include "core/balance/wheelset_balance.h"
+#include "core/text/formatted.h"
 
 namespace wheel_rail_contact::core
 {
@@ -70,15 +69,6 @@ std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
     return "height is not a number or beyond 1 m";
   }
   return {};
-}
-
-/// Text of a printf format.
-template <typename... Values>
-std::string formatted(const char* format, Values... values)
-{
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
 }
 
 /// Reason why a height [m] is rejected that is `depth` [m] below that of first touch.

@@ -27,7 +27,7 @@ void bindMany(py::module& module)
             py::list names;
             for (const core::ContactStatus status : many.status)
             {
-              names.append(statusName(toMessage(status)));
+              names.append(nameOf(status));
             }
             return py::module::import("numpy").attr("array")(names, "U");
           },

@@ -57,7 +57,7 @@ std::string textOf(const core::PatchResult& patch)
 
 std::string textOf(const WheelsetResult& result)
 {
-  const char* status = statusName(toMessage(result.status));
+  const char* status = nameOf(result.status);
   if (!isUsable(result.status))
   {
     return std::string("<WheelsetResult ") + status + ": " + result.reason + ">";
@@ -185,7 +185,7 @@ void bindPatch(py::module& module)
       .def("__repr__", [](const Patch& p) { return textOf(*p.patch); });
 }
 
-std::vector<Patch> patchesOf(const std::shared_ptr<WheelsetResult>& result)
+std::vector<Patch> patchesIn(const std::shared_ptr<WheelsetResult>& result)
 {
   std::vector<Patch> patches;
   for (const core::PatchResult& patch : result->patches)
@@ -204,7 +204,7 @@ void bindResults(py::module& module)
   bindPatch(module);
   py::class_<WheelsetResult, Shared>(module, "WheelsetResult", "Contact of a wheelset with both rails in one state.")
       .def_property_readonly(
-          "status", [](const WheelsetResult& result) { return statusName(toMessage(result.status)); },
+          "status", [](const WheelsetResult& result) { return nameOf(result.status); },
           "name of the status, as in the message WheelsetContact: OK, LIFT_OFF, ...")
       .def_property_readonly(
           "usable", [](const WheelsetResult& result) { return isUsable(result.status); },
@@ -237,7 +237,7 @@ void bindResults(py::module& module)
           "right_rail", [](const WheelsetResult& result) { return result.rail.right; },
           "displacement of the right rail")
       .def_readonly("rail_wrench", &WheelsetResult::rail_wrench, "of the pressure of both rails on the wheelset")
-      .def_property_readonly("patches", &patchesOf, "list of PatchResult, left side first")
+      .def_property_readonly("patches", &patchesIn, "list of PatchResult, left side first")
       .def("__repr__", [](const WheelsetResult& result) { return textOf(result); });
 }
 }  // namespace wheel_rail_contact

@@ -2,10 +2,11 @@
 #include "replay/evaluation_pool.h"
 
 #include <exception>
-#include <utility>
+#include <tuple>
 
 #include "replay/bag_messages.h"
 #include "replay/csv_rows.h"
+#include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
 {
@@ -45,7 +46,6 @@ void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* 
     slice = std::make_shared<Slice>();
     slice->number = slices_++;
   }
-  slice->wanted = slice->wanted || item;
   slice->waiting.push_back({std::move(input), item});
   offer(slice);
 }
@@ -53,7 +53,7 @@ void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* 
 /// Offers a slice to the threads. A closed slice is offered once more, to release its evaluator.
 void EvaluationPool::offer(const std::shared_ptr<Slice>& slice)
 {
-  if (slice->wanted && !slice->taken && offered_.emplace(slice->number, slice).second)
+  if (!slice->taken && offered_.emplace(slice->number, slice).second)
   {
     wake_.notify_one();
   }
@@ -114,20 +114,24 @@ void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
 
 void EvaluationPool::evaluate(ContactEvaluator& evaluator, const Job& job) const
 {
-  const ContactOutput output = evaluator.evaluate(job.input);
-  if (!job.item)
+  ContactOutput output = evaluator.evaluate(job.input);
+  std::string data, csv;
+  if (isUsable(output.status))
   {
-    return;
+    std::tie(data, csv) = format_.write(output, *job.item);
+    if (config_.hold_last == 0)
+    {
+      output.release();
+    }
   }
-  WheelsetContact message = toMessage(output, format_.grids, 0);
-  message.header.seq = job.item->sequence;
-  std::string csv;
-  if (format_.csv)
-  {
-    csv = csvRows(message, job.item->result, format_.wheelsets[*job.item->wheelset]);
-  }
-  const bool is_ok = message.status == WheelsetContact::OK;
-  output_.complete(*job.item, serialized(message), std::move(csv), message.status,
-                   is_ok ? std::string() : message.status_text);
+  output_.complete(*job.item, std::move(output), std::move(data), std::move(csv));
+}
+
+std::pair<std::string, std::string> EvaluationPool::Format::write(const ContactOutput& output,
+                                                                  const OutputItem& item) const
+{
+  WheelsetContact message = toMessage(output, grids);
+  message.header.seq = item.sequence;
+  return {serialized(message), csv ? csvRows(message, item.result, wheelsets[*item.wheelset]) : ""};
 }
 }  // namespace wheel_rail_contact

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "replay/output_queue.h"
@@ -26,6 +27,9 @@ class EvaluationPool
     bool grids = true;                   ///< false: the pressure grids are left empty
     bool csv = false;                    ///< true: rows of the table are also made
     std::vector<std::string> wheelsets;  ///< names in the table
+
+    /// Bytes of the message of a result, and its rows of the table.
+    std::pair<std::string, std::string> write(const ContactOutput& output, const OutputItem& item) const;
   };
 
   /// @param output receives the results and any exception of a thread; must outlive the pool
@@ -36,7 +40,7 @@ class EvaluationPool
   EvaluationPool& operator=(const EvaluationPool&) = delete;
 
   /// Adds the next input of a wheelset.
-  /// @param item to be completed; null: the result is not output, but later results of its slice may start from it
+  /// @param item to be completed. The bytes of a result that is not usable are left to the caller (HoldLast)
   void add(std::size_t wheelset, PreparedInput input, OutputItem* item);
 
  private:
@@ -49,7 +53,6 @@ class EvaluationPool
   {
     std::uint64_t number = 0;
     std::vector<Job> waiting;
-    bool wanted = false;  ///< at least one of its results is output
     bool taken = false;   ///< a thread is evaluating it
     bool closed = false;  ///< no further input will be added
     std::unique_ptr<ContactEvaluator> evaluator;

@@ -11,13 +11,28 @@ namespace
 {
 constexpr std::size_t overhead = 1024;  ///< memory of an item and its input, without the data of the result [B]
 constexpr std::chrono::milliseconds pop_timeout(100);
+
+/// Memory of an evaluated item [B].
+std::size_t sizeOf(const OutputItem& item)
+{
+  std::size_t cells = 0;
+  if (item.output.result)
+  {
+    for (const core::PatchResult& patch : item.output.result->patches)
+    {
+      const std::size_t layers = patch.wheel_stress.field.size() + patch.rail_stress.field.size();
+      cells += static_cast<std::size_t>(patch.pressure.size()) * (1 + 6 * layers);
+    }
+  }
+  return item.data.size() + item.csv.size() + sizeof(double) * cells;
+}
 }  // namespace
 
 /// Updates the memory attributed to an item. An unfinished result counts as much as the largest result so far.
 void OutputQueue::charge(OutputItem& item)
 {
   bytes_ -= item.charged;
-  item.charged = overhead + (item.ready ? item.data.size() + item.csv.size() : largest_result_);
+  item.charged = overhead + (item.ready ? sizeOf(item) : largest_result_);
   bytes_ += item.charged;
 }
 
@@ -38,7 +53,7 @@ OutputItem* OutputQueue::append(OutputItem item)
   return &items_.back();
 }
 
-void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status, std::string reason)
+void OutputQueue::complete(OutputItem& item, ContactOutput output, std::string data, std::string csv)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (stopped_)
@@ -47,11 +62,10 @@ void OutputQueue::complete(OutputItem& item, std::string data, std::string csv, 
   }
   item.data = std::move(data);
   item.csv = std::move(csv);
-  item.status = status;
-  item.reason = std::move(reason);
+  item.output = std::move(output);
   item.ready = true;
   charge(item);
-  largest_result_ = std::max(largest_result_, item.data.size() + item.csv.size());
+  largest_result_ = std::max(largest_result_, sizeOf(item));
   if (&item == &items_.front())
   {
     front_ready_.notify_one();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "replay/replay_source.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 namespace wheel_rail_contact
 {
@@ -18,10 +19,8 @@ struct OutputItem : ReplayItem
   std::uint64_t result = 0;    ///< number of the result in the output
   std::uint32_t sequence = 0;  ///< number of the result among those of its wheelset
   bool ready = false;          ///< `data` and the members below are complete
-  std::string csv;             ///< rows of the table
-  std::uint8_t status = 0;     ///< status of the result, as in the message
-  std::string reason;          ///< status_text of the result; empty if the status is OK
-  bool held = false;           ///< the result is held (HoldLast)
+  ContactOutput output;        ///< the result
+  std::string csv;             ///< rows of the table; they and `data` are empty unless the result is usable
   bool warm_up = false;        ///< not output, but later results may be completed with it
   std::size_t charged = 0;     ///< memory attributed to the item by the queue [B]
 };
@@ -38,7 +37,7 @@ class OutputQueue
   /// @return the item; null after stop()
   OutputItem* append(OutputItem item);
   /// Workers: completes an item with its result.
-  void complete(OutputItem& item, std::string data, std::string csv, std::uint8_t status, std::string reason);
+  void complete(OutputItem& item, ContactOutput output, std::string data, std::string csv);
   /// Reader: no further item will be appended.
   void close();
 

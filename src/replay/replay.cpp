@@ -5,11 +5,12 @@
 #include <ostream>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "replay/profile_outlines.h"
 #include "replay/progress.h"
-#include "replay/warm_up.h"
+#include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
 {
@@ -74,8 +75,8 @@ Replay::Replay(ReplayOptions options)
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       queue_(queue_budget),
       warm_up_(options_.inputs.wheelsets.size(), WarmUpInputs(HoldLast::memory)),
-      held_(options_.inputs.wheelsets.size(), HeldResults(config_)),
-      resumed_(options_.inputs.wheelsets.size())
+      hold_(options_.inputs.wheelsets.size(), HoldLast(config_)),
+      format_{options_.grids, !options_.csv.empty(), options_.inputs.wheelsets}
 {
   if (options_.resume)
   {
@@ -124,7 +125,7 @@ std::unique_ptr<BagWriter> Replay::resumeOutput()
   }
   resume_point_ = resumePointOf(file);
   auto bag = std::make_unique<BagWriter>(options_.output, options_.compression, resume_point_);
-  counts_ = resumedResults(options_.output, resume_point_, resumed_);
+  counts_ = resumedResults(options_.output, resume_point_, options_.inputs.wheelsets.size());
   return bag;
 }
 
@@ -132,8 +133,7 @@ void Replay::run(const std::atomic<bool>& interrupted)
 {
   Progress progress(source_.messages());
   {
-    EvaluationPool pool(config_, options_.threads, {options_.grids, csv_ != nullptr, options_.inputs.wheelsets},
-                        queue_);
+    EvaluationPool pool(config_, options_.threads, format_, queue_);
     std::thread reader([this, &pool] { read(pool); });
     try
     {
@@ -178,17 +178,21 @@ void Replay::read(EvaluationPool& pool)
     std::vector<std::uint32_t> sequence(options_.inputs.wheelsets.size(), 0);
     while (auto event = source_.next())
     {
-      if (event->warm_up)
+      const bool wanted = !event->warm_up && messages >= resume_point_.messages;
+      if (event->wheelset && !wanted)
       {
         warm_up_[*event->wheelset].add(std::move(event->input));
+      }
+      if (event->warm_up)
+      {
         continue;
       }
-      if (!has_begun && !addWarmUp(pool))
+      if (wanted && !has_begun && !addWarmUp(pool))
       {
         return;
       }
-      has_begun = true;
-      const bool wanted = messages++ >= resume_point_.messages;
+      has_begun = wanted;
+      ++messages;
       OutputItem item;
       static_cast<ReplayItem&>(item) = std::move(static_cast<ReplayItem&>(*event));
       item.ready = !event->wheelset || !wanted;
@@ -202,9 +206,9 @@ void Replay::read(EvaluationPool& pool)
       {
         return;
       }
-      if (event->wheelset)
+      if (event->wheelset && wanted)
       {
-        pool.add(*event->wheelset, std::move(event->input), wanted ? place : nullptr);
+        pool.add(*event->wheelset, std::move(event->input), place);
       }
     }
     queue_.close();
@@ -242,7 +246,7 @@ void Replay::write(OutputItem& item)
 {
   if (item.warm_up)
   {
-    held_[*item.wheelset].follow(item.status, item.data);
+    hold_[*item.wheelset].apply(item.output);
     return;
   }
   const bool is_resumed = written_++ < resume_point_.messages;
@@ -253,8 +257,12 @@ void Replay::write(OutputItem& item)
   }
   if (item.wheelset && !is_resumed)
   {
-    complete(item);
-    counts_.add(item.status, item.reason, item.held);
+    hold_[*item.wheelset].apply(item.output);
+    if (!isUsable(item.output.status))
+    {
+      std::tie(item.data, item.csv) = format_.write(item.output, item);
+    }
+    counts_.add(item.output.status, item.output.reason, item.output.held);
   }
   if (csv_ && item.wheelset && !is_resumed)
   {
@@ -263,19 +271,6 @@ void Replay::write(OutputItem& item)
   last_read_ = item.read;
   const auto number = item.wheelset ? static_cast<std::uint32_t>(*item.wheelset) : keptConnection(item);
   bag_->write(number, item.time, item.data);
-}
-
-/// Completes a result with the results before it (HoldLast): those of the warm-up, of the resumed bag, and of this run.
-void Replay::complete(OutputItem& item)
-{
-  HeldResults& held = held_[*item.wheelset];
-  RecordedResults& resumed = resumed_[*item.wheelset];
-  for (const auto& [status, data] : resumed)
-  {
-    held.follow(status, data);
-  }
-  resumed.clear();
-  held.complete(item, options_.inputs.wheelsets[*item.wheelset]);
 }
 
 std::uint32_t Replay::keptConnection(const OutputItem& item)

@@ -12,12 +12,12 @@
 #include "bag/bag_writer.h"
 #include "replay/csv_rows.h"
 #include "replay/evaluation_pool.h"
-#include "replay/held_results.h"
 #include "replay/output_queue.h"
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
 #include "replay/result_counts.h"
 #include "replay/warm_up.h"
+#include "ros/evaluation/hold_last.h"
 
 namespace wheel_rail_contact
 {
@@ -56,7 +56,6 @@ class Replay
   void read(EvaluationPool& pool);
   bool addWarmUp(EvaluationPool& pool);
   void write(OutputItem& item);
-  void complete(OutputItem& item);
   std::uint32_t keptConnection(const OutputItem& item);
 
   const ReplayOptions options_;
@@ -74,9 +73,9 @@ class Replay
   std::uint64_t results_before_ = 0;                         ///< resumed results
   std::uint64_t last_read_ = 0;                              ///< messages of the input that are processed
   std::vector<WarmUpInputs> warm_up_;                        ///< by wheelset; thread of the reader only
-  std::vector<HeldResults> held_;                            ///< by wheelset
-  std::vector<RecordedResults> resumed_;  ///< by wheelset: of the resumed bag, until `held_` has them
-  ResultCounts counts_;                   ///< of all results in the output, including resumed ones
+  std::vector<HoldLast> hold_;                               ///< by wheelset
+  const EvaluationPool::Format format_;
+  ResultCounts counts_;  ///< of all results in the output, including resumed ones
   double seconds_ = 0;
 };
 }  // namespace wheel_rail_contact

@@ -65,9 +65,12 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
       results_(resultTopics(inputs.wheelsets)),
       uses_(usesOf(config, inputs)),
       keep_(keep),
-      wheelsets_(inputs.wheelsets.size(), Wheelset(config)),
       stream_(bag, [this](const std::string& topic) { return isRead(topic); }, {warm_up, span.to})
 {
+  for (std::size_t i = 0; i < inputs.wheelsets.size(); ++i)
+  {
+    wheelsets_.emplace_back(config);
+  }
   requireTopics();
   requireTypes();
 }
@@ -278,7 +281,7 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
   }
   if (use.role == Role::neighbour)
   {
-    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<NeighbourResult>(message.data));
+    wheelsets_[use.wheelset].neighbours.add(use.neighbour, *parse<ResultHead>(message.data));
     return;
   }
   Wheelset& wheelset = wheelsets_[use.wheelset];
@@ -314,7 +317,7 @@ void ReplaySource::emit(std::size_t wheelset)
   event.time = now_;
   event.wheelset = wheelset;
   event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
-  apply(own.neighbours.effectAt(event.input.stamp), event.input);
+  own.neighbours.apply(event.input);
   event.read = read_;
   event.warm_up = !in_span_;
   const bool is_evaluated = event.input.status == WheelsetContact::OK;

@@ -137,7 +137,7 @@ class ReplaySource
   std::set<std::string> results_;  ///< topics of the results of this run
   Uses uses_;
   bool keep_;
-  std::vector<Wheelset> wheelsets_;
+  std::deque<Wheelset> wheelsets_;
   tf2::BufferCore transforms_;
   BagStream stream_;
   std::deque<ReplayEvent> events_;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/result_counts.h"
 
-#include <std_msgs/Header.h>
-
 #include <ostream>
 
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "bag/bag_stream.h"
 #include "replay/bag_messages.h"
-#include "ros/evaluation/conversions.h"
-#include "ros/evaluation/hold_last.h"
+#include "ros/evaluation/result_head.h"
 #include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
@@ -20,39 +17,6 @@ std::string percent(std::uint64_t part, std::uint64_t all)
 {
   return formatted("%.1f", 100 * static_cast<double>(part) / static_cast<double>(all));
 }
-
-/// Adds a result from the bytes of its message, of which only the first fields are read.
-/// @return its status
-std::uint8_t addResult(std::string_view data, ResultCounts& counts)
-{
-  std::uint8_t status = 0;
-  readStream(data,
-             [&counts, &status](auto& stream)
-             {
-               std_msgs::Header header;
-               std::string reason;
-               bool held = false;
-               stream.next(header);
-               stream.next(status);
-               stream.next(reason);
-               stream.next(held);
-               counts.add(status, status == WheelsetContact::OK ? std::string() : reason, held);
-             });
-  return status;
-}
-
-void keepLast(std::uint8_t status, std::string data, RecordedResults& last)
-{
-  if (isUsable(status))
-  {
-    last.clear();
-  }
-  last.emplace_back(status, std::move(data));
-  if (last.size() > static_cast<std::size_t>(HoldLast::memory) + 1)
-  {
-    last.pop_front();
-  }
-}
 }  // namespace
 
 void ResultCounts::add(std::uint8_t status, const std::string& reason, bool held)
@@ -60,7 +24,7 @@ void ResultCounts::add(std::uint8_t status, const std::string& reason, bool held
   held_ += held ? 1U : 0U;
   if (counts_.at(status)++ == 0)
   {
-    first_reasons_[status] = reason;
+    first_reasons_[status] = status == WheelsetContact::OK ? "" : reason;
   }
 }
 
@@ -86,8 +50,7 @@ void ResultCounts::print(std::ostream& out, std::uint64_t poses) const
   }
 }
 
-ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point,
-                            std::vector<RecordedResults>& last)
+ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point, std::size_t wheelsets)
 {
   ResultCounts counts;
   if (resume_point.messages == 0)
@@ -99,10 +62,10 @@ ResultCounts resumedResults(const std::string& path, const BagResumePoint& resum
   while (const auto message = stream.next())
   {
     ++messages;
-    if (message->connection_id < last.size())
+    if (message->connection_id < wheelsets)
     {
-      const std::uint8_t status = addResult(message->data, counts);
-      keepLast(status, std::string(message->data), last[message->connection_id]);
+      const auto head = parse<ResultHead>(message->data);
+      counts.add(head->status, head->status_text, head->held);
     }
   }
   if (messages != resume_point.messages)

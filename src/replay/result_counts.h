@@ -3,11 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <iosfwd>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "bag/bag_writer.h"
 #include "ros/evaluation/contact_statistics.h"
@@ -19,7 +16,7 @@ class ResultCounts
 {
  public:
   /// @param status of the result, as in the message
-  /// @param reason status_text of the result; may be empty
+  /// @param reason status_text of the result; not used if the status is OK
   void add(std::uint8_t status, const std::string& reason, bool held);
 
   /// Number of results whose status is INVALID_INPUT or NO_TRANSFORM. The input of all others was usable, also of those
@@ -34,14 +31,9 @@ class ResultCounts
   std::uint64_t held_ = 0;
 };
 
-/// Status and bytes of successive results of one wheelset.
-using RecordedResults = std::deque<std::pair<std::uint8_t, std::string>>;
-
-/// Results in a bag that is resumed.
+/// Counts of the results in a bag that is resumed.
 /// @param path of the bag, which ends at the resume point
-/// @param last output by wheelset: the last results, as many as HoldLast requires. The numbers of the connections of
-/// the wheelsets are below its size
+/// @param wheelsets number of wheelsets; the numbers of their connections are below it
 /// @throw BagError if the bag cannot be read.
-ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point,
-                            std::vector<RecordedResults>& last);
+ResultCounts resumedResults(const std::string& path, const BagResumePoint& resume_point, std::size_t wheelsets);
 }  // namespace wheel_rail_contact

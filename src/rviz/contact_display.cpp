@@ -93,7 +93,7 @@ void ContactDisplay::processMessage(const WheelsetContact::ConstPtr& message)
   }
   try
   {
-    output_ = outputFromMessage(*message, result_);
+    output_ = outputFromMessage(*message);
   }
   catch (const std::invalid_argument& error)
   {

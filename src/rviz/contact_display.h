@@ -76,8 +76,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   std::unique_ptr<ScreenPanel> panel_;
   std::optional<NodeConfig> config_;  ///< parameters of the contact node; without them wheels and rails are not drawn
   ros::WallTime next_reading_;        ///< earliest time of the next attempt to read the parameters
-  core::WheelsetResult result_;
-  std::optional<ContactOutput> output_;  ///< refers to `result_`
+  std::optional<ContactOutput> output_;
   ContactTrail trail_;
   PressureScale scale_{0}, stress_scale_{0};  ///< of the pressure, and of the von Mises stress
   ContactView view_;

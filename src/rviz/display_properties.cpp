@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display_properties.h"
 
+#include "core/pi.h"
+
 namespace wheel_rail_contact
 {
 using rviz::BoolProperty;
@@ -10,7 +12,6 @@ using rviz::Property;
 
 namespace
 {
-constexpr double degree = 3.14159265358979323846 / 180;
 constexpr int both_sides = 2;
 
 FloatProperty* makeFloat(const char* name, float value, float least, float most, const char* description,
@@ -163,7 +164,7 @@ TrackStyle DisplayProperties::trackStyle() const
   TrackStyle style;
   style.sides = sides();
   style.rail_length = rail_length_->getFloat();
-  style.wheel_sweep = wheel_sweep_->getFloat() * degree;
+  style.wheel_sweep = wheel_sweep_->getFloat() * core::degree;
   style.wheel_cut = wheel_cut_->getBool();
   style.wheel_alpha = wheel_alpha_->getFloat();
   style.rail_alpha = rail_alpha_->getFloat();

@@ -49,10 +49,10 @@ def _missing_inputs(model, distance):
 
 def _print(result):
     print(f"status {result.status}")
-    if result.reason:
-        print(f"reason {result.reason}")
+    if result.status_text:
+        print(f"reason {result.status_text}")
     if result.usable:
-        print(f"z {result.z:.9f} m\nroll {result.roll:.9e} rad")
+        print(f"z {result.wheelset.position.z:.9f} m\nroll {result.wheelset.roll:.9e} rad")
         for side, rail in (("left", result.left_rail), ("right", result.right_rail)):
             print(f"{side}_vertical_force {rail.vertical_force:.1f} N\n{side}_lateral_force {rail.lateral_force:.1f} N")
 

@@ -102,7 +102,7 @@ class EvaluateEqualsReplay(unittest.TestCase):
         result = WheelsetContact().evaluate(x=12.5, y=5e-3, yaw=0.02, force_z=LOAD)
         self.assertAlmostEqual(result.wheelset.yaw, 0.02, delta=1e-12)
         self.assert_equal_pose(result.wheelset, message.wheelset)
-        self.assertEqual(len(message.patches), 2)
+        self.assertEqual(len(result.patches), len(message.patches))
         for patch, expected in zip(result.patches, message.patches):
             self.assertGreater(abs(expected.pose.position.x - 12.5), 1e-4)
             # The quaternion rounds the yaw. The tolerance of the solution is 1 %.

@@ -5,14 +5,17 @@
 
 #include <string>
 
+#include "result_scene.h"
+
 using namespace wheel_rail_contact;
 using diagnostic_msgs::DiagnosticStatus;
 
 namespace
 {
-ContactOutput resultWith(std::uint8_t status, const std::string& reason)
+ContactOutput resultWith(std::uint8_t status, const std::string& reason, double solve_time = 0.001)
 {
   ContactOutput output;
+  output.solve_time = solve_time;
   output.status = status;
   output.reason = reason;
   return output;
@@ -41,8 +44,8 @@ std::string valueOf(const diagnostic_updater::DiagnosticStatusWrapper& report, c
 TEST(ContactStatistics, UsableResultsAreOk)
 {
   ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
-  now.count(resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries no load"), 0.003);
+  now.count(resultWith(WheelsetContact::OK, ""));
+  now.count(resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries no load", 0.003));
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::OK);
   EXPECT_EQ(valueOf(report, "results"), "2");
@@ -60,12 +63,12 @@ TEST(ContactStatistics, NoInputIsOk)
 TEST(ContactStatistics, UnusableResultsWarnAndAreAnErrorIfNoneIsUsable)
 {
   ContactStatistics before, now;
-  before.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  before.count(resultWith(WheelsetContact::OK, ""));
   now = before;
-  now.count(resultWith(WheelsetContact::INVALID_INPUT, "load: force is not finite"), 0);
+  now.count(resultWith(WheelsetContact::INVALID_INPUT, "load: force is not finite", 0));
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::ERROR);
   EXPECT_NE(reportOf(now, before).message.find("load: force is not finite"), std::string::npos);
-  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.count(resultWith(WheelsetContact::OK, ""));
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::WARN);
   EXPECT_EQ(reportOf(now, now).level, DiagnosticStatus::OK) << "only the time since the last report counts";
 }
@@ -84,7 +87,7 @@ TEST(ContactStatistics, DroppedInputsWarnAndAreCountedByReason)
 TEST(ContactStatistics, MessagesWithoutAStampAreNamedInTheWarning)
 {
   ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.count(resultWith(WheelsetContact::OK, ""));
   now.pairing.dropped[static_cast<std::size_t>(DropReason::duplicate)] = 1;
   now.pairing.dropped[static_cast<std::size_t>(DropReason::unstamped)] = 4;
   const auto report = reportOf(now, {});
@@ -96,7 +99,7 @@ TEST(ContactStatistics, MessagesWithoutAStampAreNamedInTheWarning)
 TEST(ContactStatistics, LoadsThatTheInterpolationDoesNotNeedAreCountedWithoutAWarning)
 {
   ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.count(resultWith(WheelsetContact::OK, ""));
   now.pairing.dropped[static_cast<std::size_t>(DropReason::unneeded)] = 9;
   EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::OK);
   EXPECT_EQ(valueOf(reportOf(now, {}), "messages dropped: load not needed, because no pose is next to it"), "9");
@@ -116,9 +119,9 @@ TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
 {
   ContactStatistics now;
   ContactOutput output = resultWith(WheelsetContact::OK, "");
-  now.count(output, 0.001);
+  now.count(output);
   output.lacks_neighbour = true;
-  now.count(output, 0.001);
+  now.count(output);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(report.message, "1 of 2 results lack a neighbour's forces");
@@ -137,12 +140,12 @@ TEST(ContactStatistics, ImplausibleWheelForceWarnsWithItsReason)
   ContactStatistics now;
   core::WheelsetResult result;
   ContactOutput output = resultWith(WheelsetContact::OK, "");
-  output.result = &result;
-  now.count(output, 0.001);
+  output.result = unowned(result);
+  now.count(output);
   EXPECT_EQ(reportOf(now, {}).level, DiagnosticStatus::OK);
   result.implausible_force = true;
   output.reason = "the left wheel carries 18 MN";
-  now.count(output, 0.001);
+  now.count(output);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(report.message, "1 of 2 results with an implausible wheel force: the left wheel carries 18 MN");
@@ -154,9 +157,9 @@ TEST(ContactStatistics, RailBeyondTheRangeOfItsTableWarns)
   ContactStatistics now;
   ContactOutput output = resultWith(WheelsetContact::OK, "");
   output.beyond_linear_range = "left rail: Y = 70.0 kN at Q = 100.0 kN";
-  now.count(output, 0.001);
+  now.count(output);
   output.beyond_linear_range.clear();
-  now.count(output, 0.001);
+  now.count(output);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(report.message, "left rail: Y = 70.0 kN at Q = 100.0 kN");
@@ -167,16 +170,31 @@ TEST(ContactStatistics, RailBeyondTheRangeOfItsTableWarns)
 TEST(ContactStatistics, ErrorEstimateAboveTheToleranceWarns)
 {
   ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""), 0.001);
+  now.count(resultWith(WheelsetContact::OK, ""));
   ContactOutput output = resultWith(WheelsetContact::OK, "the estimated error of a wheel is above contact/tolerance");
   core::WheelsetResult result;
   result.above_tolerance = true;
-  output.result = &result;
-  now.count(output, 0.001);
+  output.result = unowned(result);
+  now.count(output);
   const auto report = reportOf(now, {});
   EXPECT_EQ(report.level, DiagnosticStatus::WARN);
   EXPECT_EQ(valueOf(report, "results with an error estimate above contact/tolerance"), "1");
   EXPECT_EQ(valueOf(report, "last reason"), "the estimated error of a wheel is above contact/tolerance");
+}
+
+TEST(ContactStatistics, HeldResultIsCountedAsHeldAlone)
+{
+  ContactStatistics now;
+  core::WheelsetResult last;
+  last.above_tolerance = last.implausible_force = true;
+  ContactOutput output = resultWith(WheelsetContact::OFF_PROFILE, "beyond the profile");
+  output.result = unowned(last);
+  output.held = true;
+  now.count(output);
+  const auto report = reportOf(now, {});
+  EXPECT_EQ(valueOf(report, "results held"), "1");
+  EXPECT_EQ(valueOf(report, "results with an error estimate above contact/tolerance"), "0");
+  EXPECT_EQ(valueOf(report, "results with an implausible wheel force"), "0");
 }
 
 TEST(ContactStatistics, ExceptionDuringAnEvaluationIsAnError)

@@ -7,10 +7,11 @@
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
+#include <memory>
 #include <string>
 
 #include "message_bytes.h"
+#include "ros/evaluation/conversions.h"
 
 using namespace wheel_rail_contact;
 
@@ -23,42 +24,35 @@ constexpr double wheel_force = 100e3;    ///< of a usable result [N]
 constexpr double rounding = 1e-15;       ///< of positions and angles
 constexpr std::uint64_t step = 1000000;  ///< of the stamps [ns]
 
-using Result = boost::shared_ptr<WheelsetContact>;
-
-/// Orientation Rz(yaw) Rx(roll).
-geometry_msgs::Quaternion orientation(double yaw_angle, double roll_angle)
-{
-  geometry_msgs::Quaternion q;
-  q.w = std::cos(yaw_angle / 2) * std::cos(roll_angle / 2);
-  q.x = std::cos(yaw_angle / 2) * std::sin(roll_angle / 2);
-  q.y = std::sin(yaw_angle / 2) * std::sin(roll_angle / 2);
-  q.z = std::sin(yaw_angle / 2) * std::cos(roll_angle / 2);
-  return q;
-}
+using Result = boost::shared_ptr<const WheelsetContact>;
 
 /// Result with a stamp of `number` steps, at x = `number` metres. A usable one has one patch 1 mm ahead of the axle.
-Result result(int number, std::uint8_t status)
+ContactOutput result(int number, std::uint8_t status)
 {
-  auto message = boost::make_shared<WheelsetContact>();
-  message->header.stamp.fromNSec(step * static_cast<std::uint64_t>(number));
-  message->status = status;
-  message->wheelset.position.x = number;
-  message->wheelset.orientation = orientation(yaw, 0);
+  ContactOutput output;
+  output.header.stamp.fromNSec(step * static_cast<std::uint64_t>(number));
+  output.status = status;
+  output.state.x = number;
+  output.state.yaw = yaw;
+  if (!isUsable(status))
+  {
+    output.reason = "refused";
+    return output;
+  }
+  core::WheelsetResult solved;
+  solved.yaw = yaw;
   if (status == WheelsetContact::OK)
   {
-    message->wheelset.position.z = height;
-    message->wheelset.orientation = orientation(yaw, roll);
-    message->left_wheel.vertical_force = message->left_rail.vertical_force = wheel_force;
-    message->rail_wrench.force.z = wheel_force;
-    message->patches.resize(1);
-    message->patches[0].pose.position.x = number + 1e-3;
-    message->patches[0].normal_force = wheel_force;
+    solved.z = height;
+    solved.roll = roll;
+    solved.wheel.left.vertical = solved.rail.left.vertical_force = wheel_force;
+    solved.rail_wrench.force.z() = wheel_force;
+    core::PatchResult& patch = solved.patches.emplace_back();
+    patch.pose.x = 1e-3;
+    patch.normal_force = wheel_force;
   }
-  else
-  {
-    message->status_text = "refused";
-  }
-  return message;
+  output.result = std::make_shared<const core::WheelsetResult>(solved);
+  return output;
 }
 
 NodeConfig config(int longest)
@@ -68,11 +62,16 @@ NodeConfig config(int longest)
   return node_config;
 }
 
+/// Message of a result after HoldLast.
+Result applied(HoldLast& hold, ContactOutput output)
+{
+  hold.apply(output);
+  return boost::make_shared<const WheelsetContact>(toMessage(output, true));
+}
+
 Result applied(HoldLast& hold, int number, std::uint8_t status)
 {
-  Result message = result(number, status);
-  hold.apply(message);
-  return message;
+  return applied(hold, result(number, status));
 }
 
 /// Statuses of inputs that may be rejected before the evaluation: NaN, and no transform.
@@ -81,10 +80,10 @@ constexpr std::array<std::uint8_t, 2> rejections{WheelsetContact::INVALID_INPUT,
 /// Applied result of an input that was rejected before the evaluation, with a stamp of `number` steps.
 Result appliedRejection(HoldLast& hold, int number, std::uint8_t status)
 {
-  Result message = result(number, status);
-  message->wheelset = geometry_msgs::Pose();
-  hold.apply(message);
-  return message;
+  ContactOutput output = result(number, status);
+  output.state = {};
+  output.rejected = true;
+  return applied(hold, output);
 }
 
 void expectLastHeight(const WheelsetContact& message)
@@ -129,9 +128,9 @@ TEST(HoldLast, HeldResultWithoutAPoseHasThePoseAndThePatchesOfTheLastUsableOne)
   for (const std::uint8_t status : rejections)
   {
     HoldLast hold(config(1));
-    const Result usable = result(52, WheelsetContact::OK);
-    usable->distance = 1052;
-    hold.apply(usable);
+    ContactOutput last = result(52, WheelsetContact::OK);
+    last.state.distance = 1052;
+    const Result usable = applied(hold, last);
     const Result held = appliedRejection(hold, 53, status);
     EXPECT_TRUE(held->held);
     EXPECT_EQ(held->status, status);
@@ -150,28 +149,23 @@ TEST(HoldLast, InputAtTheOriginHasAPose)
 {
   HoldLast hold(config(0));
   applied(hold, 1, WheelsetContact::OK);
-  const Result refused = result(2, WheelsetContact::INVALID_INPUT);
-  refused->wheelset = geometry_msgs::Pose();
-  refused->wheelset.orientation.w = 1;
-  hold.apply(refused);
+  ContactOutput at_origin = result(2, WheelsetContact::INVALID_INPUT);
+  at_origin.state = {};
+  const Result refused = applied(hold, at_origin);
   EXPECT_EQ(refused->wheelset.position.x, 0);
   EXPECT_DOUBLE_EQ(refused->wheelset.position.z, height);
 }
 
-TEST(HoldLast, ResultWithoutAMessageGivesHeightAndRollToTheNext)
+TEST(HoldLast, ReleasedResultGivesHeightAndRollToTheNext)
 {
   HoldLast hold(config(0));
-  hold.follow(ros::Time(0, step), WheelsetContact::OK, {0, height, yaw, roll});
-  hold.follow(ros::Time(0, 2 * step), WheelsetContact::NOT_CONVERGED, {});
-  expectLastHeight(*applied(hold, 3, WheelsetContact::NOT_CONVERGED));
-  hold.follow(ros::Time(0, step), WheelsetContact::NOT_CONVERGED, {});  // time goes back
-  EXPECT_EQ(applied(hold, 4, WheelsetContact::NOT_CONVERGED)->wheelset.position.z, 0);
-}
-
-TEST(HoldLast, ResultsWithoutAMessageAreRefusedIfResultsAreHeld)
-{
-  HoldLast hold(config(1));
-  EXPECT_THROW(hold.follow(ros::Time(1), WheelsetContact::OK, {}), std::logic_error);
+  ContactOutput usable = result(1, WheelsetContact::OK);
+  usable.release();
+  EXPECT_EQ(usable.result, nullptr);
+  hold.apply(usable);
+  expectLastHeight(*applied(hold, 2, WheelsetContact::NOT_CONVERGED));
+  hold.restart();
+  EXPECT_EQ(applied(hold, 3, WheelsetContact::NOT_CONVERGED)->wheelset.position.z, 0);
 }
 
 TEST(HoldLast, BeforeTheFirstUsableResultNothingIsChanged)
@@ -186,8 +180,7 @@ TEST(HoldLast, UsableResultIsNotChanged)
 {
   HoldLast hold(config(3));
   applied(hold, 1, WheelsetContact::OK);
-  const Result lifted = result(2, WheelsetContact::LIFT_OFF);
-  hold.apply(lifted);
+  const Result lifted = applied(hold, 2, WheelsetContact::LIFT_OFF);
   EXPECT_EQ(lifted->wheelset.position.z, 0);
   EXPECT_FALSE(lifted->held);
   EXPECT_TRUE(lifted->patches.empty()) << "a wheel that has lifted off is a result, not a refusal";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The load is interpolated at the stamp of the pose (sync/load: interpolate).
-#include "ros/evaluation/load_interpolation.h"
+#include "ros/evaluation/input_pairing.h"
 
 #include <gtest/gtest.h>
 

@@ -27,9 +27,9 @@ NodeConfig configWith(std::size_t neighbours)
 }
 
 /// A result with a stamp [s] and lateral forces on both rails [N].
-NeighbourResult resultAt(double time, double left, double right = 0)
+ResultHead resultAt(double time, double left, double right = 0)
 {
-  NeighbourResult result;
+  ResultHead result;
   result.stamp = ros::Time(time);
   result.left_rail.lateral_force = left;
   result.right_rail.lateral_force = right;
@@ -57,7 +57,7 @@ TEST(NeighbourForces, ResultIsReadWithoutItsPatches)
   const std::size_t patches = bytes.size() - sizeof(message.solve_time) - sizeof(std::uint32_t);
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(patches), sizeof(std::uint32_t), 0xff);
 
-  NeighbourResult result;
+  ResultHead result;
   ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::deserialize(in, result);
   EXPECT_EQ(result.stamp, message.header.stamp);
@@ -109,12 +109,12 @@ TEST(NeighbourForces, UnusableResultGivesNoForce)
 {
   NeighbourForces forces(configWith(1));
   forces.add(0, resultAt(10.0, 1e3));
-  NeighbourResult unusable = resultAt(10.1, 2e3);
+  ResultHead unusable = resultAt(10.1, 2e3);
   unusable.status = WheelsetContact::NOT_CONVERGED;
   forces.add(0, unusable);
   EXPECT_EQ(forceAt(forces, 10.2), 0);
   EXPECT_FALSE(forces.effectAt(ros::Time(10.2)).complete);
-  NeighbourResult lifted = resultAt(10.2, 3e3);
+  ResultHead lifted = resultAt(10.2, 3e3);
   lifted.status = WheelsetContact::LIFT_OFF;
   forces.add(0, lifted);
   EXPECT_DOUBLE_EQ(forceAt(forces, 10.3), 3e3);
@@ -163,7 +163,7 @@ TEST(NeighbourForces, EachRailHasItsOwnInfluenceAndInclination)
   config.neighbours[0].influence.right.lateral_lateral = 3 * compliance;
   config.model.track.rail_inclination = {0.1, 0};
   NeighbourForces forces(config);
-  NeighbourResult result = resultAt(10, 0, 1e3);
+  ResultHead result = resultAt(10, 0, 1e3);
   result.left_rail.vertical_force = 1e4;
   forces.add(0, result);
   const auto moved = forces.effectAt(ros::Time(10.1)).deflection;

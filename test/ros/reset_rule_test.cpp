@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/evaluation/reset_rule.h"
+#include "ros/evaluation/contact_input.h"
 
 #include <gtest/gtest.h>
 

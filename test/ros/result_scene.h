@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -18,6 +19,12 @@ inline NodeConfig exampleConfig()
 {
   return readNodeConfig(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: UIC60_manchester}}")), "",
                         "");
+}
+
+/// Pointer of an output to a result that the test owns, and may change.
+inline std::shared_ptr<const core::WheelsetResult> unowned(const core::WheelsetResult& result)
+{
+  return {std::shared_ptr<const core::WheelsetResult>(), &result};
 }
 
 /// A result with one patch on each side, with an elliptic pressure as in Hertzian contact. It is not a solution.
@@ -35,7 +42,7 @@ class ResultScene : public testing::Test
     output.header.frame_id = "track";
     output.header.stamp = ros::Time(10);
     output.state.x = result.x = 3;
-    output.result = &result;
+    output.result = unowned(result);
   }
 
   static core::PatchResult makePatch(core::Side side, double distance)

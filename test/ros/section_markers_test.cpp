@@ -123,7 +123,7 @@ TEST_F(SectionMarkers, SceneShowsTheRailOfTheDistance)
   core::WheelsetResult result;
   result.status = core::ContactStatus::ok;
   ContactOutput output;
-  output.result = &result;
+  output.result = unowned(result);
   output.state.x = result.x = x;
   output.state.distance = 0.7;
   const MarkerArray scene = sceneMarkers(output, &model_, ContactTrail(), SceneOptions());
@@ -140,9 +140,8 @@ TEST_F(SectionMarkers, PlaceOnTheLineIsInTheMessage)
   ContactOutput output;
   output.state.x = 3;
   output.state.distance = 12.5;
-  const WheelsetContact message = toMessage(output, true, 0);
+  const WheelsetContact message = toMessage(output, true);
   EXPECT_EQ(message.distance, 12.5);
   EXPECT_EQ(message.wheelset.position.x, 3);
-  core::WheelsetResult result;
-  EXPECT_EQ(outputFromMessage(message, result).state.distance, 12.5);
+  EXPECT_EQ(outputFromMessage(message).state.distance, 12.5);
 }

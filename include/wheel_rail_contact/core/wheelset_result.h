@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,14 @@ enum class ContactStatus
   outside_line,   ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
   invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
 };
+
+/// Name of a status, as in the message: "OK", "LIFT_OFF", ...
+inline const char* nameOf(ContactStatus status)
+{
+  constexpr std::array names{"OK",       "LIFT_OFF",     "OFF_PROFILE",  "NOT_CONVERGED",
+                             "TOO_DEEP", "OUTSIDE_LINE", "INVALID_INPUT"};
+  return names.at(static_cast<std::size_t>(status));
+}
 
 /// Deflection of one rail and the forces on it, in the axes of its side: outward (away from the track centre) and up.
 struct RailResult

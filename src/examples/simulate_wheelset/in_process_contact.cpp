@@ -9,29 +9,6 @@ namespace core = wheel_rail_contact::core;
 
 namespace
 {
-/// Name of a status, as that of the messages.
-std::string nameOf(core::ContactStatus status)
-{
-  switch (status)
-  {
-    case core::ContactStatus::ok:
-      return "OK";
-    case core::ContactStatus::lift_off:
-      return "LIFT_OFF";
-    case core::ContactStatus::off_profile:
-      return "OFF_PROFILE";
-    case core::ContactStatus::not_converged:
-      return "NOT_CONVERGED";
-    case core::ContactStatus::too_deep:
-      return "TOO_DEEP";
-    case core::ContactStatus::outside_line:
-      return "OUTSIDE_LINE";
-    case core::ContactStatus::invalid_input:
-      break;
-  }
-  return "INVALID_INPUT";
-}
-
 ContactPoint pointOf(const core::PatchResult& patch, const core::WheelsetResult& result)
 {
   ContactPoint point;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ros/evaluation/conversions.h"
 #include "ros/evaluation/text.h"
@@ -44,6 +45,14 @@ core::WheelsetPose ContactOutput::pose() const
                 : core::WheelsetPose{state.y, state.z, state.yaw, state.roll};
 }
 
+void ContactOutput::release()
+{
+  const core::WheelsetPose last = pose();
+  state.z = last.z;
+  state.roll = last.roll;
+  result.reset();
+}
+
 bool hasPose(const ContactOutput& output)
 {
   return !output.rejected && output.pose().z != 0;
@@ -76,14 +85,14 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   }
   if (isUsable(result.status))
   {
-    output.result = &result;
+    output.result = std::make_shared<const core::WheelsetResult>(result);
     output.beyond_linear_range = linearRangeWarning(result, linear_range_);
     output.reason = sentences(output.reason, output.beyond_linear_range);
   }
   return output;
 }
 
-WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double solve_time)
+WheelsetContact toMessage(const ContactOutput& output, bool with_grids)
 {
   WheelsetContact message;
   if (output.result)
@@ -95,13 +104,14 @@ WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double s
   message.header = output.header;
   message.status = output.status;
   message.status_text = output.reason;
-  message.solve_time = solve_time;
+  message.held = output.held;
+  message.solve_time = output.solve_time;
   return message;
 }
 
-ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetResult& result)
+ContactOutput outputFromMessage(const WheelsetContact& message)
 {
-  result = fromMessage(message);
+  core::WheelsetResult result = fromMessage(message);
   ContactOutput output;
   output.header = message.header;
   output.status = message.status;
@@ -114,7 +124,11 @@ ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetRe
   output.state.yaw = result.yaw;
   output.state.roll = result.roll;
   output.held = message.held;
-  output.result = isUsable(result.status) || message.held ? &result : nullptr;
+  output.solve_time = message.solve_time;
+  if (isUsable(result.status) || message.held)
+  {
+    output.result = std::make_shared<const core::WheelsetResult>(std::move(result));
+  }
   return output;
 }
 }  // namespace wheel_rail_contact

@@ -4,6 +4,7 @@
 #include <std_msgs/Header.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include <wheel_rail_contact/WheelsetContact.h>
@@ -21,15 +22,18 @@ struct ContactOutput
   std::string reason;                                    ///< status_text; empty if OK and without a warning
   bool rejected = false;                                 ///< the input was rejected before the evaluation
   core::WheelsetState state;                             ///< input of the evaluation; zero if it was rejected
-  const core::WheelsetResult* result = nullptr;  ///< null unless usable or held; valid until the next evaluation
+  std::shared_ptr<const core::WheelsetResult> result;    ///< null unless usable or held
   std::string beyond_linear_range;  ///< linearRangeWarning(); empty if both rails are within the linear range
   bool held = false;                ///< not usable; `result` is the last usable one (HoldLast)
   bool lacks_neighbour = false;     ///< evaluated without the forces of a neighbour (NeighbourForces)
+  double solve_time = 0;            ///< wall time of the evaluation [s]; 0 in a replay
 
   /// Position of the axle centre along the track [m].
   double x() const { return state.x; }
   /// Wheelset pose, track frame: that of the result, otherwise as in the input.
   core::WheelsetPose pose() const;
+  /// Discards the result, of which only the pose remains.
+  void release();
 };
 
 /// False for an output without a pose of the wheelset: an input that was rejected before the evaluation, or without a
@@ -59,10 +63,9 @@ std::string linearRangeWarning(const core::WheelsetResult& result, const core::S
 
 /// Message of an output.
 /// @param with_grids false: the pressure grids are left empty
-/// @param solve_time wall time of the evaluation [s]
-WheelsetContact toMessage(const ContactOutput& output, bool with_grids, double solve_time);
+WheelsetContact toMessage(const ContactOutput& output, bool with_grids);
 
-/// Output from which a message was made. Fills `result`; a usable or held output refers to it.
+/// Output from which a message was made.
 /// @throw std::invalid_argument for an unknown constant or method, or a grid of the wrong size (fromMessage()).
-ContactOutput outputFromMessage(const WheelsetContact& message, core::WheelsetResult& result);
+ContactOutput outputFromMessage(const WheelsetContact& message);
 }  // namespace wheel_rail_contact

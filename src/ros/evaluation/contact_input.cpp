@@ -122,7 +122,7 @@ core::RailDeflection displacementOf(const RailDisplacement& rail, core::Side sid
   {
     refuse(railName(side) + " displacement is not finite");
   }
-  return fromMessage(rail);
+  return {rail.lateral, rail.vertical, rail.roll};
 }
 }  // namespace
 

@@ -9,7 +9,6 @@
 
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "ros/evaluation/input_pairing.h"
-#include "ros/evaluation/reset_rule.h"
 #include "ros/parameters/parameters.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
@@ -62,6 +61,37 @@ struct PreparedInput
   bool lacks_neighbour = false;               ///< the forces of a neighbour are unknown and taken as zero
 };
 
+/// Determines the inputs at which an evaluator resets its warm start.
+///
+/// A result depends, within the tolerance, on the previous one, from which it is started. Live node and replay must
+/// give identical results, wherever they begin and whatever the number of threads. Both therefore apply one rule, which
+/// depends only on the stamps. The warm start is reset at every whole second, where a stamp decreases, and after
+/// `slice_capacity` results. A repeated stamp causes no reset. The inputs between two resets are called a slice.
+class ResetRule
+{
+ public:
+  static constexpr int slice_capacity = 200;  ///< largest number of inputs in a slice
+
+  /// True if these successive stamps cause a reset, whatever the number of inputs in the slice.
+  static bool isBoundary(const ros::Time& before, const ros::Time& stamp)
+  {
+    return stamp.sec != before.sec || stamp < before;
+  }
+
+  /// Adds the stamp of the next input. @return true if the warm start is reset before this input.
+  bool resets(const ros::Time& stamp)
+  {
+    const bool is_first = count_ == 0 || count_ == slice_capacity || isBoundary(last_, stamp);
+    last_ = stamp;
+    count_ = is_first ? 1 : count_ + 1;
+    return is_first;
+  }
+
+ private:
+  ros::Time last_;
+  int count_ = 0;  ///< number of inputs in the slice
+};
+
 /// Prepares the inputs of one wheelset, in order, for evaluation.
 class InputPreparation
 {
@@ -76,6 +106,8 @@ class InputPreparation
   bool isReady(const ContactInput& input, const tf2::BufferCore& transforms) const;
   /// Does not throw for an unusable input: see PreparedInput::status.
   PreparedInput prepare(const ContactInput& input, const tf2::BufferCore& transforms);
+  /// The next input is prepared as the first one.
+  void restart() { reset_rule_ = ResetRule(); }
 
  private:
   std::string track_frame_;

@@ -12,8 +12,6 @@ namespace
 {
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr std::array<const char*, ContactStatistics::statuses> status_names{
-    "OK", "LIFT_OFF", "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT", "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
 constexpr std::array<const char*, PairingCounts::reasons> drop_names{
     "no message with a matching stamp",
     "second load with the same stamp (sync/load: interpolate)",
@@ -103,7 +101,7 @@ void addTimes(const ContactStatistics& now, const ContactStatistics& before,
 
 const char* statusName(std::uint8_t status)
 {
-  return status_names.at(status);
+  return status == WheelsetContact::NO_TRANSFORM ? "NO_TRANSFORM" : nameOf(statusFromMessage(status));
 }
 
 const char* dropName(DropReason reason)
@@ -111,19 +109,21 @@ const char* dropName(DropReason reason)
   return drop_names.at(static_cast<std::size_t>(reason));
 }
 
-void ContactStatistics::count(const ContactOutput& output, double solve_time)
+void ContactStatistics::count(const ContactOutput& output)
 {
   ++results.at(output.status);
+  held += output.held ? 1U : 0U;
   if (!output.beyond_linear_range.empty())
   {
     ++beyond_linear_range;
     last_beyond_linear_range = output.beyond_linear_range;
   }
-  above_tolerance += output.result && output.result->above_tolerance ? 1U : 0U;
-  implausible_force += output.result && output.result->implausible_force ? 1U : 0U;
+  const bool is_solved = output.result && !output.held;
+  above_tolerance += is_solved && output.result->above_tolerance ? 1U : 0U;
+  implausible_force += is_solved && output.result->implausible_force ? 1U : 0U;
   lacking_neighbour += output.lacks_neighbour ? 1U : 0U;
-  solve_time_sum += solve_time;
-  solve_time_max = std::max(solve_time_max, solve_time);
+  solve_time_sum += output.solve_time;
+  solve_time_max = std::max(solve_time_max, output.solve_time);
   if (!output.reason.empty())
   {
     last_reason = output.reason;
@@ -162,9 +162,9 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   }
   report.add("inputs dropped: overload", now.overload);
   report.add("results", now.evaluated());
-  for (std::size_t i = 0; i < status_names.size(); ++i)
+  for (std::uint8_t status = 0; status < ContactStatistics::statuses; ++status)
   {
-    report.add(std::string("results ") + status_names[i], now.results[i]);
+    report.add(std::string("results ") + statusName(status), now.results[status]);
   }
   report.add("results held", now.held);
   report.add("internal errors", now.internal_errors);

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "ros/evaluation/contact_evaluator.h"
-#include "ros/evaluation/service_counts.h"
 #include "ros/evaluation/stamp_pairing.h"
 
 namespace wheel_rail_contact
@@ -17,6 +16,16 @@ namespace wheel_rail_contact
 const char* statusName(std::uint8_t status);
 /// Text for diagnostics and the output of a replay.
 const char* dropName(DropReason reason);
+
+/// Numbers of service requests of a node since its start.
+struct ServiceCounts
+{
+  std::uint64_t evaluate = 0;           ///< results of ~evaluate
+  std::uint64_t static_start = 0;       ///< results of ~static_start
+  std::uint64_t unusable = 0;           ///< results of both whose status is not usable
+  std::uint64_t lacking_neighbour = 0;  ///< results of both without the forces of a neighbour
+  std::uint64_t failed = 0;             ///< requests without a result, because of an internal error
+};
 
 /// Counts of a server since its start. Each message that is lost is counted here.
 struct ContactStatistics
@@ -32,9 +41,7 @@ struct ContactStatistics
   std::uint64_t above_tolerance = 0;      ///< usable results with an error estimate above contact/tolerance
   std::uint64_t implausible_force = 0;    ///< usable results with a wheel force beyond the plausible bound
   std::uint64_t lacking_neighbour = 0;    ///< results without the forces of a neighbour
-  /// Result messages that were built: for subscribers, for held results (all if contact/hold_last > 0), or to draw a
-  /// result that is not usable.
-  std::uint64_t messages_built = 0;
+  std::uint64_t messages_built = 0;       ///< result messages, built only for subscribers
   std::uint64_t marker_arrays_built = 0;  ///< marker arrays, built only for subscribers
   ServiceCounts services;                 ///< requests, which none of the other members contains
   double solve_time_sum = 0;              ///< of all results [s]
@@ -43,8 +50,7 @@ struct ContactStatistics
   std::string last_reason;                ///< reason of the newest result that has one
 
   /// Adds a result.
-  /// @param solve_time wall time of the evaluation [s]
-  void count(const ContactOutput& output, double solve_time);
+  void count(const ContactOutput& output);
 
   /// Number of results, of any status.
   std::uint64_t evaluated() const;

@@ -73,6 +73,20 @@ geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
   return message;
 }
 
+geometry_msgs::Vector3 toMessage(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
+Eigen::Vector3d fromMessage(const geometry_msgs::Vector3& message)
+{
+  return {message.x, message.y, message.z};
+}
+
 void addField(const std::vector<core::StressLayer>& field, PatchStress& message)
 {
   for (const core::StressLayer& layer : field)
@@ -86,6 +100,70 @@ void addField(const std::vector<core::StressLayer>& field, PatchStress& message)
           component.cast<float>();
     }
   }
+}
+
+PatchStress toMessage(const core::PatchStress& stress, bool with_field)
+{
+  PatchStress message;
+  visitStress(writing(stress, message));
+  visitPeak(writing(stress.von_mises, message.von_mises));
+  visitPeak(writing(stress.shear, message.shear));
+  if (with_field)
+  {
+    addField(stress.field, message);
+  }
+  return message;
+}
+
+core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid& grid)
+{
+  core::PatchStress stress;
+  visitStress(reading(message, stress));
+  visitPeak(reading(message.von_mises, stress.von_mises));
+  visitPeak(reading(message.shear, stress.shear));
+  const std::size_t components = std::tuple_size<decltype(core::StressLayer::components)>::value;
+  const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
+  if (message.stress.size() != message.depths.size() * components * cells)
+  {
+    throw std::invalid_argument("stress field: " + std::to_string(message.stress.size()) + " values for " +
+                                std::to_string(message.depths.size()) + " depths and a grid of " +
+                                std::to_string(grid.nx) + " x " + std::to_string(grid.ny));
+  }
+  const float* values = message.stress.data();
+  for (const double depth : message.depths)
+  {
+    core::StressLayer& layer = stress.field.emplace_back();
+    layer.depth = depth;
+    for (Eigen::ArrayXXd& component : layer.components)
+    {
+      component = Eigen::Map<const Eigen::ArrayXXf>(values, grid.nx, grid.ny).cast<double>();
+      values += cells;
+    }
+  }
+  return stress;
+}
+
+/// Wheelset pose of a message; zero without a pose (hasPose()).
+core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose)
+{
+  if (!hasPose(pose))
+  {
+    return {};
+  }
+  const auto& p = pose.position;
+  const auto& o = pose.orientation;
+  return toWheelsetPose(Eigen::Translation3d(p.x, p.y, p.z) * Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized());
+}
+
+/// Pose of a patch frame relative to `x`.
+core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
+{
+  core::PatchPose result;
+  result.x = pose.position.x - x;
+  result.y = pose.position.y;
+  result.z = pose.position.z;
+  result.angle = 2 * std::atan2(pose.orientation.x, pose.orientation.w);
+  return result;
 }
 }  // namespace
 
@@ -139,17 +217,6 @@ geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x)
   return message;
 }
 
-core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose)
-{
-  if (!hasPose(pose))
-  {
-    return {};
-  }
-  const auto& p = pose.position;
-  const auto& o = pose.orientation;
-  return toWheelsetPose(Eigen::Translation3d(p.x, p.y, p.z) * Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized());
-}
-
 geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x)
 {
   geometry_msgs::Pose message;
@@ -158,16 +225,6 @@ geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x)
   message.position.z = pose.z;
   message.orientation = toMessage(Eigen::Quaterniond(Eigen::AngleAxisd(pose.angle, Eigen::Vector3d::UnitX())));
   return message;
-}
-
-core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
-{
-  core::PatchPose result;
-  result.x = pose.position.x - x;
-  result.y = pose.position.y;
-  result.z = pose.position.z;
-  result.angle = 2 * std::atan2(pose.orientation.x, pose.orientation.w);
-  return result;
 }
 
 PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& pressure)
@@ -179,12 +236,7 @@ PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& press
                                 " x " + std::to_string(grid.ny));
   }
   PressureGrid message;
-  message.nx = static_cast<std::uint32_t>(grid.nx);
-  message.ny = static_cast<std::uint32_t>(grid.ny);
-  message.dx = grid.dx;
-  message.dy = grid.dy;
-  message.x0 = grid.x(0);
-  message.y0 = grid.y0;
+  visitGrid(writing(grid, message));
   message.pressure.resize(static_cast<std::size_t>(pressure.size()));
   Eigen::Map<Eigen::ArrayXXf>(message.pressure.data(), grid.nx, grid.ny) = pressure.cast<float>();
   return message;
@@ -198,108 +250,8 @@ void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::Arra
     throw std::invalid_argument("pressure grid: " + std::to_string(message.pressure.size()) + " values for a grid of " +
                                 std::to_string(message.nx) + " x " + std::to_string(message.ny));
   }
-  core::PatchGrid result;
-  result.nx = static_cast<int>(message.nx);
-  result.ny = static_cast<int>(message.ny);
-  result.dx = message.dx;
-  result.dy = message.dy;
-  result.x0 = message.x0;
-  result.y0 = message.y0;
-  grid = result;
-  pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), result.nx, result.ny).cast<double>();
-}
-
-core::RailDeflection fromMessage(const RailDisplacement& message)
-{
-  return {message.lateral, message.vertical, message.roll};
-}
-
-WheelForces toMessage(const core::WheelForces& forces)
-{
-  WheelForces message;
-  visitWheel(writing(forces, message));
-  return message;
-}
-
-core::WheelForces fromMessage(const WheelForces& message)
-{
-  core::WheelForces forces;
-  visitWheel(reading(message, forces));
-  return forces;
-}
-
-geometry_msgs::Wrench toMessage(const core::Wrench& wrench)
-{
-  geometry_msgs::Wrench message;
-  message.force.x = wrench.force.x();
-  message.force.y = wrench.force.y();
-  message.force.z = wrench.force.z();
-  message.torque.x = wrench.moment.x();
-  message.torque.y = wrench.moment.y();
-  message.torque.z = wrench.moment.z();
-  return message;
-}
-
-core::Wrench fromMessage(const geometry_msgs::Wrench& message)
-{
-  const auto& f = message.force;
-  const auto& t = message.torque;
-  return {{f.x, f.y, f.z}, {t.x, t.y, t.z}};
-}
-
-RailDeflection toMessage(const core::RailResult& rail)
-{
-  RailDeflection message;
-  visitRail(writing(rail, message));
-  return message;
-}
-
-core::RailResult fromMessage(const RailDeflection& message)
-{
-  core::RailResult rail;
-  visitRail(reading(message, rail));
-  return rail;
-}
-
-PatchStress toMessage(const core::PatchStress& stress, bool with_field)
-{
-  PatchStress message;
-  visitStress(writing(stress, message));
-  visitPeak(writing(stress.von_mises, message.von_mises));
-  visitPeak(writing(stress.shear, message.shear));
-  if (with_field)
-  {
-    addField(stress.field, message);
-  }
-  return message;
-}
-
-core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid& grid)
-{
-  core::PatchStress stress;
-  visitStress(reading(message, stress));
-  visitPeak(reading(message.von_mises, stress.von_mises));
-  visitPeak(reading(message.shear, stress.shear));
-  const std::size_t components = std::tuple_size<decltype(core::StressLayer::components)>::value;
-  const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
-  if (message.stress.size() != message.depths.size() * components * cells)
-  {
-    throw std::invalid_argument("stress field: " + std::to_string(message.stress.size()) + " values for " +
-                                std::to_string(message.depths.size()) + " depths and a grid of " +
-                                std::to_string(grid.nx) + " x " + std::to_string(grid.ny));
-  }
-  const float* values = message.stress.data();
-  for (const double depth : message.depths)
-  {
-    core::StressLayer& layer = stress.field.emplace_back();
-    layer.depth = depth;
-    for (Eigen::ArrayXXd& component : layer.components)
-    {
-      component = Eigen::Map<const Eigen::ArrayXXf>(values, grid.nx, grid.ny).cast<double>();
-      values += cells;
-    }
-  }
-  return stress;
+  visitGrid(reading(message, grid));
+  pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), grid.nx, grid.ny).cast<double>();
 }
 
 ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
@@ -340,12 +292,13 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   message.status_text = result.reason;
   message.distance = result.distance;
   message.wheelset = toMessage(core::WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
-  message.left_wheel = toMessage(result.wheel.left);
-  message.right_wheel = toMessage(result.wheel.right);
-  message.rail_wrench = toMessage(result.rail_wrench);
+  visitWheel(writing(result.wheel.left, message.left_wheel));
+  visitWheel(writing(result.wheel.right, message.right_wheel));
+  message.rail_wrench.force = toMessage(result.rail_wrench.force);
+  message.rail_wrench.torque = toMessage(result.rail_wrench.moment);
   message.implausible_force = result.implausible_force;
-  message.left_rail = toMessage(result.rail.left);
-  message.right_rail = toMessage(result.rail.right);
+  visitRail(writing(result.rail.left, message.left_rail));
+  visitRail(writing(result.rail.right, message.right_rail));
   message.patches.reserve(result.patches.size());
   for (const core::PatchResult& patch : result.patches)
   {
@@ -365,10 +318,12 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   result.z = pose.z;
   result.yaw = pose.yaw;
   result.roll = pose.roll;
-  result.wheel = {fromMessage(message.left_wheel), fromMessage(message.right_wheel)};
-  result.rail_wrench = fromMessage(message.rail_wrench);
+  visitWheel(reading(message.left_wheel, result.wheel.left));
+  visitWheel(reading(message.right_wheel, result.wheel.right));
+  result.rail_wrench = {fromMessage(message.rail_wrench.force), fromMessage(message.rail_wrench.torque)};
   result.implausible_force = message.implausible_force;
-  result.rail = {fromMessage(message.left_rail), fromMessage(message.right_rail)};
+  visitRail(reading(message.left_rail, result.rail.left));
+  visitRail(reading(message.right_rail, result.rail.right));
   for (const ContactPatch& patch : message.patches)
   {
     result.patches.push_back(fromMessage(patch, message.wheelset.position.x));

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
-#include <wheel_rail_contact/RailDisplacement.h>
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "core/track/placement.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
@@ -31,13 +30,8 @@ core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
 bool hasPose(const geometry_msgs::Pose& pose);
 /// Pose of the axle centre in the track frame, with the orientation Rz(yaw) Rx(roll).
 geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x);
-/// Wheelset pose of a message; zero without a pose (hasPose()).
-core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose);
-
 /// Pose of a patch frame in the track frame.
 geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x);
-/// Pose of a patch frame relative to `x`.
-core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x);
 
 /// Pressure grid as a message.
 /// @param pressure nx × ny [Pa], stored as float32
@@ -46,32 +40,6 @@ PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& press
 /// Grid and pressure of a message.
 /// @throw std::invalid_argument unless the message has nx * ny values and the grid is symmetric about x = 0.
 void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::ArrayXXd& pressure);
-
-/// Displacement of a rail from a message.
-core::RailDeflection fromMessage(const RailDisplacement& message);
-
-/// Forces of a wheel as a message.
-WheelForces toMessage(const core::WheelForces& forces);
-/// Forces of a wheel from a message.
-core::WheelForces fromMessage(const WheelForces& message);
-
-/// Force and moment as a message.
-geometry_msgs::Wrench toMessage(const core::Wrench& wrench);
-/// Force and moment from a message.
-core::Wrench fromMessage(const geometry_msgs::Wrench& message);
-
-/// Deflection and forces of a rail as a message.
-RailDeflection toMessage(const core::RailResult& rail);
-/// Deflection and forces of a rail from a message.
-core::RailResult fromMessage(const RailDeflection& message);
-
-/// Stress beneath a patch as a message.
-/// @param with_field  include the field
-PatchStress toMessage(const core::PatchStress& stress, bool with_field);
-/// Stress beneath a patch from a message.
-/// @param grid  grid of the patch
-/// @throw std::invalid_argument unless the field has six values for each cell and depth, or is empty.
-core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid& grid);
 
 /// Contact patch as a message.
 /// @param with_grid false: the grid of the message is left empty

@@ -2,97 +2,66 @@
 #include "ros/evaluation/hold_last.h"
 
 #include <cinttypes>
-#include <stdexcept>
-#include <string>
+#include <memory>
+#include <utility>
 
 #include "ros/evaluation/conversions.h"
 #include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
-void HoldLast::apply(const boost::shared_ptr<WheelsetContact>& result)
+void HoldLast::apply(ContactOutput& output)
 {
-  add(result->header.stamp, result->status, wheelsetPoseFromMessage(result->wheelset));
-  if (isUsable(result->status))
+  if (output.header.stamp < stamp_)
   {
-    last_ = holds() ? result : nullptr;
-    return;
+    last_.reset();
   }
-  if (last_pose_ && solves_height_ && hasPose(result->wheelset))
+  stamp_ = output.header.stamp;
+  if (isUsable(output.status))
   {
-    setHeight(*result);
-  }
-  if (last_ && since_ <= longest_)
-  {
-    hold(*result);
-  }
-}
-
-void HoldLast::follow(const ros::Time& stamp, std::uint8_t status, const core::WheelsetPose& pose)
-{
-  if (holds())
-  {
-    throw std::logic_error("contact/hold_last = " + std::to_string(longest_) + ": each result needs its message");
-  }
-  add(stamp, status, pose);
-}
-
-void HoldLast::add(const ros::Time& stamp, std::uint8_t status, const core::WheelsetPose& pose)
-{
-  if (stamp < stamp_)
-  {
-    forget();
-  }
-  stamp_ = stamp;
-  if (isUsable(status))
-  {
-    last_pose_ = pose;
+    last_ = output;
     since_ = 0;
   }
-  else if (last_pose_ && ++since_ > memory)
+  else if (last_ && ++since_ > memory)
   {
-    forget();
+    last_.reset();
+  }
+  else if (last_)
+  {
+    if (solves_height_ && !output.rejected)
+    {
+      output.state.z = last_->pose().z;
+      output.state.roll = last_->pose().roll;
+    }
+    if (since_ <= longest_)
+    {
+      hold(output);
+    }
   }
 }
 
-void HoldLast::forget()
+void HoldLast::hold(ContactOutput& output) const
 {
-  last_pose_.reset();
-  last_.reset();
-}
-
-void HoldLast::setHeight(WheelsetContact& result) const
-{
-  core::WheelsetPose pose = wheelsetPoseFromMessage(result.wheelset);
-  pose.z = last_pose_->z;
-  pose.roll = last_pose_->roll;
-  result.wheelset = toMessage(pose, result.wheelset.position.x);
-}
-
-void HoldLast::hold(WheelsetContact& result) const
-{
-  const bool has_pose = hasPose(result.wheelset);
-  if (!has_pose)
-  {
-    result.wheelset = last_->wheelset;
-    result.distance = last_->distance;
-  }
-  result.held = true;
-  result.status_text = sentences(
-      result.status_text,
+  auto result = std::make_shared<core::WheelsetResult>(*last_->result);
+  output.reason = sentences(
+      output.reason,
       formatted("%sforces and patches are held from the result at %" PRIu32 ".%09" PRIu32 " s (%d of at most %d)",
-                has_pose ? "" : "pose, ", last_->header.stamp.sec, last_->header.stamp.nsec, since_, longest_));
-  result.left_wheel = last_->left_wheel;
-  result.right_wheel = last_->right_wheel;
-  result.rail_wrench = last_->rail_wrench;
-  result.implausible_force = last_->implausible_force;
-  result.left_rail = last_->left_rail;
-  result.right_rail = last_->right_rail;
-  result.patches = last_->patches;
-  const double advance = result.wheelset.position.x - last_->wheelset.position.x;
-  for (ContactPatch& patch : result.patches)
+                output.rejected ? "pose, " : "", last_->header.stamp.sec, last_->header.stamp.nsec, since_, longest_));
+  if (output.rejected)
   {
-    patch.pose.position.x += advance;
+    output.state = last_->state;
+    output.rejected = false;
   }
+  else
+  {
+    result->x = output.state.x;
+    result->y = output.state.y;
+    result->z = output.state.z;
+    result->yaw = output.state.yaw;
+    result->roll = output.state.roll;
+    result->distance = output.state.distance;
+  }
+  output.result = std::move(result);
+  output.held = true;
 }
 }  // namespace wheel_rail_contact

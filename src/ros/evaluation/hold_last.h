@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/time.h>
-
-#include <boost/shared_ptr.hpp>
-
-#include <cstdint>
 #include <optional>
 
-#include <wheel_rail_contact/WheelsetContact.h>
-#include "core/track/placement.h"
-#include "ros/parameters/parameters.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 namespace wheel_rail_contact
 {
 /// Completes results that are not usable with the last usable result of the same wheelset.
 ///
-/// - Height and roll, if they are solved, are those of the last usable result, unless the result has no pose
-/// (hasPose()).
+/// - Height and roll, if they are solved, are those of the last usable result, unless the input was rejected before the
+///   evaluation and has no pose.
 /// - Forces, displacements of the rails and patches are those of the last usable result as well, for at most a given
 ///   number of results in a row (contact/hold_last). Such a result is held: its status is still that of the refusal.
 ///   The patches move along the track with the wheelset. A held result without a pose of its own has the whole pose and
@@ -38,29 +31,21 @@ class HoldLast
   {
   }
 
-  /// True if results are held. Each result then needs its message: only apply() may be called.
+  /// True if results are held.
   bool holds() const { return longest_ > 0; }
-
-  /// Adds the next result of the wheelset. Changes it if it is not usable. If results are held, a usable result is
-  /// stored and must not be changed afterwards; it needs pressure grids only if those of held results shall have them.
-  void apply(const boost::shared_ptr<WheelsetContact>& result);
-
-  /// Adds the next result of the wheelset, of which no message is required.
-  /// @param pose track frame; not used unless the status is usable
-  /// @throw std::logic_error if results are held.
-  void follow(const ros::Time& stamp, std::uint8_t status, const core::WheelsetPose& pose);
+  /// Adds the next result of the wheelset. Changes it if it is not usable. A usable one needs its `result` only if
+  /// results are held.
+  void apply(ContactOutput& output);
+  /// Discards the last usable result.
+  void restart() { last_.reset(); }
 
  private:
-  void add(const ros::Time& stamp, std::uint8_t status, const core::WheelsetPose& pose);
-  void forget();
-  void setHeight(WheelsetContact& result) const;
-  void hold(WheelsetContact& result) const;
+  void hold(ContactOutput& output) const;
 
-  int longest_;                                    ///< see NodeConfig::hold_last
-  bool solves_height_;                             ///< height and roll are solved, not given
-  std::optional<core::WheelsetPose> last_pose_;    ///< of the last usable result; empty if there is none
-  boost::shared_ptr<const WheelsetContact> last_;  ///< last usable result; null unless results are held
-  int since_ = 0;                                  ///< number of results since the last usable one
-  ros::Time stamp_;                                ///< of the last result
+  int longest_;                        ///< see NodeConfig::hold_last
+  bool solves_height_;                 ///< height and roll are solved, not given
+  std::optional<ContactOutput> last_;  ///< last usable result; empty if there is none
+  int since_ = 0;                      ///< number of results since the last usable one
+  ros::Time stamp_;                    ///< of the last result
 };
 }  // namespace wheel_rail_contact

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 #include <optional>
+#include <type_traits>
 
-#include "ros/evaluation/load_interpolation.h"
+#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
@@ -26,27 +27,19 @@ boost::shared_ptr<const Message> kept(const boost::shared_ptr<const Message>& me
 
 void put(InputTopic topic, const InputMessage& message, ContactInput& input)
 {
-  switch (topic)
+  const auto put_as = [&](InputTopic own, auto& member)
   {
-    case InputTopic::pose:
-      input.pose = std::get<geometry_msgs::PoseStampedConstPtr>(message);
-      break;
-    case InputTopic::load:
-      input.load = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
-      break;
-    case InputTopic::left_rail_force:
-      input.rail_force.left = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
-      break;
-    case InputTopic::right_rail_force:
-      input.rail_force.right = std::get<geometry_msgs::WrenchStampedConstPtr>(message);
-      break;
-    case InputTopic::rail_displacement:
-      input.rail_displacement = std::get<RailDisplacementsConstPtr>(message);
-      break;
-    case InputTopic::distance:
-      input.distance = std::get<geometry_msgs::PointStampedConstPtr>(message);
-      break;
-  }
+    if (topic == own)
+    {
+      member = std::get<std::decay_t<decltype(member)>>(message);
+    }
+  };
+  put_as(InputTopic::pose, input.pose);
+  put_as(InputTopic::load, input.load);
+  put_as(InputTopic::left_rail_force, input.rail_force.left);
+  put_as(InputTopic::right_rail_force, input.rail_force.right);
+  put_as(InputTopic::rail_displacement, input.rail_displacement);
+  put_as(InputTopic::distance, input.distance);
 }
 
 /// Topics that are paired, in the order of the channels: a load that is interpolated is the last one.
@@ -66,6 +59,13 @@ bool interpolatesLoad(const NodeConfig& config)
   return config.interpolate_load && config.model.wheelset.solve_height_and_roll;
 }
 
+void interpolate(const geometry_msgs::Vector3& after, double share, geometry_msgs::Vector3& value)
+{
+  value.x += share * (after.x - value.x);
+  value.y += share * (after.y - value.y);
+  value.z += share * (after.z - value.z);
+}
+
 void putInterpolatedLoad(const InputMessage& before, const InputMessage& after, ContactInput& input)
 {
   const auto &one = *std::get<geometry_msgs::WrenchStampedConstPtr>(before),
@@ -74,6 +74,33 @@ void putInterpolatedLoad(const InputMessage& before, const InputMessage& after, 
   input.load = boost::make_shared<geometry_msgs::WrenchStamped>(interpolatedLoad(one, other, input.pose->header.stamp));
 }
 }  // namespace
+
+geometry_msgs::WrenchStamped interpolatedLoad(const geometry_msgs::WrenchStamped& before,
+                                              const geometry_msgs::WrenchStamped& after, const ros::Time& stamp)
+{
+  geometry_msgs::WrenchStamped load = after;
+  load.header.stamp = stamp;
+  if (after.header.stamp == before.header.stamp)
+  {
+    return load;
+  }
+  const double share = (stamp - before.header.stamp).toSec() / (after.header.stamp - before.header.stamp).toSec();
+  load.wrench = before.wrench;
+  interpolate(after.wrench.force, share, load.wrench.force);
+  interpolate(after.wrench.torque, share, load.wrench.torque);
+  return load;
+}
+
+std::string interpolationFault(const geometry_msgs::WrenchStamped& before, const geometry_msgs::WrenchStamped& after)
+{
+  if (before.header.frame_id == after.header.frame_id)
+  {
+    return "";
+  }
+  return formatted(
+      "load: frame_id is '%.60s' before the pose and '%.60s' after it, but must be the same to interpolate",
+      before.header.frame_id.c_str(), after.header.frame_id.c_str());
+}
 
 InputPairing::InputPairing(const NodeConfig& config)
     : interpolates_(interpolatesLoad(config)),

@@ -58,4 +58,13 @@ class InputPairing
   std::vector<InputTopic> topics_;  ///< topic of each channel; the first one is the pose, an interpolated load the last
   StampPairing<InputMessage> pairing_;  ///< a channel for each topic
 };
+
+/// Load at a stamp, linear in time between two loads. Force and moment in the axes of the loads [N], [N m].
+/// @param before,after loads whose stamps enclose `stamp`, or the same load with this stamp
+/// @return the load with the stamp, and with the frame_id of `after`
+geometry_msgs::WrenchStamped interpolatedLoad(const geometry_msgs::WrenchStamped& before,
+                                              const geometry_msgs::WrenchStamped& after, const ros::Time& stamp);
+
+/// Reason why two loads cannot be interpolated: their frame_id differ. Empty if they are equal.
+std::string interpolationFault(const geometry_msgs::WrenchStamped& before, const geometry_msgs::WrenchStamped& after);
 }  // namespace wheel_rail_contact

@@ -29,20 +29,7 @@ std::vector<InputTopic> inputTopics(const NodeConfig& config)
 
 std::string nameOf(InputTopic topic)
 {
-  switch (topic)
-  {
-    case InputTopic::pose:
-      return "wheelset/pose";
-    case InputTopic::load:
-      return "wheelset/load";
-    case InputTopic::left_rail_force:
-      return "wheelset/left_rail_force";
-    case InputTopic::right_rail_force:
-      return "wheelset/right_rail_force";
-    case InputTopic::rail_displacement:
-      return "wheelset/rail_displacement";
-    default:
-      return "wheelset/distance";
-  }
+  constexpr std::array names{"pose", "load", "left_rail_force", "right_rail_force", "rail_displacement", "distance"};
+  return std::string("wheelset/") + names.at(static_cast<std::size_t>(topic));
 }
 }  // namespace wheel_rail_contact

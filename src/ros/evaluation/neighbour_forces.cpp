@@ -31,15 +31,6 @@ bool isFinite(const core::RailForce& force)
 }
 }  // namespace
 
-void apply(const NeighbourEffect& effect, PreparedInput& input)
-{
-  for (const core::Side side : core::sides)
-  {
-    input.state.rail_displacement[side] += effect.deflection[side];
-  }
-  input.lacks_neighbour = !effect.complete;
-}
-
 NeighbourForces::NeighbourForces(const NodeConfig& config) : inclination_(config.model.track.rail_inclination)
 {
   for (const NeighbourConfig& neighbour : config.neighbours)
@@ -48,8 +39,9 @@ NeighbourForces::NeighbourForces(const NodeConfig& config) : inclination_(config
   }
 }
 
-void NeighbourForces::add(std::size_t neighbour, const NeighbourResult& result)
+void NeighbourForces::add(std::size_t neighbour, const ResultHead& result)
 {
+  const std::lock_guard<std::mutex> lock(mutex_);
   std::deque<Result>& results = neighbours_.at(neighbour).results;
   while (!results.empty() && results.back().stamp >= result.stamp)
   {
@@ -62,7 +54,7 @@ void NeighbourForces::add(std::size_t neighbour, const NeighbourResult& result)
   results.push_back({result.stamp, forcesOf(result)});
 }
 
-std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const NeighbourResult& result)
+std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const ResultHead& result)
 {
   const Forces forces{forceOn(result.left_rail), forceOn(result.right_rail)};
   return isUsable(result.status) && isFinite(forces.left) && isFinite(forces.right) ? std::optional(forces)
@@ -71,6 +63,7 @@ std::optional<NeighbourForces::Forces> NeighbourForces::forcesOf(const Neighbour
 
 bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
 {
+  const std::lock_guard<std::mutex> lock(mutex_);
   return std::all_of(
       neighbours_.begin(), neighbours_.end(),
       [&stamp](const Neighbour& neighbour)
@@ -79,6 +72,7 @@ bool NeighbourForces::reachBackFrom(const ros::Time& stamp) const
 
 NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
 {
+  const std::lock_guard<std::mutex> lock(mutex_);
   NeighbourEffect effect;
   core::Sides<std::vector<core::NeighbourForce>> forces;
   for (const Neighbour& neighbour : neighbours_)
@@ -94,6 +88,16 @@ NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
   effect.deflection = {neighbourDeflection(forces.left, inclination_.left),
                        neighbourDeflection(forces.right, inclination_.right)};
   return effect;
+}
+
+void NeighbourForces::apply(PreparedInput& input) const
+{
+  const NeighbourEffect effect = effectAt(input.stamp);
+  for (const core::Side side : core::sides)
+  {
+    input.state.rail_displacement[side] += effect.deflection[side];
+  }
+  input.lacks_neighbour = !effect.complete;
 }
 
 /// Forces of the newest result before the stamp; null if there is none, or if it is too old or not usable.

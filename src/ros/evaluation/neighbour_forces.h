@@ -2,12 +2,13 @@
 #pragma once
 
 #include <deque>
+#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "core/rail/neighbours.h"
 #include "ros/evaluation/contact_input.h"
-#include "ros/evaluation/neighbour_result.h"
+#include "ros/evaluation/result_head.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
@@ -19,15 +20,12 @@ struct NeighbourEffect
   bool complete = true;                          ///< the forces of all neighbours are known
 };
 
-/// Adds the effect to the displacement of the rails of an input, and marks it if a neighbour is unknown.
-void apply(const NeighbourEffect& effect, PreparedInput& input);
-
 /// Rail forces of the neighbouring wheelsets (rail_bending/neighbours), from their results.
 ///
 /// For an input with stamp t, the newest result of each neighbour with a stamp before t is used, never one at t itself.
 /// The order in which two wheelsets are evaluated in one time step therefore has no effect. The forces are unknown, and
 /// taken as zero, if this result is not usable, is older than `longest_age`, or does not exist. If the stamps of a
-/// neighbour go back to t, its results at and after t are discarded. Not thread-safe.
+/// neighbour go back to t, its results at and after t are discarded. Thread-safe.
 class NeighbourForces
 {
  public:
@@ -39,7 +37,7 @@ class NeighbourForces
 
   /// Adds a result of a neighbour.
   /// @param neighbour index in NodeConfig::neighbours
-  void add(std::size_t neighbour, const NeighbourResult& result);
+  void add(std::size_t neighbour, const ResultHead& result);
 
   /// True if each neighbour has a stored result at least `longest_age` before the stamp. Earlier results then have no
   /// effect at this stamp or a later one.
@@ -47,6 +45,8 @@ class NeighbourForces
 
   /// Effect of all neighbours at the stamp.
   NeighbourEffect effectAt(const ros::Time& stamp) const;
+  /// Adds the effect at the stamp of an input to its rail displacement, and marks it if a neighbour is unknown.
+  void apply(PreparedInput& input) const;
 
  private:
   using Forces = core::Sides<core::RailForce>;  ///< by Side
@@ -61,9 +61,10 @@ class NeighbourForces
     std::deque<Result> results;  ///< in order of increasing stamps
   };
   static const Forces* forcesAt(const Neighbour& neighbour, const ros::Time& stamp);
-  static std::optional<Forces> forcesOf(const NeighbourResult& result);
+  static std::optional<Forces> forcesOf(const ResultHead& result);
 
   core::Sides<double> inclination_;  ///< of the rails [rad]
+  mutable std::mutex mutex_;         ///< guards `neighbours_`
   std::vector<Neighbour> neighbours_;
 };
 }  // namespace wheel_rail_contact

@@ -62,6 +62,20 @@ void visitPatch(const Visit& visit)
   visit({"normal_stiffness", "N/m", "normal force per approach"}, &Core::normal_stiffness, &Message::normal_stiffness);
 }
 
+/// Numbers of a pressure grid.
+template <typename Visit>
+void visitGrid(const Visit& visit)
+{
+  using Core = core::PatchGrid;
+  using Message = PressureGrid;
+  visit({"nx", "-", "number of cells along x"}, &Core::nx, &Message::nx);
+  visit({"ny", "-", "number of cells along y"}, &Core::ny, &Message::ny);
+  visit({"dx", "m", "length of a cell along the track"}, &Core::dx, &Message::dx);
+  visit({"dy", "m", "width of a cell across the track"}, &Core::dy, &Message::dy);
+  visit({"x0", "m", "x of the centre of the first cell"}, &Core::x0, &Message::x0);
+  visit({"y0", "m", "y of the centre of the first cell"}, &Core::y0, &Message::y0);
+}
+
 /// Fields of a highest stress.
 template <typename Visit>
 void visitPeak(const Visit& visit)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/pi.h"
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/evaluation/text.h"
 
@@ -60,9 +61,8 @@ std::string railLine(const core::RailDeflection& deflection)
 
 std::string patchLine(const core::PatchResult& patch)
 {
-  constexpr double degree = 3.14159265358979323846 / 180;
   return formatted("  patch %s, %4.0f mm², %6.1f kN at %+.1f°, %s", pressureText(patch).c_str(), patch.area * 1e6,
-                   patch.normal_force / 1e3, patch.contact_angle / degree, std::string(patch.method).c_str());
+                   patch.normal_force / 1e3, patch.contact_angle / core::degree, std::string(patch.method).c_str());
 }
 
 std::string peakText(const core::StressPeak& peak)

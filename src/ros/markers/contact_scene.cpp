@@ -198,7 +198,7 @@ std::shared_ptr<const core::WheelsetResult> drawnResult(const ContactOutput& out
   {
     return std::make_shared<core::WheelsetResult>(withMagnifiedDeflection(*output.result, *at_rest, deflection_scale));
   }
-  return {std::shared_ptr<const core::WheelsetResult>(), output.result};  // without ownership
+  return output.result;
 }
 
 MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelConfig* model, const ContactTrail& trail,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.h"
 #include "core/track/placement.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"
@@ -21,7 +22,6 @@ constexpr int profile_points = 60;     ///< number of drawn points of a profile
 constexpr double row_spacing = 0.075;  ///< angle between rows of points on a wheel, about the axle [rad]
 constexpr int circle_points = 96;
 constexpr double axle_radius = 0.008;  ///< much smaller than the true radius, so that the axle hides nothing [m]
-constexpr double pi = 3.14159265358979323846;
 
 std_msgs::ColorRGBA wheelColor(double alpha)
 {
@@ -118,7 +118,7 @@ Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, c
   {
     for (int i = 0; i < circle_points; ++i)
     {
-      const double step = 2 * pi / circle_points;
+      const double step = 2 * core::pi / circle_points;
       addSegment(to_track * wheelPoint(model.wheelset, side, p, i * step),
                  to_track * wheelPoint(model.wheelset, side, p, (i + 1) * step), marker);
     }
@@ -130,7 +130,7 @@ Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& heade
 {
   Marker marker = makeMarker(header, "wheel_lines", 2, Marker::CYLINDER, lineColor());
   const Eigen::Quaterniond turned(to_track.linear() *
-                                  Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitX()).toRotationMatrix());
+                                  Eigen::AngleAxisd(0.5 * core::pi, Vector3d::UnitX()).toRotationMatrix());
   marker.pose.position = toPoint(to_track.translation());
   marker.pose.orientation = toQuaternion(turned);
   marker.scale.x = marker.scale.y = 2 * axle_radius;

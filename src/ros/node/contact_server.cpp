@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/contact_server.h"
 
-#include <boost/make_shared.hpp>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -10,7 +9,6 @@
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/stress_section.h"
 #include "ros/markers/track_markers.h"
-#include "ros/node/transform_wait.h"
 #include "ros/parameters/node_parameters.h"
 
 namespace wheel_rail_contact
@@ -28,13 +26,11 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       private_nh_(private_nh),
       config_(readNodeParameters(private_nh_)),
       pairing_(config_),
-      preparation_(config_),
-      evaluator_(config_),
-      hold_(config_),
       listener_(transforms_, nh_),
       inputs_(input_capacity),
       neighbours_(config_),
-      services_(private_nh_, config_, transforms_, [this](const ros::Time& stamp) { return neighboursAt(stamp); }),
+      chain_(config_, transforms_, neighbours_),
+      services_(private_nh_, config_, transforms_, neighbours_),
       pressure_scale_(config_.markers.max_pressure),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
@@ -142,12 +138,8 @@ void ContactServer::subscribeToNeighbours()
       throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
                                   topic + " is published by this node itself");
     }
-    subscribeAtOnce<NeighbourResult>(topic,
-                                     [this, i](const boost::shared_ptr<const NeighbourResult>& result)
-                                     {
-                                       const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-                                       neighbours_.add(i, *result);
-                                     });
+    subscribeAtOnce<ResultHead>(
+        topic, [this, i](const boost::shared_ptr<const ResultHead>& result) { neighbours_.add(i, *result); });
   }
 }
 
@@ -157,7 +149,6 @@ void ContactServer::work()
   {
     try
     {
-      waitForTransform(preparation_, *input, transforms_, [this] { return inputs_.closed(); });
       evaluate(*input);
     }
     catch (const std::exception& error)
@@ -170,39 +161,13 @@ void ContactServer::work()
   }
 }
 
-NeighbourEffect ContactServer::neighboursAt(const ros::Time& stamp)
-{
-  const std::lock_guard<std::mutex> lock(neighbours_mutex_);
-  return neighbours_.effectAt(stamp);
-}
-
-PreparedInput ContactServer::prepare(const ContactInput& input)
-{
-  PreparedInput prepared = preparation_.prepare(input, transforms_);
-  apply(neighboursAt(prepared.stamp), prepared);
-  return prepared;
-}
-
 void ContactServer::evaluate(const ContactInput& input)
 {
-  const ros::WallTime start = ros::WallTime::now();
-  const ContactOutput output = evaluator_.evaluate(prepare(input));
-  const double solve_time = (ros::WallTime::now() - start).toSec();
+  const ContactOutput output = chain_.evaluate(input, [this] { return inputs_.closed(); });
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
-  const bool wants_markers = marker_publisher_.getNumSubscribers() > 0;
-  boost::shared_ptr<WheelsetContact> message;
-  if (wants_message || hold_.holds() || (wants_markers && !output.result))
-  {
-    message = boost::make_shared<WheelsetContact>(toMessage(output, true, solve_time));
-    hold_.apply(message);
-  }
-  else
-  {
-    hold_.follow(output.header.stamp, output.status, output.pose());
-  }
   if (wants_message)
   {
-    contact_publisher_.publish(*message);
+    contact_publisher_.publish(toMessage(output, true));
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -210,14 +175,13 @@ void ContactServer::evaluate(const ContactInput& input)
     {
       return;  // the result is not published any more
     }
-    statistics_.count(output, solve_time);
-    statistics_.held += message && message->held ? 1U : 0U;
-    statistics_.messages_built += message ? 1U : 0U;
+    statistics_.count(output);
+    statistics_.messages_built += wants_message ? 1U : 0U;
   }
   warn(output.beyond_linear_range);
-  if (wants_markers && pictureIsDue())
+  if (marker_publisher_.getNumSubscribers() > 0 && pictureIsDue())
   {
-    publishMarkers(output.result ? output : outputFromMessage(*message, held_result_));
+    publishMarkers(output);
   }
 }
 

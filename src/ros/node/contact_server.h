@@ -2,6 +2,7 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue_interface.h>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -11,20 +12,28 @@
 #include <thread>
 #include <vector>
 
-#include "ros/evaluation/contact_evaluator.h"
-#include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/contact_statistics.h"
-#include "ros/evaluation/hold_last.h"
-#include "ros/evaluation/neighbour_forces.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/node/contact_services.h"
-#include "ros/node/immediate_callbacks.h"
+#include "ros/node/evaluation_chain.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {
+/// Callback queue interface that runs each callback immediately, in the thread that received the message.
+///
+/// For short callbacks that must receive every message: no message waits in roscpp, so roscpp drops none. The callbacks
+/// of one subscription never run concurrently; those of different subscriptions may.
+class ImmediateCallbacks : public ros::CallbackQueueInterface
+{
+ public:
+  /// Runs the callback.
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t /*owner_id*/) override { callback->call(); }
+  /// Does nothing, because no callback is stored.
+  void removeByID(std::uint64_t /*owner_id*/) override {}
+};
 /// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics;
 /// provides the services (ContactServices).
 ///
@@ -60,8 +69,6 @@ class ContactServer
 
   void work();
   void reportUnevaluated();
-  NeighbourEffect neighboursAt(const ros::Time& stamp);
-  PreparedInput prepare(const ContactInput& input);
   void evaluate(const ContactInput& input);
   void warn(const std::string& beyond_linear_range);
   void warnOfMissingStamp(InputTopic topic, const ros::Time& stamp);
@@ -71,10 +78,7 @@ class ContactServer
 
   ros::NodeHandle nh_, private_nh_;
   const NodeConfig config_;
-  InputPairing pairing_;          ///< under `mutex_`, together with pushing to `inputs_`
-  InputPreparation preparation_;  ///< worker only
-  ContactEvaluator evaluator_;    ///< worker only
-  HoldLast hold_;                 ///< worker only
+  InputPairing pairing_;  ///< under `mutex_`, together with pushing to `inputs_`
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_;
   NewestQueue<ContactInput> inputs_;
@@ -85,19 +89,18 @@ class ContactServer
   std::uint64_t input_count_ = 0;  ///< number of inputs pushed to `inputs_`
   bool warned_of_missing_stamp_ = false;
 
-  std::mutex neighbours_mutex_;  ///< guards `neighbours_`
   NeighbourForces neighbours_;
+  EvaluationChain chain_;  ///< worker only
   ContactServices services_;
 
   ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
-  core::WheelsetResult held_result_;  ///< drawn for a result that is not usable; worker only
-  MarkerKeys shown_markers_;          ///< markers of the last published array; worker only
-  PressureScale pressure_scale_;      ///< of the markers; worker only
-  PressureScale stress_scale_{0};     ///< of the markers; worker only
-  ros::WallTime next_picture_;        ///< earliest time of the next markers; worker only
-  ros::WallTime next_warning_;        ///< earliest time of the next warning; worker only
+  MarkerKeys shown_markers_;       ///< markers of the last published array; worker only
+  PressureScale pressure_scale_;   ///< of the markers; worker only
+  PressureScale stress_scale_{0};  ///< of the markers; worker only
+  ros::WallTime next_picture_;     ///< earliest time of the next markers; worker only
+  ros::WallTime next_warning_;     ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::thread worker_;

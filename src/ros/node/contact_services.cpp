@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/contact_services.h"
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <exception>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "ros/evaluation/conversions.h"
-#include "ros/evaluation/service_input.h"
-#include "ros/node/transform_wait.h"
 
 namespace wheel_rail_contact
 {
@@ -19,16 +20,36 @@ NodeConfig withSolvedHeight(NodeConfig config)
   config.model.wheelset.solve_height_and_roll = true;
   return config;
 }
+
+/// Input of a request: the messages that the configuration requires (inputTopics()); the others are null.
+ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig& config)
+{
+  ContactInput input;
+  const std::vector<InputTopic> topics = inputTopics(config);
+  const auto take = [&topics](InputTopic topic, const auto& message, auto& member)
+  {
+    if (std::find(topics.begin(), topics.end(), topic) != topics.end())
+    {
+      member = boost::make_shared<std::decay_t<decltype(message)>>(message);
+    }
+  };
+  take(InputTopic::pose, request.pose, input.pose);
+  take(InputTopic::load, request.load, input.load);
+  take(InputTopic::left_rail_force, request.left_rail_force, input.rail_force.left);
+  take(InputTopic::right_rail_force, request.right_rail_force, input.rail_force.right);
+  take(InputTopic::rail_displacement, request.rail_displacement, input.rail_displacement);
+  take(InputTopic::distance, request.distance, input.distance);
+  return input;
+}
 }  // namespace
 
-ContactServices::Chain::Chain(NodeConfig node_config)
-    : config(std::move(node_config)), preparation(config), evaluator(config), hold(config)
-{
-}
-
 ContactServices::ContactServices(const ros::NodeHandle& private_nh, NodeConfig config,
-                                 const tf2::BufferCore& transforms, Neighbours neighbours)
-    : config_(std::move(config)), transforms_(transforms), neighbours_(std::move(neighbours)), spinner_(1, &queue_)
+                                 const tf2::BufferCore& transforms, const NeighbourForces& neighbours)
+    : config_(std::move(config)),
+      static_config_(withSolvedHeight(config_)),
+      transforms_(transforms),
+      neighbours_(neighbours),
+      spinner_(1, &queue_)
 {
   ros::NodeHandle own(private_nh);
   own.setCallbackQueue(&queue_);
@@ -57,12 +78,10 @@ bool ContactServices::evaluate(EvaluateWheelset::Request& request, EvaluateWheel
   {
     if (!evaluate_)
     {
-      evaluate_ = std::make_unique<Chain>(config_);
+      evaluate_ = std::make_unique<EvaluationChain>(config_, transforms_, neighbours_);
     }
-    const auto result = boost::make_shared<WheelsetContact>(resultOf(request, *evaluate_));
-    evaluate_->hold.apply(result);
-    response.contact = *result;
-    count(&ServiceCounts::evaluate, *result);
+    response.contact = resultOf(request, config_, *evaluate_);
+    count(&ServiceCounts::evaluate, response.contact);
   }
   catch (const std::exception& error)
   {
@@ -78,10 +97,10 @@ bool ContactServices::startStatic(EvaluateWheelset::Request& request, EvaluateWh
   {
     if (!static_start_)
     {
-      static_start_ = std::make_unique<Chain>(withSolvedHeight(config_));
+      static_start_ = std::make_unique<EvaluationChain>(static_config_, transforms_, neighbours_);
     }
-    static_start_->preparation = InputPreparation(static_start_->config);  // each request starts cold
-    response.contact = resultOf(request, *static_start_);
+    static_start_->restart();
+    response.contact = resultOf(request, static_config_, *static_start_);
     count(&ServiceCounts::static_start, response.contact);
   }
   catch (const std::exception& error)
@@ -92,21 +111,18 @@ bool ContactServices::startStatic(EvaluateWheelset::Request& request, EvaluateWh
   return true;
 }
 
-WheelsetContact ContactServices::resultOf(const EvaluateWheelset::Request& request, Chain& chain)
+WheelsetContact ContactServices::resultOf(const EvaluateWheelset::Request& request, const NodeConfig& config,
+                                          EvaluationChain& chain)
 {
-  ContactInput input = inputOf(request, chain.config);
+  ContactInput input = inputOf(request, config);
   input.arrival = ros::WallTime::now();
-  waitForTransform(chain.preparation, input, transforms_, [this] { return ended_.load(); });
-  const ros::WallTime start = ros::WallTime::now();
-  PreparedInput prepared = chain.preparation.prepare(input, transforms_);
-  apply(neighbours_(prepared.stamp), prepared);
-  const ContactOutput output = chain.evaluator.evaluate(prepared);
+  const ContactOutput output = chain.evaluate(input, [this] { return ended_.load(); });
   if (output.lacks_neighbour)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++counts_.lacking_neighbour;
   }
-  return toMessage(output, true, (ros::WallTime::now() - start).toSec());
+  return toMessage(output, true);
 }
 
 void ContactServices::count(std::uint64_t ServiceCounts::*requests, const WheelsetContact& result)

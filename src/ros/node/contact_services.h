@@ -8,16 +8,12 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <mutex>
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
-#include "ros/evaluation/contact_evaluator.h"
-#include "ros/evaluation/contact_input.h"
-#include "ros/evaluation/hold_last.h"
-#include "ros/evaluation/neighbour_forces.h"
-#include "ros/evaluation/service_counts.h"
+#include "ros/evaluation/contact_statistics.h"
+#include "ros/node/evaluation_chain.h"
 #include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
@@ -34,13 +30,10 @@ namespace wheel_rail_contact
 class ContactServices
 {
  public:
-  /// Effect of the neighbours at a stamp; called in the thread of the services.
-  using Neighbours = std::function<NeighbourEffect(const ros::Time&)>;
-
   /// Advertises the services.
-  /// @param transforms must outlive the services
+  /// @param transforms,neighbours must outlive the services
   ContactServices(const ros::NodeHandle& private_nh, NodeConfig config, const tf2::BufferCore& transforms,
-                  Neighbours neighbours);
+                  const NeighbourForces& neighbours);
   /// Ends after the current request.
   ~ContactServices();
   ContactServices(const ContactServices&) = delete;
@@ -50,28 +43,17 @@ class ContactServices
   ServiceCounts counts() const;
 
  private:
-  /// Evaluation of one service.
-  struct Chain
-  {
-    explicit Chain(NodeConfig node_config);
-
-    NodeConfig config;
-    InputPreparation preparation;
-    ContactEvaluator evaluator;
-    HoldLast hold;
-  };
-
   bool evaluate(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
   bool startStatic(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
   /// Result of a request. Counts it if it lacks the forces of a neighbour.
-  WheelsetContact resultOf(const EvaluateWheelset::Request& request, Chain& chain);
+  WheelsetContact resultOf(const EvaluateWheelset::Request& request, const NodeConfig& config, EvaluationChain& chain);
   void fail(const std::exception& error);
   void count(std::uint64_t ServiceCounts::*requests, const WheelsetContact& result);
 
-  const NodeConfig config_;
+  const NodeConfig config_, static_config_;
   const tf2::BufferCore& transforms_;
-  const Neighbours neighbours_;
-  std::unique_ptr<Chain> evaluate_, static_start_;  ///< thread of the services only
+  const NeighbourForces& neighbours_;
+  std::unique_ptr<EvaluationChain> evaluate_, static_start_;  ///< thread of the services only
   std::atomic<bool> ended_{false};
   mutable std::mutex mutex_;  ///< guards `counts_`
   ServiceCounts counts_;

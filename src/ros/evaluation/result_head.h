@@ -14,14 +14,15 @@
 
 namespace wheel_rail_contact
 {
-/// The part of a neighbour's result that a wheelset uses. It is read from a message WheelsetContact without the
-/// patches, which may be large, or of a wrong size in a damaged message.
-struct NeighbourResult
+/// First fields of a message WheelsetContact, read without the patches. These may be large, or of a wrong size in a
+/// damaged message.
+struct ResultHead
 {
-  ros::Time stamp;                            ///< of the input of the neighbour
+  ros::Time stamp;                            ///< of the header
   std::uint8_t status = WheelsetContact::OK;  ///< constant of the message WheelsetContact
-  RailDeflection left_rail;                   ///< as in the message
-  RailDeflection right_rail;                  ///< as in the message
+  std::string status_text;
+  bool held = false;
+  RailDeflection left_rail, right_rail;
 };
 }  // namespace wheel_rail_contact
 
@@ -31,12 +32,12 @@ namespace message_traits
 {
 /// Same as for WheelsetContact.
 template <>
-struct MD5Sum<wheel_rail_contact::NeighbourResult> : MD5Sum<wheel_rail_contact::WheelsetContact>
+struct MD5Sum<wheel_rail_contact::ResultHead> : MD5Sum<wheel_rail_contact::WheelsetContact>
 {
 };
 /// Same as for WheelsetContact.
 template <>
-struct DataType<wheel_rail_contact::NeighbourResult> : DataType<wheel_rail_contact::WheelsetContact>
+struct DataType<wheel_rail_contact::ResultHead> : DataType<wheel_rail_contact::WheelsetContact>
 {
 };
 }  // namespace message_traits
@@ -45,23 +46,21 @@ namespace serialization
 {
 /// Reads the fields in the order of WheelsetContact.msg.
 template <>
-struct Serializer<wheel_rail_contact::NeighbourResult>
+struct Serializer<wheel_rail_contact::ResultHead>
 {
   /// @throw StreamOverrunException if the message ends before its patches.
   template <typename Stream>
-  static void read(Stream& stream, wheel_rail_contact::NeighbourResult& result)
+  static void read(Stream& stream, wheel_rail_contact::ResultHead& result)
   {
     std_msgs::Header header;
-    std::string status_text;
     geometry_msgs::Pose wheelset;
-    bool held = false;
     double distance = 0;
     wheel_rail_contact::WheelForces left_wheel, right_wheel;
     geometry_msgs::Wrench rail_wrench;
     stream.next(header);
     stream.next(result.status);
-    stream.next(status_text);
-    stream.next(held);
+    stream.next(result.status_text);
+    stream.next(result.held);
     stream.next(wheelset);
     stream.next(distance);
     stream.next(left_wheel);

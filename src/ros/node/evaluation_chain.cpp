@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/evaluation_chain.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+constexpr double poll_period = 0.002;  ///< [s]
+}  // namespace
+
+EvaluationChain::EvaluationChain(const NodeConfig& config, const tf2::BufferCore& transforms,
+                                 const NeighbourForces& neighbours)
+    : preparation_(config), evaluator_(config), hold_(config), transforms_(transforms), neighbours_(neighbours)
+{
+}
+
+ContactOutput EvaluationChain::evaluate(const ContactInput& input, const std::function<bool()>& ended)
+{
+  waitForTransform(input, ended);
+  const ros::WallTime start = ros::WallTime::now();
+  PreparedInput prepared = preparation_.prepare(input, transforms_);
+  neighbours_.apply(prepared);
+  ContactOutput output = evaluator_.evaluate(prepared);
+  hold_.apply(output);
+  output.solve_time = (ros::WallTime::now() - start).toSec();
+  return output;
+}
+
+void EvaluationChain::restart()
+{
+  preparation_.restart();
+  hold_.restart();
+}
+
+void EvaluationChain::waitForTransform(const ContactInput& input, const std::function<bool()>& ended) const
+{
+  const ros::WallTime deadline = input.arrival + ros::WallDuration(InputPreparation::transform_timeout);
+  while (!preparation_.isReady(input, transforms_) && ros::WallTime::now() < deadline && !ended())
+  {
+    ros::WallDuration(poll_period).sleep();
+  }
+}
+}  // namespace wheel_rail_contact

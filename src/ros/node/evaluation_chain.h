@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tf2/buffer_core.h>
+
+#include <functional>
+
+#include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/contact_input.h"
+#include "ros/evaluation/hold_last.h"
+#include "ros/evaluation/neighbour_forces.h"
+
+namespace wheel_rail_contact
+{
+/// Evaluates the inputs of one wheelset in the live node, in their order. The replay has the same steps in its threads:
+/// preparation (InputPreparation), forces of the neighbours, evaluation (ContactEvaluator), hold (HoldLast). Not
+/// thread-safe.
+class EvaluationChain
+{
+ public:
+  /// Keeps no reference to `config`.
+  /// @param transforms,neighbours must outlive the chain
+  EvaluationChain(const NodeConfig& config, const tf2::BufferCore& transforms, const NeighbourForces& neighbours);
+
+  /// Waits until tf has the transform of the input, or until InputPreparation::transform_timeout after its arrival, and
+  /// evaluates it. Because the deadline counts from the arrival, a transform that never arrives delays the results but
+  /// does not reduce their rate.
+  /// @param ended true: the wait ends at once
+  ContactOutput evaluate(const ContactInput& input, const std::function<bool()>& ended);
+  /// The next input is evaluated as the first one.
+  void restart();
+
+ private:
+  void waitForTransform(const ContactInput& input, const std::function<bool()>& ended) const;
+
+  InputPreparation preparation_;
+  ContactEvaluator evaluator_;
+  HoldLast hold_;
+  const tf2::BufferCore& transforms_;
+  const NeighbourForces& neighbours_;
+};
+}  // namespace wheel_rail_contact
