@@ -148,7 +148,7 @@ TEST(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)
   EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
 }
 
-// Hertz, Kik-Piotrowski and Seidel solve the problem with one normal for each patch, and say so.
+// Hertz, Kik-Piotrowski and Seidel solve the problem with one normal for each patch, and state this.
 TEST(ColumnFields, OtherMethodsSayWhatTheyLeaveOut)
 {
   std::mt19937_64 random(seed);
