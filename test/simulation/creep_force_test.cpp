@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "examples/simulate_wheelset/kalker_coefficients.h"
 #include "examples/simulate_wheelset/wheelset_forces.h"
 
 using namespace simulate_wheelset;

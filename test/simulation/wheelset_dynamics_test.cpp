@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "examples/simulate_wheelset/held_contact.h"
+#include "examples/simulate_wheelset/contact_source.h"
 
 using namespace simulate_wheelset;
 

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <numeric>
+#include <sstream>
 
-#include "examples/simulate_wheelset/held_contact.h"
+#include "examples/simulate_wheelset/contact_source.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 namespace simulate_wheelset
@@ -58,5 +63,23 @@ RunSummary runClosedLoop(const Parameters& parameters, ContactSource& source, Mo
   }
   summary.held = held.held();
   return summary;
+}
+
+std::string StepTimes::text() const
+{
+  if (seconds_.empty())
+  {
+    return "";
+  }
+  std::vector<double> sorted = seconds_;
+  std::sort(sorted.begin(), sorted.end());
+  const auto quantile = [&](double share)
+  { return 1e3 * sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))]; };
+  const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << static_cast<double>(sorted.size()) / sum << " steps/s; step: median "
+       << std::setprecision(3) << quantile(0.5) << " ms, 95 % " << quantile(0.95) << " ms, longest " << quantile(1)
+       << " ms";
+  return text.str();
 }
 }  // namespace simulate_wheelset

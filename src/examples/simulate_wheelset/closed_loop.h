@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "examples/simulate_wheelset/contact_source.h"
 #include "examples/simulate_wheelset/motion_table.h"
 #include "examples/simulate_wheelset/parameters.h"
-#include "examples/simulate_wheelset/step_times.h"
 #include "examples/simulate_wheelset/waves.h"
 
 namespace simulate_wheelset
 {
+/// Wall times of the steps of a run.
+class StepTimes
+{
+ public:
+  /// Adds a step [s].
+  void add(double seconds) { seconds_.push_back(seconds); }
+  /// Steps per second, median, 95 % and longest step in words; empty without a step.
+  std::string text() const;
+
+ private:
+  std::vector<double> seconds_;
+};
+
 /// What happened in a run.
 struct RunSummary
 {

@@ -15,10 +15,7 @@ ContactPoint pointOf(const core::PatchResult& patch, const core::WheelsetResult&
   point.is_left = patch.side == core::Side::left;
   point.position = {patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z};
   point.angle = patch.pose.angle;
-  point.normal_force = patch.normal_force;
-  point.semi_axis_along = patch.semi_axis_along;
-  point.semi_axis_across = patch.semi_axis_across;
-  point.rolling_radius = patch.rolling_radius;
+  copySizes(patch, point);
   return point;
 }
 }  // namespace

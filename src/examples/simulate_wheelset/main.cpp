@@ -12,9 +12,8 @@
 
 #include "examples/simulate_wheelset/closed_loop.h"
 #include "examples/simulate_wheelset/in_process_contact.h"
+#include "examples/simulate_wheelset/node_contact.h"
 #include "examples/simulate_wheelset/options.h"
-#include "examples/simulate_wheelset/service_contact.h"
-#include "examples/simulate_wheelset/topic_contact.h"
 
 namespace
 {

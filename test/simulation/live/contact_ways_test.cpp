@@ -11,9 +11,7 @@
 
 #include "examples/simulate_wheelset/closed_loop.h"
 #include "examples/simulate_wheelset/in_process_contact.h"
-#include "examples/simulate_wheelset/node_parameters.h"
-#include "examples/simulate_wheelset/service_contact.h"
-#include "examples/simulate_wheelset/topic_contact.h"
+#include "examples/simulate_wheelset/node_contact.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 #include "simulation/sweep.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "examples/simulate_wheelset/held_contact.h"
+#include "examples/simulate_wheelset/contact_source.h"
 
 #include <stdexcept>
 #include <utility>

@@ -11,6 +11,28 @@
 
 namespace simulate_wheelset
 {
+/// A contact node, over its service `evaluate` with one persistent connection.
+class ServiceContact : public ContactSource
+{
+ public:
+  /// Waits for the service.
+  /// @param node  name of the contact node
+  /// @param frame its parameter track/frame
+  /// @throw std::runtime_error if there is no service within a minute, or the node expects another
+  /// load (requireWheelLoads()).
+  ServiceContact(const std::string& node, std::string frame);
+
+  double rollingRadius() const override { return rolling_radius_; }
+  /// @throw std::runtime_error if the service fails.
+  ContactReply evaluate(const ContactRequest& request) override;
+
+ private:
+  std::string frame_;
+  const double rolling_radius_;  ///< [m]
+  ros::NodeHandle nh_;
+  ros::ServiceClient client_;
+};
+
 /// A contact node, over its topics, in lockstep: publishes pose and load, and waits for the result with their stamp.
 ///
 /// The subscriber uses TCP without delay. Without this option each result may wait up to 40 ms in the socket.
@@ -40,4 +62,16 @@ class TopicContact : public ContactSource
   ros::Subscriber subscriber_;
   wheel_rail_contact::WheelsetContact::ConstPtr latest_;  ///< latest result; null before the first one
 };
+
+/// Checks that the load of the dynamics (WheelsetDynamics::request()) is the one that a contact node expects. It is for
+/// wheelset/balance: wheel_loads and wheelset/free: [z, roll], the defaults.
+/// @param node name of the contact node
+/// @throw std::runtime_error if the node has other values on the parameter server.
+void requireWheelLoads(const std::string& node);
+
+/// Nominal rolling radius of a contact node, the mean of both wheels [m]: wheelset/rolling_radius, or those of the
+/// wheels (wheel/left/rolling_radius), or the default if the parameter server has none.
+/// @param node name of the contact node
+/// @throw std::runtime_error if a radius is not a number > 0.
+double rollingRadiusOf(const std::string& node);
 }  // namespace simulate_wheelset
