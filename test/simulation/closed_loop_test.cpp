@@ -139,7 +139,7 @@ TEST(ClosedLoop, WheelsetFollowsAMisalignedTrack)
   {
     const double x = i, share = std::clamp(x / length, 0.0, 1.0);
     const double y = size * share * share * (3 - 2 * share);
-    stations.push_back({x, 0, {{{y, 0, 0}, {-y, 0, 0}}}});  // outward: the right rail moves inward
+    stations.push_back({x, 0, {{y, 0, 0}, {-y, 0, 0}}});  // outward: the right rail moves inward
   }
   config.track.line = std::make_shared<const wheel_rail_contact::core::TrackLine>("step", stations);
   InProcessContact contact(config);
