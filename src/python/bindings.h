@@ -50,4 +50,6 @@ void bindProfileCheck(pybind11::module& module);
 void bindGeometry(pybind11::module& module);
 /// Adds what the command contact_chart times. The class that names parameters is added before.
 void bindTiming(pybind11::module& module);
+/// Adds one wheel on its rail, for the studies. The contact is added before.
+void bindOneWheel(pybind11::module& module);
 }  // namespace wheel_rail_contact

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module)
   wheel_rail_contact::bindProfileCheck(module);
   wheel_rail_contact::bindGeometry(module);
   wheel_rail_contact::bindTiming(module);
+  wheel_rail_contact::bindOneWheel(module);
 }

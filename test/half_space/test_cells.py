@@ -8,7 +8,7 @@ from wheel_rail_contact.command import Failure
 from wheel_rail_contact.half_space import normal_contact
 from wheel_rail_contact.half_space.correction import Correction
 from wheel_rail_contact.half_space.half_space import influence
-from wheel_rail_contact.half_space.place_tables import Cells
+from wheel_rail_contact.half_space.gaps import Cells
 
 MODULUS = 1.15e11  # [Pa]
 
@@ -108,7 +108,3 @@ class CorrectionOfCells(unittest.TestCase):
         coarse, fine = cells(10, 16, 0.6e-3), cells(20, 32, 0.3e-3)
         found = Correction([coarse], self.smooth(coarse))
         self.assertLess(np.abs(found.on([fine]) - self.smooth(fine)).max(), 1e-14)
-
-
-if __name__ == "__main__":
-    unittest.main()

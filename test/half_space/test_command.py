@@ -63,7 +63,3 @@ class Misuse(unittest.TestCase):
             status, _, err = run("--out", "never_made")
         self.assertEqual((status, err), (1, "half_space_study: gmsh is not installed; on Debian: apt install gmsh\n"))
         self.assertFalse(Path("never_made").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

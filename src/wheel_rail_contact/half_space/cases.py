@@ -46,17 +46,17 @@ class Case:
     shift: float
 
 
-def solve(tables, corrections):
+def solve(gaps, corrections):
     """Cases of a place.
 
-    @param tables       PlaceTables with the cells of the solutions
+    @param gaps         PlaceGaps with the cells of the solutions
     @param corrections  of the rail and of the wheel, on the same contacts
     """
-    cells = tables.cells
+    cells = gaps.cells
     areas = np.concatenate([np.full(one.rows * one.columns, 2 * one.dx * one.dy) for one in cells])
-    plane, turned = (influence(cells, tables.modulus, flag) for flag in (False, True))
+    plane, turned = (influence(cells, gaps.modulus, flag) for flag in (False, True))
     real = turned + sum(one.on(cells) for one in corrections) * 0.5 * areas
-    return [_case(case, cells, areas, plane, turned, real) for case in tables.cases]
+    return [_case(case, cells, areas, plane, turned, real) for case in gaps.cases]
 
 
 def _case(case, cells, areas, plane, turned, real):
@@ -98,7 +98,6 @@ def _split(pressure, cells):
 def _figures(pressure, cells):
     parts = _split(pressure, cells)
     if any(part[-1].any() or part[:, 0].any() or part[:, -1].any() for part in parts):
-        raise Failure("the pressure reaches the edge of the cells: they must be larger (margin of half_space/cell_grids.cpp)")
+        raise Failure("the pressure reaches the edge of the cells: they must be larger (MARGIN of half_space/gaps.py)")
     return [Figures(part, float(normal_contact.highest(part)), normal_contact.area(part, one.dx, one.dy),
                     float(2 * one.dx * one.dy * part.sum())) for part, one in zip(parts, cells)]
-

@@ -6,13 +6,11 @@ import time
 from pathlib import Path
 
 from ..chart import table
-from ..command import Failure, finish, pyplot, runner
+from ..command import Failure, calculating, finish, pyplot
 from ..rail_fe import calculix, gmsh_mesh
 from . import picture, report, results
 from .places import PLACES
 from .study import QUICK, Settings, solve_place
-
-RUNNER = "half_space_study_runner"
 
 
 def main(arguments=None):
@@ -22,7 +20,7 @@ def main(arguments=None):
 
 def _run(options):
     places, chart_rows = _places(options.places), _chart_rows(options.chart)
-    program, plot = runner(RUNNER), pyplot()
+    plot = pyplot()
     gmsh_mesh.program()
     calculix.program()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -31,8 +29,9 @@ def _run(options):
     def progress(text):
         print(f"[{time.monotonic() - started:6.1f} s] {text}", file=sys.stderr, flush=True)
 
-    found = [solve_place(program, place, QUICK if options.quick else Settings(), options.out / place.name, progress)
-             for place in places]
+    with calculating():
+        found = [solve_place(place, QUICK if options.quick else Settings(), options.out / place.name, progress)
+                 for place in places]
     rows = results.comparisons(found)
     results.write_comparisons(options.out / "comparisons.csv", rows)
     results.write_sections(options.out / "sections.csv", found)

@@ -28,18 +28,18 @@ class Sizes:
     half_length: float = 0.06
 
 
-def corrections(tables, inclination, sizes, directory, progress):
+def corrections(gaps, inclination, sizes, directory, progress):
     """Correction of the rail and of the wheel: two Corrections.
 
-    @param tables     PlaceTables with the cells of the finite elements
+    @param gaps       PlaceGaps with the cells of the finite elements
     @param directory  receives the files of gmsh and CalculiX (pathlib.Path)
     @param progress   is called with the name of each step when it begins
     """
-    cells = tables.cells
-    rail = bodies.rail_body(tables.outlines["rail"], [_range(one.rail) for one in cells], inclination)
-    wheel = bodies.wheel_body(tables.outlines["wheel"], [_range(one.wheel) for one in cells], tables.axle_z, RADIUS)
+    cells = gaps.cells
+    rail = bodies.rail_body(gaps.outlines["rail"], [_range(one.rail) for one in cells], inclination)
+    wheel = bodies.wheel_body(gaps.outlines["wheel"], [_range(one.wheel) for one in cells], gaps.axle_z, RADIUS)
     centre = np.mean([one.place.mean(axis=0) for one in cells], axis=0)
-    plane = influence(cells, tables.young / (1 - tables.poisson**2), turned=True)
+    plane = influence(cells, gaps.young / (1 - gaps.poisson**2), turned=True)
     plane /= np.concatenate([np.full(one.rows * one.columns, one.dx * one.dy) for one in cells])
     found = []
     for body, outward in ((rail, 1), (wheel, -1)):
@@ -48,7 +48,7 @@ def corrections(tables, inclination, sizes, directory, progress):
         loads = [load for one, curve in zip(cells, body.patches)
                  for load in cell_loads(mesh, body, one, body.curves[curve], outward)]
         progress(f"solving {len(loads)} forces on the {body.name}: {len(mesh.nodes)} nodes")
-        real = compliance(mesh, body, loads, centre, (tables.young, tables.poisson), directory)
+        real = compliance(mesh, body, loads, centre, (gaps.young, gaps.poisson), directory)
         found.append(Correction(cells, real - plane))
         progress(f"correction of the {body.name}: up to {found[-1].largest:.2e} m/N near forces, fitted within "
                  f"{found[-1].residual:.1e} m/N")

@@ -27,19 +27,14 @@ class Place:
     kept_out: bool = False
     inclination: float = 0.025
 
-    def write_parameters(self, folder):
-        """Writes the parameters of a node for this place, and the profile of a worn wheel, to a folder (pathlib.Path).
-
-        Returns the path of the parameters.
-        """
+    def parameters(self, folder):
+        """Parameters of this place. The profile of a worn wheel is written to a folder (pathlib.Path)."""
         wheel = self.wheel
         if wheel == WORN:
-            wheel = folder.resolve() / "worn_wheel.csv"
-            wheel.write_text(worn_wheel.table(self.inclination), encoding="ascii")
-        path = folder / "parameters.yaml"
-        path.write_text(f"track: {{rail_inclination: {self.inclination}}}\nwheel: {{profile: \"{wheel}\"}}\n"
-                        f"rail: {{profile: \"{self.rail}\"}}\n", encoding="utf-8")
-        return path
+            path = folder / "worn_wheel.csv"
+            path.write_text(worn_wheel.table(self.inclination), encoding="ascii")
+            wheel = str(path.resolve())
+        return {"track": {"rail_inclination": self.inclination}, "wheel": {"profile": wheel}, "rail": {"profile": self.rail}}
 
 
 PLACES = (

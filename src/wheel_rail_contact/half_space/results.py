@@ -94,7 +94,7 @@ def write_sections(path, results):
         writer.writerow(["place", "load", "contact", "arc", *SOLUTIONS])
         for result in results:
             for case in result.cases:
-                for k, cells in enumerate(result.tables.cells):
+                for k, cells in enumerate(result.gaps.cells):
                     columns = [case.models[name][k].pressure[0] for name in SOLUTIONS]
                     for arc, *values in zip(cells.arc, *columns):
                         writer.writerow([result.place.name, f"{case.load:g}", k, f"{arc:.6g}"]
@@ -113,8 +113,8 @@ def write_influences(path, results):
 
 
 def _influences(result):
-    cells = result.tables.cells
-    plane = influence(cells, result.tables.modulus, turned=True)
+    cells = result.gaps.cells
+    plane = influence(cells, result.gaps.modulus, turned=True)
     areas = np.concatenate([np.full(one.rows * one.columns, one.dx * one.dy) for one in cells])
     plane *= 0.5 / areas  # per force on both halves
     real = plane + 0.5 * sum(one.on(cells) for one in result.corrections)

@@ -4,7 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import cases, place_tables
+from ..core.contact import WheelsetContact
+from . import cases, gaps
 from .finite_elements import Sizes, corrections
 
 LEAST_CELLS = 6  # in each direction: the correction is a polynomial of the fourth degree over them
@@ -31,36 +32,31 @@ QUICK = Settings(element_cells=60, solution_cells=(14, 24),
 class PlaceResult:
     """Results of one place.
 
-    tables       PlaceTables of the solutions
+    gaps         PlaceGaps of the solutions
     cases        list of Case, one for each load
     corrections  of the rail and of the wheel
     """
     place: object
-    tables: place_tables.PlaceTables
+    gaps: gaps.PlaceGaps
     cases: list
     corrections: list
 
 
-def solve_place(program, place, settings, folder, progress):
+def solve_place(place, settings, folder, progress):
     """Result of a place.
 
-    @param program   path of half_space_study_runner
     @param folder    receives all files of the place (pathlib.Path); it is made if necessary
     @param progress  is called with the name of each step when it begins
 
-    Raises Failure if a program is missing or fails.
+    Raises Failure if a program is missing or fails, or if there is no solution.
     """
-    elements, solution = (folder / name for name in ("elements", "solution"))
-    for one in (elements, solution):
-        one.mkdir(parents=True, exist_ok=True)
-    config = place.write_parameters(folder)
+    folder.mkdir(parents=True, exist_ok=True)
     progress(f"{place.title}: half-spaces")
-    tables = place_tables.compute(program, solution, config, place.y, place.loads, settings.solution_cells)
-    loaded = place_tables.compute(program, elements, config, place.y, place.loads,
-                                  square_cells(tables.cells, settings.element_cells))
-    found = corrections(loaded, place.inclination, settings.sizes, elements,
-                        lambda step: progress(f"{place.title}: {step}"))
-    return PlaceResult(place, tables, cases.solve(tables, found), found)
+    contact = WheelsetContact(place.parameters(folder))
+    solution = gaps.compute(contact, place.y, place.loads, settings.solution_cells)
+    loaded = gaps.compute(contact, place.y, place.loads, square_cells(solution.cells, settings.element_cells))
+    found = corrections(loaded, place.inclination, settings.sizes, folder, lambda step: progress(f"{place.title}: {step}"))
+    return PlaceResult(place, solution, cases.solve(solution, found), found)
 
 
 def square_cells(cells, count):

@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of paper_study."""
 import argparse
-import subprocess
+import sys
 from pathlib import Path
 
-from ..command import Failure, finish, pyplot, runner, shipped
-from . import pictures, report
-
-RUNNER = "paper_study_runner"
-# Compliance tables of the package: first the rail of the paper, then pads from stiff to soft.
-TABLES = ("paper", "pads_100_500", "pads_40_100", "pads_20_60", "pads_10_25")
+from ..command import calculating, finish, pyplot
+from . import pictures, report, study
 
 
 def main(arguments=None):
@@ -18,16 +14,13 @@ def main(arguments=None):
 
 
 def _run(folder):
-    program, config = runner(RUNNER), shipped("config/paper.yaml")
-    rails = [shipped(f"config/rails/{name}.yaml") for name in TABLES]
     plot = pyplot()
     folder.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run([program, folder, config, *rails], check=False)
-    if done.returncode != 0:
-        raise Failure(f"the calculation failed with exit status {done.returncode}")
-    print(report.text(folder))
-    for sentence in pictures.draw(plot, folder):
-        print(sentence)
+    with calculating():
+        found = study.run(folder, lambda step: print(f"paper_study: {step}", file=sys.stderr, flush=True))
+    print(report.text(found))
+    for path in pictures.draw(plot, found, folder):
+        print(f"wrote {path}")
 
 
 def _parser():

@@ -11,9 +11,9 @@ SHARES = {"whole": ("whole deflection", GREEN, "^"),
 PANELS = (("max_pressure", 1e-6, "highest pressure [MPa]"), ("area", 1e6, "area [mm²]"))
 
 
-def figure(folder, plot, read):
+def figure(study, plot):
     """Left: all tables. Right: parts of the deflection of one table."""
-    rows = read(folder / "forces.csv")
+    rows = study.forces
     divided = next(row["table"] for row in rows if row["share"] != "whole")
     end = max(1e-3 * row["lateral_force"] for row in rows if row["table"] == divided and row["in_range"])
     drawn, axes = plot.subplots(2, 2, figsize=(11, 7.4), sharex=True, sharey="row", constrained_layout=True)

@@ -11,22 +11,21 @@ WINDOW = (714, 778, -19, 3)  # limits of the profiles: y, z [mm]
 PATCH_WINDOW = (-13, 14, -8, 8)  # limits of the pressures: across, along [mm]
 
 
-def figure(folder, plot, read):
+def figure(study, plot):
     """Top: profiles. Bottom: pressures."""
+    placements = {one.case.name: one for one in study.placements}
+    values = {row["case"]: row for row in study.figures}
     drawn = plot.figure(figsize=(11, 5.4))
     grid = drawn.add_gridspec(2, 4, height_ratios=(1.1, 1), left=0.06, right=0.91, top=0.94, bottom=0.09, wspace=0.14,
                               hspace=0.45)
-    profiles, contacts = read(folder / "profiles.csv"), read(folder / "contacts.csv")
     for column, case in ((0, "shifted"), (2, "turned")):
         axes = drawn.add_subplot(grid[0, column:column + 2])
-        _placements(axes, profiles, contacts, case)
+        _placements(axes, placements["without"], placements[case])
         axes.set_ylabel("z, up [mm]" if column == 0 else "")
-    values = {row["case"]: row for row in read(folder / "figures.csv")}
-    patches = read(folder / "patches.csv")
-    top = max(row["pressure"] for row in patches if row["case"] in SHOWN)
+    top = max(patch.pressure.max() for case in SHOWN for patch in placements[case].patches)
     for column, case in enumerate(SHOWN):
         axes = drawn.add_subplot(grid[1, column])
-        mesh = _pressure(axes, [row for row in patches if row["case"] == case], top)
+        mesh = _pressure(axes, placements[case].patches, top)
         _caption(axes, case, values[case])
         if column:
             axes.set_yticklabels([])
@@ -36,19 +35,16 @@ def figure(folder, plot, read):
     return drawn
 
 
-def _placements(axes, profiles, contacts, case):
-    for which, style, marker, fill in (("without", "-", "o", True), (case, "--", "D", False)):
-        bent = ", without bending" if fill else ", bent"
-        for body, colour in (("wheel", RED), ("rail", BLUE)):
-            points = np.array([(row["y"], row["z"]) for row in profiles
-                               if (row["case"], row["body"]) == (which, body)])
-            axes.plot(*(1e3 * points.T), style, color=colour, linewidth=1.3, label=body + bent)
-        contact = next(row for row in contacts if row["case"] == which)
-        axes.plot(1e3 * contact["y"], 1e3 * contact["z"], marker, color=BLACK, markersize=8,
-                  markerfacecolor=BLACK if fill else "none", label="initial contact" + bent, zorder=5)
+def _placements(axes, without, bent):
+    for one, style, marker in ((without, "-", "o"), (bent, "--", "D")):
+        label = ", without bending" if one is without else ", bent"
+        for body, outline, colour in (("wheel", one.wheel, RED), ("rail", one.rail, BLUE)):
+            axes.plot(*(1e3 * outline.T), style, color=colour, linewidth=1.3, label=body + label)
+        axes.plot(*(1e3 * one.touch), marker, color=BLACK, markersize=8,
+                  markerfacecolor=BLACK if one is without else "none", label="initial contact" + label, zorder=5)
     axes.set(aspect="equal", xlim=WINDOW[:2], ylim=WINDOW[2:], xlabel="y, to the field side [mm]")
     axes.legend(fontsize=7.5, loc="lower right", frameon=False, ncol=2)
-    axes.set_title("dashed: 0.2435 mm outward" + (" and 13 mrad inward" if case == "turned" else ""), fontsize=10)
+    axes.set_title("dashed: 0.2435 mm outward" + (" and 13 mrad inward" if bent.case.name == "turned" else ""), fontsize=10)
 
 
 def _edges(centres):
@@ -57,14 +53,11 @@ def _edges(centres):
     return np.append(centres - half, centres[-1] + half)
 
 
-def _pressure(axes, rows, top):
+def _pressure(axes, patches, top):
     mesh = None
-    for patch in sorted({row["patch"] for row in rows}):
-        cells = [row for row in rows if row["patch"] == patch]
-        across, along = sorted({row["y"] for row in cells}), sorted({row["x"] for row in cells})
-        pressure = np.array([row["pressure"] for row in cells]).reshape(len(across), len(along)).T
-        mesh = axes.pcolormesh(_edges(1e3 * np.array(across)), _edges(1e3 * np.array(along)),
-                               np.ma.masked_less_equal(1e-6 * pressure, 0), vmin=0, vmax=1e-6 * top, cmap="viridis",
+    for patch in patches:
+        mesh = axes.pcolormesh(_edges(1e3 * patch.y), _edges(1e3 * patch.x),
+                               np.ma.masked_less_equal(1e-6 * patch.pressure, 0), vmin=0, vmax=1e-6 * top, cmap="viridis",
                                rasterized=True)
     axes.set(aspect="equal", xlim=PATCH_WINDOW[:2], ylim=PATCH_WINDOW[2:], xlabel="across, to the field side [mm]")
     return mesh

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results of the study as text."""
-from .files import read
-
 CASES = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "the same, 13 mrad inward",
          "own_rail": "paper's rail, 30 kN, coupled"}
 RAILS = {"without": "without bending", "shifted": "0.2435 mm outward", "turned": "the same, 13 mrad inward",
          "paper": "paper's rail", "pads_40_100": "pads 40/100 kN/mm", "pads_10_25": "pads 10/25 kN/mm"}
 
 
-def text(folder):
-    """All tables of the study."""
-    return "\n".join([*_cases(folder), "", *_methods(folder), "", *_stress(folder), "", *_scan(folder), "", *_search(folder)])
+def text(study):
+    """All tables of a Study."""
+    return "\n".join([*_cases(study.figures), "", *_methods(study.methods), "", *_stress(study.stresses), "",
+                      *_scan(study.scan), "", *_search(study.search)])
 
 
 def _values(row, prefix=""):
@@ -18,18 +17,18 @@ def _values(row, prefix=""):
     return f"{1e-6 * pressure:5.0f} / {1e6 * area:5.1f}" if pressure else f"{'-':>13}"
 
 
-def _cases(folder):
+def _cases(rows):
     yield "Highest pressure [MPa] / area [mm2] of the wheel on the flange side, y = 0.572 mm, 100 kN on each wheel"
     yield f"{'case':30}{'paper':>15}{'ours':>15}{'ours, roll 0':>15}{'CONTACT, roll 0':>17}"
-    for row in read(folder / "figures.csv"):
+    for row in rows:
         values = [_values(row, prefix) for prefix in ("printed_", "", "level_", "reference_")]
         yield f"{CASES[row['case']]:30}{values[0]:>15}{values[1]:>15}{values[2]:>15}{values[3]:>17}"
 
 
-def _methods(folder):
+def _methods(rows):
     yield "The same by method, at roll 0. The area is that within its edge; counted: that of all cells with pressure"
     yield f"{'case':30}{'method':20}{'cells':>8}{'cell, mm':>13}{'stop':>8}{'MPa / mm2':>15}{'counted':>9}"
-    for row in read(folder / "methods.csv"):
+    for row in rows:
         cells = f"{row['cells_along']:.0f}x{row['cells_across']:.0f}"
         size = f"{1e3 * row['cell_along']:.2f} x {1e3 * row['cell_across']:.2f}" if row["area"] else "-"
         counted = f"{1e6 * row['counted_area']:.1f}" if row["area"] else "-"
@@ -37,20 +36,19 @@ def _methods(folder):
                f"{counted:>9}")
 
 
-def _stress(folder):
+def _stress(stresses):
     yield ("Highest stresses in the rail [MPa], depth of the highest von Mises stress, and of the region above 480 MPa, the "
            "assumed yield stress")
     yield (f"{'rail':26}{'Y, kN':>6}{'MPa / mm2':>15}{'von Mises':>10}{'depth, mm':>10}{'480 MPa, mm':>12}{'shear':>7}{'|xz|':>6}"
            f"{'strains, 1e-3':>15}{'load factor':>12}{'shakedown limit':>16}")
-    for row in read(folder / "stress.csv"):
+    for row in (one.row() for one in stresses):
         strains = f"{1e3 * row['strain_1']:.2f} / {1e3 * row['strain_3']:.2f}"
         yield (f"{RAILS[row['rail']]:26}{1e-3 * row['lateral_force']:6.0f}{_values(row):>15}{1e-6 * row['von_mises']:10.0f}"
                f"{1e3 * row['von_mises_depth']:10.2f}{1e3 * row['yield_depth']:12.1f}{1e-6 * row['shear']:7.0f}{1e-6 * row['alternating']:6.0f}"
                f"{strains:>15}{row['load_factor']:12.2f}{row['shakedown_limit']:16.2f}")
 
 
-def _scan(folder):
-    rows = read(folder / "scan.csv")
+def _scan(rows):
     yield f"Nearest of {len(rows)} settings. Deviation: the larger one of pressure and area from the values of the paper"
     yield (f"{'scan':34}{'rail':17}{'inclination':>12}{'y, mm':>8}{'shift, mm':>10}{'turn, mrad':>11}{'without':>15}"
            f"{'with':>15}{'deviation, %':>14}")
@@ -67,8 +65,7 @@ def _nearest(title, row, key):
             f"{1e3 * row['rail_turn']:11.2f}{first:>15}{second:>15}{100 * row[key]:14.1f}")
 
 
-def _search(folder):
-    rows = read(folder / "search.csv")
+def _search(rows):
     yield "Values with bending on rails under a lateral force, y = 2 to 8 mm: nearest setting for each table"
     yield f"{'rail':17}{'y, mm':>8}{'Y, kN':>8}{'shift, mm':>10}{'turn, mrad':>11}{'MPa / mm2':>15}{'deviation, %':>14}"
     for table in dict.fromkeys(row["table"] for row in rows):

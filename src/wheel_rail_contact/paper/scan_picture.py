@@ -7,9 +7,9 @@ MARKED_TURNS = (-20, -16, -13, -10, -7, -4, 0, 4, 8, 12)  # [mrad]
 MARKED_SHIFTS = (-3, -1, 1, 2, 3, 4)  # [mm]
 
 
-def figure(folder, plot, read):
+def figure(study, plot):
     """Curves of displacement only, and of displacement and turn, from the same start."""
-    rows = [row for row in read(folder / "scan.csv") if row["rail"] == RAIL]
+    rows = [row for row in study.scan if row["rail"] == RAIL]
     pairs = [row for row in rows if row["part"] == "pair" and abs(row["crown_lateral"] - 0.2435e-3) < 1e-9]
     start = min(pairs, key=lambda row: row["deviation_pair"])["y"]
     turned = [row for row in pairs if row["y"] == start]
@@ -18,9 +18,9 @@ def figure(folder, plot, read):
     _curve(axes, shifted, "crown_lateral", MARKED_SHIFTS, "mm", (BLUE, "s", "rail displaced only, outward positive"))
     _curve(axes, turned, "rail_turn", MARKED_TURNS, "mrad",
            (RED, "o", "displaced 0.2435 mm and turned, outward positive"))
-    _forces(axes, read(folder / "forces.csv"))
+    _forces(axes, study.forces)
     _other_inclination(axes, rows)
-    for row in read(folder / "figures.csv")[:2]:
+    for row in study.figures[:2]:
         name = "without" if row["case"] == "without" else "with"
         area, pressure = 1e6 * row["printed_area"], 1e-6 * row["printed_max_pressure"]
         axes.plot(area, pressure, "*", color=BLACK, markersize=16, zorder=6)

@@ -2,9 +2,9 @@
 """Sections of the rail with the von Mises stress, on one scale."""
 from types import SimpleNamespace
 
-import numpy as np
-
+from ..core import stress_picture, stress_section
 from .report import RAILS
+from .stress import POISSON
 
 # Rail and lateral force [kN] of each section, from top to bottom, first the left column.
 SHOWN = (("without", 0), ("shifted", 0), ("turned", 0), ("paper", 30),
@@ -13,21 +13,17 @@ ROWS = 4
 WINDOW = (14, -12, -10.3, 0.9)  # limits: y (left, positive to the left), z [mm]
 
 
-def figure(folder, plot, read):
-    """One section for each setting of SHOWN. Raises ImportError if the package was built without its Python module."""
-    from ..core import stress_picture, stress_section
-    rows = {_key(row): row for row in read(folder / "stress.csv")}
-    cells = read(folder / "stress_patches.csv")
-    top = max(rows[key]["von_mises"] for key in SHOWN)
+def figure(study, plot):
+    """One section for each setting of SHOWN."""
+    found = {_key(one): one for one in study.stresses}
+    top = max(found[key].highest.von_mises.value for key in SHOWN)
     drawn, panels = plot.subplots(ROWS, 2, figsize=(11, 10), sharex=True, sharey=True)
     drawn.subplots_adjust(left=0.055, right=0.89, top=0.955, bottom=0.075, wspace=0.05, hspace=0.28)
     for axes, key in zip(panels.T.flat, SHOWN):
-        row = rows[key]
-        patch = _patch(row, [cell for cell in cells if _key(cell) == key])
-        section = stress_section.StressSection(patch, poisson=dict.fromkeys(stress_section.BODIES, row["poisson"]))
+        section = stress_section.StressSection(_patch(found[key]), poisson=dict.fromkeys(stress_section.BODIES, POISSON))
         section.bodies = [body for body in section.bodies if body.name == "rail"]
         stress_picture.draw(axes, section, top, colorbar=False)
-        _finish(axes, row, key)
+        _finish(axes, found[key].patch, key)
     panels[0, 0].legend(loc="lower right", fontsize="x-small")
     for axes in panels[:, 0]:
         axes.set_ylabel("z [mm]")
@@ -38,27 +34,21 @@ def figure(folder, plot, read):
     return drawn
 
 
-def _key(row):
-    return row["rail"], round(1e-3 * row["lateral_force"])
+def _key(one):
+    return one.rail, round(1e-3 * one.lateral_force)
 
 
-def _finish(axes, row, key):
+def _finish(axes, patch, key):
     """Sets the limits and the title."""
     axes.get_legend().remove()
     axes.set(xlim=WINDOW[:2], ylim=WINDOW[2:], xlabel="", ylabel="")
     force = f", {key[1]} kN" if key[1] else ""
-    axes.set_title(f"{RAILS[key[0]]}{force}: {1e-6 * row['max_pressure']:.0f} MPa, {1e6 * row['area']:.0f} mm²",
-                   fontsize=9)
+    axes.set_title(f"{RAILS[key[0]]}{force}: {1e-6 * patch.max_pressure:.0f} MPa, {1e6 * patch.area:.0f} mm²", fontsize=9)
 
 
-def _patch(row, cells):
-    """Patch for StressSection, with the same stress in both bodies."""
-    x, y = np.unique([cell["x"] for cell in cells]), np.unique([cell["y"] for cell in cells])
-    peak = SimpleNamespace(value=row["von_mises"], x=row["von_mises_x"], y=row["von_mises_y"],
-                           depth=row["von_mises_depth"])
-    stress = SimpleNamespace(von_mises=peak, load_factor=row["load_factor"], shakedown_limit=row["shakedown_limit"])
-    return SimpleNamespace(
-        side="left", x=x, y=y, dx=x[1] - x[0], dy=y[1] - y[0],
-        pressure=np.array([cell["pressure"] for cell in cells]).reshape(len(y), len(x)).T,
-        semi_axis_along=row["semi_axis_along"], semi_axis_across=row["semi_axis_across"],
-        max_pressure=row["max_pressure"], wheel_stress=stress, rail_stress=stress)
+def _patch(one):
+    """Patch for StressSection, with the stress of the study in both bodies."""
+    stress = SimpleNamespace(von_mises=one.highest.von_mises, load_factor=one.load_factor,
+                             shakedown_limit=one.shakedown_limit)
+    names = ("side", "x", "y", "dx", "dy", "pressure", "semi_axis_along", "semi_axis_across", "max_pressure")
+    return SimpleNamespace(**{name: getattr(one.patch, name) for name in names}, wheel_stress=stress, rail_stress=stress)
