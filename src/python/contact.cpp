@@ -137,11 +137,10 @@ void bindModel(py::module& module)
   py::class_<ParameterSource>(module, "ParameterSource")
       .def(py::init(
           [](bool is_file, std::string value) {
-            return ParameterSource{is_file, std::move(value)};
+            return ParameterSource{is_file ? ParameterSource::file : ParameterSource::text, std::move(value)};
           }));
   py::class_<ContactModel>(module, "ContactModel")
-      .def(py::init([](const std::vector<ParameterSource>& sources)
-                    { return std::make_unique<ContactModel>(readParameters(sources)); }))
+      .def(py::init<const std::vector<ParameterSource>&>())
       .def("evaluate", &evaluate, Released())
       .def("evaluate_many", &evaluateStates)
       .def(

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/contact_model.h"
 
+#include <ros/package.h>
+
 #include <filesystem>
-#include <stdexcept>
-#include <utility>
 
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/text.h"
-#include "ros/parameters/file_names.h"
 
 namespace wheel_rail_contact
 {
-ParameterTree readParameters(const std::vector<ParameterSource>& sources)
-{
-  ParameterTree tree;
-  for (const ParameterSource& source : sources)
-  {
-    tree = overlay(tree, source.is_file ? readParameterFile(resolveFile(source.value, "."))
-                                        : parameterTree(YAML::Load(source.value)));
-  }
-  return tree;
-}
-
 std::string statusTextOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
 {
   return isUsable(result.status) ? sentences(result.reason, linearRangeWarning(result, linear_range)) : result.reason;
 }
 
-ContactModel::ContactModel(ParameterTree parameters)
-    : parameters_(std::move(parameters)),
-      config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
+ContactModel::ContactModel(const std::vector<ParameterSource>& sources)
+    : parameters_(readParameters(sources, {".", ros::package::getPath})),
+      config_(readNodeConfig(parameters_, "", {std::filesystem::current_path().string(), ros::package::getPath})),
       contact_(config_.model)
 {
 }

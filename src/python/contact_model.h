@@ -6,22 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact
 {
-/// Source of parameters: the name of a YAML file, or the text of a YAML document.
-struct ParameterSource
-{
-  bool is_file;       ///< true: `value` is a file
-  std::string value;  ///< name as for resolveFile(), relative to the working directory; or text
-};
-
-/// Parameters of several sources, each applied over those before.
-/// @throw std::invalid_argument for a file or document that cannot be read.
-ParameterTree readParameters(const std::vector<ParameterSource>& sources);
-
 /// Side by its name.
 /// @throw std::invalid_argument unless it is "left" or "right".
 core::Side sideOf(const std::string& name);
@@ -35,7 +24,7 @@ class ContactModel
 {
  public:
   /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
-  explicit ContactModel(ParameterTree parameters);
+  explicit ContactModel(const std::vector<ParameterSource>& sources);
 
   /// Evaluates a state. Starts from the previous result.
   core::WheelsetResult evaluate(const core::WheelsetState& state);

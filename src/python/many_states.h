@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact

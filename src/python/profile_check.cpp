@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "config/profile_parameters.h"
 #include "core/profile/curve/measures.h"
 #include "python/bindings.h"
 #include "python/read_profile.h"
-#include "ros/parameters/profile_parameters.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace py = pybind11;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
+#include <ros/package.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -8,13 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "config/compliance_table_file.h"
+#include "config/model_files.h"
+#include "config/profile_parameters.h"
 #include "python/bindings.h"
 #include "python/read_profile.h"
 #include "ros/evaluation/text.h"
-#include "ros/parameters/compliance_table_file.h"
-#include "ros/parameters/file_names.h"
-#include "ros/parameters/model_files.h"
-#include "ros/parameters/profile_parameters.h"
 
 namespace py = pybind11;
 
@@ -37,10 +37,15 @@ core::ProfileKind kindOf(const std::string& name)
 
 namespace
 {
+FileSearch search()
+{
+  return {".", ros::package::getPath};
+}
+
 ReadProfile readProfile(const std::string& name, const std::string& kind, const std::string& options)
 {
   const core::ProfileReading reading = readProfileOptions(parameterTree(YAML::Load(options)));
-  core::DescribedProfile described = openProfile(name, kindOf(kind), reading, ".");
+  core::DescribedProfile described = openProfile(name, kindOf(kind), reading, search());
   return {std::make_shared<const core::Profile>(std::move(described.profile)), described.report.text};
 }
 
@@ -143,8 +148,7 @@ void bindTable(py::module& module)
           "RailDisplacement by a lateral force (outward positive) [N], a vertical force (down positive) [N] and their "
           "moment about the reference point (outward roll positive) [N m], of a rail with an inclination [rad]")
       .def("__repr__", [](const Table& file) { return "<ComplianceTable " + file.name + ">"; });
-  module.def("read_compliance_table",
-             [](const std::string& file) { return readComplianceTable(resolveFile(file, ".")); });
+  module.def("read_compliance_table", [](const std::string& file) { return readComplianceTable(search().find(file)); });
 }
 }  // namespace
 

@@ -2,10 +2,10 @@
 #include "python/timed_run.h"
 
 #include <pybind11/stl.h>
+#include <ros/package.h>
 
 #include <algorithm>
 #include <ctime>
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -58,7 +58,7 @@ using SharedWheelset = std::shared_ptr<core::WheelsetContact>;
 
 core::ContactModelConfig modelOf(const std::vector<ParameterSource>& sources)
 {
-  return readNodeConfig(readParameters(sources), "", std::filesystem::current_path().string()).model;
+  return readContactParameters(sources, {".", ros::package::getPath}).model;
 }
 
 /// @param y  of the axle centre [m]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/replay.h"
 
+#include <ros/package.h>
+
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
@@ -69,7 +71,7 @@ ReplayOptions withCheckedOutputs(ReplayOptions options)
 Replay::Replay(ReplayOptions options)
     : options_(withCheckedOutputs(std::move(options))),
       parameters_(replayParameters(options_)),
-      config_(readNodeConfig(parameters_, "", std::filesystem::current_path().string())),
+      config_(readNodeConfig(parameters_, "", {std::filesystem::current_path().string(), ros::package::getPath})),
       source_(options_.input, config_, options_.inputs, options_.keep_topics, options_.span,
               warmUpStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),

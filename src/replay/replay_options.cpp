@@ -2,6 +2,7 @@
 #include "replay/replay_options.h"
 
 #include <ros/message_traits.h>
+#include <ros/package.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,7 +13,6 @@
 #include <thread>
 
 #include <wheel_rail_contact/WheelsetContact.h>
-#include "ros/parameters/file_names.h"
 
 namespace wheel_rail_contact
 {
@@ -284,12 +284,12 @@ void printReplayUsage(std::ostream& out)
 
 ParameterTree replayParameters(const ReplayOptions& options)
 {
-  ParameterTree tree = readParameterFile(resolveFile("package://wheel_rail_contact/config/default.yaml", ""));
+  std::vector<ParameterSource> sources{{ParameterSource::file, default_parameters}};
   for (const std::string& file : options.configs)
   {
-    tree = overlay(tree, readParameterFile(resolveFile(file, ".")));
+    sources.push_back({ParameterSource::file, file});
   }
-  return tree;
+  return readParameters(sources, {".", ros::package::getPath});
 }
 
 std::string replayDescription(const ReplayOptions& options, const ParameterTree& parameters, std::uint64_t input_size)

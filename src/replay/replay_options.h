@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bag/bag_contents.h"
+#include "config/node_config.h"
 #include "replay/bag_inputs.h"
-#include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {

@@ -13,11 +13,11 @@
 #include <optional>
 #include <string>
 
+#include "config/node_config.h"
 #include "ros/markers/contact_trail.h"
 #include "ros/markers/contact_view.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"
-#include "ros/parameters/parameters.h"
 #include "rviz/display_properties.h"
 #include "rviz/screen_panel.h"
 

@@ -125,7 +125,7 @@ void replay(benchmark::State& state, int threads)
   options.output = folder.file("out.bag");
   options.configs = {folder.file("a.yaml")};
   options.threads = threads;
-  const NodeConfig config = readNodeConfig(replayParameters(options), "", "/");
+  const NodeConfig config = readNodeConfig(replayParameters(options), "", {});
   std::vector<ContactEvaluator> evaluators;
   for (int i = 0; i < threads; ++i)
   {

@@ -2,8 +2,8 @@
 // Parameter files and compliance tables: each is read, or rejected with std::invalid_argument.
 #include <stdexcept>
 
-#include "ros/parameters/compliance_table_file.h"
-#include "ros/parameters/parameters.h"
+#include "config/compliance_table_file.h"
+#include "config/node_config.h"
 #include "scratch_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string file = folder.write("input.yaml", data, size);
   try
   {
-    readNodeConfig(readParameterFile(file), "", "");
+    readNodeConfig(readParameterFile(file), "", {"", nullptr});
   }
   catch (const std::invalid_argument&)  // rejected with a reason
   {

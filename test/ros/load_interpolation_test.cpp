@@ -9,7 +9,6 @@
 #include <tuple>
 #include <vector>
 
-#include "parameter_helpers.h"
 #include "ros/evaluation/contact_input.h"
 
 using namespace wheel_rail_contact;
@@ -135,23 +134,4 @@ TEST_F(LoadInterpolation, NoLoadIsInterpolatedIfHeightAndRollAreGiven)
   const auto inputs = pairing.add(InputTopic::pose, InputMessage(geometry_msgs::PoseStampedConstPtr(pose)));
   ASSERT_EQ(inputs.size(), 1U);
   EXPECT_FALSE(inputs[0].load);
-}
-
-TEST_F(LoadInterpolation, MistakesInItsParametersAreRefusedByTheirName)
-{
-  expectRefused({
-      {"sync: {slop: -0.001}", "sync/slop", "-0.001"},
-      {"sync: {slop: 1e9}", "sync/slop", "1e9"},
-      {"sync: {load: nearest}", "sync/load = nearest", "match, interpolate"},
-      {"sync: {longest_gap: 0}", "sync/longest_gap", "above 0"},
-      {"sync: {longest_gap: 61}", "sync/longest_gap", "61"},
-  });
-}
-
-TEST_F(LoadInterpolation, RequiresALoad)
-{
-  expectRefused({{"{sync: {load: interpolate}, wheelset: {free: []}}", "sync/load = interpolate",
-                  "must be match if wheelset/free is [], because no load is read then"}});
-  EXPECT_FALSE(read(with("{sync: {load: match}, wheelset: {free: []}}")).interpolate_load);
-  EXPECT_TRUE(read(with("{sync: {load: interpolate}, wheelset: {free: [z, roll]}}")).interpolate_load);
 }

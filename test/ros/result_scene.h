@@ -9,16 +9,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "config/node_config.h"
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {
 inline NodeConfig exampleConfig()
 {
   return readNodeConfig(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: UIC60_manchester}}")), "",
-                        "");
+                        {"", nullptr});
 }
 
 /// Pointer of an output to a result that the test owns, and may change.

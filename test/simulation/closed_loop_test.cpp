@@ -20,7 +20,7 @@ namespace
 {
 std::unique_ptr<ContactSource> standardContact()
 {
-  return std::make_unique<InProcessContact>(readContactParameters(""));
+  return std::make_unique<InProcessContact>(readContact(""));
 }
 
 /// A wheelset without suspension.
@@ -132,7 +132,7 @@ TEST(ClosedLoop, StiffGuidanceDampsTheWave)
 
 TEST(ClosedLoop, WheelsetFollowsAMisalignedTrack)
 {
-  auto config = readContactParameters("");
+  auto config = readContact("");
   std::vector<wheel_rail_contact::core::LineStation> stations;
   const double size = 0.004, length = 30;  // a smooth step to the left, in both rails [m]
   for (int i = -10; i <= 200; ++i)

@@ -123,7 +123,7 @@ TEST_F(SimulationParameters, CommandLineIsOverTheFile)
 
 TEST_F(SimulationParameters, ContactParametersAreThoseOfTheNodeOrRefused)
 {
-  const auto config = readContactParameters(
+  const auto config = readContact(
       file("wheel: {profile: cone_1_20}\nrail: {profile: 60E2}\ntrack: {gauge: 1.437}\ncontact: {tolerance: 0.02}\n"));
   EXPECT_EQ(config.track.gauge, 1.437);
   EXPECT_EQ(config.contact.tolerance, 0.02);
@@ -148,18 +148,20 @@ TEST_F(SimulationParameters, StepIsAWholeNumberOfNanoseconds)
 
 TEST_F(SimulationParameters, MistakesInContactParametersAreRefusedByName)
 {
-  const auto refusal = [this](const std::string& text)
-  { return messageOf([&] { readContactParameters(file(text)); }).substr(file("").size() + 2); };
-  EXPECT_EQ(refusal("rail_bending: {model: none}"),
-            "parameter rail_bending/model is not supported with --contact in_process");
-  EXPECT_EQ(refusal("wheelset: {free: []}"), "parameter wheelset/free is not supported with --contact in_process");
+  const auto refusal = [this](const std::string& text) { return messageOf([&] { readContact(file(text)); }); };
+  EXPECT_EQ(refusal("wheelset: {free: []}"),
+            "wheelset/free = [] must be [z, roll]: this program does not integrate height and roll");
   EXPECT_EQ(refusal("wheelset: {balance: moments}"),
-            "parameter wheelset/balance is not supported with --contact in_process");
-  EXPECT_EQ(refusal("track: {gauge: wide}"), "parameter track/gauge = wide has the wrong type");
-  EXPECT_EQ(refusal("wheel: NOSUCH"), "group wheel must be a map of names and values");
-  EXPECT_EQ(refusal("track: 3"), "group track must be a map of names and values");
-  EXPECT_EQ(refusal("hello"), "the file must be a map of groups");
-  EXPECT_EQ(refusal(""), "the file must be a map of groups");
+            "wheelset/balance = moments must be wheel_loads: the load of this program is for it");
+  EXPECT_NE(refusal("track: {displacement: topic}").find("track/displacement = topic"), std::string::npos);
+  const std::string bending = "model: compliance, table: config/rails/pads_10_25.yaml, ";
+  EXPECT_NE(refusal("rail_bending: {" + bending + "lateral_force: topic}").find("lateral_force = topic"),
+            std::string::npos);
+  EXPECT_NE(refusal("rail_bending: {" + bending + "neighbours: [{topic: /front, distance: 2.5}]}").find("neighbours"),
+            std::string::npos);
+  EXPECT_EQ(refusal("track: {gauge: wide}"), "parameter track/gauge = wide must be a finite number");
+  EXPECT_NE(refusal("wheel: NOSUCH").find("parameter wheel is unknown"), std::string::npos);
+  EXPECT_NE(refusal("hello").find("the document must be a map"), std::string::npos);
 }
 }  // namespace
 }  // namespace simulate_wheelset

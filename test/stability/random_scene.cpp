@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <random>
 
-#include "ros/parameters/compliance_table_file.h"
+#include "config/compliance_table_file.h"
 
 namespace wheel_rail_contact::core::stability
 {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "ros/parameters/parameter_reader.h"
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
+#include "config/parameter_reader.h"
 
 namespace wheel_rail_contact::core::stability
 {
@@ -173,7 +173,7 @@ Scene readScene(const std::string& file)
   parameters["wheel/profile"] = YAML::Node("S1002");
   parameters["rail/profile"] = YAML::Node("60E1");
   Scene scene;
-  scene.config = readNodeConfig(parameters, prefix, folder).model;
+  scene.config = readNodeConfig(parameters, prefix, {folder, nullptr}).model;
 
   using Model = RailBendingConfig::Model;
   ParameterReader reader(own, prefix);

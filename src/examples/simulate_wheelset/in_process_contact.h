@@ -23,10 +23,9 @@ class InProcessContact : public ContactSource
   wheel_rail_contact::core::WheelsetContact contact_;
 };
 
-/// Reads parameters of the contact node for use in this process: wheel/profile, rail/profile, track/line, track/gauge,
-/// wheelset/rolling_radius and contact/tolerance; all others have their default. A file name is relative to the working
-/// directory.
-/// @param file YAML file; empty: wheel S1002, rail 60E1
-/// @throw std::invalid_argument with the file, the name, the value and the broken rule, also for other parameters.
-wheel_rail_contact::core::ContactModelConfig readContactParameters(const std::string& file);
+/// Reads parameters of the contact node for use in this process.
+/// @param file  YAML file, applied over config/default.yaml; empty: no further file
+/// @throw std::invalid_argument with the name, the value and the broken rule; also for parameters that expect another
+/// load or another state than the example has.
+wheel_rail_contact::core::ContactModelConfig readContact(const std::string& file);
 }  // namespace simulate_wheelset

@@ -30,7 +30,7 @@ std::unique_ptr<ContactSource> makeSource(const Options& options)
     case ContactWay::in_process:
       break;
   }
-  return std::make_unique<InProcessContact>(readContactParameters(options.contact_config));
+  return std::make_unique<InProcessContact>(readContact(options.contact_config));
 }
 
 /// @param speed running speed [m/s]

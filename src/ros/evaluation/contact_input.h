@@ -8,8 +8,8 @@
 #include <string>
 
 #include <wheel_rail_contact/WheelsetContact.h>
+#include "config/node_config.h"
 #include "ros/evaluation/input_pairing.h"
-#include "ros/parameters/parameters.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <wheel_rail_contact/RailDisplacements.h>
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
 
 namespace wheel_rail_contact
 {

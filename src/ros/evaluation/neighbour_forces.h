@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "config/node_config.h"
 #include "core/rail/neighbours.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/result_head.h"
-#include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {

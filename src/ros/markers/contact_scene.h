@@ -6,11 +6,11 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "config/node_config.h"
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/markers/contact_trail.h"
 #include "ros/markers/patch_markers.h"
 #include "ros/markers/track_markers.h"
-#include "ros/parameters/marker_config.h"
 
 namespace wheel_rail_contact
 {

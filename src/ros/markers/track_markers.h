@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "config/node_config.h"
 #include "core/track/placement.h"
-#include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {

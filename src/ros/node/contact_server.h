@@ -12,13 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "config/node_config.h"
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/node/contact_services.h"
 #include "ros/node/evaluation_chain.h"
 #include "ros/node/newest_queue.h"
-#include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {

@@ -12,9 +12,9 @@
 #include <mutex>
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
+#include "config/node_config.h"
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/node/evaluation_chain.h"
-#include "ros/parameters/parameters.h"
 
 namespace wheel_rail_contact
 {

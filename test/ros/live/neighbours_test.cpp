@@ -3,9 +3,9 @@
 #include <ros/package.h>
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
+#include "config/compliance_table_file.h"
 #include "contact_client.h"
 #include "ros/evaluation/conversions.h"
-#include "ros/parameters/compliance_table_file.h"
 
 using namespace wheel_rail_contact;
 

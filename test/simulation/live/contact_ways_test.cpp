@@ -50,7 +50,7 @@ double largestDifference(const std::vector<Motion>& a, const std::vector<Motion>
 
 std::vector<Motion> motionsInProcess()
 {
-  InProcessContact contact(readContactParameters(""));
+  InProcessContact contact(readContact(""));
   return motionsWith(contact);
 }
 
@@ -130,7 +130,7 @@ ContactReply unusableReply(ContactSource& contact)
 
 TEST(ContactWays, UnusableStateHasItsStatusAndReason)
 {
-  InProcessContact library(readContactParameters(""));
+  InProcessContact library(readContact(""));
   const std::string expected = unusableReply(library).status;
   EXPECT_EQ(expected.rfind("INVALID_INPUT: ", 0), 0U) << expected;
   TopicContact topics("contact_node", "track");

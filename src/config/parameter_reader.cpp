@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/parameter_reader.h"
+#include "config/parameter_reader.h"
 
 #include <cmath>
 #include <limits>

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/parameters.h"
-
-#include <ros/names.h>
+#include "config/node_config.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "ros/parameters/body_parameters.h"
-#include "ros/parameters/model_files.h"
-#include "ros/parameters/parameter_reader.h"
+#include "config/body_parameters.h"
+#include "config/model_files.h"
+#include "config/parameter_reader.h"
 
 namespace wheel_rail_contact
 {
@@ -94,6 +92,14 @@ void readLateralForce(ParameterReader& reader, core::RailBendingConfig& bending)
   bending.lateral_force = word == "contact" ? LateralForce::contact : LateralForce::topic;
 }
 
+/// True for a name that ROS permits for a topic, and that is not private.
+bool isTopic(const std::string& name)
+{
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_permitted = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '/'; };
+  return !name.empty() && (is_letter(name[0]) || name[0] == '/') && std::all_of(name.begin(), name.end(), is_permitted);
+}
+
 NeighbourConfig readNeighbour(ParameterReader& reader)
 {
   NeighbourConfig neighbour;
@@ -102,8 +108,7 @@ NeighbourConfig readNeighbour(ParameterReader& reader)
   reader.refuseUnknown();
   reader.require("topic", "the contact topic of the other wheelset");
   reader.require("distance", "the distance to the other wheelset along the track [m]");
-  std::string reason;
-  if (neighbour.topic.empty() || neighbour.topic[0] == '~' || !ros::names::validate(neighbour.topic, reason))
+  if (!isTopic(neighbour.topic))
   {
     reader.refuse("topic", "the name of a topic that is not private");
   }
@@ -212,10 +217,9 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   readSync(reader, config);
   readMarkers(reader, config.markers);
 }
-
 }  // namespace
 
-NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const std::string& directory)
+NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const FileSearch& search)
 {
   ParameterReader reader(tree, prefix);
   NodeConfig config;
@@ -225,7 +229,7 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
   requireProfiles(reader, files);
   try
   {
-    openFiles(files, directory, config);
+    openFiles(files, search, config);
     validate(config.model);
   }
   catch (const std::invalid_argument& error)
@@ -233,14 +237,5 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
     throw std::invalid_argument("parameter " + prefix + error.what());
   }
   return config;
-}
-
-std::set<std::string> parameterNames()
-{
-  ParameterReader reader({}, "");
-  NodeConfig config;
-  ModelFiles files;
-  readAll(reader, config, files);
-  return reader.knownNames();
 }
 }  // namespace wheel_rail_contact

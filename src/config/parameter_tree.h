@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <xmlrpcpp/XmlRpcValue.h>
 #include <yaml-cpp/yaml.h>
 
 #include <map>
 #include <string>
+#include <vector>
+
+#include "wheel_rail_contact/config_file.h"
 
 namespace wheel_rail_contact
 {
@@ -21,13 +23,11 @@ ParameterTree parameterTree(const YAML::Node& document);
 /// @throw std::invalid_argument with the file name if the file cannot be read or parameterTree() throws.
 ParameterTree readParameterFile(const std::string& file);
 
-/// A namespace of the parameter server as a YAML document. Numbers are written with 17 digits and keep their exact
-/// value: a parameter from the server is identical to one from the file.
-/// The value is a copy, because before ROS 1.15 an XmlRpcValue gives no access to its content if it is const.
-/// @throw std::invalid_argument for dates and binary data.
-YAML::Node toYaml(XmlRpc::XmlRpcValue value);
-
 /// Union of both trees. For names in both, the value is that of `upper`. A group of `upper`
 /// replaces a value of `base` with its name, and a value replaces a group.
 ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper);
+
+/// Parameters of several sources, each applied over those before.
+/// @throw std::invalid_argument for a source that cannot be read.
+ParameterTree readParameters(const std::vector<ParameterSource>& sources, const FileSearch& search);
 }  // namespace wheel_rail_contact

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ros/parameters/parameter_reader.h"
+#include "config/parameter_reader.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact

@@ -2,19 +2,26 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <ros/package.h>
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
 
 namespace wheel_rail_contact
 {
 inline std::string packageFile(const std::string& name)
 {
-  return ros::package::getPath("wheel_rail_contact") + "/" + name;
+  return std::string(PACKAGE_FOLDER "/") + name;
+}
+
+/// Only this package is found.
+inline FileSearch search()
+{
+  return {testing::TempDir(),
+          [](const std::string& package) { return package == "wheel_rail_contact" ? PACKAGE_FOLDER : ""; }};
 }
 
 inline ParameterTree defaults()
@@ -29,7 +36,7 @@ inline ParameterTree with(const std::string& yaml)
 
 inline NodeConfig read(const ParameterTree& tree)
 {
-  return readNodeConfig(tree, "/contact_node/", testing::TempDir());
+  return readNodeConfig(tree, "/contact_node/", search());
 }
 
 /// Message with which a tree is refused; "accepted" if it is not.

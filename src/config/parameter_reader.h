@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ros/parameters/parameter_tree.h"
+#include "config/parameter_tree.h"
 
 namespace wheel_rail_contact
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/file_names.h"
-
-#include <ros/package.h>
+#include "wheel_rail_contact/config_file.h"
 
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
-#include <vector>
+#include <utility>
+
+#include "config/node_config.h"
 
 namespace wheel_rail_contact
 {
@@ -14,11 +14,16 @@ namespace
 {
 const std::string package_scheme = "package://";
 
-std::string packageFile(const std::string& name)
+std::string folderOf(const std::string& package, const FileSearch& search)
+{
+  return search.package_folder ? search.package_folder(package) : "";
+}
+
+std::string packageFile(const std::string& name, const FileSearch& search)
 {
   const auto slash = name.find('/', package_scheme.size());
   const std::string package = name.substr(package_scheme.size(), slash - package_scheme.size());
-  const std::string root = ros::package::getPath(package);
+  const std::string root = folderOf(package, search);
   if (root.empty())
   {
     throw std::invalid_argument(name + ": there is no ROS package '" + package + "'");
@@ -26,18 +31,18 @@ std::string packageFile(const std::string& name)
   return slash == std::string::npos ? root : root + name.substr(slash);
 }
 
-std::vector<std::string> candidates(const std::string& name, const std::string& directory)
+std::vector<std::string> candidates(const std::string& name, const FileSearch& search)
 {
   if (name.rfind(package_scheme, 0) == 0)
   {
-    return {packageFile(name)};
+    return {packageFile(name, search)};
   }
   if (std::filesystem::path(name).is_absolute())
   {
     return {name};
   }
-  std::vector<std::string> paths{(std::filesystem::path(directory) / name).string()};
-  const std::string own = ros::package::getPath("wheel_rail_contact");
+  std::vector<std::string> paths{(std::filesystem::path(search.directory) / name).string()};
+  const std::string own = folderOf("wheel_rail_contact", search);
   if (!own.empty())
   {
     paths.push_back(own + "/" + name);
@@ -46,10 +51,10 @@ std::vector<std::string> candidates(const std::string& name, const std::string& 
 }
 }  // namespace
 
-std::string resolveFile(const std::string& name, const std::string& directory)
+std::string FileSearch::find(const std::string& name) const
 {
   std::string searched;
-  for (const auto& path : candidates(name, directory))
+  for (const auto& path : candidates(name, *this))
   {
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error))
@@ -59,5 +64,12 @@ std::string resolveFile(const std::string& name, const std::string& directory)
     searched += (searched.empty() ? "" : ", ") + path;
   }
   throw std::invalid_argument("no such file: " + name + " (searched: " + searched + ")");
+}
+
+ContactParameters readContactParameters(const std::vector<ParameterSource>& sources, const FileSearch& search)
+{
+  NodeConfig config = readNodeConfig(readParameters(sources, search), "", search);
+  ContactParameters& contact = config;
+  return std::move(contact);
 }
 }  // namespace wheel_rail_contact

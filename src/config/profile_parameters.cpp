@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/profile_parameters.h"
+#include "config/profile_parameters.h"
 
 #include <algorithm>
 #include <array>

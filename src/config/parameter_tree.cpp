@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/parameter_tree.h"
+#include "config/parameter_tree.h"
 
-#include <limits>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 namespace wheel_rail_contact
@@ -56,35 +53,6 @@ class Collector
   int entries_ = 0;
 };
 
-std::string digits(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << value;
-  return text.str();
-}
-
-YAML::Node listToYaml(const XmlRpc::XmlRpcValue& value)
-{
-  YAML::Node node(YAML::NodeType::Sequence);
-  int i = 0;  // XmlRpcValue has iterators for groups only
-  while (i < value.size())
-  {
-    node.push_back(toYaml(value[i++]));
-  }
-  return node;
-}
-
-YAML::Node groupToYaml(XmlRpc::XmlRpcValue& value)
-{
-  YAML::Node node(YAML::NodeType::Map);
-  for (auto& entry : value)
-  {
-    node[entry.first] = toYaml(entry.second);
-  }
-  return node;
-}
 /// True if a group with parameters in the tree has this name.
 bool containsOne(const std::string& name, const ParameterTree& tree)
 {
@@ -137,30 +105,6 @@ ParameterTree readParameterFile(const std::string& file)
   }
 }
 
-YAML::Node toYaml(XmlRpc::XmlRpcValue value)
-{
-  using XmlRpc::XmlRpcValue;
-  switch (value.getType())
-  {
-    case XmlRpcValue::TypeInvalid:
-      return YAML::Node(YAML::NodeType::Null);
-    case XmlRpcValue::TypeBoolean:
-      return YAML::Node(static_cast<bool&>(value) ? "true" : "false");
-    case XmlRpcValue::TypeInt:
-      return YAML::Node(std::to_string(static_cast<int&>(value)));
-    case XmlRpcValue::TypeDouble:
-      return YAML::Node(digits(static_cast<double&>(value)));
-    case XmlRpcValue::TypeString:
-      return YAML::Node(static_cast<std::string&>(value));
-    case XmlRpcValue::TypeArray:
-      return listToYaml(value);
-    case XmlRpcValue::TypeStruct:
-      return groupToYaml(value);
-    default:
-      throw std::invalid_argument("parameters: dates and binary data are not permitted");
-  }
-}
-
 ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper)
 {
   ParameterTree result = upper;
@@ -172,5 +116,34 @@ ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper)
     }
   }
   return result;
+}
+
+namespace
+{
+ParameterTree readParameters(const ParameterSource& source, const FileSearch& search)
+{
+  if (source.kind == ParameterSource::file)
+  {
+    return readParameterFile(search.find(source.value));
+  }
+  try
+  {
+    return parameterTree(YAML::Load(source.value));
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw std::invalid_argument(std::string("parameters: ") + error.what());
+  }
+}
+}  // namespace
+
+ParameterTree readParameters(const std::vector<ParameterSource>& sources, const FileSearch& search)
+{
+  ParameterTree tree;
+  for (const ParameterSource& source : sources)
+  {
+    tree = overlay(tree, readParameters(source, search));
+  }
+  return tree;
 }
 }  // namespace wheel_rail_contact

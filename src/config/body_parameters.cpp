@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/body_parameters.h"
+#include "config/body_parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "ros/parameters/profile_parameters.h"
+#include "config/profile_parameters.h"
 
 namespace wheel_rail_contact
 {

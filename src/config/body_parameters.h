@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ros/parameters/model_files.h"
-#include "ros/parameters/parameter_reader.h"
+#include "config/model_files.h"
+#include "config/parameter_reader.h"
 
 namespace wheel_rail_contact
 {

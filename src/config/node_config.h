@@ -1,44 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-#include <set>
 #include <string>
-#include <vector>
 
-#include "ros/parameters/marker_config.h"
-#include "ros/parameters/parameter_tree.h"
-#include "wheel_rail_contact/core/config.h"
+#include "config/parameter_tree.h"
+#include "wheel_rail_contact/config_file.h"
 
 namespace wheel_rail_contact
 {
-/// Another wheelset on the same rails, whose forces also deflect the rails here.
-struct NeighbourConfig
+/// Appearance of the markers.
+struct MarkerConfig
 {
-  std::string topic;                             ///< topic of its results (WheelsetContact), unresolved
-  double distance = 0;                           ///< along the track [m], > 0
-  core::Sides<core::ComplianceTable> influence;  ///< compliances of each rail at this distance, from its table
+  double rate = 20;             ///< maximum rate of the markers, in wall time [Hz], > 0
+  double rail_length = 0.4;     ///< drawn length of both rails [m], > 0
+  double force_scale = 2.5e-6;  ///< length of a force arrow [m/N], >= 0; 0: no arrows
+  double max_pressure = 0;      ///< upper end of the colour scale [Pa], >= 0; 0: follows the pressures (PressureScale)
+  double zoom = 15;             ///< magnification of the patches above the rails [-], >= 0; 0: not drawn
+  double zoom_height = 0.12;    ///< height of the magnified patches above the true patches [m], >= 0
+  double pressure_height = 0.10;  ///< height of the magnified pressure surface at the upper end of the scale [m], >= 0
 };
 
 constexpr int longest_hold = 200;  ///< upper limit of contact/hold_last [results]
 
 /// All parameters of the live node and the replay.
-struct NodeConfig
+struct NodeConfig : ContactParameters
 {
-  core::ContactModelConfig model;  ///< parameters of the core
-  /// Largest |Y|/Q for which the compliance table of each rail is valid [-]; infinite without a table.
-  core::Sides<double> linear_range = std::numeric_limits<double>::infinity();
-  std::vector<NeighbourConfig> neighbours;  ///< empty unless rail_bending/model is compliance
-  std::string track_frame = "track";        ///< tf name of the track frame
-  bool displacement_topic = false;          ///< the displacements of the rails are an input: wheelset/rail_displacement
-  bool distance_topic = false;  ///< the place along the line is an input: wheelset/distance; false: x of the pose
-  double slop = 0;              ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
+  std::string track_frame = "track";  ///< tf name of the track frame
+  double slop = 0;                    ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
   bool interpolate_load =
       false;                 ///< true: the load is interpolated at the stamp of the pose; false: matched by its stamp
   int hold_last = 0;         ///< largest number of results in a row that are held (HoldLast), at most longest_hold
   double longest_gap = 0.1;  ///< largest difference of the stamps of two loads that are interpolated [s], > 0
   MarkerConfig markers;      ///< appearance of the markers
-  std::vector<std::string> notes;  ///< what was understood of each profile file, one line each
 };
 
 /// Reads all parameters of the node. The defaults are those of the structs above; config/default.yaml lists all names.
@@ -76,12 +69,8 @@ struct NodeConfig
 ///   sync/load                                   match or interpolate
 ///   markers/{rate, rail_length, force_scale, max_pressure, zoom, zoom_height, pressure_height}
 ///
-/// Files: `package://PACKAGE/...`, absolute, or relative to `directory` or else to this package.
 /// @param prefix text before each name in messages (the namespace of the node with '/')
 /// @throw std::invalid_argument with the full name, the value and the violated rule, for a wrong type or value, a
 /// missing required value, or an unknown name; with file and reason for an invalid file.
-NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const std::string& directory);
-
-/// Names of all parameters.
-std::set<std::string> parameterNames();
+NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, const FileSearch& search);
 }  // namespace wheel_rail_contact

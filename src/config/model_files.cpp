@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/model_files.h"
+#include "config/model_files.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -8,8 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "ros/parameters/compliance_table_file.h"
-#include "ros/parameters/file_names.h"
+#include "config/compliance_table_file.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact
@@ -69,11 +68,8 @@ bool isFile(const std::string& name)
 class ProfileFiles
 {
  public:
-  /// @param directory  of relative names
-  /// @param notes      to which lines are added
-  ProfileFiles(std::string directory, std::vector<std::string>& notes) : directory_(std::move(directory)), notes_(notes)
-  {
-  }
+  /// @param notes  to which lines are added
+  ProfileFiles(const FileSearch& search, std::vector<std::string>& notes) : search_(search), notes_(notes) {}
 
   /// Opens a shipped profile, or a file if the value contains a dot or a slash.
   std::shared_ptr<const core::Profile> open(const NamedFile& file, core::ProfileKind kind)
@@ -82,7 +78,7 @@ class ProfileFiles
                     [&](const std::string& value)
                     {
                       const std::string name = nameFromNumber(value);
-                      core::DescribedProfile described = openProfile(name, kind, file.reading, directory_);
+                      core::DescribedProfile described = openProfile(name, kind, file.reading, search_);
                       if (isFile(name))
                       {
                         addNote(file, described.report.text);
@@ -99,8 +95,7 @@ class ProfileFiles
                       [&](const std::string& value)
                       {
                         std::vector<std::string> notes;
-                        core::RailSeries series =
-                            core::readRailSlices(resolveFile(value, directory_), part.reading, notes);
+                        core::RailSeries series = core::readRailSlices(search_.find(value), part.reading, notes);
                         for (const std::string& note : notes)
                         {
                           addNote(part.slices, note);
@@ -127,7 +122,7 @@ class ProfileFiles
     notes_.push_back(line);
   }
 
-  std::string directory_;
+  const FileSearch& search_;
   std::vector<std::string>& notes_;
 };
 
@@ -169,15 +164,11 @@ auto openBoth(const core::Sides<Files>& files, const Open& open)
   return core::Sides<decltype(left)>(std::move(left), std::move(right));
 }
 
-void openTables(const core::Sides<NamedFile>& files, const std::string& directory, NodeConfig& config)
+void openTables(const core::Sides<NamedFile>& files, const FileSearch& search, NodeConfig& config)
 {
-  const core::Sides<ComplianceTableFile> tables =
-      openBoth(files,
-               [&](const NamedFile& file)
-               {
-                 return openFile(file, [&](const std::string& value)
-                                 { return readComplianceTable(resolveFile(value, directory)); });
-               });
+  const core::Sides<ComplianceTableFile> tables = openBoth(
+      files, [&](const NamedFile& file)
+      { return openFile(file, [&](const std::string& value) { return readComplianceTable(search.find(value)); }); });
   for (const core::Side side : core::sides)
   {
     config.model.rail_bending.table[side] = tables[side].table;
@@ -191,14 +182,14 @@ void openTables(const core::Sides<NamedFile>& files, const std::string& director
 }  // namespace
 
 core::DescribedProfile openProfile(const std::string& name, core::ProfileKind kind, const core::ProfileReading& reading,
-                                   const std::string& directory)
+                                   const FileSearch& search)
 {
-  return core::describedProfile(isFile(name) ? resolveFile(name, directory) : name, kind, reading);
+  return core::describedProfile(isFile(name) ? search.find(name) : name, kind, reading);
 }
 
-void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config)
+void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& config)
 {
-  ProfileFiles profiles(directory, config.notes);
+  ProfileFiles profiles(search, config.notes);
   config.model.wheel_profile = openBoth(
       files.wheel_profile, [&](const NamedFile& file) { return profiles.open(file, core::ProfileKind::wheel); });
   const core::Sides<OpenRail> rails =
@@ -214,12 +205,12 @@ void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig
                                        [&](const std::string& value)
                                        {
                                          return std::make_shared<core::TrackLine>(core::readTrackLine(
-                                             resolveFile(value, directory), config.model.track.gauge, files.line_axes));
+                                             search.find(value), config.model.track.gauge, files.line_axes));
                                        });
   }
   if (config.model.rail_bending.model == core::RailBendingConfig::Model::compliance)
   {
-    openTables(files.table, directory, config);
+    openTables(files.table, search, config);
   }
 }
 }  // namespace wheel_rail_contact

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/compliance_table_file.h"
+#include "config/compliance_table_file.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "ros/parameters/parameter_reader.h"
+#include "config/parameter_reader.h"
 
 namespace wheel_rail_contact
 {

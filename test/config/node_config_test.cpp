@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,19 @@ ParameterTree validExcept(const std::string& name, const YAML::Node& value)
     upper.emplace(group + "/file", YAML::Node("file.csv"));
   }
   return overlay(isOnlyExplained(name) ? complete() : defaults(), upper);
+}
+
+/// Names of all parameters, given or not: the message for an unknown one lists them.
+std::vector<std::string> parameterNames()
+{
+  const std::string message = refusal(with("{unknown: 1}")), begin = "in this group: ";
+  std::istringstream list(message.substr(message.find(begin) + begin.size()));
+  std::vector<std::string> names;
+  for (std::string name; std::getline(list >> std::ws, name, ',');)
+  {
+    names.push_back(name);
+  }
+  return names;
 }
 
 /// True if a parameter is a number in the complete parameters.
@@ -149,23 +163,16 @@ TEST(Parameters, NumbersMayBeWrittenAsStrings)
 // On a command line ROS reads 60E1 as the number 60e1. No two names may be the same number.
 TEST(Parameters, RailNamesAreFoundWhenRosReadsThemAsNumbers)
 {
-  const std::pair<const char*, double> rails[] = {
-      {"54E1", 54E1}, {"54E3", 54E3}, {"56E1", 56E1}, {"60E1", 60E1}, {"60E2", 60E2}};
+  const std::pair<const char*, const char*> rails[] = {
+      {"54E1", "540"}, {"54E3", "54000"}, {"56E1", "560"}, {"60E1", "600"}, {"60E2", "6000"}};
   for (const auto& [name, number] : rails)
   {
-    XmlRpc::XmlRpcValue server;
-    server["wheel"]["profile"] = "S1002";
-    server["rail"]["profile"] = number;
-    EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), name);
-    server["rail"]["profile"] = static_cast<int>(number);
-    EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), name);
-    server["rail"]["profile"] = name;
-    EXPECT_EQ(read(parameterTree(toYaml(server))).model.rail_profile.left->name(), name);
+    for (const std::string value : {number, name})
+    {
+      EXPECT_EQ(read(with("rail: {profile: " + value + "}")).model.rail_profile.left->name(), name);
+    }
   }
-  XmlRpc::XmlRpcValue server;
-  server["wheel"]["profile"] = "S1002";
-  server["rail"]["profile"] = 61E1;
-  EXPECT_TRUE(contains(refusal(parameterTree(toYaml(server))), "rail/profile = 610: neither the name of a standard"));
+  EXPECT_TRUE(contains(refusal(with("rail: {profile: 610}")), "rail/profile = 610: neither the name of a standard"));
 }
 
 TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
@@ -363,4 +370,23 @@ TEST(Parameters, TableIsFoundByPackageByDirectoryAndInThisPackage)
     EXPECT_GT(config.model.rail_bending.table.left.lateral_lateral, 0) << name;
     EXPECT_EQ(config.linear_range.left, 0.6) << name;
   }
+}
+
+TEST(Parameters, MistakesInTheInterpolationOfLoadsAreRefusedByTheirName)
+{
+  expectRefused({
+      {"sync: {slop: -0.001}", "sync/slop", "-0.001"},
+      {"sync: {slop: 1e9}", "sync/slop", "1e9"},
+      {"sync: {load: nearest}", "sync/load = nearest", "match, interpolate"},
+      {"sync: {longest_gap: 0}", "sync/longest_gap", "above 0"},
+      {"sync: {longest_gap: 61}", "sync/longest_gap", "61"},
+  });
+}
+
+TEST(Parameters, InterpolationRequiresALoad)
+{
+  expectRefused({{"{sync: {load: interpolate}, wheelset: {free: []}}", "sync/load = interpolate",
+                  "must be match if wheelset/free is [], because no load is read then"}});
+  EXPECT_FALSE(read(with("{sync: {load: match}, wheelset: {free: []}}")).interpolate_load);
+  EXPECT_TRUE(read(with("{sync: {load: interpolate}, wheelset: {free: [z, roll]}}")).interpolate_load);
 }

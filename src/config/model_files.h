@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/parameters/parameters.h"
+#include "config/node_config.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact
@@ -72,12 +72,11 @@ struct ModelFiles
 };
 
 /// Opens a standard profile by its name, or a file if the name contains a dot or a slash.
-/// @param directory  of a relative file name
 /// @throw std::exception with the reason.
 core::DescribedProfile openProfile(const std::string& name, core::ProfileKind kind, const core::ProfileReading& reading,
-                                   const std::string& directory);
+                                   const FileSearch& search);
 
-/// Opens the files of a configuration. `directory` is that of relative names.
+/// Opens the files of a configuration.
 /// @throw std::invalid_argument with the name of the parameter and the reason.
-void openFiles(const ModelFiles& files, const std::string& directory, NodeConfig& config);
+void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& config);
 }  // namespace wheel_rail_contact

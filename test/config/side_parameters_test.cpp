@@ -133,12 +133,8 @@ TEST(SideParameters, ValuesOfBothSidesNeedNoValueForBoth)
 // roslaunch and rosparam read 1:20 as 80, and a name 60E1 on a command line as 600.
 TEST(SideParameters, NumbersThatRosMakesOfTextsAreRead)
 {
-  XmlRpc::XmlRpcValue server;
-  server["wheel"]["profile"] = "S1002";
-  server["rail"]["left"]["profile"] = 60E1;
-  server["rail"]["left"]["inclination"] = 80;
-  server["rail"]["right"]["profile"] = "60E1";
-  const core::ContactModelConfig model = read(parameterTree(toYaml(server))).model;
+  const char* yaml = "rail: {left: {profile: 600, inclination: 80}, right: {profile: 60E1}}";
+  const core::ContactModelConfig model = read(with(yaml)).model;
   EXPECT_EQ(model.rail_profile.left->name(), "60E1");
   EXPECT_EQ(model.track.rail_inclination.left, std::atan(1.0 / 20));
   EXPECT_EQ(model.track.rail_inclination.right, core::TrackConfig().rail_inclination.right);
@@ -185,16 +181,6 @@ TEST_F(ProfileGroup, IsReplacedByAName)
   EXPECT_EQ(read(name).model.wheel_profile.left->name(), "S1002");
   const ParameterTree file = overlay(group, parameterTree(YAML::Load("wheel: {profile: {file: wheel.csv}}")));
   EXPECT_TRUE(contains(refusal(file), "reversed")) << "mirror remains: " << refusal(file);
-}
-
-// The parameter server, to which config/default.yaml and then a file with a group were loaded.
-TEST_F(ProfileGroup, OfTheParameterServerIsRead)
-{
-  XmlRpc::XmlRpcValue server;
-  server["wheel"]["profile"]["file"] = "mirrored.csv";
-  server["wheel"]["profile"]["mirror"] = XmlRpc::XmlRpcValue(true);
-  server["rail"]["profile"] = "60E1";
-  expectWheel(*read(parameterTree(toYaml(server))).model.wheel_profile.left, "mirrored.csv");
 }
 
 TEST_F(ProfileGroup, MistakesAreRefusedByTheirName)

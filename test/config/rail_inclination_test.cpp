@@ -26,12 +26,6 @@ TEST(RailInclination, IsAnAngleOrARatio)
   EXPECT_EQ(inclination("100"), std::atan(1.0 / 40));
   EXPECT_EQ(inclination("80"), std::atan(1.0 / 20));
   EXPECT_EQ(inclination("100.5"), std::atan(1 / 40.5));
-
-  XmlRpc::XmlRpcValue server;
-  server["wheel"]["profile"] = "S1002";
-  server["rail"]["profile"] = "60E1";
-  server["track"]["rail_inclination"] = 100;
-  EXPECT_EQ(read(parameterTree(toYaml(server))).model.track.rail_inclination.left, std::atan(1.0 / 40));
 }
 
 TEST(RailInclination, InvalidValueIsRefused)

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parameter track/line.
 #include <gtest/gtest.h>
-#include <ros/package.h>
 
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
-#include "ros/parameters/parameters.h"
+#include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;
 
@@ -22,12 +20,7 @@ class LineParameter : public testing::Test
     std::ofstream(testing::TempDir() + "wrong.csv") << "# measured\nx [m], cant [mm]\n0, 1\n1, 2\n";
   }
 
-  static NodeConfig read(const std::string& track)
-  {
-    const ParameterTree file = readParameterFile(ros::package::getPath("wheel_rail_contact") + "/config/default.yaml");
-    return readNodeConfig(overlay(file, parameterTree(YAML::Load("track: {" + track + "}"))), "/contact_node/",
-                          testing::TempDir());
-  }
+  static NodeConfig read(const std::string& track) { return wheel_rail_contact::read(with("track: {" + track + "}")); }
   /// Lateral displacement of the left rail at the first station [mm], outward positive.
   static double leftAtBegin(const std::string& track)
   {
@@ -36,15 +29,8 @@ class LineParameter : public testing::Test
 
   static void expectRefused(const std::string& track, const std::string& message)
   {
-    try
-    {
-      read(track);
-      ADD_FAILURE() << track << " was accepted";
-    }
-    catch (const std::invalid_argument& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << track << "\n  gave: " << error.what();
-    }
+    const std::string refused = refusal(with("track: {" + track + "}"));
+    EXPECT_TRUE(contains(refused, message)) << track << "\n  gave: " << refused;
   }
 };
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters/compliance_table_file.h"
+#include "config/compliance_table_file.h"
 
 #include <gtest/gtest.h>
-#include <ros/package.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;
 
@@ -65,8 +66,7 @@ TEST(ComplianceTableFile, AllNumbersAreRead)
 TEST(ComplianceTableFile, ShippedTablesAreAccepted)
 {
   int count = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(ros::package::getPath("wheel_rail_contact") + "/config/rails"))
+  for (const auto& entry : std::filesystem::directory_iterator(packageFile("config/rails")))
   {
     if (entry.path().extension() == ".yaml")
     {
