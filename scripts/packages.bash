@@ -9,6 +9,7 @@
 distribution_packages=(
   # build
   g++ make cmake catkin python3-setuptools libeigen3-dev libyaml-cpp-dev libbz2-dev libroslz4-dev
+  libboost-program-options-dev
   ros-message-generation ros-message-runtime
   libroscpp-dev libroslib-dev libstd-msgs-dev libgeometry-msgs-dev libvisualization-msgs-dev libdiagnostic-msgs-dev
   libtf2-dev libtf2-msgs-dev libtf2-ros-dev libdiagnostic-updater-dev libnodelet-dev libnodeletlib-dev pluginlib-dev

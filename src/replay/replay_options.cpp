@@ -5,7 +5,8 @@
 #include <ros/package.h>
 
 #include <algorithm>
-#include <optional>
+#include <boost/program_options.hpp>
+#include <functional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -18,48 +19,10 @@ namespace wheel_rail_contact
 {
 namespace
 {
+namespace po = boost::program_options;
+
 /// Beginning and end of the lines of a description that give a wheelset.
 constexpr std::string_view wheelset_line = "wheelset: ", wheelset_inputs = "/wheelset";
-
-bool isOption(const std::string& argument)
-{
-  return argument.size() > 1 && argument[0] == '-';
-}
-
-/// Iterator over the arguments.
-class Arguments
-{
- public:
-  explicit Arguments(const std::vector<std::string>& all) : all_(all) {}
-
-  bool empty() const { return next_ == all_.size(); }
-  std::string take() { return all_[next_++]; }
-
-  /// Value of an option. @throw std::invalid_argument if it is missing.
-  std::string valueOf(const std::string& option)
-  {
-    if (empty() || isOption(all_[next_]))
-    {
-      throw std::invalid_argument(option + ": requires a value");
-    }
-    return take();
-  }
-
-  /// One or more values up to the next option.
-  std::vector<std::string> valuesOf(const std::string& option)
-  {
-    std::vector<std::string> values{valueOf(option)};
-    while (!empty() && !isOption(all_[next_]))
-    {
-      values.push_back(take());
-    }
-    return values;
-  }
-
- private:
-  const std::vector<std::string>& all_;
-  std::size_t next_ = 0;
-};
 
 int threadCount(const std::string& text)
 {
@@ -122,14 +85,6 @@ std::vector<std::string> namespaces(const std::vector<std::string>& names)
   return result;
 }
 
-/// Input topic whose name an option gives; empty for another option.
-std::optional<InputTopic> topicOf(const std::string& option)
-{
-  const auto found = std::find_if(all_input_topics.begin(), all_input_topics.end(),
-                                  [&option](InputTopic topic) { return optionOf(topic) == option; });
-  return found == all_input_topics.end() ? std::nullopt : std::optional<InputTopic>(*found);
-}
-
 /// Value of an option that names a topic.
 std::string topicName(const std::string& option, const std::string& name)
 {
@@ -153,81 +108,85 @@ void requireRelativeNames(const BagInputs& inputs)
   }
 }
 
-void takeOption(const std::string& option, Arguments& arguments, ReplayOptions& options,
-                std::vector<std::string>& wheelsets)
+/// Options that write their values to `options`.
+po::options_description describe(ReplayOptions& options)
 {
-  if (option == "--config")
+  constexpr unsigned width = 120;
+  po::options_description described("options", width);
+  using Words = std::vector<std::string>;
+  const auto one = [](const char* value_name, const std::function<void(const std::string&)>& take)
+  { return po::value<std::string>()->value_name(value_name)->notifier(take); };
+  const auto time = [one](const std::string& option, std::uint64_t& target)
+  { return one("T", [option, &target](const std::string& text) { target = recordingTime(option, text); }); };
+  auto add = described.add_options();
+  add("config", po::value(&options.configs)->value_name("F.yaml"),
+      "parameters, applied over config/default.yaml and over the files given before");
+  add("threads", one("N", [&](const std::string& text) { options.threads = threadCount(text); }),
+      "number of threads that evaluate; default: one per core");
+  add("csv", po::value(&options.csv)->value_name("F.csv"),
+      "also writes a table with one row per patch; the column names contain the units");
+  add("wheelset",
+      po::value<Words>()->multitoken()->value_name("NAME...")->notifier(
+          [&](const Words& names) { options.inputs.wheelsets = namespaces(names); }),
+      "namespaces of the wheelsets; the results for NAME/wheelset/pose are on NAME/contact_node/contact; default: /");
+  for (const InputTopic topic : all_input_topics)
   {
-    options.configs.push_back(arguments.valueOf(option));
+    const std::string option = optionOf(topic);
+    const std::string text = "topic of the bag to read instead of " + nameOf(topic) +
+                             ". A name without a leading slash is relative to the namespace of each wheelset";
+    add(option.substr(2).c_str(),
+        one("TOPIC", [&options, topic, option](const std::string& name)
+            { options.inputs.names[topic] = topicName(option, name); }),
+        text.c_str());
   }
-  else if (option == "--csv")
+  add("from", time("--from", options.span.from),
+      "evaluates only the inputs recorded from this time on [s]; each result is identical to that of the whole bag");
+  add("to", time("--to", options.span.to), "evaluates only the inputs recorded before this time [s]");
+  add("keep-topics", po::bool_switch(&options.keep_topics), "copies the other messages of IN.bag");
+  add("no-grids", po::bool_switch()->notifier([&](bool given) { options.grids = !given; }), "omits the pressure grids");
+  add("lz4", po::bool_switch()->notifier([&](bool given) { options.compression = given ? "lz4" : "none"; }),
+      "compresses OUT.bag");
+  add("resume", po::bool_switch(&options.resume),
+      "continues an interrupted replay (Ctrl-C, crash); requires the same options");
+  add("help,h", po::bool_switch(&options.help), "prints this text");
+  return described;
+}
+
+/// The program_options library takes a following option for the value of an option.
+void requireValues(const po::parsed_options& parsed)
+{
+  const auto is_option = [](const std::string& text) { return text.size() > 1 && text[0] == '-'; };
+  for (const po::option& option : parsed.options)
   {
-    options.csv = arguments.valueOf(option);
-  }
-  else if (option == "--threads")
-  {
-    options.threads = threadCount(arguments.valueOf(option));
-  }
-  else if (option == "--wheelset")
-  {
-    const auto names = arguments.valuesOf(option);
-    wheelsets.insert(wheelsets.end(), names.begin(), names.end());
-  }
-  else if (const auto topic = topicOf(option))
-  {
-    options.inputs.names[*topic] = topicName(option, arguments.valueOf(option));
-  }
-  else if (option == "--from")
-  {
-    options.span.from = recordingTime(option, arguments.valueOf(option));
-  }
-  else if (option == "--to")
-  {
-    options.span.to = recordingTime(option, arguments.valueOf(option));
-  }
-  else if (option == "--keep-topics")
-  {
-    options.keep_topics = true;
-  }
-  else if (option == "--no-grids")
-  {
-    options.grids = false;
-  }
-  else if (option == "--lz4")
-  {
-    options.compression = "lz4";
-  }
-  else if (option == "--resume")
-  {
-    options.resume = true;
-  }
-  else if (option == "--help" || option == "-h")
-  {
-    options.help = true;
-  }
-  else
-  {
-    throw std::invalid_argument(option + ": unknown option");
+    if (option.position_key < 0 && std::any_of(option.value.begin(), option.value.end(), is_option))
+    {
+      throw std::invalid_argument("--" + option.string_key + ": requires a value");
+    }
   }
 }
 }  // namespace
 
 ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
 {
+  using po::command_line_style::allow_guessing;
+  using po::command_line_style::unix_style;
   ReplayOptions options;
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::vector<std::string> files, wheelsets;
-  for (Arguments rest(arguments); !rest.empty();)
+  const po::options_description described = describe(options);
+  std::vector<std::string> files;
+  try
   {
-    const std::string argument = rest.take();
-    if (isOption(argument))
-    {
-      takeOption(argument, rest, options, wheelsets);
-    }
-    else
-    {
-      files.push_back(argument);
-    }
+    const po::parsed_options parsed =
+        po::command_line_parser(arguments).options(described).style(unix_style ^ allow_guessing).run();
+    requireValues(parsed);
+    po::variables_map values;
+    po::store(parsed, values);
+    po::notify(values);
+    files = po::collect_unrecognized(parsed.options, po::include_positional);
+  }
+  catch (const po::error& error)
+  {
+    throw std::invalid_argument(error.what());
   }
   if (options.help)
   {
@@ -243,41 +202,18 @@ ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
   }
   options.input = files[0];
   options.output = files[1];
-  if (!wheelsets.empty())
-  {
-    options.inputs.wheelsets = namespaces(wheelsets);
-  }
   requireRelativeNames(options.inputs);
   return options;
 }
 
 void printReplayUsage(std::ostream& out)
 {
-  out << "usage: contact_replay IN.bag OUT.bag [--config F.yaml]... [--threads N] [--csv F.csv] [--wheelset NAME...]\n"
-         "                      [--pose TOPIC] [--load TOPIC] [--left-rail-force TOPIC] [--right-rail-force TOPIC]\n"
-         "                      [--rail-displacement TOPIC] [--distance TOPIC]\n"
-         "                      [--from T] [--to T] [--keep-topics] [--no-grids] [--lz4] [--resume]\n"
-         "\n"
+  ReplayOptions options;
+  out << "usage: contact_replay IN.bag OUT.bag [options]\n\n"
          "Evaluates every pair of pose and load in a bag, as fast as the cores allow. The results are those of the\n"
-         "live node. On one machine, the same bag and parameters give the same file, to the last byte.\n"
-         "\n"
-         "  --config F.yaml     parameters, applied over config/default.yaml and over the files given before\n"
-         "  --threads N         number of threads that evaluate; default: one per core\n"
-         "  --csv F.csv         also writes a table with one row per patch; the column names contain the units\n"
-         "  --wheelset NAME...  namespaces of the wheelsets; the results for NAME/wheelset/pose are on\n"
-         "                      NAME/contact_node/contact; default: /\n"
-         "  --pose TOPIC        the poses are on this topic instead of wheelset/pose. A name without a leading slash "
-         "is\n"
-         "                      relative to the namespace of each wheelset. The same for the other inputs: --load,\n"
-         "                      --left-rail-force, --right-rail-force, --rail-displacement, --distance\n"
-         "  --from T, --to T    evaluates only the inputs recorded from the first time on and before the second one\n"
-         "                      [s]; each result is identical to that of the whole bag\n"
-         "  --keep-topics       copies the other messages of IN.bag\n"
-         "  --no-grids          omits the pressure grids\n"
-         "  --lz4               compresses OUT.bag\n"
-         "  --resume            continues an interrupted replay (Ctrl-C, crash); requires the same options\n"
-         "\n"
-         "Exit status: 0 done; 1 failed, or IN.bag contains no pair; 2 wrong arguments; 3 done, but parts of IN.bag\n"
+         "live node. On one machine, the same bag and parameters give the same file, to the last byte.\n\n"
+      << describe(options)
+      << "\nExit status: 0 done; 1 failed, or IN.bag contains no pair; 2 wrong arguments; 3 done, but parts of IN.bag\n"
          "could not be read; 4 done, but fewer than half of the poses have a result of usable input, that is other\n"
          "than INVALID_INPUT and NO_TRANSFORM (not with --from or --to); 130 interrupted.\n";
 }

@@ -178,7 +178,8 @@ class WholeBags(ReplayCase):
 
     def test_wrong_arguments_are_reported_by_name(self):
         for options, reason in ((["--threads", "0"], "--threads = 0"), (["--colour"], "--colour"),
-                                (["third.bag"], "two bags"), (["--csv"], "--csv: requires a value"),
+                                (["third.bag"], "two bags"), (["--csv"], "'--csv' is missing"),
+                                (["--csv", "--lz4"], "--csv: requires a value"), (["--csv", "a", "--csv", "b"], "--csv"),
                                 (["--wheelset", "a", "/a"], "given twice")):
             _, printed = self.replay(SHIPPED, "out.bag", *options, status=MISUSED)
             self.assertIn(reason, printed)

@@ -114,9 +114,14 @@ TEST_F(SimulationParameters, CommandLineIsOverTheFile)
                   parseOptions({"--contact", "radio"});
                 }),
             "--contact radio: must be in_process, topics or service");
-  EXPECT_EQ(messageOf([] { parseOptions({"--speed", "3x"}); }), "--speed 3x: must be a number");
-  EXPECT_EQ(messageOf([] { parseOptions({"--speed"}); }), "--speed: a value must follow");
-  EXPECT_EQ(messageOf([] { parseOptions({"--fast", "1"}); }), "--fast: unknown option");
+  EXPECT_EQ(messageOf(
+                [] {
+                  parseOptions({"--speed", "3x"});
+                }),
+            "the argument ('3x') for option '--speed' is invalid: must be a number");
+  EXPECT_EQ(messageOf([] { parseOptions({"--speed"}); }), "the required argument for option '--speed' is missing");
+  EXPECT_EQ(messageOf([] { parseOptions({"--fast", "1"}); }), "unrecognised option '--fast'");
+  EXPECT_EQ(messageOf([] { parseOptions({"fast"}); }), "fast: unknown option");
   EXPECT_NE(messageOf([] { parseOptions({"--contact", "topics", "--contact-config", "a.yaml"}); }), "");
   EXPECT_NE(messageOf([] { parametersOf(parseOptions({"--speed", "-1"})); }), "");
 }

@@ -108,7 +108,7 @@ class Commands(unittest.TestCase):
         self.assertAlmostEqual(rolling_radius(contact), 0.499, delta=1e-12)
 
     def test_program_reports_mistakes_and_a_full_folder(self):
-        for arguments, message in ((("--speed", "fast"), "--speed fast: must be a number"),
+        for arguments, message in ((("--speed", "fast"), "('fast') for option '--speed' is invalid: must be a number"),
                                    (("--config", "missing.yaml"), "missing.yaml"),
                                    (("--duration", "0.01", "--out", self.folder / "no" / "run.csv"), "cannot be written")):
             status, out, error = run(PROGRAM, *arguments)

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/simulate_wheelset/options.h"
 
-#include <functional>
+#include <boost/program_options.hpp>
 #include <map>
+#include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace simulate_wheelset
 {
 namespace
 {
+namespace po = boost::program_options;
+
 ContactWay wayOf(const std::string& word)
 {
   const std::map<std::string, ContactWay> ways = {
@@ -22,80 +24,73 @@ ContactWay wayOf(const std::string& word)
   return way->second;
 }
 
-double numberOf(const std::string& option, const std::string& text)
+/// Options that write their values to `options`.
+po::options_description describe(Options& options)
 {
-  std::size_t end = 0;
-  double value = 0;
-  try
-  {
-    value = std::stod(text, &end);
-  }
-  catch (const std::exception&)
-  {
-    end = 0;
-  }
-  if (end == 0 || end != text.size())
-  {
-    throw std::invalid_argument(option + " " + text + ": must be a number");
-  }
-  return value;
+  constexpr unsigned width = 120;
+  po::options_description described("options", width);
+  const auto text = [](const char* value_name, std::string& target)
+  { return po::value(&target)->value_name(value_name); };
+  const auto number = [](const char* value_name, std::optional<double>& target)
+  { return po::value<double>()->value_name(value_name)->notifier([&target](double value) { target = value; }); };
+  const auto take_way = [&options](const std::string& word) { options.contact = wayOf(word); };
+  auto add = described.add_options();
+  add("contact", po::value<std::string>()->value_name("WAY")->notifier(take_way),
+      "in_process (default), topics or service: the last two need a running contact node");
+  add("config", text("F.yaml", options.config), "parameters of the simulation, as in config/simulate_wheelset.yaml");
+  add("contact-config", text("F.yaml", options.contact_config),
+      "parameters of the contact for in_process, over config/default.yaml; the contact node has its own");
+  add("speed", number("V", options.speed), "running speed [m/s], over that of the file");
+  add("duration", number("T", options.duration), "simulated time [s], over that of the file");
+  add("step", number("S", options.step), "time step [s], over that of the file");
+  add("out", text("F.csv", options.out), "table of the run, one row per step");
+  add("node", text("NAME", options.node), "name of the contact node (default: contact_node)");
+  add("frame", text("NAME", options.frame), "its parameter track/frame (default: track)");
+  add("help,h", po::bool_switch(&options.help), "prints this text");
+  return described;
 }
 }  // namespace
 
 std::string usage()
 {
-  return "usage: simulate_wheelset [options]\n"
+  Options options;
+  std::ostringstream out;
+  out << "usage: simulate_wheelset [options]\n"
          "One wheelset on its primary suspension runs along a track. The contact comes from the contact calculation "
          "of\n"
          "wheel_rail_contact, the creep forces from Kalker's linear theory with a friction limit "
-         "(doc/co_simulation.md).\n"
-         "  --contact WAY            in_process (default), topics or service: the last two need a running contact "
-         "node\n"
-         "  --config F.yaml          parameters of the simulation, as in config/simulate_wheelset.yaml\n"
-         "  --contact-config F.yaml  parameters of the contact for in_process; the contact node has its own\n"
-         "  --speed V                running speed [m/s], over that of the file\n"
-         "  --duration T             simulated time [s], over that of the file\n"
-         "  --step S                 time step [s], over that of the file\n"
-         "  --out F.csv              table of the run, one row per step\n"
-         "  --node NAME              name of the contact node (default: contact_node)\n"
-         "  --frame NAME             its parameter track/frame (default: track)\n";
+         "(doc/co_simulation.md).\n\n"
+      << describe(options);
+  return out.str();
 }
 
 Options parseOptions(const std::vector<std::string>& arguments)
 {
+  using po::command_line_style::allow_guessing;
+  using po::command_line_style::unix_style;
   Options options;
-  using Setter = std::function<void(const std::string&)>;
-  const auto text = [](std::string& target) -> Setter
-  { return [&target](const std::string& value) { target = value; }; };
-  const auto number = [](const std::string& option, std::optional<double>& target) -> Setter
-  { return [option, &target](const std::string& value) { target = numberOf(option, value); }; };
-  const std::map<std::string, Setter> setters = {
-      {"--contact", [&](const std::string& value) { options.contact = wayOf(value); }},
-      {"--config", text(options.config)},
-      {"--contact-config", text(options.contact_config)},
-      {"--out", text(options.out)},
-      {"--node", text(options.node)},
-      {"--frame", text(options.frame)},
-      {"--speed", number("--speed", options.speed)},
-      {"--duration", number("--duration", options.duration)},
-      {"--step", number("--step", options.step)}};
-  for (std::size_t i = 0; i < arguments.size(); ++i)
+  const po::options_description described = describe(options);
+  std::vector<std::string> others;
+  try
   {
-    if (arguments[i] == "--help" || arguments[i] == "-h")
-    {
-      options.help = true;
-      continue;
-    }
-    const auto setter = setters.find(arguments[i]);
-    if (setter == setters.end())
-    {
-      throw std::invalid_argument(arguments[i] + ": unknown option");
-    }
-    if (++i == arguments.size())
-    {
-      throw std::invalid_argument(setter->first + ": a value must follow");
-    }
-    setter->second(arguments[i]);
+    const po::parsed_options parsed =
+        po::command_line_parser(arguments).options(described).style(unix_style ^ allow_guessing).run();
+    po::variables_map values;
+    po::store(parsed, values);
+    po::notify(values);
+    others = po::collect_unrecognized(parsed.options, po::include_positional);
+  }
+  catch (const po::validation_error& error)
+  {
+    throw std::invalid_argument(std::string(error.what()) + ": must be a number");
+  }
+  catch (const po::error& error)
+  {
+    throw std::invalid_argument(error.what());
+  }
+  if (!others.empty())
+  {
+    throw std::invalid_argument(others[0] + ": unknown option");
   }
   if (!options.contact_config.empty() && options.contact != ContactWay::in_process)
   {
