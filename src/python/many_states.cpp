@@ -2,13 +2,12 @@
 #include "python/many_states.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
+#include <future>
 #include <limits>
-#include <mutex>
+#include <memory>
 #include <system_error>
-#include <thread>
 
 #include "python/contact_model.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
@@ -36,122 +35,27 @@ const PatchResult* mainPatch(const core::WheelsetResult& result, core::Side side
   return found;
 }
 
-/// Threads that share the states of one call.
-class Evaluation
+/// Starts threads; fewer if the system has no more.
+template <typename Work>
+std::vector<std::future<void>> start(std::size_t threads, const Work& work)
 {
- public:
-  Evaluation(const NodeConfig& config, const std::vector<core::WheelsetState>& states, bool keep_results)
-      : config_(config), states_(states), results_(states.size())
+  std::vector<std::future<void>> workers;
+  try
   {
-    if (keep_results)
+    while (workers.size() < threads)
     {
-      results_.results.resize(states.size());
+      workers.push_back(std::async(std::launch::async, work));
     }
   }
-
-  ManyResults run(std::size_t threads, const std::function<bool()>& is_interrupted)
+  catch (const std::system_error&)
   {
-    std::vector<std::thread> workers = start(threads);
-    wait(is_interrupted);
-    for (std::thread& worker : workers)
+    if (workers.empty())
     {
-      worker.join();
-    }
-    if (error_)
-    {
-      std::rethrow_exception(error_);
-    }
-    return std::move(results_);
-  }
-
- private:
-  /// Starts the threads; fewer if the system has no more.
-  std::vector<std::thread> start(std::size_t threads)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::vector<std::thread> workers;
-    workers.reserve(threads);
-    try
-    {
-      for (; running_ < threads; ++running_)
-      {
-        workers.emplace_back([this] { work(); });
-      }
-    }
-    catch (const std::system_error&)
-    {
-      if (workers.empty())
-      {
-        throw;
-      }
-    }
-    return workers;
-  }
-
-  void wait(const std::function<bool()>& is_interrupted)
-  {
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (!ended_.wait_for(lock, between_checks, [this] { return running_ == 0; }))
-    {
-      lock.unlock();  // is_interrupted may wait for the interpreter
-      const bool interrupted = is_interrupted();
-      lock.lock();
-      next_ = interrupted ? states_.size() : next_;
+      throw;
     }
   }
-
-  void work()
-  {
-    std::exception_ptr error;
-    try
-    {
-      core::WheelsetContact contact(config_.model);
-      for (std::size_t i = take(); i < states_.size(); i = take())
-      {
-        evaluate(contact, i);
-      }
-    }
-    catch (...)
-    {
-      error = std::current_exception();
-    }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (error)
-    {
-      error_ = error;
-      next_ = states_.size();
-    }
-    --running_;
-    ended_.notify_one();
-  }
-
-  std::size_t take()
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return next_ < states_.size() ? next_++ : next_;
-  }
-
-  void evaluate(core::WheelsetContact& contact, std::size_t i)
-  {
-    contact.reset();
-    const core::WheelsetResult& result = contact.evaluate(states_[i]);
-    results_.set(i, result, config_.linear_range);
-    if (!results_.results.empty())
-    {
-      results_.results[i] = std::make_shared<core::WheelsetResult>(result);
-      results_.results[i]->reason = results_.status_text[i];
-    }
-  }
-
-  const NodeConfig& config_;
-  const std::vector<core::WheelsetState>& states_;
-  ManyResults results_;  ///< each row is written by one thread
-  std::mutex mutex_;     ///< of all below
-  std::condition_variable ended_;
-  std::size_t next_ = 0;     ///< first state that no thread has taken
-  std::size_t running_ = 0;  ///< number of threads
-  std::exception_ptr error_;
-};
+  return workers;
+}
 }  // namespace
 
 ManyResults::ManyResults(std::size_t count) : status(count), status_text(count)
@@ -182,6 +86,11 @@ void ManyResults::set(std::size_t i, const core::WheelsetResult& result, const c
 {
   status[i] = result.status;
   status_text[i] = statusTextOf(result, linear_range);
+  if (!results.empty())
+  {
+    results[i] = std::make_shared<core::WheelsetResult>(result);
+    results[i]->reason = status_text[i];
+  }
   if (!isUsable(result.status))
   {
     return;
@@ -231,7 +140,41 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
 ManyResults evaluateMany(const NodeConfig& config, const std::vector<core::WheelsetState>& states,
                          const ManyOptions& options, const std::function<bool()>& is_interrupted)
 {
-  const auto threads = std::min(static_cast<std::size_t>(options.threads), states.size());
-  return Evaluation(config, states, options.keep_results).run(threads, is_interrupted);
+  ManyResults results(states.size());  // each row is written by one thread
+  results.results.resize(options.keep_results ? states.size() : 0);
+  std::atomic<std::size_t> next{0};  // first state that no thread has taken
+  const auto work = [&]
+  {
+    try
+    {
+      core::WheelsetContact contact(config.model);
+      for (std::size_t i = next++; i < states.size(); i = next++)
+      {
+        contact.reset();
+        results.set(i, contact.evaluate(states[i]), config.linear_range);
+      }
+    }
+    catch (...)
+    {
+      next = states.size();
+      throw;
+    }
+  };
+  std::vector<std::future<void>> workers = start(std::min<std::size_t>(options.threads, states.size()), work);
+  for (std::future<void>& worker : workers)
+  {
+    while (worker.wait_for(between_checks) != std::future_status::ready)
+    {
+      if (is_interrupted())
+      {
+        next = states.size();
+      }
+    }
+  }
+  for (std::future<void>& worker : workers)
+  {
+    worker.get();
+  }
+  return results;
 }
 }  // namespace wheel_rail_contact
