@@ -40,7 +40,7 @@ void validate(const ContactConfig& contact);
 struct ContactModelConfig
 {
   /// Profile of each wheel, from the flange to the field side on both sides: one profile for both wheels makes them
-  /// mirror images. Must not be null. See standard_profiles.h and profile_reader.h.
+  /// mirror images. Must not be null. See profile_reader.h.
   Sides<std::shared_ptr<const Profile>> wheel_profile;
   /// Profile of each rail, from the gauge to the field side, upright (before it is turned by
   /// TrackConfig::rail_inclination). Must not be null, unless `rail_sections` is set, which replaces it.
