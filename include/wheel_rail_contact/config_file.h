@@ -30,12 +30,13 @@ constexpr const char* default_parameters = "package://wheel_rail_contact/config/
 /// Parameters as a YAML file or as the text of a YAML document.
 struct ParameterSource
 {
+  /// What `value` is.
   enum Kind
   {
-    file,
-    text
+    file,  ///< the name of a file
+    text   ///< the text of a document
   };
-  Kind kind = file;
+  Kind kind = file;   ///< see Kind
   std::string value;  ///< name as for FileSearch::find(), or the text
 };
 

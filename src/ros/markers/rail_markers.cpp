@@ -70,8 +70,7 @@ void addRails(const core::ContactModelConfig& model, const TrackStyle& style, co
     for (int i = 0; i <= static_cast<int>(intervals); ++i)
     {
       const double ahead = style.rail_length * (i / intervals - 0.5);
-      const core::PlacedRail rail =
-          core::restingRail(model, side, place.distance + ahead).deflected(deflection[side]);
+      const core::PlacedRail rail = core::restingRail(model, side, place.distance + ahead).deflected(deflection[side]);
       std::vector<Outline> section = railOutlines(rail, side, place.x + ahead);
       for (const Outline& part : before)
       {
