@@ -229,3 +229,5 @@ void ContactDisplay::draw()
   context_->queueRender();
 }
 }  // namespace wheel_rail_contact
+
+PLUGINLIB_EXPORT_CLASS(wheel_rail_contact::ContactDisplay, rviz::Display)
