@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "examples/simulate_wheelset/in_process_contact.h"
+#include "examples/simulate_wheelset/contact_ways.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 #include "simulation/sweep.h"
 #include "wheel_rail_contact/core/track.h"

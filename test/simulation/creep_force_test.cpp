@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "examples/simulate_wheelset/wheelset_forces.h"
+#include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 using namespace simulate_wheelset;
 

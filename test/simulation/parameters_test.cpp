@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "examples/simulate_wheelset/in_process_contact.h"
-#include "examples/simulate_wheelset/options.h"
+#include "examples/simulate_wheelset/contact_ways.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 namespace simulate_wheelset

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "examples/simulate_wheelset/wheelset_forces.h"
+#include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 namespace
 {

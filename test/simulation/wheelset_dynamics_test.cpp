@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "examples/simulate_wheelset/contact_source.h"
+#include "examples/simulate_wheelset/closed_loop.h"
 
 using namespace simulate_wheelset;
 

@@ -8,9 +8,8 @@
 #include <iomanip>
 #include <numeric>
 #include <sstream>
-
-#include "examples/simulate_wheelset/contact_source.h"
-#include "examples/simulate_wheelset/wheelset_dynamics.h"
+#include <stdexcept>
+#include <utility>
 
 namespace simulate_wheelset
 {
@@ -32,7 +31,157 @@ void count(const ContactReply& contact, const RailForces& forces, RunSummary& su
   summary.outside_table += std::any_of(contact.points.begin(), contact.points.end(), is_outside) ? 1 : 0;
   ++summary.steps;
 }
+
+constexpr int digits = 9;
+
+/// Forces of one wheel.
+struct Wheel
+{
+  double normal_force = 0;          ///< sum [N]
+  double radius = 0;                ///< mean rolling radius, weighted with the normal forces [m]
+  double creep_x = 0, creep_y = 0;  ///< creep force on the wheel along x and y of the track [N]
+  double demand = 0;                ///< largest of the contacts [-]
+  bool is_saturated = false;        ///< whether the creep force of a contact is at the friction limit
+};
+
+Wheel wheelOf(bool is_left, const ContactReply& contact, const RailForces& forces)
+{
+  Wheel wheel;
+  for (std::size_t i = 0; i < contact.points.size(); ++i)
+  {
+    const ContactPoint& point = contact.points[i];
+    if (point.is_left == is_left)
+    {
+      wheel.normal_force += point.normal_force;
+      wheel.radius += point.normal_force * point.rolling_radius;
+      wheel.creep_x += forces.creep[i].along;
+      wheel.creep_y += forces.creep[i].across * std::cos(point.angle);
+      wheel.demand = std::max(wheel.demand, forces.creep[i].demand);
+      wheel.is_saturated = wheel.is_saturated || forces.creep[i].isSaturated();
+    }
+  }
+  wheel.radius = wheel.normal_force > 0 ? wheel.radius / wheel.normal_force : std::nan("");
+  return wheel;
+}
 }  // namespace
+
+const ContactReply& HeldContact::evaluate(const ContactRequest& request)
+{
+  ContactReply reply = source_.evaluate(request);
+  if (reply.is_usable)
+  {
+    in_a_row_ = 0;
+    last_ = std::move(reply);
+    return last_;
+  }
+  ++in_a_row_;
+  if (!last_.is_usable || in_a_row_ > most_)
+  {
+    throw std::runtime_error("no usable contact in " + std::to_string(in_a_row_) + " successive steps, at " +
+                             std::to_string(1e-9 * static_cast<double>(request.time)) +
+                             " s, y = " + std::to_string(1e3 * request.y) + " mm: " + reply.status);
+  }
+  ++held_;
+  return last_;
+}
+
+void Waves::add(double distance, double y, const RailForces& forces)
+{
+  if (has_last_ && last_y_ < 0 && y >= 0)
+  {
+    last_crossing_ = distance - (distance - last_distance_) * y / (y - last_y_);
+    count_ += first_crossing_ ? 1 : 0;
+    first_crossing_ = first_crossing_.value_or(last_crossing_);
+    whole_ = begun_;
+  }
+  if (first_crossing_)
+  {
+    ++begun_.steps;
+    begun_.drag -= forces.creep_force.x();
+    begun_.friction_power += forces.friction_power;
+  }
+  has_last_ = true;
+  last_distance_ = distance;
+  last_y_ = y;
+  largest_y_ = std::max(largest_y_, std::abs(y));
+}
+
+double Waves::wavelength() const
+{
+  return count_ > 0 ? (last_crossing_ - *first_crossing_) / count_ : 0;
+}
+
+double Waves::drag() const
+{
+  return count_ > 0 ? whole_.drag / whole_.steps : 0;
+}
+
+double Waves::frictionPower() const
+{
+  return count_ > 0 ? whole_.friction_power / whole_.steps : 0;
+}
+
+std::string Waves::text(double speed) const
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << "largest |y| " << 1e3 * largest_y_ << " mm, ";
+  if (count_ == 0)
+  {
+    text << "no whole wave";
+    return text.str();
+  }
+  text << "wavelength " << wavelength() << " m, drag " << drag() << " N = " << 1e-3 * speed * drag() << " kW, friction "
+       << 1e-3 * frictionPower() << " kW";
+  return text.str();
+}
+
+MotionTable::MotionTable(const std::string& file) : file_(file), stream_(file)
+{
+  stream_.precision(digits);
+  stream_ << "time [s],distance [m],y [m],yaw [rad],y_rate [m/s],yaw_rate [rad/s],spin [rad/s],z [m],roll [rad],"
+             "force_z [N],torque_x [N m],normal_force_y [N],creep_force_y [N],yaw_moment [N m],friction_power [W]";
+  for (const char* side : {"left", "right"})
+  {
+    stream_ << ',' << side << "_normal_force [N]," << side << "_rolling_radius [m]," << side << "_creep_x [N]," << side
+            << "_creep_y [N]," << side << "_demand [-]," << side << "_saturated [-]";
+  }
+  stream_ << ",held [-]\n";
+  check();
+}
+
+void MotionTable::add(const ContactRequest& request, const Motion& motion, const ContactReply& contact,
+                      const RailForces& forces, bool is_held)
+{
+  stream_ << 1e-9 * static_cast<double>(request.time);
+  for (const double value : {request.distance, motion.y, motion.yaw, motion.y_rate, motion.yaw_rate, motion.spin,
+                             contact.z, contact.roll, request.force_z, request.torque_x, forces.normal_force.y(),
+                             forces.creep_force.y(), forces.moment().z(), forces.friction_power})
+  {
+    stream_ << ',' << value;
+  }
+  for (const bool is_left : {true, false})
+  {
+    const Wheel wheel = wheelOf(is_left, contact, forces);
+    stream_ << ',' << wheel.normal_force << ',' << wheel.radius << ',' << wheel.creep_x << ',' << wheel.creep_y << ','
+            << wheel.demand << ',' << (wheel.is_saturated ? 1 : 0);
+  }
+  stream_ << ',' << (is_held ? 1 : 0) << '\n';
+  check();
+}
+
+void MotionTable::close()
+{
+  stream_.close();
+  check();
+}
+
+void MotionTable::check()
+{
+  if (!stream_)
+  {
+    throw std::runtime_error(file_ + ": cannot be written");
+  }
+}
 
 RunSummary runClosedLoop(const Parameters& parameters, ContactSource& source, MotionTable* table)
 {

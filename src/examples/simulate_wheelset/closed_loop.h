@@ -1,16 +1,102 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "examples/simulate_wheelset/contact_source.h"
-#include "examples/simulate_wheelset/motion_table.h"
 #include "examples/simulate_wheelset/parameters.h"
-#include "examples/simulate_wheelset/waves.h"
+#include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 namespace simulate_wheelset
 {
+/// Contact of each step, or the last usable one while there is none: without forces the wheelset would fall and drift
+/// as after a lift-off, and nothing would show it.
+class HeldContact
+{
+ public:
+  /// @param most largest number of successive steps with the last usable contact
+  HeldContact(ContactSource& source, int most) : source_(source), most_(most) {}
+
+  /// Contact for the request.
+  /// @throw std::runtime_error if more than `most` successive states, or the first one, have no usable result.
+  const ContactReply& evaluate(const ContactRequest& request);
+
+  /// Number of steps with a held contact.
+  int held() const { return held_; }
+  /// Whether the last contact is held.
+  bool isHeld() const { return in_a_row_ > 0; }
+
+ private:
+  ContactSource& source_;
+  const int most_;
+  ContactReply last_;
+  int held_ = 0, in_a_row_ = 0;
+};
+
+/// Means over the whole waves of a run: between the first and the last upward zero crossing of the lateral
+/// displacement.
+class Waves
+{
+ public:
+  /// Adds a step.
+  /// @param distance place along the track [m]
+  /// @param y        lateral displacement [m]
+  void add(double distance, double y, const RailForces& forces);
+
+  /// Number of whole waves.
+  int count() const { return count_; }
+  /// Mean wavelength [m]; 0 without a whole wave.
+  double wavelength() const;
+  /// Largest lateral displacement of all steps, to either side [m].
+  double largestY() const { return largest_y_; }
+  /// Mean force that resists the running, backward positive [N]; 0 without a whole wave.
+  double drag() const;
+  /// Mean power of the friction [W]; 0 without a whole wave.
+  double frictionPower() const;
+  /// All of this in words.
+  /// @param speed running speed [m/s]
+  std::string text(double speed) const;
+
+ private:
+  /// Sums over steps.
+  struct Sums
+  {
+    int steps = 0;
+    double drag = 0, friction_power = 0;
+  };
+
+  int count_ = 0;
+  double largest_y_ = 0;
+  std::optional<double> first_crossing_;  ///< [m]
+  double last_crossing_ = 0;              ///< [m]
+  Sums whole_, begun_;                    ///< of the whole waves, and from the first crossing on
+  bool has_last_ = false;
+  double last_distance_ = 0, last_y_ = 0;
+};
+
+/// Table of a run (CSV): one row per step, SI units. The first line has the names and units of the columns.
+class MotionTable
+{
+ public:
+  /// @throw std::runtime_error if the file cannot be written: also from add() and close().
+  explicit MotionTable(const std::string& file);
+
+  /// Adds a step: the motion in which the contact was evaluated, and the forces in the step.
+  void add(const ContactRequest& request, const Motion& motion, const ContactReply& contact, const RailForces& forces,
+           bool is_held);
+  /// Writes what is buffered.
+  void close();
+
+ private:
+  void check();
+
+  std::string file_;
+  std::ofstream stream_;
+};
+
 /// Wall times of the steps of a run.
 class StepTimes
 {

@@ -31,16 +31,6 @@ struct ContactPoint
   double rolling_radius = 0;                           ///< [m]
 };
 
-/// Copies the force, the axes and the radius of a patch of the core or of a message.
-template <typename Patch>
-void copySizes(const Patch& patch, ContactPoint& point)
-{
-  point.normal_force = patch.normal_force;
-  point.semi_axis_along = patch.semi_axis_along;
-  point.semi_axis_across = patch.semi_axis_across;
-  point.rolling_radius = patch.rolling_radius;
-}
-
 /// What comes back.
 struct ContactReply
 {
@@ -50,12 +40,6 @@ struct ContactReply
   double roll = 0;                   ///< solved rotation about x, positive if the left wheel is raised [rad]
   std::vector<ContactPoint> points;  ///< left side first
 };
-
-/// Text of ContactReply::status.
-inline std::string statusText(const std::string& name, const std::string& reason)
-{
-  return reason.empty() ? name : name + ": " + reason;
-}
 
 /// A way to the contact calculation: all that the dynamics use of it.
 class ContactSource
@@ -72,29 +56,5 @@ class ContactSource
   /// Contact in one state.
   /// @throw std::runtime_error if the calculation cannot be reached. A state without a usable result does not throw.
   virtual ContactReply evaluate(const ContactRequest& request) = 0;
-};
-
-/// Contact of each step, or the last usable one while there is none: without forces the wheelset would fall and drift
-/// as after a lift-off, and nothing would show it.
-class HeldContact
-{
- public:
-  /// @param most largest number of successive steps with the last usable contact
-  HeldContact(ContactSource& source, int most) : source_(source), most_(most) {}
-
-  /// Contact for the request.
-  /// @throw std::runtime_error if more than `most` successive states, or the first one, have no usable result.
-  const ContactReply& evaluate(const ContactRequest& request);
-
-  /// Number of steps with a held contact.
-  int held() const { return held_; }
-  /// Whether the last contact is held.
-  bool isHeld() const { return in_a_row_ > 0; }
-
- private:
-  ContactSource& source_;
-  const int most_;
-  ContactReply last_;
-  int held_ = 0, in_a_row_ = 0;
 };
 }  // namespace simulate_wheelset

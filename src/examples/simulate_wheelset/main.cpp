@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "examples/simulate_wheelset/closed_loop.h"
-#include "examples/simulate_wheelset/in_process_contact.h"
-#include "examples/simulate_wheelset/node_contact.h"
-#include "examples/simulate_wheelset/options.h"
+#include "examples/simulate_wheelset/contact_ways.h"
 
 namespace
 {

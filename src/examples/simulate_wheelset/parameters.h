@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace simulate_wheelset
 {
@@ -70,4 +72,36 @@ Parameters readParameters(const std::string& file);
 
 /// @throw std::invalid_argument if a value breaks its rule, with the name and the value.
 void validate(const Parameters& parameters);
+
+/// The ways to the contact calculation.
+enum class ContactWay
+{
+  in_process,
+  topics,
+  service
+};
+
+/// Command line of the program.
+struct Options
+{
+  bool help = false;                            ///< --help
+  ContactWay contact = ContactWay::in_process;  ///< --contact
+  std::string config;                           ///< --config; empty: the defaults of Parameters
+  std::string contact_config;                   ///< --contact-config, for in_process
+  std::string out;                              ///< --out; empty: no table
+  std::string node = "contact_node";            ///< --node: name of the contact node
+  std::string frame = "track";                  ///< --frame: its parameter track/frame
+  std::optional<double> speed, duration, step;  ///< over the values of the file [m/s], [s], [s]
+};
+
+/// Text of --help.
+std::string usage();
+
+/// @param arguments without the name of the program and without those of ROS
+/// @throw std::invalid_argument with the option, the value and the broken rule.
+Options parseOptions(const std::vector<std::string>& arguments);
+
+/// Parameters of the file, with the values of the command line over them.
+/// @throw std::invalid_argument with the name, the value and the broken rule.
+Parameters parametersOf(const Options& options);
 }  // namespace simulate_wheelset

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Creep forces of one wheelset: Kalker's linear theory with a limit by friction, for the example simulate_wheelset_python.
 
-Formulas, sources and signs are those of src/examples/simulate_wheelset/creep_force.h and wheelset_forces.h.
+Formulas, sources and signs are those of src/examples/simulate_wheelset/creep_force.h and wheelset_dynamics.h.
 """
 import numpy as np
 

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "examples/simulate_wheelset/closed_loop.h"
-#include "examples/simulate_wheelset/in_process_contact.h"
-#include "examples/simulate_wheelset/node_contact.h"
+#include "examples/simulate_wheelset/contact_ways.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 #include "simulation/sweep.h"
 

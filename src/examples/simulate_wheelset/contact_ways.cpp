@@ -1,28 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "examples/simulate_wheelset/node_contact.h"
+#include "examples/simulate_wheelset/contact_ways.h"
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/names.h>
+#include <ros/package.h>
 #include <ros/param.h>
 #include <wheel_rail_contact/EvaluateWheelset.h>
-#include <wheel_rail_contact/WheelsetContact.h>
 
 #include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "examples/simulate_wheelset/contact_source.h"
-#include "wheel_rail_contact/core/track.h"
+#include "wheel_rail_contact/config_file.h"
 
 namespace simulate_wheelset
 {
+namespace core = wheel_rail_contact::core;
+
 namespace
 {
+/// Copies the force, the axes and the radius of a patch of the core or of a message.
+template <typename Patch>
+void copySizes(const Patch& patch, ContactPoint& point)
+{
+  point.normal_force = patch.normal_force;
+  point.semi_axis_along = patch.semi_axis_along;
+  point.semi_axis_across = patch.semi_axis_across;
+  point.rolling_radius = patch.rolling_radius;
+}
+
+/// Text of ContactReply::status.
+std::string statusText(const std::string& name, const std::string& reason)
+{
+  return reason.empty() ? name : name + ": " + reason;
+}
+
+ContactPoint pointOf(const core::PatchResult& patch, const core::WheelsetResult& result)
+{
+  ContactPoint point;
+  point.is_left = patch.side == core::Side::left;
+  point.position = {patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z};
+  point.angle = patch.pose.angle;
+  copySizes(patch, point);
+  return point;
+}
+
+void requireSuitable(const wheel_rail_contact::ContactParameters& parameters)
+{
+  const core::WheelsetConfig& wheelset = parameters.model.wheelset;
+  const core::RailBendingConfig& bending = parameters.model.rail_bending;
+  const auto require = [](bool is_suitable, const char* text)
+  {
+    if (!is_suitable)
+    {
+      throw std::invalid_argument(text);
+    }
+  };
+  require(wheelset.balance == core::WheelsetConfig::Balance::wheel_loads,
+          "wheelset/balance = moments must be wheel_loads: the load of this program is for it");
+  require(wheelset.solve_height_and_roll,
+          "wheelset/free = [] must be [z, roll]: this program does not integrate height and roll");
+  require(!parameters.displacement_topic,
+          "track/displacement = topic must be none: this program does not move the rails");
+  require(bending.model != core::RailBendingConfig::Model::compliance ||
+              bending.lateral_force != core::RailBendingConfig::LateralForce::topic,
+          "rail_bending/lateral_force = topic must be contact or a number: this program has no lateral forces");
+  require(parameters.neighbours.empty(), "rail_bending/neighbours must be []: this program has one wheelset");
+}
+
 using wheel_rail_contact::ContactPatch;
 using wheel_rail_contact::EvaluateWheelset;
 using wheel_rail_contact::WheelsetContact;
@@ -36,24 +85,12 @@ constexpr int attempts = 600;
 constexpr double trial_force_z = -100e3;              ///< a light wheelset [N]; the result of the trial is not used
 constexpr std::int64_t attempt_time = 1'000'000'000;  ///< between the stamps of attempts [ns]
 
+/// Name of a value of WheelsetContact::status.
 std::string nameOf(std::uint8_t status)
 {
-  const std::array<std::pair<std::uint8_t, const char*>, 8> names = {{{WheelsetContact::OK, "OK"},
-                                                                      {WheelsetContact::LIFT_OFF, "LIFT_OFF"},
-                                                                      {WheelsetContact::OFF_PROFILE, "OFF_PROFILE"},
-                                                                      {WheelsetContact::NOT_CONVERGED, "NOT_CONVERGED"},
-                                                                      {WheelsetContact::INVALID_INPUT, "INVALID_INPUT"},
-                                                                      {WheelsetContact::NO_TRANSFORM, "NO_TRANSFORM"},
-                                                                      {WheelsetContact::OUTSIDE_LINE, "OUTSIDE_LINE"},
-                                                                      {WheelsetContact::TOO_DEEP, "TOO_DEEP"}}};
-  for (const auto& [value, name] : names)
-  {
-    if (value == status)
-    {
-      return name;
-    }
-  }
-  return "status " + std::to_string(status);
+  constexpr std::array names{"OK",           "LIFT_OFF",     "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT",
+                             "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
+  return status < names.size() ? names[status] : "status " + std::to_string(status);
 }
 
 /// Rotation about x of a pose that is rotated about x and z only [rad].
@@ -81,27 +118,20 @@ ros::Time stampOf(std::int64_t time)
   return stamp.fromNSec(static_cast<std::uint64_t>(first_stamp + time));
 }
 
-/// Pose of the axle in the track frame. Height and roll are zero: they are results.
-geometry_msgs::PoseStamped poseMessage(const ContactRequest& request, const std::string& frame)
+/// Pose of the axle in the track frame, and load on its centre in track axes. Height and roll are zero: they are
+/// results.
+EvaluateWheelset::Request messageOf(const ContactRequest& request, const std::string& frame)
 {
-  geometry_msgs::PoseStamped message;
-  message.header.stamp = stampOf(request.time);
-  message.header.frame_id = frame;
-  message.pose.position.x = request.distance;
-  message.pose.position.y = request.y;
-  message.pose.orientation.z = std::sin(0.5 * request.yaw);
-  message.pose.orientation.w = std::cos(0.5 * request.yaw);
-  return message;
-}
-
-/// Load on the axle centre, in track axes.
-geometry_msgs::WrenchStamped loadMessage(const ContactRequest& request, const std::string& frame)
-{
-  geometry_msgs::WrenchStamped message;
-  message.header.stamp = stampOf(request.time);
-  message.header.frame_id = frame;
-  message.wrench.force.z = request.force_z;
-  message.wrench.torque.x = request.torque_x;
+  EvaluateWheelset::Request message;
+  message.pose.header.stamp = stampOf(request.time);
+  message.pose.header.frame_id = frame;
+  message.pose.pose.position.x = request.distance;
+  message.pose.pose.position.y = request.y;
+  message.pose.pose.orientation.z = std::sin(0.5 * request.yaw);
+  message.pose.pose.orientation.w = std::cos(0.5 * request.yaw);
+  message.load.header = message.pose.header;
+  message.load.wrench.force.z = request.force_z;
+  message.load.wrench.torque.x = request.torque_x;
   return message;
 }
 
@@ -146,6 +176,46 @@ double radius(const std::string& name, double otherwise)
 }
 }  // namespace
 
+InProcessContact::InProcessContact(core::ContactModelConfig config)
+    : rolling_radius_(config.wheelset.meanRadius()), contact_(std::move(config))
+{
+}
+
+ContactReply InProcessContact::evaluate(const ContactRequest& request)
+{
+  core::WheelsetState state;
+  state.y = request.y;
+  state.yaw = request.yaw;
+  state.force_z = request.force_z;
+  state.torque_x = request.torque_x;
+  state.distance = request.distance;
+  const core::WheelsetResult& result = contact_.evaluate(state);
+  ContactReply reply;
+  reply.is_usable = core::isUsable(result.status);
+  reply.status = statusText(nameOf(result.status), result.reason);
+  reply.z = result.z;
+  reply.roll = result.roll;
+  for (const core::PatchResult& patch : result.patches)
+  {
+    reply.points.push_back(pointOf(patch, result));
+  }
+  return reply;
+}
+
+core::ContactModelConfig readContact(const std::string& file)
+{
+  using wheel_rail_contact::ParameterSource;
+  std::vector<ParameterSource> sources{{ParameterSource::file, wheel_rail_contact::default_parameters}};
+  if (!file.empty())
+  {
+    sources.push_back({ParameterSource::file, file});
+  }
+  wheel_rail_contact::ContactParameters parameters =
+      wheel_rail_contact::readContactParameters(sources, {".", ros::package::getPath});
+  requireSuitable(parameters);
+  return std::move(parameters.model);
+}
+
 void requireWheelLoads(const std::string& node)
 {
   const std::string balance = fullName(node, "wheelset/balance"), expected = "wheel_loads";
@@ -186,8 +256,7 @@ ServiceContact::ServiceContact(const std::string& node, std::string frame)
 ContactReply ServiceContact::evaluate(const ContactRequest& request)
 {
   EvaluateWheelset call;
-  call.request.pose = poseMessage(request, frame_);
-  call.request.load = loadMessage(request, frame_);
+  call.request = messageOf(request, frame_);
   if (!client_.call(call))
   {
     throw std::runtime_error("the call of " + client_.getService() + " failed");
@@ -234,8 +303,9 @@ ContactReply TopicContact::evaluate(const ContactRequest& request)
 
 void TopicContact::send(const ContactRequest& request)
 {
-  pose_publisher_.publish(poseMessage(request, frame_));
-  load_publisher_.publish(loadMessage(request, frame_));
+  const EvaluateWheelset::Request message = messageOf(request, frame_);
+  pose_publisher_.publish(message.pose);
+  load_publisher_.publish(message.load);
 }
 
 bool TopicContact::waitFor(const ros::Time& stamp, double seconds)
