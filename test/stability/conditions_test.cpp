@@ -6,7 +6,7 @@
 #include "../core/balance/crossing_scene.h"
 #include "../core/balance/wheelset_scene.h"
 #include "result_check.h"
-#include "scene_profile.h"
+#include "scene.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "page.h"
+#include "stability_map.h"
 
 #include <algorithm>
 #include <cmath>

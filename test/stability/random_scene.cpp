@@ -7,29 +7,17 @@
 #include <filesystem>
 #include <random>
 
+#include "../core/normal/gap_scenes.h"
 #include "config/compliance_table_file.h"
 
 namespace wheel_rail_contact::core::stability
 {
 namespace
 {
-using Random = std::mt19937_64;
-
-double uniform(Random& random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-/// Uniform in the logarithm.
-double logUniform(Random& random, double low, double high)
-{
-  return std::exp(uniform(random, std::log(low), std::log(high)));
-}
-
-bool oneIn(Random& random, unsigned n)
-{
-  return random() % n == 0;
-}
+using scenes::oneIn;
+using scenes::Random;
+using scenes::spread;
+using scenes::uniform;
 
 void drawTrack(TrackConfig& track, Random& random)
 {
@@ -83,7 +71,7 @@ void drawMethod(ContactConfig& contact, Random& random)
   static const std::vector<NormalMethod> methods = weightedMethods();
   contact.method = oneIn(random, 3) ? methods[random() % methods.size()] : NormalMethod::automatic;
   const MethodLimits limits = limitsOf(contact.method);
-  contact.tolerance = logUniform(random, limits.smallest_tolerance, 0.1);
+  contact.tolerance = spread(random, limits.smallest_tolerance, 0.1);
   if (contact.method != NormalMethod::automatic && oneIn(random, 4))
   {
     const auto even = [&]() { return 4 + 2 * static_cast<int>(uniform(random, 0, 0.5 * limits.most_cells - 2)); };
@@ -144,7 +132,7 @@ class Walk
 
 void Walk::drawLoad()
 {
-  const double wheel = oneIn(random_, 3) ? logUniform(random_, 1, 1e6) : logUniform(random_, 2e4, 1.5e5);
+  const double wheel = oneIn(random_, 3) ? spread(random_, 1, 1e6) : spread(random_, 2e4, 1.5e5);
   const double transfer = oneIn(random_, 10) ? uniform(random_, -1.5, 1.5) : uniform(random_, -0.5, 0.5);
   state_.force_z = -2 * wheel;
   state_.torque_x = 2 * transfer * wheel * wheelset_.halfBase();

@@ -21,7 +21,7 @@ struct ScenePool
   std::vector<NamedTable> tables;
 };
 
-/// Reads the profiles of scene_profile.h and the tables of config/rails.
+/// Reads the profiles of scene.h and the tables of config/rails.
 /// @throw std::exception if a file cannot be read.
 ScenePool readScenePool();
 

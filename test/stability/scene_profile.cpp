@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene_profile.h"
+#include "scene.h"
 
 #include <filesystem>
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 
-#include "../core/normal/errors_of.h"
 #include "../core/normal/problems.h"
 #include "core/balance/grid_levels.h"
 #include "core/normal/estimate/unseen_slope.h"
@@ -17,21 +16,7 @@ namespace
 {
 using problems::hertzCase;
 using problems::HertzCase;
-
-NormalSolution solved(NormalSolver& solver, const NormalProblem& problem)
-{
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
-  return solution;
-}
-
-NormalSolution solvedClosely(const NormalProblem& problem)
-{
-  ConjugateGradientsOptions options;
-  options.residual = 1e-8;
-  ConjugateGradients solver(options);
-  return solved(solver, problem);
-}
+using problems::solved;
 
 Seidel seidelAsPrinted()
 {
@@ -109,7 +94,7 @@ Eigen::VectorXd asVector(const Eigen::ArrayXXd& cells)
 Verdict runIteration(const Iteration& how, int cells)
 {
   const HertzCase hertz = hertzCase(1, cells, cells, true);
-  const NormalSolution truth = solvedClosely(hertz.problem);
+  const NormalSolution truth = solved(hertz.problem, 1e-8);
   const PatchGap& patch = hertz.problem.patches[0];
   const Eigen::MatrixXd matrix = problems::influenceMatrix(patch.grid, hertz.problem.modulus);
   const Eigen::VectorXd depth = asVector(truth.approach - patch.gap);
@@ -139,7 +124,7 @@ MapTable aspectMap()
   for (const double aspect : {1.0, 2.0, 4.0, 4.6, 5.2, 7.0, 10.0})
   {
     const HertzCase hertz = inLongCells(aspect);
-    const double expected = solvedClosely(hertz.problem).patches[0].max_pressure;
+    const double expected = solved(hertz.problem, 1e-8).patches[0].max_pressure;
     ConjugateGradients gradients;
     Seidel printed = seidelAsPrinted(), repaired;
     table.rows.push_back(

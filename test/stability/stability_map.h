@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <istream>
+#include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -45,4 +48,11 @@ MapTable boxMap();
 
 /// All of them. They are computed in the first call, which takes about ten seconds.
 const std::vector<MapTable>& stabilityMaps();
+
+/// Writes the page doc/stability.md.
+void writePage(std::ostream& out, const std::vector<MapTable>& tables);
+
+/// Entries of a page: by title of the table, situation and column. Letters of reasons are left out.
+using PageEntries = std::map<std::string, std::map<std::string, std::map<std::string, std::string>>>;
+PageEntries readPage(std::istream& in);
 }  // namespace wheel_rail_contact::core::stability

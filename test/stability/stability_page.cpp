@@ -4,7 +4,7 @@
 #include <exception>
 #include <iostream>
 
-#include "page.h"
+#include "stability_map.h"
 
 int main()
 {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "page.h"
+#include "stability_map.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
 namespace wheel_rail_contact::core::stability

@@ -6,7 +6,7 @@
 
 #include "../core/balance/conformal_reference.h"
 #include "../core/balance/wheelset_scene.h"
-#include "scene_profile.h"
+#include "scene.h"
 #include "stability_map.h"
 #include "standard_wheelset.h"
 

@@ -235,35 +235,23 @@ void expectDisplaced(const WheelsetResult& moved, const WheelsetResult& result, 
 }
 }  // namespace
 
-TEST(RailDisplacement, BothRailsToTheLeftIsTheWheelsetToTheRight)
+// Both rails to the left is the wheelset to the right; raised rails raise the wheelset.
+TEST(RailDisplacement, DisplacedRailsAreADisplacedWheelset)
 {
-  constexpr double left = 0.7e-3;
-  for (const Model model : models)
+  const std::pair<double, double> displacements[] = {{0.7e-3, 0}, {0, 2e-3}};
+  for (const auto& [left, up] : displacements)
   {
-    for (WheelsetState state : states)
+    for (const Model model : models)
     {
-      SCOPED_TRACE("model " + std::to_string(static_cast<int>(model)) + ", y " + std::to_string(state.y));
-      WheelsetContact moved(sceneOf(model)), resting(sceneOf(model));
-      WheelsetState shifted = state;
-      shifted.y -= left;
-      state.rail_displacement = {RailDeflection{left, 0, 0}, RailDeflection{-left, 0, 0}};
-      expectDisplaced(moved.evaluate(state), resting.evaluate(shifted), left, 0);
-    }
-  }
-}
-
-TEST(RailDisplacement, RaisedRailsRaiseTheWheelset)
-{
-  constexpr double up = 2e-3;
-  for (const Model model : models)
-  {
-    for (WheelsetState state : states)
-    {
-      SCOPED_TRACE("model " + std::to_string(static_cast<int>(model)) + ", y " + std::to_string(state.y));
-      WheelsetContact moved(sceneOf(model)), resting(sceneOf(model));
-      const WheelsetResult& result = resting.evaluate(state);
-      state.rail_displacement = {RailDeflection{0, up, 0}, RailDeflection{0, up, 0}};
-      expectDisplaced(moved.evaluate(state), result, 0, up);
+      for (WheelsetState state : states)
+      {
+        SCOPED_TRACE("model " + std::to_string(static_cast<int>(model)) + ", y " + std::to_string(state.y));
+        WheelsetContact moved(sceneOf(model)), resting(sceneOf(model));
+        WheelsetState shifted = state;
+        shifted.y -= left;
+        state.rail_displacement = {RailDeflection{left, up, 0}, RailDeflection{-left, up, 0}};
+        expectDisplaced(moved.evaluate(state), resting.evaluate(shifted), left, up);
+      }
     }
   }
 }

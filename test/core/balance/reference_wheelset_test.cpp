@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "../../manchester_scene.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
+#include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 
@@ -147,26 +147,6 @@ double relative(double value, double reference)
   return value / reference - 1;
 }
 
-/// Highest pressure and total area of a wheel's patches.
-struct WheelSum
-{
-  double max_pressure = 0, area = 0;
-};
-
-WheelSum wheelSum(const WheelsetResult& result, Side side)
-{
-  WheelSum sum;
-  for (const PatchResult& patch : result.patches)
-  {
-    if (patch.side == side)
-    {
-      sum.max_pressure = std::max(sum.max_pressure, patch.max_pressure);
-      sum.area += patch.area;
-    }
-  }
-  return sum;
-}
-
 WheelsetContact contactOnRails(double outward)
 {
   ContactModelConfig scene = manchesterScene();
@@ -186,13 +166,9 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
     static WheelsetContact on_bent_rails = contactOnRails(0.2435e-3);
     const ReferenceWheel& row = reference_wheels.at(2 * GetParam());
     ASSERT_TRUE(row.rails_outward == 0 || row.rails_outward == 0.2435e-3);
-    WheelsetState state;
-    state.y = row.y;
-    state.yaw = row.yaw;
-    state.force_z = -2 * row.load;
     WheelsetContact& contact = row.rails_outward == 0 ? on_straight_rails : on_bent_rails;
     contact.reset();
-    result_ = contact.evaluate(state);
+    result_ = contact.evaluate(stateAt(row.y, row.load, row.yaw));
     ASSERT_EQ(result_.status, ContactStatus::ok) << result_.reason;
   }
 
@@ -212,7 +188,7 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
   void print(Side side) const
   {
     const ReferenceWheel& reference = row(side);
-    const WheelSum found = wheelSum(result_, side);
+    const WheelTotal found = wheelTotal(result_, side);
     const double outward = result_.rail[side].lateral_force;
     std::printf(
         "%-25s y %5.1f mm %-5s: max pressure %+5.2f %%, area %+5.2f %%, height %+6.2f um, outward force %+5.2f %% "
@@ -236,7 +212,7 @@ TEST_P(ReferenceStateTest, PressureAndAreaAgreeWithTheReference)
   for (const Side side : {Side::left, Side::right})
   {
     const ReferenceWheel& reference = row(side);
-    const WheelSum found = wheelSum(result_, side);
+    const WheelTotal found = wheelTotal(result_, side);
     print(side);
     EXPECT_LT(std::abs(relative(found.max_pressure, reference.max_pressure)), reference.several ? 0.05
                                                                               : onFlange()      ? 0.025
@@ -310,14 +286,6 @@ WheelsetContact wheelsetOf(const std::string& wheel, const std::string& rail)
   return WheelsetContact(config);
 }
 
-WheelsetState loadedAt(double y)
-{
-  WheelsetState state;
-  state.y = y;
-  state.force_z = -200e3;
-  return state;
-}
-
 TEST(StandardProfiles, EachWheelStandsOnEachRail)
 {
   for (const std::string& wheel : standardProfileNames(ProfileKind::wheel))
@@ -327,7 +295,7 @@ TEST(StandardProfiles, EachWheelStandsOnEachRail)
       WheelsetContact contact = wheelsetOf(wheel, rail);
       for (const double y : {-5e-3, 0.0, 5e-3})
       {
-        const WheelsetResult& result = contact.evaluate(loadedAt(y));
+        const WheelsetResult& result = contact.evaluate(stateAt(y, 100e3));
         EXPECT_EQ(result.status, ContactStatus::ok) << wheel << " on " << rail << " at " << y << ": " << result.reason;
         EXPECT_GE(result.patches.size(), 2U) << wheel << " on " << rail << " at " << y;
       }
@@ -345,7 +313,7 @@ TEST(StandardProfiles, ConeOnACrownOfTheSameInclinationIsAHertzContact)
   for (const auto& [rail, pressure] : crowns)
   {
     WheelsetContact contact = wheelsetOf("cone_1_40", rail);
-    const WheelsetResult& result = contact.evaluate(loadedAt(0.0));
+    const WheelsetResult& result = contact.evaluate(stateAt(0.0, 100e3));
     ASSERT_EQ(result.patches.size(), 2U) << rail;
     for (const PatchResult& patch : result.patches)
     {

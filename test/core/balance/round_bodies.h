@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "../normal/hertz_load.h"
+#include "../normal/problems.h"
 #include "wheelset_scene.h"
 
 /// A cone on a rail head of one arc: a Hertz contact.

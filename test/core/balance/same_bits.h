@@ -3,26 +3,77 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
+#include <utility>
+#include <vector>
 
-#include "wheel_rail_contact/core/wheelset_result.h"
+#include "wheel_rail_contact/core/wheelset_contact.h"
 
+/// Comparison of results without a tolerance: with equal results, and with the mirror image, in which left and right
+/// are exchanged. Both sides use the same arithmetic.
 namespace wheel_rail_contact::core
 {
+inline Side otherSide(Side side)
+{
+  return side == Side::left ? Side::right : Side::left;
+}
+
+inline WheelsetState mirrored(WheelsetState state)
+{
+  state.y = -state.y;
+  state.yaw = -state.yaw;
+  state.roll = -state.roll;
+  state.torque_x = -state.torque_x;
+  std::swap(state.rail_lateral_force.left, state.rail_lateral_force.right);
+  std::swap(state.rail_displacement.left, state.rail_displacement.right);
+  return state;
+}
+
+inline ContactModelConfig mirrored(ContactModelConfig config)
+{
+  std::swap(config.wheel_profile.left, config.wheel_profile.right);
+  std::swap(config.rail_profile.left, config.rail_profile.right);
+  std::swap(config.rail_sections.left, config.rail_sections.right);
+  std::swap(config.wheel_material.left, config.wheel_material.right);
+  std::swap(config.rail_material.left, config.rail_material.right);
+  std::swap(config.track.rail_inclination.left, config.track.rail_inclination.right);
+  std::swap(config.wheelset.rolling_radius.left, config.wheelset.rolling_radius.right);
+  std::swap(config.rail_bending.table.left, config.rail_bending.table.right);
+  return config;
+}
+
+inline std::vector<const PatchResult*> patchesOf(const WheelsetResult& result, Side side)
+{
+  std::vector<const PatchResult*> found;
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      found.push_back(&patch);
+    }
+  }
+  return found;
+}
+
+/// Expects the numbers that a patch and its mirror image share to be equal in every bit.
+inline void expectSameNumbers(const PatchResult& a, const PatchResult& b)
+{
+  EXPECT_EQ(a.pose.z, b.pose.z);
+  for (const auto number : {&PatchResult::contact_angle, &PatchResult::normal_force, &PatchResult::approach,
+                            &PatchResult::area, &PatchResult::max_pressure, &PatchResult::error_estimate})
+  {
+    EXPECT_EQ(a.*number, b.*number);
+  }
+  ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
+  ASSERT_EQ(a.pressure.cols(), b.pressure.cols());
+}
+
 /// Expects two patches to be equal in every bit.
 inline void expectSameBits(const PatchResult& a, const PatchResult& b)
 {
   EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.pose.y, b.pose.y);
-  EXPECT_EQ(a.pose.z, b.pose.z);
   EXPECT_EQ(a.pose.angle, b.pose.angle);
-  EXPECT_EQ(a.normal_force, b.normal_force);
-  EXPECT_EQ(a.max_pressure, b.max_pressure);
-  EXPECT_EQ(a.area, b.area);
-  EXPECT_EQ(a.approach, b.approach);
-  EXPECT_EQ(a.error_estimate, b.error_estimate);
-  ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
-  ASSERT_EQ(a.pressure.cols(), b.pressure.cols());
+  ASSERT_NO_FATAL_FAILURE(expectSameNumbers(a, b));
   EXPECT_TRUE((a.pressure == b.pressure).all());
 }
 
@@ -36,6 +87,44 @@ inline void expectSameBits(const WheelsetResult& a, const WheelsetResult& b)
   for (std::size_t k = 0; k < a.patches.size(); ++k)
   {
     expectSameBits(a.patches[k], b.patches[k]);
+  }
+}
+
+/// Equal bits.
+inline void expectMirrorImage(const PatchResult& patch, const PatchResult& image)
+{
+  EXPECT_EQ(patch.pose.x, image.pose.x);
+  EXPECT_EQ(patch.pose.y, -image.pose.y);
+  EXPECT_EQ(patch.pose.angle, -image.pose.angle);
+  EXPECT_EQ(patch.iterations, image.iterations);
+  EXPECT_EQ(patch.residual, image.residual);
+  ASSERT_NO_FATAL_FAILURE(expectSameNumbers(patch, image));
+  EXPECT_TRUE((patch.pressure == image.pressure.rowwise().reverse()).all());
+}
+
+/// Equal bits.
+inline void expectMirrorImage(const WheelsetResult& result, const WheelsetResult& image)
+{
+  EXPECT_EQ(result.status, image.status);
+  EXPECT_EQ(result.z, image.z);
+  EXPECT_EQ(result.roll, -image.roll);
+  for (const Side side : sides)
+  {
+    const RailResult& rail = result.rail[side];
+    const RailResult& other_rail = image.rail[otherSide(side)];
+    EXPECT_EQ(rail.lateral_force, other_rail.lateral_force);
+    EXPECT_EQ(rail.vertical_force, other_rail.vertical_force);
+    EXPECT_EQ(rail.moment, other_rail.moment);
+    EXPECT_EQ(rail.deflection.lateral, other_rail.deflection.lateral);
+    EXPECT_EQ(rail.deflection.vertical, other_rail.deflection.vertical);
+    EXPECT_EQ(rail.deflection.roll, other_rail.deflection.roll);
+    const auto patches = patchesOf(result, side);
+    const auto images = patchesOf(image, otherSide(side));
+    ASSERT_EQ(patches.size(), images.size());
+    for (std::size_t k = 0; k < patches.size(); ++k)
+    {
+      expectMirrorImage(*patches[k], *images[k]);
+    }
   }
 }
 }  // namespace wheel_rail_contact::core

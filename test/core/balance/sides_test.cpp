@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "mirror_image.h"
 #include "round_bodies.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
@@ -169,84 +168,6 @@ TEST_F(SidesTest, AnOptionOfOneSideChangesTheContactOfThatSideOnly)
         expectSameBits(*kept[k], *same[k]);
       }
       EXPECT_NE(wheelTotal(other, side).max_pressure, wheelTotal(result, side).max_pressure);
-    }
-  }
-}
-
-TEST_F(SidesTest, AnInvalidOptionIsRefusedWithTheNameOfItsSide)
-{
-  struct Mistake
-  {
-    const char* name;
-    std::function<void(ContactModelConfig&)> make;
-  };
-  const Mistake mistakes[] = {
-      {"wheel/left/profile", [](ContactModelConfig& c) { c.wheel_profile.left = nullptr; }},
-      {"rail/right/profile", [](ContactModelConfig& c) { c.rail_profile.right = nullptr; }},
-      {"wheel/right/rolling_radius", [](ContactModelConfig& c) { c.wheelset.rolling_radius.right = -0.46; }},
-      {"wheel/left/rolling_radius", [](ContactModelConfig& c) { c.wheelset.rolling_radius.left = std::nan(""); }},
-      {"rail/left/inclination", [](ContactModelConfig& c) { c.track.rail_inclination.left = 0.3; }},
-      {"wheel/right/material/young", [](ContactModelConfig& c) { c.wheel_material.right.young = 0; }},
-      {"rail/left/material/poisson", [](ContactModelConfig& c) { c.rail_material.left.poisson = 0.6; }},
-      {"lateral_roll", [](ContactModelConfig& c) { c.rail_bending.table.right.lateral_roll = 1; }},
-  };
-  for (const Mistake& mistake : mistakes)
-  {
-    ContactModelConfig config = unequalSides();
-    mistake.make(config);
-    try
-    {
-      validate(config);
-      ADD_FAILURE() << mistake.name << " was accepted";
-    }
-    catch (const std::invalid_argument& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(mistake.name), std::string::npos) << error.what();
-    }
-  }
-}
-
-namespace
-{
-class MirrorSymmetryTest : public testing::Test
-{
- protected:
-  double within(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  WheelsetState randomState()
-  {
-    WheelsetState state = stateAt(within(-6e-3, 6e-3), std::exp(within(std::log(2e3), std::log(2e5))));
-    state.yaw = within(-1, 1) > 0 ? 0 : within(-0.02, 0.02);
-    state.torque_x = within(-0.5, 0.5) * state.force_z * scene_.wheelset.halfBase();
-    return state;
-  }
-
-  const unsigned seed_ = 20111U;
-  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
-  std::mt19937 random_{seed_};
-  ContactModelConfig scene_ = manchesterScene();
-};
-}  // namespace
-
-// Both sides use the same arithmetic. The results are bit-equal from a cold start and along a sweep, on rigid and on
-// soft rails.
-TEST_F(MirrorSymmetryTest, MirroredStateHasTheMirroredResult)
-{
-  for (const bool soft : {false, true})
-  {
-    scene_.rail_bending.model = soft ? RailBendingConfig::Model::compliance : RailBendingConfig::Model::none;
-    scene_.rail_bending.table = softPads();
-    WheelsetContact contact(scene_);
-    WheelsetContact mirror(scene_);
-    for (int i = 0; i < 40; ++i)
-    {
-      const WheelsetState state = randomState();
-      if (i % 2 == 0)
-      {
-        contact.reset();
-        mirror.reset();
-      }
-      SCOPED_TRACE("y " + std::to_string(state.y) + " yaw " + std::to_string(state.yaw));
-      expectMirrorImage(contact.evaluate(state), mirror.evaluate(mirrored(state)));
     }
   }
 }

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../normal/problems.h"
 #include "conformal_reference.h"
 #include "core/balance/rail_support.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core
@@ -18,13 +18,6 @@ namespace
 {
 constexpr double wheel_load = 1e5;  ///< [N]
 constexpr GridSize coarse{24, 64}, fine{64, 128};
-
-ConjugateGradients strictSolver()
-{
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;
-  return ConjugateGradients(options);
-}
 
 /// Highest pressure of a cell [Pa] and whole area [m²].
 struct Total
@@ -100,7 +93,7 @@ class WheelContactTest : public testing::Test
   ContactModelConfig config_ = fineScene();
   WheelsetContact wheelset_{config_};
   PlacedRail straight_ = restingRail(config_, Side::left);
-  ConjugateGradients solver_ = strictSolver();
+  ConjugateGradients solver_ = problems::solverTo(1e-6);
   WheelContact contact_{config_, Side::left, straight_, solver_};
   WheelsetPose pose_;
 };
@@ -168,8 +161,9 @@ TEST_F(WheelContactTest, LateralForceAgreesWithTheReferenceCode)
 
 // Frictionless contact is conservative: F = -dU/dq along every coordinate. Central differences over 1 um of an overlap
 // of 100 um, or the roll that moves a contact by as much. The grids are kept. Tolerance: 1 % of the force, or of the
-// load at its lever arm where two moments nearly cancel.
-TEST_F(WheelContactTest, ForcesAreTheDerivativesOfTheEnergy)
+// load at its lever arm where two moments nearly cancel. The stiffness, elastic and geometric part, is the derivative
+// of the forces.
+TEST_F(WheelContactTest, ForcesAreTheDerivativesOfTheEnergyAndTheStiffnessOfTheForces)
 {
   contact_.setGrid(0, fine);
   for (const double y : {-2e-3, -5.5e-3, -6.3e-3, -7e-3})
@@ -179,39 +173,22 @@ TEST_F(WheelContactTest, ForcesAreTheDerivativesOfTheEnergy)
     solveMoved(wheel_up, 0);
     contact_.choose(OverlapGrids::Choice::kept);
     const MotionVector forces = contact_.forces();
-    for (const Motion motion : {wheel_up, wheel_roll, rail_lateral, rail_up, rail_roll})
-    {
-      const double step = 1e-6 / arm(motion);
-      solveMoved(motion, -step);
-      const double before = contact_.energy();
-      solveMoved(motion, step);
-      const double slope = (before - contact_.energy()) / (2 * step);
-      const double size = std::max(std::abs(slope), wheel_load * arm(motion));
-      EXPECT_NEAR(forces[motion], slope, 0.01 * size) << "y " << y << " motion " << motion;
-    }
-  }
-}
-
-// Elastic and geometric part against central differences of the forces.
-TEST_F(WheelContactTest, StiffnessIsTheDerivativeOfTheForces)
-{
-  contact_.setGrid(0, fine);
-  for (const double y : {-2e-3, -5.5e-3, -7e-3})
-  {
-    balance(y);
-    contact_.choose(OverlapGrids::Choice::own);
-    solveMoved(wheel_up, 0);
-    contact_.choose(OverlapGrids::Choice::kept);
     const MotionMatrix stiffness = contact_.stiffness();
     for (const Motion motion : {wheel_up, wheel_roll, rail_lateral, rail_up, rail_roll})
     {
       const double step = 1e-6 / arm(motion);
       solveMoved(motion, -step);
-      const MotionVector before = contact_.forces();
+      const double energy_before = contact_.energy(), force_before = contact_.forces()[motion];
       solveMoved(motion, step);
-      const double slope = (before[motion] - contact_.forces()[motion]) / (2 * step);
-      // The stiffness leaves a residual of 3 %, and takes one slope of the wheel for each column: 8 % on the flange.
-      EXPECT_NEAR(stiffness(motion, motion) / slope, 1, 0.1) << "y " << y << " motion " << motion;
+      const double force = (energy_before - contact_.energy()) / (2 * step);
+      const double size = std::max(std::abs(force), wheel_load * arm(motion));
+      EXPECT_NEAR(forces[motion], force, 0.01 * size) << "y " << y << " motion " << motion;
+      if (y != -6.3e-3)  // where the load moves from the tread to the flange
+      {
+        const double slope = (force_before - contact_.forces()[motion]) / (2 * step);
+        // The stiffness leaves a residual of 3 %, and takes one slope of the wheel for each column: 8 % on the flange.
+        EXPECT_NEAR(stiffness(motion, motion) / slope, 1, 0.1) << "y " << y << " motion " << motion;
+      }
     }
   }
 }

@@ -7,8 +7,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "../normal/problems.h"
 #include "core/balance/rail_support.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
@@ -18,13 +18,6 @@ namespace
 constexpr double load = 1e5;  ///< [N]
 constexpr GridSize size{32, 96};
 constexpr double strict = 1e-5;
-
-ConjugateGradients strictSolver()
-{
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;
-  return ConjugateGradients(options);
-}
 
 /// Left wheel on a bending rail.
 class WheelEquilibriumTest : public testing::Test
@@ -65,7 +58,7 @@ class WheelEquilibriumTest : public testing::Test
   }
 
   ContactModelConfig config_ = onPads(softPads());
-  ConjugateGradients solver_ = strictSolver();
+  ConjugateGradients solver_ = problems::solverTo(1e-6);
 };
 }  // namespace
 

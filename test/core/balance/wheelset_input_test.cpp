@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "wheelset_scene.h"
 
@@ -32,6 +34,12 @@ void expectUnusable(const WheelsetResult& result, ContactStatus status)
   EXPECT_TRUE(result.patches.empty());
 }
 
+void setGrid(ContactModelConfig& config, int along, int across)
+{
+  config.contact.cells_along = along;
+  config.contact.cells_across = across;
+}
+
 class WheelsetInputTest : public testing::Test
 {
  protected:
@@ -45,24 +53,19 @@ TEST_F(WheelsetInputTest, NonFiniteOrHugeValuesAreRejectedWithAReason)
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {std::nan(""), infinity, -infinity, 1e300, -1e300})
   {
-    WheelsetState state = stateAt(0, 1e5);
-    state.y = bad;
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
-    state = stateAt(0, 1e5, bad);
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
-    state = stateAt(0, 1e5);
-    state.force_z = bad;
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
-    state = stateAt(0, 1e5);
-    state.torque_x = bad;
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
-    state = stateAt(0, 1e5);
-    state.rail_lateral_force.right = bad;
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
-    for (const auto coordinate : {&RailDeflection::lateral, &RailDeflection::vertical, &RailDeflection::roll})
+    const std::function<void(WheelsetState&)> mistakes[] = {
+        [bad](auto& state) { state.y = bad; },
+        [bad](auto& state) { state.yaw = bad; },
+        [bad](auto& state) { state.force_z = bad; },
+        [bad](auto& state) { state.torque_x = bad; },
+        [bad](auto& state) { state.rail_lateral_force.right = bad; },
+        [bad](auto& state) { state.rail_displacement.right.lateral = bad; },
+        [bad](auto& state) { state.rail_displacement.right.vertical = bad; },
+        [bad](auto& state) { state.rail_displacement.right.roll = bad; }};
+    for (const auto& make : mistakes)
     {
-      state = stateAt(0, 1e5);
-      state.rail_displacement.right.*coordinate = bad;
+      WheelsetState state = stateAt(0, 1e5);
+      make(state);
       expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
     }
   }
@@ -121,68 +124,66 @@ TEST_F(WheelsetInputTest, FailureOfTheNormalMethodIsReported)
 
 TEST_F(WheelsetInputTest, InvalidOptionsAreRejectedByName)
 {
-  const double nan = std::nan("");
-  ContactModelConfig config = scene_;
-  config.wheel_profile = nullptr;
-  expectRefused(config, "wheel/profile");
-  config = scene_;
-  config.rail_profile = nullptr;
-  expectRefused(config, "rail/profile");
-  for (const double bad : {nan, 0.0, -1.0, 1e3})  // the last one is in millimetres
+  const std::pair<const char*, std::function<void(ContactModelConfig&)>> mistakes[] = {
+      {"wheel/profile", [](auto& c) { c.wheel_profile = nullptr; }},
+      {"rail/profile", [](auto& c) { c.rail_profile = nullptr; }},
+      {"track/rail_inclination", [](auto& c) { c.track.rail_inclination = 0.3; }},
+      {"material/rail/poisson",
+       [](auto& c) {
+         c.rail_material = Material{2.1e11, 0.6};
+       }},
+      {"contact/grid/across", [](auto& c) { c.contact.cells_along = 16; }},
+      {"contact/grid/across", [](auto& c) { setGrid(c, 16, 63); }},
+      {"contact/grid/along", [](auto& c) { setGrid(c, 2, 16); }},
+      {"rail_bending/prescribed/lateral", [](auto& c) { c.rail_bending.prescribed.lateral = std::nan(""); }},
+      {"rail_bending/prescribed/roll", [](auto& c) { c.rail_bending.prescribed.roll = 0.5; }},
+      {"rail_bending/lateral_force", [](auto& c) { c.rail_bending.lateral_force_value = HUGE_VAL; }},
+      {"lateral_roll",
+       [](auto& c) {
+         c.rail_bending.table = ComplianceTable{1e-9, 1e-6, 1e-9, 1e-9};
+       }},
+      // Of one side.
+      {"wheel/left/profile", [](auto& c) { c.wheel_profile.left = nullptr; }},
+      {"rail/right/profile", [](auto& c) { c.rail_profile.right = nullptr; }},
+      {"wheel/right/rolling_radius", [](auto& c) { c.wheelset.rolling_radius.right = -0.46; }},
+      {"wheel/left/rolling_radius", [](auto& c) { c.wheelset.rolling_radius.left = std::nan(""); }},
+      {"rail/left/inclination", [](auto& c) { c.track.rail_inclination.left = 0.3; }},
+      {"wheel/right/material/young", [](auto& c) { c.wheel_material.right.young = 0; }},
+      {"rail/left/material/poisson", [](auto& c) { c.rail_material.left.poisson = 0.6; }},
+      {"lateral_roll", [](auto& c) { c.rail_bending.table.right.lateral_roll = 1; }},
+  };
+  for (const auto& [option, make] : mistakes)
   {
-    config = scene_;
-    config.track.gauge = bad;
-    expectRefused(config, "track/gauge");
-    config = scene_;
-    config.track.gauge_depth = bad;
-    expectRefused(config, "track/gauge_depth");
-    config = scene_;
-    config.wheelset.rolling_radius = bad;
-    expectRefused(config, "wheelset/rolling_radius");
-    config = scene_;
-    config.wheelset.flange_back_distance = bad;
-    expectRefused(config, "wheelset/flange_back_distance");
-    config = scene_;
-    config.wheelset.tape_circle = bad;
-    expectRefused(config, "wheelset/tape_circle");
-    config = scene_;
-    config.wheel_material = Material{bad < 1 ? bad : nan, 0.28};
-    expectRefused(config, "material/wheel/young");
-    config = scene_;
-    config.contact.tolerance = bad;
-    expectRefused(config, "contact/tolerance");
+    ContactModelConfig config = scene_;
+    make(config);
+    expectRefused(config, option);
   }
-  config = scene_;
-  config.track.rail_inclination = 0.3;
-  expectRefused(config, "track/rail_inclination");
-  config = scene_;
-  config.rail_material = Material{2.1e11, 0.6};
-  expectRefused(config, "material/rail/poisson");
 }
 
-TEST_F(WheelsetInputTest, InvalidGridsAndRailsAreRejectedByName)
+TEST_F(WheelsetInputTest, UnusableLengthsAndToleranceAreRejectedByName)
 {
-  ContactModelConfig config = scene_;
-  config.contact.cells_along = 16;
-  expectRefused(config, "contact/grid/across");
-  config.contact.cells_across = 63;
-  expectRefused(config, "contact/grid/across");
-  config = scene_;
-  config.contact.cells_along = 2;
-  config.contact.cells_across = 16;
-  expectRefused(config, "contact/grid/along");
-  config = scene_;
-  config.rail_bending.prescribed.lateral = std::nan("");
-  expectRefused(config, "rail_bending/prescribed/lateral");
-  config = scene_;
-  config.rail_bending.prescribed.roll = 0.5;
-  expectRefused(config, "rail_bending/prescribed/roll");
-  config = scene_;
-  config.rail_bending.lateral_force_value = std::numeric_limits<double>::infinity();
-  expectRefused(config, "rail_bending/lateral_force");
-  config = scene_;
-  config.rail_bending.table = ComplianceTable{1e-9, 1e-6, 1e-9, 1e-9};
-  expectRefused(config, "lateral_roll");
+  const std::pair<const char*, std::function<void(ContactModelConfig&, double)>> options[] = {
+      {"track/gauge", [](auto& c, double value) { c.track.gauge = value; }},
+      {"track/gauge_depth", [](auto& c, double value) { c.track.gauge_depth = value; }},
+      {"wheelset/rolling_radius", [](auto& c, double value) { c.wheelset.rolling_radius = value; }},
+      {"wheelset/flange_back_distance", [](auto& c, double value) { c.wheelset.flange_back_distance = value; }},
+      {"wheelset/tape_circle", [](auto& c, double value) { c.wheelset.tape_circle = value; }},
+      {"material/wheel/young",
+       [](auto& c, double value) {
+         c.wheel_material = Material{value, 0.28};
+       }},
+      {"contact/tolerance", [](auto& c, double value) { c.contact.tolerance = value; }},
+  };
+  for (const auto& [option, set] : options)
+  {
+    for (const double bad : {std::nan(""), 0.0, -1.0, 1e3})  // the last one is in millimetres
+    {
+      const bool modulus = option == std::string("material/wheel/young");
+      ContactModelConfig config = scene_;
+      set(config, modulus && bad > 0 ? -bad : bad);
+      expectRefused(config, option);
+    }
+  }
 }
 
 // A height of 0 was never set. One that is more than 10 mm too low is that of another point. Above it the forces are

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/solvers/conjugate_gradients.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
+#include <stdexcept>
+#include <string>
 
+#include "core/normal/solvers/conjugate_gradients.h"
 #include "dense_active_set.h"
 #include "problems.h"
 
@@ -16,14 +17,8 @@ namespace
 using problems::DenseActiveSet;
 using problems::hertzCase;
 using problems::randomProblem;
+using problems::solved;
 using problems::uniform;
-
-ConjugateGradients strictSolver()
-{
-  ConjugateGradientsOptions options;
-  options.residual = 1e-9;
-  return ConjugateGradients(options);
-}
 
 /// Largest depth of interpenetration [m], the scale of the residual.
 double depth(const NormalProblem& problem, double approach)
@@ -55,8 +50,7 @@ TEST_P(HertzContact, MaxPressureApproachAndAreaAreWithinATenthOfAPercent)
   for (const bool symmetric : {true, false})
   {
     const auto hertz = hertzCase(GetParam(), 32, 64, symmetric);
-    NormalSolution solution;
-    ConjugateGradients().solve(hertz.problem, false, solution);
+    const NormalSolution solution = solved(hertz.problem);
     ASSERT_EQ(solution.status, SolveStatus::converged);
     EXPECT_NEAR(solution.patches[0].max_pressure / hertz.exact.max_pressure, 1, 1e-3);
     EXPECT_NEAR(solution.approach / hertz.exact.approach, 1, 1e-3);
@@ -70,12 +64,11 @@ TEST(ConjugateGradients, AgreesWithTheDenseReference)
 {
   constexpr unsigned seed = 11;
   std::mt19937_64 random(seed);
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   for (int k = 0; k < 60; ++k)
   {
     const NormalProblem problem = randomProblem(random, 1 + k % 2);
-    NormalSolution solution;
-    solver.solve(problem, false, solution);
+    const NormalSolution solution = problems::solved(solver, problem);
     ASSERT_EQ(solution.status, SolveStatus::converged) << "seed " << seed << ", problem " << k;
     const DenseActiveSet::Result exact = DenseActiveSet(problem).solve();
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
@@ -99,9 +92,8 @@ TEST(ConjugateGradients, AgreesWithTheDenseReferenceOn32By32Cells)
   };
   const Grid grid = problems::centredGrid(32, 32, 0.016, 0.022, false);
   const NormalProblem problem = problems::underLoad(problems::sampled(grid, rail), 1e5);
-  ConjugateGradients solver = strictSolver();
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  ConjugateGradients solver = problems::solverTo(1e-9);
+  const NormalSolution solution = problems::solved(solver, problem);
   const DenseActiveSet::Result exact = DenseActiveSet(problem).solve();
   ASSERT_EQ(solution.status, SolveStatus::converged);
   EXPECT_LE((solution.patches[0].pressure - exact.pressure[0]).abs().maxCoeff(), 1e-6 * exact.pressure[0].maxCoeff());
@@ -117,8 +109,7 @@ TEST(ConjugateGradients, MeetsTheContactConditionsToTheStatedResidual)
   for (int k = 0; k < 100; ++k)
   {
     const NormalProblem problem = randomProblem(random, 1 + k % 3);
-    NormalSolution solution;
-    solver.solve(problem, false, solution);
+    const NormalSolution solution = problems::solved(solver, problem);
     ASSERT_EQ(solution.status, SolveStatus::converged) << "seed " << seed << ", problem " << k;
     const double allowed = options.residual * depth(problem, solution.approach);
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
@@ -161,7 +152,7 @@ TEST(ConjugateGradients, NeedsFewProducts)
 
 TEST(ConjugateGradients, SymmetricGridGivesTheResultOfTheFullGrid)
 {
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   NormalSolution full, half;
   solver.solve(hertzCase(3, 16, 24, false).problem, false, full);
   solver.solve(hertzCase(3, 16, 24, true).problem, false, half);
@@ -179,7 +170,7 @@ TEST(ConjugateGradients, MirroredGapGivesTheMirroredPressure)
 {
   constexpr unsigned seed = 13;
   std::mt19937_64 random(seed);
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   for (int k = 0; k < 20; ++k)
   {
     NormalProblem problem = randomProblem(random, 1);
@@ -199,7 +190,7 @@ TEST(ConjugateGradients, WarmStartGivesTheColdResult)
 {
   constexpr unsigned seed = 14;
   std::mt19937_64 random(seed);
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   for (int k = 0; k < 40; ++k)
   {
     NormalProblem problem = randomProblem(random, 1 + k % 2);
@@ -248,14 +239,13 @@ TEST(ConjugateGradients, SolvesAgainAfterThePressureWasChanged)
 
 TEST(ConjugateGradients, SolvesContactsOfOneToEightCells)
 {
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   int fewest = 1000;
   for (int k = 0; k < 40; ++k)
   {
     auto hertz = hertzCase(1.7, 8, 16, k % 2 == 0, 1.1, 0.3);
     hertz.problem.value *= std::pow(10, -0.2 * k);
-    NormalSolution solution;
-    solver.solve(hertz.problem, false, solution);
+    const NormalSolution solution = problems::solved(solver, hertz.problem);
     ASSERT_EQ(solution.status, SolveStatus::converged) << "load " << hertz.problem.value << " N";
     EXPECT_NEAR(loadOf(hertz.problem, solution) / hertz.problem.value, 1, 1e-13);
     const DenseActiveSet::Result exact = DenseActiveSet(hertz.problem).solve();
@@ -268,7 +258,7 @@ TEST(ConjugateGradients, SolvesContactsOfOneToEightCells)
 
 TEST(ConjugateGradients, ApproachControlAndLoadControlAgree)
 {
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   auto hertz = hertzCase(4, 16, 32, true);
   NormalSolution by_load, by_approach;
   solver.solve(hertz.problem, false, by_load);
@@ -281,7 +271,7 @@ TEST(ConjugateGradients, ApproachControlAndLoadControlAgree)
 
 TEST(ConjugateGradients, GapOffsetChangesOnlyTheApproach)
 {
-  ConjugateGradients solver = strictSolver();
+  ConjugateGradients solver = problems::solverTo(1e-9);
   auto hertz = hertzCase(4, 16, 32, true);
   NormalSolution here, there;
   solver.solve(hertz.problem, false, here);
@@ -290,6 +280,140 @@ TEST(ConjugateGradients, GapOffsetChangesOnlyTheApproach)
   EXPECT_NEAR(there.approach - here.approach, 1e-3, 1e-12);
   EXPECT_LE((there.patches[0].pressure - here.patches[0].pressure).abs().maxCoeff(),
             1e-6 * here.patches[0].max_pressure);
+}
+}  // namespace
+
+// Status and flags of the solver, and the problems that it rejects.
+namespace
+{
+/// Solution of a contact to a residual in at most `max_products` products.
+NormalSolution solvedTo(double residual, int max_products)
+{
+  return solved(hertzCase(2, 16, 32, true).problem, residual, max_products);
+}
+
+TEST(ConjugateGradients, SeparatePatchCarriesNoLoad)
+{
+  NormalProblem problem = hertzCase(2, 16, 32, true).problem;
+  problem.patches.push_back(problem.patches[0]);
+  problem.patches[1].gap += 1e-3;
+  const NormalSolution solution = solved(problem);
+  ASSERT_EQ(solution.status, SolveStatus::converged);
+  EXPECT_EQ(solution.patches[1].force, 0);
+  EXPECT_EQ(solution.patches[1].area, 0);
+  EXPECT_EQ(solution.patches[1].max_pressure, 0);
+  EXPECT_FALSE(solution.patches[1].touches_border);
+  EXPECT_NEAR(solution.patches[0].force, problem.value, 1e-9 * problem.value);
+}
+
+TEST(ConjugateGradients, FlagsABoxThatCutsThePatch)
+{
+  for (const bool symmetric : {true, false})
+  {
+    EXPECT_TRUE(solved(hertzCase(2, 16, 32, symmetric, 0.9).problem).patches[0].touches_border);
+    EXPECT_FALSE(solved(hertzCase(2, 16, 32, symmetric, 1.2).problem).patches[0].touches_border);
+    EXPECT_TRUE(solved(hertzCase(2, 16, 32, symmetric, 1.2, 5).problem).patches[0].touches_border)
+        << "cut on one side only";
+  }
+}
+
+TEST(ConjugateGradients, ReportsNoContactAtASmallApproach)
+{
+  auto hertz = hertzCase(2, 16, 32, true);
+  hertz.problem.control = NormalProblem::Control::approach;
+  hertz.problem.value = 0.999 * hertz.problem.patches[0].gap.minCoeff();
+  const NormalSolution solution = solved(hertz.problem);
+  EXPECT_EQ(solution.status, SolveStatus::no_contact);
+  EXPECT_TRUE(isUsable(solution.status));
+  EXPECT_EQ(solution.patches[0].force, 0);
+  EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
+}
+
+TEST(ConjugateGradients, RejectsAnInvalidProblem)
+{
+  const auto status = [](auto spoil)
+  {
+    NormalProblem problem = hertzCase(2, 8, 16, true).problem;
+    spoil(problem);
+    return solved(problem).status;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(status([](NormalProblem&) {}), SolveStatus::converged);
+  EXPECT_EQ(status([&](NormalProblem& p) { p.patches[0].gap(1, 2) = nan; }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([&](NormalProblem& p) { p.patches[0].gap(1, 2) = -infinite; }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([](NormalProblem& p) { p.patches.clear(); }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([](NormalProblem& p) { p.patches[0].gap.resize(3, 3); }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([](NormalProblem& p) { p.patches[0].grid.dx = 0; }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([](NormalProblem& p) { p.patches[0].weight = 0; }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([](NormalProblem& p) { p.modulus = 0; }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([](NormalProblem& p) { p.value = 0; }), SolveStatus::invalid_problem);
+  EXPECT_EQ(status([&](NormalProblem& p) { p.value = nan; }), SolveStatus::invalid_problem);
+}
+
+TEST(ConjugateGradients, ReportsTheIterationLimit)
+{
+  const NormalSolution solution = solvedTo(1e-9, 3);
+  EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
+  EXPECT_FALSE(isUsable(solution.status));
+}
+
+// Rounding leaves a residual of about 1e-16, which further products do not decrease.
+TEST(ConjugateGradients, ReportsAStalledResidual)
+{
+  const NormalSolution solution = solvedTo(1e-18, 100000);
+  EXPECT_EQ(solution.status, SolveStatus::stalled);
+  EXPECT_FALSE(isUsable(solution.status));
+  EXPECT_LT(solution.residual, 1e-12);
+}
+
+// Two patches that pull one another farther than they deflect: the energy falls without limit.
+TEST(ConjugateGradients, RejectsAnIndefiniteMatrix)
+{
+  CurvedProblem problem = problems::curved(hertzCase(2, 16, 32, true).problem);
+  problem.patches.push_back(problem.patches[0]);
+  problem.normals.clear();
+  const int columns = problem.patches[0].grid.ny;
+  problem.coupling.setZero(2 * columns, 2 * columns);
+  problem.coupling.topRightCorner(columns, columns).setConstant(-1e-6);
+  problem.coupling.bottomLeftCorner(columns, columns).setConstant(-1e-6);
+  ConjugateGradients solver;
+  NormalSolution solution;
+  solver.solveCurved(problem, false, solution);
+  EXPECT_EQ(solution.status, SolveStatus::indefinite);
+  EXPECT_FALSE(isUsable(solution.status));
+}
+
+TEST(ConjugateGradients, RejectsInvalidOptionsByName)
+{
+  const auto message = [](double residual, int max_products) -> std::string
+  {
+    try
+    {
+      problems::solverTo(residual, max_products);
+      return "accepted";
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(message(1e-4, 10), "accepted");
+  EXPECT_EQ(message(0, 10), "residual = 0.000000: must be in (0, 1)");
+  EXPECT_EQ(message(1e-4, 0), "max_products = 0: must be positive");
+}
+
+TEST(ContactModulus, IsTheCombinationOfBothBodies)
+{
+  Material steel, rubber;
+  rubber.young = 1e7;
+  rubber.poisson = 0.5;
+  EXPECT_NEAR(contactModulus(steel, steel) / (0.5 * 2.1e11 / (1 - 0.28 * 0.28)), 1, 1e-14);
+  EXPECT_NEAR(contactModulus(steel, rubber) / (1e7 / 0.75), 1, 1e-4);
+  rubber.poisson = 0.6;
+  EXPECT_THROW(contactModulus(steel, rubber), std::invalid_argument);
+  rubber.poisson = 0.4;
+  rubber.young = 0;
+  EXPECT_THROW(contactModulus(steel, rubber), std::invalid_argument);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -10,7 +10,6 @@
 
 #include "core/normal/estimate/unseen_slope.h"
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "errors_of.h"
 #include "problems.h"
 
 using namespace wheel_rail_contact::core;
@@ -177,8 +176,7 @@ NormalProblem wavyBowl(int nx, int ny, double amplitude)
 PatchPressure solved(const NormalProblem& problem, double& estimate)
 {
   ConjugateGradients solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  const NormalSolution solution = problems::solved(solver, problem);
   EXPECT_EQ(solution.status, SolveStatus::converged);
   estimate = errorsOf(solver, problem, solution)[0].max_pressure;
   return solution.patches[0];

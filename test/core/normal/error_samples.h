@@ -12,9 +12,9 @@
 #include "core/normal/solvers/kik_piotrowski.h"
 #include "core/normal/solvers/seidel.h"
 #include "core/track/gap.h"
-#include "errors_of.h"
 #include "gap_scenes.h"
 #include "pressure_extent.h"
+#include "problems.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 /// Solutions of random scenes. Their true errors are from the same scene on a grid four times finer in each direction.
@@ -68,21 +68,11 @@ constexpr std::array<GridSize, 15> grids{{{4, 16},
                                           {32, 96},
                                           {48, 96}}};
 
-inline ConjugateGradientsOptions strictOptions()
-{
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;
-  options.max_products = 1000;
-  return options;
-}
-
 inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
 {
   if (method == Method::grid)
   {
-    ConjugateGradientsOptions options;
-    options.residual = residual;
-    return std::make_unique<ConjugateGradients>(options);
+    return std::make_unique<ConjugateGradients>(problems::solverTo(residual));
   }
   if (method == Method::hertz)
   {
@@ -163,7 +153,7 @@ class GapSampler
       patch.grid = method == Method::hertz ? regridded(patch.grid, closed_form_truth) : refined(patch.grid, finer);
     }
     fill(scene);
-    ConjugateGradients strict(strictOptions());
+    ConjugateGradients strict = problems::solverTo(1e-6, 1000);
     strict.solve(problem_, false, true_);
     return found_.status == SolveStatus::converged && true_.status == SolveStatus::converged &&
            std::all_of(true_.patches.begin(), true_.patches.end(),
@@ -393,7 +383,7 @@ class WheelsetSampler
 
   Method method_;
   std::map<std::array<int, 3>, std::unique_ptr<GridLevels>> solvers_;
-  ConjugateGradients strict_{strictOptions()};
+  ConjugateGradients strict_ = problems::solverTo(1e-6, 1000);
   NormalSolution true_;
   Islands true_islands_;
 };

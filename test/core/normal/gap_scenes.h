@@ -10,7 +10,7 @@
 
 #include "core/normal/operator/cell_aspect.h"
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "hertz_load.h"
+#include "problems.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 /// Random contacts defined by the gap of two bodies, for tests and for the calibration of error estimates.
@@ -18,10 +18,7 @@ namespace wheel_rail_contact::core::scenes
 {
 using Random = std::mt19937_64;
 
-inline double uniform(Random& random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
+using problems::uniform;
 
 /// Random number, uniform in the logarithm.
 inline double spread(Random& random, double low, double high)

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "errors_of.h"
+#include "core/normal/solvers/kik_piotrowski.h"
 #include "problems.h"
 
 namespace wheel_rail_contact::core
@@ -39,8 +39,7 @@ TEST(HertzSolver, IsExactOnBowls)
     {
       const auto hertz = hertzCase(ratio, 8, 24, symmetric, 1.2, 0.37);
       HertzSolver solver;
-      NormalSolution solution;
-      solver.solve(hertz.problem, false, solution);
+      const NormalSolution solution = problems::solved(solver, hertz.problem);
       ASSERT_EQ(solution.status, SolveStatus::converged);
       const PatchPressure& patch = solution.patches[0];
       EXPECT_NEAR(patch.max_pressure / hertz.exact.max_pressure, 1, 1e-9) << ratio;
@@ -58,8 +57,7 @@ TEST(HertzSolver, CellPressuresAreMeansOfTheEllipsoid)
 {
   const auto hertz = hertzCase(3, 16, 32, true, 1.1, 0.5);
   HertzSolver solver;
-  NormalSolution solution;
-  solver.solve(hertz.problem, false, solution);
+  const NormalSolution solution = problems::solved(solver, hertz.problem);
   const PatchPressure& patch = solution.patches[0];
   const Grid& grid = patch.grid;
   constexpr int parts = 50;
@@ -132,8 +130,7 @@ TEST(HertzSolver, FindsPrincipalDirectionsAndPositionBetweenCells)
     EXPECT_NEAR(minimum.angle, turn, 1e-6) << angle;
     // Rotating the bowl changes only the orientation of the ellipse.
     HertzSolver solver;
-    NormalSolution solution;
-    solver.solve(underLoad(patch, 2e4), false, solution);
+    const NormalSolution solution = problems::solved(solver, underLoad(patch, 2e4));
     const HertzContact exact = hertzForForce(curvature, steel(), 2e4);
     EXPECT_NEAR(solution.patches[0].max_pressure / exact.max_pressure, 1, 1e-6) << angle;
     Eigen::Index row = 0, column = 0;
@@ -152,8 +149,7 @@ TEST(HertzSolver, PatchesShareTheLoadAtOneApproach)
   problem.patches[1].weight = 0.7;
   problem.patches[2].gap += 1;  // does not touch
   HertzSolver solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  const NormalSolution solution = problems::solved(solver, problem);
   ASSERT_EQ(solution.status, SolveStatus::converged);
   EXPECT_NEAR((solution.patches[0].force + 0.7 * solution.patches[1].force) / problem.value, 1, 1e-10);
   const GapCurvature second = hertzCase(6, 16, 32, true).gap;
@@ -166,15 +162,21 @@ TEST(HertzSolver, PatchesShareTheLoadAtOneApproach)
   NormalProblem given = problem;
   given.control = NormalProblem::Control::approach;
   given.value = solution.approach;
-  NormalSolution same;
-  solver.solve(given, false, same);
+  const NormalSolution same = problems::solved(solver, given);
   EXPECT_NEAR(same.patches[1].force / solution.patches[1].force, 1, 1e-12);
 }
 
-TEST(HertzSolver, RejectsAGapWithoutPositiveCurvature)
+template <typename Solver>
+class ClosedForm : public testing::Test
+{
+};
+using ClosedForms = testing::Types<HertzSolver, KikPiotrowski>;
+TYPED_TEST_SUITE(ClosedForm, ClosedForms);
+
+TYPED_TEST(ClosedForm, RejectsAGapWithoutPositiveCurvature)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
-  HertzSolver solver;
+  TypeParam solver;
   NormalSolution solution;
   // A valley and a saddle.
   solver.solve(underLoad(sampled(grid, [](double, double y) { return y * y; }), 1e4), false, solution);
@@ -217,8 +219,7 @@ TEST(HertzSolver, RejectsAPatchThatCarriesNoLoadWithoutPositiveCurvature)
   NormalProblem problem = underLoad(bowl, 1e4);
   problem.patches.push_back(apart);  // too far away to carry any load
   HertzSolver solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  const NormalSolution solution = problems::solved(solver, problem);
   EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
 }
 
@@ -238,14 +239,13 @@ TEST(HertzSolver, FlagsAGridThatCutsTheEllipse)
   EXPECT_TRUE(solution.patches[0].touches_border);
 }
 
-TEST(HertzSolver, ReportsNoContactBeforeFirstTouch)
+TYPED_TEST(ClosedForm, ReportsNoContactBeforeFirstTouch)
 {
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.control = NormalProblem::Control::approach;
   problem.value = -1e-6;
-  HertzSolver solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  TypeParam solver;
+  const NormalSolution solution = problems::solved(solver, problem);
   EXPECT_EQ(solution.status, SolveStatus::no_contact);
   EXPECT_EQ(solution.patches[0].force, 0);
   EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);

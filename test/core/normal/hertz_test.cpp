@@ -9,8 +9,6 @@
 #include <random>
 
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "errors_of.h"
-#include "hertz_load.h"
 #include "problems.h"
 
 using namespace wheel_rail_contact::core;

@@ -22,8 +22,7 @@ constexpr double wheel = 0.5 / 0.46;  ///< coefficient A for a wheel of 460 mm r
 NormalSolution solved(const NormalProblem& problem)
 {
   KikPiotrowski solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  const NormalSolution solution = problems::solved(solver, problem);
   EXPECT_EQ(solution.status, SolveStatus::converged);
   return solution;
 }
@@ -45,8 +44,7 @@ Deviation deviation(const NormalProblem& problem, const NormalSolution& referenc
 Deviation fromConjugateGradients(const NormalProblem& problem)
 {
   ConjugateGradients solver;
-  NormalSolution reference;
-  solver.solve(problem, false, reference);
+  const NormalSolution reference = problems::solved(solver, problem);
   EXPECT_EQ(reference.status, SolveStatus::converged);
   EXPECT_FALSE(reference.patches[0].touches_border);
   return deviation(problem, reference);
@@ -71,8 +69,7 @@ TEST(KikPiotrowski, HasItsKnownBiasOnEllipses)
       (contact.semi_axis_x / contact.semi_axis_y < known.a_over_b ? low : high) = ratio;
     }
     const auto hertz = hertzCase(low, 64, 64, true, 1.2);
-    NormalSolution exact;
-    ConjugateGradients().solve(hertz.problem, false, exact);
+    const NormalSolution exact = problems::solved(hertz.problem);
     const Deviation found = deviation(hertz.problem, exact);
     EXPECT_NEAR(found.max_pressure, known.max_pressure, 0.005) << known.a_over_b;
     EXPECT_NEAR(found.approach, known.approach, 0.003) << known.a_over_b;
@@ -212,17 +209,6 @@ TEST(KikPiotrowski, PressureFollowsShiftedStrips)
   }
 }
 
-TEST(KikPiotrowski, RejectsStripsThatDoNotOpenAlongX)
-{
-  const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
-  KikPiotrowski solver;
-  NormalSolution solution;
-  solver.solve(underLoad(sampled(grid, [](double, double y) { return y * y; }), 1e4), false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
-  solver.solve(underLoad(sampled(grid, [](double x, double y) { return y * y - 0.1 * x * x; }), 1e4), false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
-}
-
 // A box next to the deepest point: the gap decreases towards the edge and would decrease further.
 TEST(KikPiotrowski, SolvesAGridThatCutsTheDeepestPoint)
 {
@@ -238,19 +224,6 @@ TEST(KikPiotrowski, SolvesAGridThatCutsTheDeepestPoint)
   }
 }
 
-TEST(KikPiotrowski, ReportsNoContactBeforeFirstTouch)
-{
-  NormalProblem problem = hertzCase(2, 16, 32, true).problem;
-  problem.control = NormalProblem::Control::approach;
-  problem.value = -1e-6;
-  KikPiotrowski solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::no_contact);
-  EXPECT_EQ(solution.patches[0].force, 0);
-  EXPECT_EQ(solution.patches[0].pressure.maxCoeff(), 0);
-}
-
 // A light contact between the cells, none of which overlaps. The method has a solution, but its error cannot be
 // estimated from the cells.
 TEST(KikPiotrowski, EstimatesAnErrorOf100PercentIfNoCellOverlaps)
@@ -259,14 +232,11 @@ TEST(KikPiotrowski, EstimatesAnErrorOf100PercentIfNoCellOverlaps)
   const NormalProblem problem =
       problems::underLoad(problems::sampled(grid, [](double x, double y) { return 40 * x * x + 1.1 * y * y; }), 100);
   KikPiotrowski solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  const NormalSolution solution = problems::solved(solver, problem);
   ASSERT_TRUE(isUsable(solution.status)) << toString(solution.status);
   ASSERT_LT(solution.approach, problem.patches[0].gap.minCoeff());
   ASSERT_GT(solution.patches[0].force, 0);
-  std::vector<ErrorEstimate> errors;
-  solver.estimateErrors(problem, solution, errors);
-  EXPECT_EQ(errors[0].largest(), 1);
+  EXPECT_EQ(errorsOf(solver, problem, solution)[0].largest(), 1);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -24,9 +24,7 @@ struct Errors
 /// Largest relative errors on Hertz contacts of five shapes, with boxes of different margin and position.
 Errors worstErrors(int nx, int ny)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;  // only the error of the cells remains
-  ConjugateGradients solver(options);
+  ConjugateGradients solver = problems::solverTo(1e-6);  // only the error of the cells remains
   Errors worst;
   for (const double ratio : {0.3, 1.0, 2.0, 5.0, 10.0})
   {
@@ -35,8 +33,7 @@ Errors worstErrors(int nx, int ny)
       for (const double shift : {0.0, 0.2, 0.5})
       {
         const auto hertz = hertzCase(ratio, nx, ny, true, margin, shift);
-        NormalSolution solution;
-        solver.solve(hertz.problem, false, solution);
+        const NormalSolution solution = problems::solved(solver, hertz.problem);
         const PatchPressure& patch = solution.patches[0];
         const double counted = static_cast<double>((patch.pressure > 0).count()) * patch.grid.cellArea();
         const auto raise = [](double& largest, double found, double exact)
@@ -68,10 +65,7 @@ TEST(Measures, AreaErrorIsASeventiethOfThatOfCountedCells)
 std::vector<double> hertzErrors(double PatchPressure::*found, double HertzContact::*exact, int nx, int ny,
                                 unsigned seed)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;
-  options.max_products = 1000;
-  ConjugateGradients solver(options);
+  ConjugateGradients solver = problems::solverTo(1e-6, 1000);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> part(0, 1);
   std::vector<double> errors;
@@ -81,8 +75,7 @@ std::vector<double> hertzErrors(double PatchPressure::*found, double HertzContac
     {
       const double margin = 1.05 + 0.2 * part(random);
       const auto hertz = hertzCase(ratio, nx, ny, false, margin, part(random) - 0.5);
-      NormalSolution solution;
-      solver.solve(hertz.problem, false, solution);
+      const NormalSolution solution = problems::solved(solver, hertz.problem);
       errors.push_back(solution.patches[0].*found / hertz.exact.*exact - 1);
     }
   }
@@ -135,10 +128,7 @@ TEST(Measures, MaxPressureOfHertzContactsHasNoBias)
 // as large, because it depends on how far the edge extends beyond the outermost loaded rows and columns.
 TEST(Measures, AreaHardlyDependsOnThePositionOfTheTips)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;
-  options.max_products = 1000;
-  ConjugateGradients solver(options);
+  ConjugateGradients solver = problems::solverTo(1e-6, 1000);
   for (const Limit& limit : {Limit{8, 16, 0.0047}, Limit{12, 32, 0.001}, Limit{16, 32, 0.0008}})
   {
     for (const double ratio : {0.3, 1.0, 3.0})
@@ -147,8 +137,7 @@ TEST(Measures, AreaHardlyDependsOnThePositionOfTheTips)
       for (int k = 0; k < 50; ++k)
       {
         const auto hertz = hertzCase(ratio, limit.nx, limit.ny, true, 1.03 + 0.004 * k, 0.3);
-        NormalSolution solution;
-        solver.solve(hertz.problem, false, solution);
+        const NormalSolution solution = problems::solved(solver, hertz.problem);
         const double error = solution.patches[0].area / hertz.exact.area - 1;
         least = std::min(least, error);
         most = std::max(most, error);
@@ -160,9 +149,7 @@ TEST(Measures, AreaHardlyDependsOnThePositionOfTheTips)
 
 TEST(Measures, AreaOfAHalfEqualsThatOfTheWhole)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-9;
-  ConjugateGradients solver(options);
+  ConjugateGradients solver = problems::solverTo(1e-9);
   NormalSolution half, whole;
   solver.solve(hertzCase(2, 16, 32, true).problem, false, half);
   solver.solve(hertzCase(2, 16, 32, false).problem, false, whole);
@@ -194,8 +181,7 @@ TEST(Measures, AreaOfTwoLobesAgreesWithFourTimesFinerCells)
   const auto area = [&](int factor)
   {
     const Grid grid = problems::centredGrid(16 * factor, 48 * factor, 0.017, 0.020, true);
-    NormalSolution solution;
-    solver.solve(problems::underLoad(problems::sampled(grid, lobes), 1e5), false, solution);
+    const NormalSolution solution = problems::solved(solver, problems::underLoad(problems::sampled(grid, lobes), 1e5));
     EXPECT_FALSE(solution.patches[0].touches_border);
     return solution.patches[0].area;
   };
@@ -205,8 +191,7 @@ TEST(Measures, AreaOfTwoLobesAgreesWithFourTimesFinerCells)
 TEST(Measures, ForceIsTheSumOfPressureTimesCellArea)
 {
   const auto hertz = hertzCase(2, 16, 32, true);
-  NormalSolution solution;
-  ConjugateGradients().solve(hertz.problem, false, solution);
+  const NormalSolution solution = problems::solved(hertz.problem);
   const PatchPressure& patch = solution.patches[0];
   EXPECT_NEAR(patch.force / 1e5, 1, 1e-12);
   EXPECT_NEAR(patch.force / (patch.pressure.sum() * 2 * patch.grid.dx * patch.grid.dy), 1, 1e-12);

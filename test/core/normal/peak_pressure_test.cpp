@@ -31,10 +31,7 @@ struct Pressures
 template <typename Gap>
 Pressures largestErrors(const Grid& grid, double load, const Gap& gap)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-6;
-  options.max_products = 1000;
-  ConjugateGradients solver(options);
+  ConjugateGradients solver = problems::solverTo(1e-6, 1000);
   Pressures worst;
   for (int place = 0; place < 10; ++place)
   {
@@ -92,11 +89,8 @@ TEST(PeakPressure, AgreesWithEightTimesFinerCellsNextToADiscontinuity)
 TEST(PeakPressure, LiesBetweenTwoEqualCells)
 {
   const auto hertz = problems::hertzCase(2, 16, 32, true);
-  ConjugateGradientsOptions options;
-  options.residual = 1e-8;
-  ConjugateGradients solver(options);
-  NormalSolution solution;
-  solver.solve(hertz.problem, false, solution);
+  ConjugateGradients solver = problems::solverTo(1e-8);
+  const NormalSolution solution = problems::solved(solver, hertz.problem);
   const Eigen::ArrayXXd& p = solution.patches[0].pressure;
   ASSERT_NEAR(p(0, 15) / p(0, 16), 1, 1e-9);
   const double raised =
@@ -165,8 +159,7 @@ TEST(PeakPressure, IsIndependentOfOrientationAndScale)
   const auto askew = [](double x, double y) { return shoulder(x + 2e-4 + 0.05 * y, y - 1e-4); };
   const NormalProblem problem =
       problems::underLoad(problems::sampled(problems::centredGrid(16, 32, 0.018, 0.026, false), askew), 1e5);
-  NormalSolution solution;
-  ConjugateGradients().solve(problem, false, solution);
+  const NormalSolution solution = problems::solved(problem);
   const Eigen::ArrayXXd& pressure = solution.patches[0].pressure;
   PatchGap gap = problem.patches[0];
   const double seen = highest(gap, problem.modulus, pressure);
@@ -184,8 +177,7 @@ TEST(PeakPressure, BiasIsProportionalToTheBend)
   for (const int cells : {16, 32, 64, 128})
   {
     const auto hertz = problems::hertzCase(2, cells, cells, true);
-    NormalSolution solution;
-    ConjugateGradients().solve(hertz.problem, false, solution);
+    const NormalSolution solution = problems::solved(hertz.problem);
     const Eigen::ArrayXXd& pressure = solution.patches[0].pressure;
     Eigen::Index row = 0, column = 0;
     pressure.maxCoeff(&row, &column);
@@ -200,8 +192,7 @@ TEST(PeakPressure, BiasIsProportionalToTheBend)
 TEST(PeakPressure, HasNoBiasCorrectionWhereTheBorderCutsThePressure)
 {
   const auto hertz = problems::hertzCase(2, 16, 32, false);
-  NormalSolution solution;
-  ConjugateGradients().solve(hertz.problem, false, solution);
+  const NormalSolution solution = problems::solved(hertz.problem);
   PatchGap gap = hertz.problem.patches[0];
   const Eigen::ArrayXXd cut = solution.patches[0].pressure.middleRows(4, 12);
   gap.gap = Eigen::ArrayXXd(gap.gap.middleRows(4, 12));
@@ -222,9 +213,7 @@ TEST(PeakPressure, IsCloseToItsCellsNextToAMuchHigherPeak)
 
 TEST(PeakPressure, OfAHalfEqualsThatOfTheWhole)
 {
-  ConjugateGradientsOptions options;
-  options.residual = 1e-9;
-  ConjugateGradients solver(options);
+  ConjugateGradients solver = problems::solverTo(1e-9);
   NormalSolution half, whole;
   solver.solve(problems::underLoad(problems::sampled(problems::centredGrid(16, 32, 0.018, 0.026, true), shoulder), 1e5),
                false, half);
@@ -261,9 +250,8 @@ NormalProblem problemOf(const scenes::Gap& gap, const GridSize& size, bool symme
 
 PatchPressure solve(const NormalProblem& problem)
 {
-  ConjugateGradients solver(scenes::strictOptions());
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
+  ConjugateGradients solver = problems::solverTo(1e-6, 1000);
+  const NormalSolution solution = problems::solved(solver, problem);
   EXPECT_EQ(solution.status, SolveStatus::converged);
   EXPECT_FALSE(solution.patches[0].touches_border);
   return solution.patches[0];

@@ -5,10 +5,31 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "core/normal/operator/influence.h"
-#include "hertz_load.h"
+#include "core/normal/solvers/conjugate_gradients.h"
+#include "core/normal/solvers/hertz.h"
 #include "wheel_rail_contact/core/normal_problem.h"
+#include "wheel_rail_contact/core/normal_solver.h"
+
+namespace wheel_rail_contact::core
+{
+/// Contact under a force [N]. The force grows with the approach to the power 3/2.
+inline HertzContact hertzForForce(const GapCurvature& gap, double modulus, double force)
+{
+  return hertzForApproach(gap, modulus, std::pow(force / hertzForApproach(gap, modulus, 1).force, 2.0 / 3));
+}
+
+/// Estimated errors of each patch of a solution.
+inline std::vector<ErrorEstimate> errorsOf(const NormalSolver& solver, const NormalProblem& problem,
+                                           const NormalSolution& solution)
+{
+  std::vector<ErrorEstimate> errors;
+  solver.estimateErrors(problem, solution, errors);
+  return errors;
+}
+}  // namespace wheel_rail_contact::core
 
 /// Normal contact problems for tests.
 namespace wheel_rail_contact::core::problems
@@ -55,6 +76,31 @@ inline NormalProblem underLoad(PatchGap patch, double load)
   problem.modulus = steel();
   problem.value = load;
   return problem;
+}
+
+/// Conjugate gradients that stop at a residual [-].
+inline ConjugateGradients solverTo(double residual, int max_products = ConjugateGradientsOptions().max_products)
+{
+  ConjugateGradientsOptions options;
+  options.residual = residual;
+  options.max_products = max_products;
+  return ConjugateGradients(options);
+}
+
+/// Solution without a start.
+inline NormalSolution solved(NormalSolver& solver, const NormalProblem& problem)
+{
+  NormalSolution solution;
+  solver.solve(problem, false, solution);
+  return solution;
+}
+
+/// Solution by conjugate gradients, without a start.
+inline NormalSolution solved(const NormalProblem& problem, double residual = ConjugateGradientsOptions().residual,
+                             int max_products = ConjugateGradientsOptions().max_products)
+{
+  ConjugateGradients solver = solverTo(residual, max_products);
+  return solved(solver, problem);
 }
 
 /// Ellipsoid on a plane in a box `margin` times as long and wide as the contact. B/A = `ratio`; A is that of a wheel.

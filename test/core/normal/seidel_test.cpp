@@ -8,7 +8,6 @@
 #include <random>
 
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "errors_of.h"
 #include "problems.h"
 
 namespace wheel_rail_contact::core
@@ -25,15 +24,6 @@ Seidel printed()
   return Seidel(options);
 }
 
-NormalSolution exactly(const NormalProblem& problem)
-{
-  ConjugateGradientsOptions options;
-  options.residual = 1e-8;
-  NormalSolution solution;
-  ConjugateGradients(options).solve(problem, false, solution);
-  return solution;
-}
-
 TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
 {
   constexpr unsigned seed = 21;
@@ -42,9 +32,8 @@ TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
   for (int k = 0; k < 20; ++k)
   {
     const NormalProblem problem = randomProblem(random, 1 + k % 2);
-    const NormalSolution reference = exactly(problem);
-    NormalSolution solution;
-    seidel.solve(problem, false, solution);
+    const NormalSolution reference = problems::solved(problem, 1e-8);
+    const NormalSolution solution = problems::solved(seidel, problem);
     ASSERT_EQ(solution.status, SolveStatus::converged) << "seed " << seed << ", problem " << k;
     EXPECT_LE(solution.residual, 1e-4);
     double load = 0;
@@ -83,11 +72,10 @@ TEST(Seidel, PrintedFormUnderestimatesTheApproachByHalfAPercentOnSquareCells)
   for (const int cells : {16, 32})
   {
     const auto hertz = hertzCase(1, cells, cells, true);
-    NormalSolution solution;
-    seidel.solve(hertz.problem, false, solution);
+    const NormalSolution solution = problems::solved(seidel, hertz.problem);
     ASSERT_EQ(solution.status, SolveStatus::converged);
     EXPECT_NEAR(solution.patches[0].force / 1e5, 1, 1e-4);
-    const double bias = solution.approach / exactly(hertz.problem).approach - 1;
+    const double bias = solution.approach / problems::solved(hertz.problem, 1e-8).approach - 1;
     EXPECT_LT(bias, 0);
     EXPECT_LT(std::abs(bias), 0.55 * error);
     error = std::abs(bias);
@@ -98,7 +86,7 @@ TEST(Seidel, PrintedFormUnderestimatesTheApproachByHalfAPercentOnSquareCells)
 TEST(Seidel, PrintedFormAppliesTheApproachInSteps)
 {
   auto hertz = hertzCase(1, 16, 16, true);
-  const NormalSolution by_load = exactly(hertz.problem);
+  const NormalSolution by_load = problems::solved(hertz.problem, 1e-8);
   hertz.problem.control = NormalProblem::Control::approach;
   hertz.problem.value = by_load.approach;
   NormalSolution solution;
@@ -121,7 +109,7 @@ TEST(Seidel, PrintedFormConvergesToStripesOnLongCells)
     const Grid grid = problems::centredGrid(nx, 32, nx * aspect * dy, width, false);
     const NormalProblem problem = problems::underLoad(
         problems::sampled(grid, [c](double x, double y) { return c.a * x * x + c.b * y * y; }), 1e5);
-    const NormalSolution reference = exactly(problem);
+    const NormalSolution reference = problems::solved(problem, 1e-8);
     NormalSolution solution;
     printed().solve(problem, false, solution);
     EXPECT_NEAR(solution.approach / reference.approach, 1, 0.03);
