@@ -175,38 +175,29 @@ TEST(Parameters, RailNamesAreFoundWhenRosReadsThemAsNumbers)
   EXPECT_TRUE(contains(refusal(with("rail: {profile: 610}")), "rail/profile = 610: neither the name of a standard"));
 }
 
+// Wrong types, numbers that are not finite, and -1 follow below, for every parameter.
 TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
 {
   const std::vector<Mistake> mistakes{
-      {"track: {gauge: wide}", "track/gauge", "wide"},
-      {"track: {gauge: .nan}", "track/gauge", "nan"},
-      {"track: {gauge: .inf}", "track/gauge", "inf"},
       {"track: {gauge: 0}", "track/gauge", "0"},
       {"track: {gauge: 1.435m}", "track/gauge", "1.435m"},
       {"track: {gauge: '1.435 '}", "track/gauge", "1.435 "},
       {"track: {gauge: 0x10}", "track/gauge", "0x10"},
       {"track: {gauge: 1e400}", "track/gauge", "1e400"},
       {"track: {gauge: ''}", "track/gauge", "\"\""},
-      {"track: {gauge: true}", "track/gauge", "true"},
       {"track: {gauge: [1.435]}", "track/gauge", "[1.435]"},
       {"track: {gauge: }", "track/gauge", "no value"},
-      {"track: {gauge_depth: -0.014}", "track/gauge_depth", "-0.014"},
       {"track: {rail_inclination: 1.4}", "track/rail_inclination", "1.4"},
       {"track: {frame: /track}", "track/frame", "/track"},
       {"track: {frame: ''}", "track/frame", "\"\""},
-      {"track: {frame: [track]}", "track/frame", "[track]"},
       {"track: {displacement: pose}", "track/displacement", "none, topic"},
       {"track: {displacement: true}", "track/displacement", "true"},
-      {"track: {displacement: [topic]}", "track/displacement", "[topic]"},
       {"track: {displacement: {lateral: 0.001}}", "track/displacement/lateral", "unknown"},
       {"track: {distance: none}", "track/distance", "pose, topic"},
       {"track: {distance: 12.5}", "track/distance", "12.5"},
-      {"track: {distance: [pose]}", "track/distance", "[pose]"},
       {"track: {gage: 1.435}", "track/gage", "track/gauge"},
       {"track: 1.435", "track", "unknown"},
       {"wheelset: {rolling_radius: 0}", "wheelset/rolling_radius", "0"},
-      {"wheelset: {flange_back_distance: -1}", "wheelset/flange_back_distance", "-1"},
-      {"wheelset: {tape_circle: x}", "wheelset/tape_circle", "x"},
       {"wheelset: {free: [z]}", "wheelset/free", "[z]"},
       {"wheelset: {free: z}", "wheelset/free", "z"},
       {"wheelset: {free: [z, roll, y]}", "wheelset/free", "[z, roll, y]"},
@@ -214,7 +205,6 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"wheel: {profile: S1001}", "wheel/profile", "S1001"},
       {"wheel: {profile: 60E1}", "wheel/profile", "60E1"},
       {"wheel: {profile: ''}", "wheel/profile", ""},
-      {"wheel: {profile: [S1002]}", "wheel/profile", "[S1002]"},
       {"wheel: {profile: missing.prw}", "wheel/profile", "missing.prw"},
       {"rail: {profile: package://no_such_package/rail.prr}", "rail/profile", "no_such_package"},
       {"rail: {profile: package://wheel_rail_contact/no.prr}", "rail/profile", "no.prr"},
@@ -224,7 +214,6 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"material: {rail: {young: 0}}", "material/rail/young", "0"},
       {"material: {rail: {poisson: 0.6}}", "material/rail/poisson", "0.6"},
       {"material: {wheel: {poisson: -1}}", "material/wheel/poisson", "-1"},
-      {"material: {rail: {yield: -1}}", "material/rail/yield", "-1"},
       {"stress: {depths: 3}", "stress/depths", "3"},
       {"stress: {depths: 4.5}", "stress/depths", "4.5"},
       {"stress: {field: true}", "stress/depths", "0"},
@@ -234,11 +223,8 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"rail_bending: {model: compliance}", "rail_bending/table", "file"},
       {"rail_bending: {model: compliance, table: missing.yaml}", "rail_bending/table", "missing.yaml"},
       {"rail_bending: {lateral_force: sometimes}", "rail_bending/lateral_force", "sometimes"},
-      {"rail_bending: {lateral_force: .inf}", "rail_bending/lateral_force", "inf"},
-      {"rail_bending: {lateral_force: [contact]}", "rail_bending/lateral_force", "[contact]"},
       {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
       {"rail_bending: {prescribed: {roll: 1}}", "rail_bending/prescribed/roll", "1"},
-      {"rail_bending: {prescribed: {vertical: up}}", "rail_bending/prescribed/vertical", "up"},
       {"rail_bending: {neighbours: 3}", "rail_bending/neighbours", "3"},
       {"rail_bending: {neighbours: [{topic: /front, distance: 2.5}]}", "rail_bending/neighbours", "/front"},
       {"rail_bending: {neighbours: [{topic: /front}]}", "rail_bending/neighbours/distance", "missing"},
@@ -264,11 +250,6 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"contact: {grid: {along: 1e9, across: 16}}", "contact/grid/along", "1e9"},
       {"markers: {rate: 0}", "markers/rate", "0"},
       {"markers: {rail_length: 0}", "markers/rail_length", "0"},
-      {"markers: {force_scale: -1}", "markers/force_scale", "-1"},
-      {"markers: {max_pressure: -1}", "markers/max_pressure", "-1"},
-      {"markers: {zoom: much}", "markers/zoom", "much"},
-      {"markers: {zoom_height: .nan}", "markers/zoom_height", "nan"},
-      {"markers: {pressure_height: -1}", "markers/pressure_height", "-1"},
       {"gauge: 1.435", "gauge", "unknown"},
   };
   expectRefused(mistakes);
@@ -280,6 +261,7 @@ TEST(Parameters, EveryParameterRefusesAWrongTypeAndEveryNumberANonFiniteValue)
   {
     const std::string message = refusal(validExcept(name, value));
     EXPECT_TRUE(contains(message, "/contact_node/" + name)) << name << " = " << value << ": " << message;
+    EXPECT_TRUE(!value.IsScalar() || value.Scalar() == "1" || contains(message, value.Scalar())) << message;
   };
   for (const std::string& name : parameterNames())
   {

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "parameter_helpers.h"
+
+using namespace wheel_rail_contact;
+
+TEST(LengthParameters, MillimetresAreRefusedWithTheRangeInMetres)
+{
+  expectRefused({
+      {"track: {gauge: 1435}", "track/gauge = 1435", "must be from 0.2 to 3, in metres"},
+      {"track: {gauge_depth: 14}", "track/gauge_depth = 14", "from 1e-05 to 0.1, in metres"},
+      {"wheelset: {rolling_radius: 460}", "wheelset/rolling_radius = 460", "from 0.05 to 2, in metres"},
+      {"wheel: {left: {rolling_radius: 459}}", "wheel/left/rolling_radius = 459", "in metres"},
+      {"wheelset: {flange_back_distance: 1360}", "wheelset/flange_back_distance = 1360", "in metres"},
+      {"wheelset: {tape_circle: 70}", "wheelset/tape_circle = 70", "from 0.005 to 0.5, in metres"},
+  });
+}
+
+TEST(LengthParameters, DimensionsOfNarrowAndBroadGaugeAndOfModelsAreAccepted)
+{
+  for (const char* yaml : {"{track: {gauge: 0.6}, wheelset: {flange_back_distance: 0.54, rolling_radius: 0.15}}",
+                           "{track: {gauge: 1.676}, wheelset: {flange_back_distance: 1.6, rolling_radius: 0.7}}",
+                           "{track: {gauge: 0.287}, wheelset: {flange_back_distance: 0.272, rolling_radius: 0.092}}"})
+  {
+    EXPECT_EQ(refusal(with(yaml)), "accepted");
+  }
+}
+
+// Parameter track/rail_inclination: an angle, or a ratio 1:N.
+// "1:40" is the text that YAML 1.2 parsers and quotes give. 100 = 60 + 40 is the sexagesimal number that rosparam makes
+// of an unquoted 1:40. Both give the same bits as atan(1/40).
+TEST(RailInclination, IsAnAngleOrARatio)
+{
+  const auto inclination = [](const std::string& value)
+  { return read(with("track: {rail_inclination: " + value + "}")).model.track.rail_inclination.left; };
+  EXPECT_EQ(inclination("0.025"), 0.025);
+  EXPECT_EQ(inclination("0"), 0);
+  EXPECT_EQ(inclination("-0.025"), -0.025);
+  EXPECT_EQ(inclination("'1:40'"), std::atan(1.0 / 40));
+  EXPECT_EQ(inclination("1:40"), std::atan(1.0 / 40));
+  EXPECT_EQ(inclination("1:20"), std::atan(1.0 / 20));
+  EXPECT_EQ(inclination("1:40.5"), std::atan(1 / 40.5));
+  EXPECT_EQ(inclination("1:100"), std::atan(1.0 / 100));
+  EXPECT_EQ(inclination("100"), std::atan(1.0 / 40));
+  EXPECT_EQ(inclination("80"), std::atan(1.0 / 20));
+  EXPECT_EQ(inclination("100.5"), std::atan(1 / 40.5));
+}
+
+TEST(RailInclination, InvalidValueIsRefused)
+{
+  for (const char* text : {"1:0", "1:-3", "1:x", "'1:'", "1:.nan", "1:.inf", "1:40:0", "-1:40", "2:40", "1/40",
+                           "'1:40 '", "' 1:40'", ".nan", ".inf", "[1, 40]"})
+  {
+    const std::string message = refusal(with(std::string("track: {rail_inclination: ") + text + "}"));
+    EXPECT_TRUE(contains(message, "/contact_node/track/rail_inclination = ") &&
+                contains(message, " must be a finite number [rad] or a ratio 1:N with a finite N > 0"))
+        << text << "\n  gave: " << message;
+  }
+  // The core permits up to 0.2 rad, which is 1:4.93. 61 is the ratio 1:1. 60 and 120 are angles in radians.
+  for (const char* text : {"1.4", "-0.3", "1:1", "61", "1:4", "64", "60", "120", "-100"})
+  {
+    const std::string message = refusal(with(std::string("track: {rail_inclination: ") + text + "}"));
+    EXPECT_TRUE(contains(message, "/contact_node/track/rail_inclination = ") && contains(message, "0.2 rad"))
+        << text << "\n  gave: " << message;
+  }
+}
+
+TEST(RailInclination, FormerNameIsRefusedWithTheNewName)
+{
+  for (const char* yaml : {"track: {cant: 0.025}", "track: {cant: 0.025, rail_inclination: 0.025}"})
+  {
+    const std::string message = refusal(with(yaml));
+    EXPECT_TRUE(contains(message, "/contact_node/track/cant = 0.025") && contains(message, "track/rail_inclination"))
+        << yaml << "\n  gave: " << message;
+  }
+}
+
+// The parameter track/line.
+namespace
+{
+class LineParameter : public testing::Test
+{
+ protected:
+  LineParameter()
+  {
+    std::ofstream(testing::TempDir() + "line.csv") << "x [m], gauge [mm], alignment [mm]\n0, 1441, 2\n10, 1435, 0\n";
+    std::ofstream(testing::TempDir() + "wrong.csv") << "# measured\nx [m], cant [mm]\n0, 1\n1, 2\n";
+  }
+
+  static NodeConfig read(const std::string& track) { return wheel_rail_contact::read(with("track: {" + track + "}")); }
+  /// Lateral displacement of the left rail at the first station [mm], outward positive.
+  static double leftAtBegin(const std::string& track)
+  {
+    return 1e3 * read(track).model.track.line->at(0).rail.left.lateral;
+  }
+
+  static void expectRefused(const std::string& track, const std::string& message)
+  {
+    const std::string refused = refusal(with("track: {" + track + "}"));
+    EXPECT_TRUE(contains(refused, message)) << track << "\n  gave: " << refused;
+  }
+};
+
+constexpr double rounding = 1e-9;  ///< of differences of gauges [mm]
+}  // namespace
+
+TEST_F(LineParameter, EmptyNameIsTheIdealTrack)
+{
+  EXPECT_EQ(read("").model.track.line, nullptr);
+  EXPECT_EQ(read("line: ''").model.track.line, nullptr);
+}
+
+TEST_F(LineParameter, LineIsAFileOrAGroupWithItsAxes)
+{
+  EXPECT_NEAR(leftAtBegin("line: line.csv"), 3 + 2, rounding);
+  EXPECT_NEAR(leftAtBegin("line: " + testing::TempDir() + "line.csv"), 3 + 2, rounding);
+  EXPECT_NEAR(leftAtBegin("line: {file: line.csv}"), 3 + 2, rounding);
+  EXPECT_NEAR(leftAtBegin("line: {file: line.csv, axes: rep103}"), 3 + 2, rounding);
+  EXPECT_NEAR(leftAtBegin("line: {file: line.csv, axes: railway}"), 3 - 2, rounding);
+}
+
+TEST_F(LineParameter, GaugeOfTheFileIsComparedWithTheNominalGauge)
+{
+  EXPECT_NEAR(leftAtBegin("gauge: 1.431, line: line.csv"), 5 + 2, rounding);
+  expectRefused("gauge: 1.0, line: line.csv", "line.csv:2: gauge = 1.441000 m: must be the whole gauge");
+}
+
+TEST_F(LineParameter, MistakesAreRefusedWithTheNameOfTheParameter)
+{
+  expectRefused("line: missing.csv", "/contact_node/track/line = missing.csv: ");
+  expectRefused("line: .", "/contact_node/track/line = .: ");
+  expectRefused("line: [line.csv]", "/contact_node/track/line");
+  expectRefused("line: wrong.csv", "/contact_node/track/line = wrong.csv: ");
+  expectRefused("line: wrong.csv", "wrong.csv:2: column 'cant': unknown quantity");
+  expectRefused("line: {file: missing.csv}", "/contact_node/track/line/file = missing.csv: ");
+  expectRefused("line: {axes: railway}", "/contact_node/track/line/file is missing");
+  expectRefused("line: {file: line.csv, axes: down}", "/contact_node/track/line/axes = down");
+  expectRefused("line: {file: line.csv, axes: down}", "rep103, railway");
+  expectRefused("line: {file: line.csv, unit: mm}", "/contact_node/track/line/unit");
+}
