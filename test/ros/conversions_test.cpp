@@ -77,35 +77,32 @@ core::WheelsetResult exampleResult()
   return result;
 }
 
+void expectEqual(const core::RailDeflection& a, const core::RailDeflection& b)
+{
+  EXPECT_EQ(a.lateral, b.lateral);
+  EXPECT_EQ(a.vertical, b.vertical);
+  EXPECT_EQ(a.roll, b.roll);
+}
+
 void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
 {
+  using Patch = core::PatchResult;
   EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.method, b.method);
   EXPECT_NEAR(a.pose.x, b.pose.x, 1e-14);
   EXPECT_EQ(a.pose.y, b.pose.y);
   EXPECT_EQ(a.pose.z, b.pose.z);
   EXPECT_NEAR(a.pose.angle, b.pose.angle, 1e-15);
-  EXPECT_EQ(a.contact_angle, b.contact_angle);
-  EXPECT_EQ(a.normal_force, b.normal_force);
-  EXPECT_EQ(a.approach, b.approach);
-  EXPECT_EQ(a.area, b.area);
-  EXPECT_EQ(a.max_pressure, b.max_pressure);
-  EXPECT_EQ(a.error_estimate, b.error_estimate);
   EXPECT_EQ(a.iterations, b.iterations);
-  EXPECT_EQ(a.residual, b.residual);
-  EXPECT_EQ(a.half_space_ratio, b.half_space_ratio);
-  EXPECT_EQ(a.model_error, b.model_error);
-  EXPECT_EQ(a.vertical_force, b.vertical_force);
-  EXPECT_EQ(a.lateral_force, b.lateral_force);
-  EXPECT_EQ(a.semi_axis_along, b.semi_axis_along);
-  EXPECT_EQ(a.semi_axis_across, b.semi_axis_across);
-  EXPECT_EQ(a.rolling_radius, b.rolling_radius);
-  EXPECT_EQ(a.wheel_s, b.wheel_s);
-  EXPECT_EQ(a.wheel_angle, b.wheel_angle);
-  EXPECT_EQ(a.rail_s, b.rail_s);
-  EXPECT_EQ(a.curvature_along, b.curvature_along);
-  EXPECT_EQ(a.curvature_across, b.curvature_across);
-  EXPECT_EQ(a.normal_stiffness, b.normal_stiffness);
+  for (const auto number :
+       {&Patch::contact_angle,    &Patch::normal_force,    &Patch::approach,         &Patch::area,
+        &Patch::max_pressure,     &Patch::error_estimate,  &Patch::residual,         &Patch::half_space_ratio,
+        &Patch::model_error,      &Patch::vertical_force,  &Patch::lateral_force,    &Patch::semi_axis_along,
+        &Patch::semi_axis_across, &Patch::rolling_radius,  &Patch::wheel_s,          &Patch::wheel_angle,
+        &Patch::rail_s,           &Patch::curvature_along, &Patch::curvature_across, &Patch::normal_stiffness})
+  {
+    EXPECT_EQ(a.*number, b.*number);
+  }
   EXPECT_EQ(a.grid.nx, b.grid.nx);
   EXPECT_EQ(a.grid.ny, b.grid.ny);
   EXPECT_EQ(a.grid.dx, b.grid.dx);
@@ -143,12 +140,8 @@ TEST(Conversions, ConversionToAMessageAndBackPreservesTheResult)
   EXPECT_NEAR(after.roll, before.roll, 1e-15);
   for (const core::Side side : core::sides)
   {
-    EXPECT_EQ(after.rail[side].deflection.lateral, before.rail[side].deflection.lateral);
-    EXPECT_EQ(after.rail[side].deflection.vertical, before.rail[side].deflection.vertical);
-    EXPECT_EQ(after.rail[side].deflection.roll, before.rail[side].deflection.roll);
-    EXPECT_EQ(after.rail[side].given.lateral, before.rail[side].given.lateral);
-    EXPECT_EQ(after.rail[side].given.vertical, before.rail[side].given.vertical);
-    EXPECT_EQ(after.rail[side].given.roll, before.rail[side].given.roll);
+    expectEqual(after.rail[side].deflection, before.rail[side].deflection);
+    expectEqual(after.rail[side].given, before.rail[side].given);
     EXPECT_EQ(after.rail[side].lateral_force, before.rail[side].lateral_force);
     EXPECT_EQ(after.rail[side].vertical_force, before.rail[side].vertical_force);
     EXPECT_EQ(after.rail[side].moment, before.rail[side].moment);
