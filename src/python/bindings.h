@@ -4,9 +4,11 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "ros/evaluation/result_fields.h"
+#include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact
 {
@@ -32,6 +34,13 @@ auto propertiesOf(Class& bound)
       bound, [](const typename Class::type& object) -> const auto& { return object; });
 }
 
+/// Profile for Python.
+struct ReadProfile
+{
+  std::shared_ptr<const core::Profile> profile;  ///< not null
+  std::string report;                            ///< what was understood of its file, in one line; may be empty
+};
+
 // Parts of the Python module. Its names are described for users in the Python package, which wraps them.
 
 /// Adds the stress beneath a patch, and functions of stresses.
@@ -42,10 +51,8 @@ void bindResults(pybind11::module& module);
 void bindMany(pybind11::module& module);
 /// Adds the class that evaluates states.
 void bindContact(pybind11::module& module);
-/// Adds profiles and compliance tables.
+/// Adds profiles, compliance tables, and what the command check_profile requires.
 void bindProfiles(pybind11::module& module);
-/// Adds what the command check_profile requires. The profiles are added before.
-void bindProfileCheck(pybind11::module& module);
 /// Adds the contact geometry of rigid wheels and rails. The class that evaluates states is added before.
 void bindGeometry(pybind11::module& module);
 /// Adds what the command contact_chart times. The class that names parameters is added before.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <ros/package.h>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -12,7 +14,8 @@
 #include "python/bindings.h"
 #include "python/contact_model.h"
 #include "python/many_states.h"
-#include "python/read_profile.h"
+#include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/text.h"
 
 namespace py = pybind11;
 
@@ -25,61 +28,58 @@ using core::WheelsetState;
 /// Numbers of states: (n, number of stateFields()), one row per state.
 using StateTable = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Number of a state with its name in the tables that Python fills.
-struct StateField
+/// Numbers of a state with the names of their columns in the tables that Python fills. Fields of both sides have two
+/// columns, left first; a displacement three on each side.
+std::vector<std::pair<std::string, double*>> stateFields(WheelsetState& s)
 {
-  const char* name;
-  std::function<double&(WheelsetState&)> of;
-};
-
-/// Columns of a table of states. Fields of both sides have two columns, left first; a displacement three on each side.
-const std::vector<StateField>& stateFields()
-{
-  static const std::vector<StateField> fields{
-      {"y", [](WheelsetState& s) -> double& { return s.y; }},
-      {"z", [](WheelsetState& s) -> double& { return s.z; }},
-      {"yaw", [](WheelsetState& s) -> double& { return s.yaw; }},
-      {"roll", [](WheelsetState& s) -> double& { return s.roll; }},
-      {"force_z", [](WheelsetState& s) -> double& { return s.force_z; }},
-      {"torque_x", [](WheelsetState& s) -> double& { return s.torque_x; }},
-      {"x", [](WheelsetState& s) -> double& { return s.x; }},
-      {"distance", [](WheelsetState& s) -> double& { return s.distance; }},
-      {"rail_lateral_force", [](WheelsetState& s) -> double& { return s.rail_lateral_force.left; }},
-      {"rail_lateral_force", [](WheelsetState& s) -> double& { return s.rail_lateral_force.right; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.left.lateral; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.left.vertical; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.left.roll; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.right.lateral; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.right.vertical; }},
-      {"rail_displacement", [](WheelsetState& s) -> double& { return s.rail_displacement.right.roll; }},
+  auto& [left, right] = s.rail_displacement;
+  return {
+      {"y", &s.y},
+      {"z", &s.z},
+      {"yaw", &s.yaw},
+      {"roll", &s.roll},
+      {"force_z", &s.force_z},
+      {"torque_x", &s.torque_x},
+      {"x", &s.x},
+      {"distance", &s.distance},
+      {"rail_lateral_force", &s.rail_lateral_force.left},
+      {"rail_lateral_force", &s.rail_lateral_force.right},
+      {"rail_displacement", &left.lateral},
+      {"rail_displacement", &left.vertical},
+      {"rail_displacement", &left.roll},
+      {"rail_displacement", &right.lateral},
+      {"rail_displacement", &right.vertical},
+      {"rail_displacement", &right.roll},
   };
-  return fields;
 }
 
 std::vector<std::string> stateColumns()
 {
   std::vector<std::string> names;
-  for (const StateField& field : stateFields())
+  WheelsetState any;
+  for (const auto& [name, number] : stateFields(any))
   {
-    names.emplace_back(field.name);
+    names.push_back(name);
   }
   return names;
 }
 
 std::vector<WheelsetState> statesOf(const StateTable& table)
 {
-  if (table.cols() != static_cast<Eigen::Index>(stateFields().size()))
+  if (table.cols() != static_cast<Eigen::Index>(stateColumns().size()))
   {
     throw std::invalid_argument("states: must have a column for each of STATE_COLUMNS");
   }
   std::vector<WheelsetState> states(static_cast<std::size_t>(table.rows()));
-  for (std::size_t i = 0; i < states.size(); ++i)
+  Eigen::Index row = 0;
+  for (WheelsetState& state : states)
   {
     Eigen::Index column = 0;
-    for (const StateField& field : stateFields())
+    for (const auto& [name, number] : stateFields(state))
     {
-      field.of(states[i]) = table(static_cast<Eigen::Index>(i), column++);
+      *number = table(row, column++);
     }
+    ++row;
   }
   return states;
 }
@@ -181,6 +181,38 @@ core::Side sideOf(const std::string& name)
     }
   }
   throw std::invalid_argument("side = '" + name + "': must be 'left' or 'right'");
+}
+
+std::string statusTextOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
+{
+  return isUsable(result.status) ? sentences(result.reason, linearRangeWarning(result, linear_range)) : result.reason;
+}
+
+ContactModel::ContactModel(const std::vector<ParameterSource>& sources)
+    : parameters_(readParameters(sources, {".", ros::package::getPath})),
+      config_(readNodeConfig(parameters_, "", {std::filesystem::current_path().string(), ros::package::getPath})),
+      contact_(config_.model)
+{
+}
+
+core::WheelsetResult ContactModel::evaluate(const core::WheelsetState& state)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  core::WheelsetResult result = contact_.evaluate(state);
+  result.reason = statusTextOf(result, config_.linear_range);
+  return result;
+}
+
+Eigen::Matrix3d ContactModel::stiffness(core::Side side)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return contact_.stiffness(side);
+}
+
+void ContactModel::reset()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  contact_.reset();
 }
 
 void bindContact(py::module& module)

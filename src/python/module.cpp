@@ -12,7 +12,6 @@ PYBIND11_MODULE(_core, module)
   wheel_rail_contact::bindMany(module);
   wheel_rail_contact::bindContact(module);
   wheel_rail_contact::bindProfiles(module);
-  wheel_rail_contact::bindProfileCheck(module);
   wheel_rail_contact::bindGeometry(module);
   wheel_rail_contact::bindTiming(module);
   wheel_rail_contact::bindOneWheel(module);
