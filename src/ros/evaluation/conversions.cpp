@@ -63,16 +63,6 @@ auto reading(const Message& from, Core& to)
   { assign(std::invoke(message, from), std::invoke(core, to)); };
 }
 
-geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
-{
-  geometry_msgs::Quaternion message;
-  message.x = q.x();
-  message.y = q.y();
-  message.z = q.z();
-  message.w = q.w();
-  return message;
-}
-
 geometry_msgs::Vector3 toMessage(const Eigen::Vector3d& v)
 {
   geometry_msgs::Vector3 message;
@@ -166,6 +156,16 @@ core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
   return result;
 }
 }  // namespace
+
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
+{
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
 
 std::uint8_t toMessage(core::ContactStatus status)
 {

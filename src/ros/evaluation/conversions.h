@@ -28,6 +28,8 @@ bool isUsable(std::uint8_t status);
 core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
 /// True if a message has a pose. Without one, all its numbers are zero, also those of the quaternion.
 bool hasPose(const geometry_msgs::Pose& pose);
+/// Rotation as a message.
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q);
 /// Pose of the axle centre in the track frame, with the orientation Rz(yaw) Rx(roll).
 geometry_msgs::Pose toMessage(const core::WheelsetPose& pose, double x);
 /// Pose of a patch frame in the track frame.

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "ros/evaluation/conversions.h"
+
 namespace wheel_rail_contact
 {
 using Eigen::Vector3d;
@@ -31,16 +33,6 @@ std_msgs::ColorRGBA makeColor(double r, double g, double b, double a)
   color.b = static_cast<float>(b);
   color.a = static_cast<float>(a);
   return color;
-}
-
-geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& turn)
-{
-  geometry_msgs::Quaternion message;
-  message.w = turn.w();
-  message.x = turn.x();
-  message.y = turn.y();
-  message.z = turn.z();
-  return message;
 }
 
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p)
@@ -111,7 +103,7 @@ void move(const Eigen::Isometry3d& motion, visualization_msgs::MarkerArray& mark
     const geometry_msgs::Point& p = pose.position;
     const geometry_msgs::Quaternion& q = pose.orientation;
     pose.position = toPoint(motion * Vector3d(p.x, p.y, p.z));
-    pose.orientation = toQuaternion(turn * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+    pose.orientation = toMessage(turn * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
   }
 }
 

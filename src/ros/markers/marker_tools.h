@@ -13,8 +13,6 @@ namespace wheel_rail_contact
 {
 /// Colour from the shares of red, green, blue and opacity [-], each in [0, 1].
 std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
-/// Rotation as a message.
-geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& turn);
 /// Point as a message.
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 

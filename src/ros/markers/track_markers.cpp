@@ -7,6 +7,7 @@
 
 #include "core/pi.h"
 #include "core/track/placement.h"
+#include "ros/evaluation/conversions.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"
 
@@ -132,7 +133,7 @@ Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& heade
   const Eigen::Quaterniond turned(to_track.linear() *
                                   Eigen::AngleAxisd(0.5 * core::pi, Vector3d::UnitX()).toRotationMatrix());
   marker.pose.position = toPoint(to_track.translation());
-  marker.pose.orientation = toQuaternion(turned);
+  marker.pose.orientation = toMessage(turned);
   marker.scale.x = marker.scale.y = 2 * axle_radius;
   marker.scale.z = 2 * model.wheelset.halfBase();
   return marker;
