@@ -4,7 +4,6 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -23,7 +22,7 @@ using core::ContactGeometry;
 using core::GeometryPoint;
 using core::TouchPoint;
 
-/// One row per position or amplitude; NaN where there is no result.
+/// One row per position; NaN where there is no result.
 using GeometryTable = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double no_result = std::numeric_limits<double>::quiet_NaN();
@@ -80,26 +79,23 @@ ContactGeometry geometryOf(const ContactModel& model, const core::ContactGeometr
   return core::contactGeometry(model.config().model, options);
 }
 
-/// Equivalent conicity, wavelength and centre of the wave for each amplitude [m], and the reasons of missing results.
-std::tuple<GeometryTable, std::vector<std::string>> conicityOf(const ContactGeometry& geometry,
-                                                               const ContactModel& model,
-                                                               const std::vector<double>& amplitudes)
+/// Points of the rolling radius difference over the lateral displacement [m].
+GeometryTable curveTable(const ContactGeometry& geometry)
+{
+  GeometryTable table(static_cast<Eigen::Index>(geometry.curve.size()), 2);
+  Eigen::Index row = 0;
+  for (const core::RadiusDifference& point : geometry.curve)
+  {
+    table.row(row++) << point.y, point.value;
+  }
+  return table;
+}
+
+/// Distance of the running circles [m], and the mean of both rolling radii [m].
+std::tuple<double, double> runningCirclesOf(const ContactModel& model)
 {
   const core::WheelsetConfig& wheelset = model.config().model.wheelset;
-  GeometryTable table = GeometryTable::Constant(static_cast<Eigen::Index>(amplitudes.size()), 3, no_result);
-  std::vector<std::string> reasons(amplitudes.size());
-  for (std::size_t i = 0; i < amplitudes.size(); ++i)
-  {
-    const core::EquivalentConicity conicity = equivalentConicity(geometry.curve, amplitudes[i]);
-    if (conicity.status != core::ConicityStatus::ok)
-    {
-      reasons[i] = toString(conicity.status);
-      continue;
-    }
-    const double wavelength = core::kinematicWavelength(conicity.value, 2 * wheelset.halfBase(), wheelset.meanRadius());
-    table.row(static_cast<Eigen::Index>(i)) << conicity.value, wavelength, conicity.centre;
-  }
-  return {table, reasons};
+  return {2 * wheelset.halfBase(), wheelset.meanRadius()};
 }
 }  // namespace
 
@@ -114,8 +110,9 @@ void bindGeometry(py::module& module)
           [](const ContactGeometry& geometry, const std::string& side) { return touchTable(geometry, sideOf(side)); },
           "(n, 6) of a side: y, z, y on the wheel, y on the rail [m], contact angle [rad], rolling radius [m]")
       .def_property_readonly("reasons", &reasonsOf, "list of n reasons of missing results, else empty")
-      .def("conicity", &conicityOf,
-           "for each amplitude [m] (equivalent conicity [-], wavelength [m], centre [m]), and the reasons", Released());
+      .def_property_readonly("curve", &curveTable,
+                             "(m, 2) y and rolling radius difference [m], over the longest range with a result");
+  module.def("running_circles", &runningCirclesOf, "distance of the running circles, mean rolling radius [m]");
   module.def(
       "contact_geometry",
       [](const ContactModel& model, double y_first, double y_last, double y_step, bool roll, double distance) {

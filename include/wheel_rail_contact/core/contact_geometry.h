@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "wheel_rail_contact/core/config.h"
@@ -84,50 +83,4 @@ struct ContactGeometry
 /// @throw std::invalid_argument with the name of the parameter or option, its value and the broken rule: if a parameter
 /// or an option is out of range, or a rail has several parts at this place, or no section there.
 ContactGeometry contactGeometry(const ContactModelConfig& config, const ContactGeometryOptions& options = {});
-
-/// Result for one amplitude, or the reason why there is none.
-enum class ConicityStatus
-{
-  ok,            ///< there is one wave of this amplitude
-  no_centre,     ///< the rolling radius difference has no zero at which it grows with y
-  out_of_range,  ///< the wave of this amplitude leaves the positions of the curve
-  no_wave,       ///< there is no periodic wave of this amplitude
-  several_waves  ///< there are several waves of this amplitude, at different positions across the track
-};
-
-/// The reason in words.
-const char* toString(ConicityStatus status);
-
-/// Equivalent conicity for one amplitude of the wave. All values are NaN unless `status` is ok.
-struct EquivalentConicity
-{
-  /// tan(gamma_e) [-], >= 0
-  double value = std::numeric_limits<double>::quiet_NaN();
-  /// Middle between both ends of the wave, lateral displacement [m]
-  double centre = std::numeric_limits<double>::quiet_NaN();
-  ConicityStatus status = ConicityStatus::ok;  ///< whether there is a result
-};
-
-/// Equivalent conicity: the conicity of cones whose kinematic wave has the same wavelength (EN 15302:2008+A1:2010).
-///
-/// The wave obeys y'' = -dr(y) / (e r0), with dr the radius difference, e the distance of the running circles and r0
-/// the rolling radius (annex B of the standard). Its first integral gives the wavelength L as an integral over y
-/// between the turning points, at which the integral S of dr is equal. Cones have L = 2 pi sqrt(e r0 / (2 tan gamma))
-/// (Klingel 1883) and therefore
-///
-///   tan(gamma_e) = (pi / I)^2,   I = integral of dy / sqrt(S(end) - S(y)),
-///
-/// in which e and r0 cancel. Between the points of the curve, dr is taken as linear; S and I are then exact. Where
-/// |dr| <= 0.0005 `amplitude` over the whole width of a wave, its conicity is below 0.0004 and the result is 0.
-///
-/// @param curve      y not decreasing; equal y are a jump
-/// @param amplitude  half the distance of the turning points [m], > 0
-/// @throw std::invalid_argument if the amplitude is not positive or y decreases.
-EquivalentConicity equivalentConicity(const std::vector<RadiusDifference>& curve, double amplitude);
-
-/// Wavelength of the kinematic wave of cones (Klingel 1883) [m]; infinite for the conicity 0.
-/// @param conicity  tan(gamma) [-]
-/// @param base      distance of the running circles [m]
-/// @param radius    rolling radius of the centred wheelset [m]
-double kinematicWavelength(double conicity, double base, double radius);
 }  // namespace wheel_rail_contact::core

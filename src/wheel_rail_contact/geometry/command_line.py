@@ -35,8 +35,9 @@ def _run(options):
         geometry = core.contact_geometry(model, *y, step, options.roll == "solved", options.distance)
         points = tables.points_of(geometry)
         tables.write(points, options.out / GEOMETRY)
-        conicity = tables.conicity_of(geometry, model, [value / MM for value in options.amplitudes], step)
-        tables.write(conicity, options.out / CONICITY)
+    amplitudes = [value / MM for value in options.amplitudes]
+    conicity = tables.conicity_of(geometry, core.running_circles(model), amplitudes, step)
+    tables.write(conicity, options.out / CONICITY)
     picture.draw(plot, points, conicity, options.title or ", ".join(options.config) or "config/default.yaml",
                  options.out / PICTURE)
     _report(points, conicity)

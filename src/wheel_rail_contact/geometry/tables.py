@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..command import writing
+from .conicity import RadiusDifference, kinematic_wavelength
 
 GEOMETRY, CONICITY = "contact_geometry.csv", "equivalent_conicity.csv"
 MM = 1e3  # millimetres per metre
@@ -24,12 +25,18 @@ def points_of(geometry):
     return dict(columns, reason=geometry.reasons)
 
 
-def conicity_of(geometry, model, amplitudes, step):
-    """Equivalent conicity, wavelength and centre of the wave for amplitudes from the first to the last: a table as above."""
+def conicity_of(geometry, circles, amplitudes, step):
+    """Equivalent conicity, wavelength and centre of the wave for amplitudes from the first to the last: a table as above.
+
+    circles: distance of the running circles and rolling radius [m]
+    """
     first, last = amplitudes
     amplitude = first + np.arange(int((last - first) / step + STEP_ROUND_OFF) + 1) * step
-    numbers, reasons = geometry.conicity(model, amplitude)
-    return dict(zip(("amplitude", "equivalent_conicity", "wavelength", "centre"), (amplitude, *numbers.T)), reason=reasons)
+    difference = RadiusDifference(geometry.curve)
+    value, centre, reasons = zip(*map(difference.conicity, amplitude))
+    wavelength = [kinematic_wavelength(of_wave, *circles) for of_wave in value]
+    return {"amplitude": amplitude, "equivalent_conicity": np.array(value), "wavelength": np.array(wavelength),
+            "centre": np.array(centre), "reason": list(reasons)}
 
 
 def write(table, path):
