@@ -216,7 +216,7 @@ void WheelContact::evaluate()
     const PatchGap& gap = problem_.patches[k];
     const Eigen::ArrayXXd& pressure = solution_.patches[k].pressure;
     column_forces_[k] = gap.grid.cellArea() * pressure.colwise().sum().transpose().matrix();
-    forces_ += openings_[k].matrix().transpose() * column_forces_[k];
+    forces_.noalias() += openings_[k].matrix().transpose() * column_forces_[k];
     energy_ -= 0.5 * gap.grid.cellArea() * (pressure * gap.gap).sum();
   }
   energy_ += 0.5 * forces_[wheel_up] * solution_.approach;
