@@ -16,7 +16,7 @@
 #include "core/balance/islands.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
-#include "core/normal/operator/cell_aspect.h"
+#include "core/normal/operator/operator_cache.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz.h"
 #include "python/bindings.h"

@@ -5,7 +5,7 @@
 
 #include "../core/normal/problems.h"
 #include "core/balance/grid_levels.h"
-#include "core/normal/estimate/unseen_slope.h"
+#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/seidel.h"
 #include "stability_map.h"

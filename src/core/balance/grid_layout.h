@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "core/balance/grid_levels.h"
 #include "core/track/gap.h"
 #include "wheel_rail_contact/core/normal_problem.h"
@@ -38,4 +40,14 @@ GridLayout layGrid(const SurfaceArea& area, const GridSize& size, bool symmetric
 /// @param shift        arc length from the origin of the grid to that of the area [m]
 /// @param most_larger  largest length of the grid over that of the area, and of its width [-]
 bool covers(const GridLayout& layout, const SurfaceArea& area, double shift, double most_larger);
+
+/// Leaves columns out that a vertical displacement hardly opens, or closes.
+void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
+
+/// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
+/// hardly turn.
+void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
+
+/// Sets PatchGap::unseen_slope.
+void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
 }  // namespace wheel_rail_contact::core

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/balance/patch_columns.h"
+#include "core/balance/grid_layout.h"
 #include "core/balance/tuning.h"
 
 namespace wheel_rail_contact::core

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/balance/wheelset_balance.h"
+#include "core/track/placement.h"
+#include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/sides.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core
 {
@@ -44,4 +47,21 @@ struct ShapeEffect
 /// @param max_pressure  highest pressure of the patch [Pa], > 0
 ShapeEffect shapeEffect(Side side, const WheelsetBalance& balance, const Profile& profile, std::size_t island,
                         double max_pressure);
+
+/// Where the centre of pressure of a patch lies on both profiles.
+struct ProfilePlaces
+{
+  double wheel_u = 0;  ///< parameter of the wheel profile, approximately [m]
+  double rail_u = 0;   ///< parameter of the rail profile [m]
+};
+
+/// Fills the members of a patch that follow from the place of its centre of pressure on wheel and rail: rolling radius,
+/// places on both profiles and around the wheel, and curvatures.
+///
+/// The curvature along x is that of the circle of the wheel through the contact, times the cosine of the angle between
+/// the normal and the radius (Meusnier's theorem); the yaw of the axle is neglected.
+/// @param axle   pose of the wheelset, track axes
+/// @param patch  its side and pose are set
+void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, const PlacedRail& rail,
+                   const ProfilePlaces& places, PatchResult& patch);
 }  // namespace wheel_rail_contact::core

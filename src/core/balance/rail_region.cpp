@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/balance/tuning.h"
-#include "core/normal/measures/ellipse.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/pi.h"
 
 namespace wheel_rail_contact::core

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/normal/measures/ellipse.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/stress/point_sources.h"
 
 namespace wheel_rail_contact::core

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <random>
 
-#include "core/normal/estimate/unseen_slope.h"
+#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 

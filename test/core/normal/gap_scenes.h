@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "core/normal/operator/cell_aspect.h"
+#include "core/normal/operator/operator_cache.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 #include "wheel_rail_contact/core/normal_problem.h"

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 
-#include "core/normal/operator/cell_aspect.h"
+#include "core/normal/operator/operator_cache.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/kik_piotrowski.h"

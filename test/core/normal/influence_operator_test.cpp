@@ -9,7 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "core/normal/operator/cell_aspect.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/operator/operator_cache.h"
 #include "problems.h"

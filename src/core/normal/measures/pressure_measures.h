@@ -25,4 +25,36 @@ class PressureMeasures
  private:
   EdgePolygon polygon_;
 };
+
+/// Semi-axes of an ellipse along the axes of a grid [m].
+struct SemiAxes
+{
+  double along = 0;   ///< along x (along the track)
+  double across = 0;  ///< along y
+};
+
+/// Ellipse with the area of a contact, PatchPressure::area, and the ratio of its second moments about x and y through
+/// its centre.
+///
+/// The moments are sums over the lines of cell centres, whose ends are at the edge of the contact (edgeDistance()):
+/// that along x over the columns, that along y over the rows. Short lines at the tips hardly count.
+SemiAxes equalEllipse(const PatchPressure& patch);
+
+/// Normal stiffness of a contact, the change of its force per approach [N/m].
+///
+/// When the approach grows, the pressure grows as that under a flat punch with the shape of the contact (Barber 2003).
+/// For an ellipse with the semi-axes a >= b it is pi E* a / K(k) with k² = 1 - b²/a² and the complete elliptic integral
+/// K. On a contact of Hertz it is the derivative of the load by the approach (Johnson 1985, eq. 4.26).
+/// @param modulus  contact modulus E* [Pa]
+double punchStiffness(const SemiAxes& axes, double modulus);
+
+/// Complete elliptic integrals of modulus k² = 1 - kappa²: K, and D = (K - E) / k².
+struct Elliptic
+{
+  double k = 0, d = 0;
+};
+
+/// Computes the integrals by the arithmetic–geometric mean (Abramowitz and Stegun 1964, 17.6), without cancellation at
+/// kappa = 1. Requires 0 < kappa <= 1.
+Elliptic elliptic(double kappa);
 }  // namespace wheel_rail_contact::core

@@ -7,16 +7,15 @@
 #include <mutex>
 #include <tuple>
 
-#include "core/normal/operator/cell_aspect.h"
-
 namespace wheel_rail_contact::core
 {
 namespace
 {
+constexpr double aspects_per_octave = 8;
 /// Relative difference below which two aspects are treated as equal. The coefficients differ by no more.
 constexpr double same_aspect = 1e-9;
 
-/// Number of operators kept for a grid whose aspects are not in the series of cell_aspect.h.
+/// Number of operators kept for a grid whose aspects are not in the series of cell_aspect.
 constexpr int others_kept = 8;
 
 using Shared = std::shared_ptr<const InfluenceOperator>;
@@ -66,7 +65,7 @@ SharedOperators& sharedOperators()
   return shared;
 }
 
-/// Finds the index of an aspect in the series of cell_aspect.h; false if the aspect is not in the series.
+/// Finds the index of an aspect in the series of cell_aspect; false if the aspect is not in the series.
 bool findInSeries(double aspect, int& index)
 {
   if (!(aspect > 0))
@@ -77,6 +76,35 @@ bool findInSeries(double aspect, int& index)
   return std::abs(cell_aspect::aspect(index) - aspect) <= same_aspect * aspect;
 }
 }  // namespace
+
+namespace cell_aspect
+{
+double aspect(int index)
+{
+  return std::exp2(index / aspects_per_octave);
+}
+
+int indexAbove(double value)
+{
+  return static_cast<int>(std::ceil(aspects_per_octave * std::log2(value)));
+}
+
+int nearestIndex(double dx_over_dy)
+{
+  const double clamped = std::clamp(dx_over_dy, aspect(lowest_index), aspect(highest_index));
+  return static_cast<int>(std::lround(aspects_per_octave * std::log2(clamped)));
+}
+
+Cell coveringCell(double length, double width, int nx, int ny)
+{
+  const double dx = length / nx, dy = width / ny;
+  const double rounded_aspect = aspect(nearestIndex(dx / dy));
+  Cell cell;
+  cell.dy = std::max(dy, dx / rounded_aspect);
+  cell.dx = cell.dy * rounded_aspect;
+  return cell;
+}
+}  // namespace cell_aspect
 
 OperatorCache::Family& OperatorCache::family(int nx, int ny, bool symmetric)
 {

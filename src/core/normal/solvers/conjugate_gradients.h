@@ -40,7 +40,7 @@ class ConjugateGradients : public NormalSolver
   const char* name() const override { return "conjugate_gradient"; }
 
   /// Computes all coefficients for grids of this size, symmetric or not, for patches of all usual shapes (see
-  /// OperatorCache) whose cell aspect is in the series of cell_aspect.h. Later solutions on such grids compute no
+  /// OperatorCache) whose cell aspect is in the series of cell_aspect. Later solutions on such grids compute no
   /// coefficient. They allocate memory only if a problem is larger than all previous ones.
   /// @throw std::invalid_argument for an invalid size.
   void prepare(int nx, int ny);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/measures/ellipse.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/pi.h"
 
 namespace wheel_rail_contact::core

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/solvers/point_force_errors.h"
+#include "core/normal/solvers/seidel.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/operator/influence.h"
 #include "core/pi.h"
 

@@ -9,7 +9,6 @@
 #include "core/normal/measures/pressure_measures.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/solvers/patch_fields.h"
-#include "core/normal/solvers/point_force_errors.h"
 #include "core/normal/solvers/starting_pressure.h"
 
 namespace wheel_rail_contact::core

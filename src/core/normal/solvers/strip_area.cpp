@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/normal/measures/ellipse.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/normal/solvers/hertz.h"
 #include "core/pi.h"
 

@@ -1,17 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile_reader.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 
 #include "core/profile/files/steps.h"
-#include "core/profile/standard/table.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
+/// Standard profile and its name in parameters.
+struct StandardProfile
+{
+  const char* name;
+  ProfileKind kind;   ///< wheel or rail
+  Profile (*make)();  ///< makes the profile
+};
+
+constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s1002Wheel},
+                                                 {"LMA", ProfileKind::wheel, lmaWheel},
+                                                 {"cone_1_20", ProfileKind::wheel, [] { return coneWheel(1.0 / 20); }},
+                                                 {"cone_1_40", ProfileKind::wheel, [] { return coneWheel(1.0 / 40); }},
+                                                 {"54E1", ProfileKind::rail, rail54E1},
+                                                 {"54E3", ProfileKind::rail, rail54E3},
+                                                 {"56E1", ProfileKind::rail, rail56E1},
+                                                 {"60E1", ProfileKind::rail, rail60E1},
+                                                 {"60E2", ProfileKind::rail, rail60E2},
+                                                 {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
+
+/// Standard profile with exactly this name, or nullptr.
+const StandardProfile* findStandardProfile(const std::string& name)
+{
+  const StandardProfile* found = std::find_if(std::begin(standard_profiles), std::end(standard_profiles),
+                                              [&](const StandardProfile& standard) { return name == standard.name; });
+  return found == std::end(standard_profiles) ? nullptr : found;
+}
+
+/// Names of all standard profiles, separated by a comma and a blank, for messages.
+std::string listOfStandardProfiles()
+{
+  std::string list;
+  for (const StandardProfile& standard : standard_profiles)
+  {
+    list += (list.empty() ? "" : ", ") + std::string(standard.name);
+  }
+  return list;
+}
+
 bool fits(ProfileKind standard, ProfileKind kind)
 {
   return (standard == ProfileKind::wheel) == (kind == ProfileKind::wheel);
@@ -47,6 +86,19 @@ DescribedProfile readDescribed(const std::string& path, ProfileKind kind, const 
   return profileOf(file, readContent(file, kind), kind, reading);
 }
 }  // namespace
+
+std::vector<std::string> standardProfileNames(ProfileKind kind)
+{
+  std::vector<std::string> names;
+  for (const StandardProfile& standard : standard_profiles)
+  {
+    if (fits(standard.kind, kind))
+    {
+      names.emplace_back(standard.name);
+    }
+  }
+  return names;
+}
 
 bool operator==(const ProfileReading& a, const ProfileReading& b)
 {
