@@ -2,7 +2,12 @@
 #include "replay/replay.h"
 
 #include <ros/package.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
@@ -10,8 +15,7 @@
 #include <tuple>
 #include <utility>
 
-#include "replay/profile_outlines.h"
-#include "replay/progress.h"
+#include "replay/result_connection.h"
 #include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
@@ -19,30 +23,75 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr std::size_t queue_budget = 96 << 20;  ///< [B]
+constexpr std::chrono::milliseconds bar_period(200);
+constexpr std::chrono::seconds line_period(10);
+constexpr int bar_width = 30;
 
-BagConnection resultConnection(const std::string& wheelset, const std::string& description,
-                               const core::ContactModelConfig& model)
+/// Displays progress, speed and remaining time of a replay on stderr: a bar on a terminal, otherwise a line every 10 s.
+class Progress
 {
-  BagConnection connection;
-  connection.topic = resultTopic(wheelset);
-  connection.header.set("topic", connection.topic)
-      .set("type", ros::message_traits::datatype<WheelsetContact>())
-      .set("md5sum", ros::message_traits::md5sum<WheelsetContact>())
-      .set("message_definition", ros::message_traits::definition<WheelsetContact>())
-      .set("callerid", wheelset + "/contact_node")
-      .set(description_field, description);
-  for (const core::Side side : core::sides)
+ public:
+  /// @param total number of messages to read
+  explicit Progress(std::uint64_t total);
+
+  /// Updates the display if it is due. May be called often.
+  /// @param read messages read so far
+  /// @param results results written so far in this run
+  void show(std::uint64_t read, std::uint64_t results);
+  /// Prints the final state on a terminal and ends the line.
+  void finish(std::uint64_t read, std::uint64_t results);
+
+  /// Time since construction [s].
+  double elapsed() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void print(std::uint64_t read, std::uint64_t results) const;
+
+  std::uint64_t total_;
+  bool terminal_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_;
+};
+
+Progress::Progress(std::uint64_t total)
+    : total_(total), terminal_(isatty(STDERR_FILENO) != 0), next_(terminal_ ? start_ : start_ + line_period)
+{
+}
+
+double Progress::elapsed() const
+{
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Progress::show(std::uint64_t read, std::uint64_t results)
+{
+  if (Clock::now() >= next_)
   {
-    const std::string name = nameOf(side) + std::string("_");
-    if (model.rail_sections[side])
-    {
-      connection.header.set(name + "rail_sections", railSectionsText(model, side));
-    }
-    connection.header.set(name + "rail_outline", railOutlineText(model, side))
-        .set(name + "rail_reference", railReferenceText(model, side))
-        .set(name + "wheel_outline", wheelOutlineText(model, side));
+    print(read, results);
+    next_ = Clock::now() + (terminal_ ? Clock::duration(bar_period) : Clock::duration(line_period));
   }
-  return connection;
+}
+
+void Progress::finish(std::uint64_t read, std::uint64_t results)
+{
+  if (terminal_)
+  {
+    print(read, results);
+    std::fputc('\n', stderr);
+  }
+}
+
+void Progress::print(std::uint64_t read, std::uint64_t results) const
+{
+  const double share = total_ > 0 ? std::min(1.0, static_cast<double>(read) / static_cast<double>(total_)) : 1.0;
+  const double rate = static_cast<double>(results) / std::max(elapsed(), 1e-3);
+  const double left = share > 0 ? elapsed() * (1 - share) / share : 0;
+  const auto filled = static_cast<std::size_t>(std::lround(share * bar_width));
+  const std::string bar =
+      terminal_ ? "\r[" + std::string(filled, '#') + std::string(bar_width - filled, '.') + "] " : std::string();
+  std::fprintf(stderr, "%s%5.1f %%  %llu results, %.0f/s, %.0f s left %s", bar.c_str(), 100 * share,
+               static_cast<unsigned long long>(results), rate, std::ceil(left), terminal_ ? "  " : "\n");
 }
 
 /// Checks the output files before the input is opened, because a bag without index is read completely. Clears `resume`

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bag/bag_stream.h"
-#include "replay/bag_inputs.h"
+#include "replay/replay_options.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/neighbour_forces.h"
 

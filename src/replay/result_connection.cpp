@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "replay/profile_outlines.h"
+#include "replay/result_connection.h"
+
+#include <ros/message_traits.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -8,7 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include <wheel_rail_contact/WheelsetContact.h>
 #include "core/balance/rail_support.h"
+#include "replay/replay_options.h"
+#include "replay/replay_source.h"
 
 namespace wheel_rail_contact
 {
@@ -66,8 +71,6 @@ std::string outline(const core::Profile& profile, const Place& place)
   }
   return text.str();
 }
-}  // namespace
-
 std::string railOutlineText(const core::ContactModelConfig& config, core::Side side)
 {
   const core::PlacedRail rail = core::restingRail(config, side);
@@ -83,7 +86,7 @@ std::string railSectionsText(const core::ContactModelConfig& config, core::Side 
 {
   std::ostringstream text;
   text << std::fixed << std::setprecision(6);
-  for (const double x : config.rail_sections[side] ? drawnPlaces(*config.rail_sections[side]) : std::vector<double>{})
+  for (const double x : drawnPlaces(*config.rail_sections[side]))
   {
     const core::PlacedRail rail = core::restingRail(config, side, x);
     for (const core::ParameterRange& part : rail.profile().parts())
@@ -117,5 +120,31 @@ std::string wheelOutlineText(const core::ContactModelConfig& config, core::Side 
                    const core::CurvePoint p = profile.at(u);
                    return std::make_pair(wheelset.halfBase() + p.y, p.z - wheelset.rolling_radius[side]);
                  });
+}
+}  // namespace
+
+BagConnection resultConnection(const std::string& wheelset, const std::string& description,
+                               const core::ContactModelConfig& model)
+{
+  BagConnection connection;
+  connection.topic = resultTopic(wheelset);
+  connection.header.set("topic", connection.topic)
+      .set("type", ros::message_traits::datatype<WheelsetContact>())
+      .set("md5sum", ros::message_traits::md5sum<WheelsetContact>())
+      .set("message_definition", ros::message_traits::definition<WheelsetContact>())
+      .set("callerid", wheelset + "/contact_node")
+      .set(description_field, description);
+  for (const core::Side side : core::sides)
+  {
+    const std::string name = nameOf(side) + std::string("_");
+    if (model.rail_sections[side])
+    {
+      connection.header.set(name + "rail_sections", railSectionsText(model, side));
+    }
+    connection.header.set(name + "rail_outline", railOutlineText(model, side))
+        .set(name + "rail_reference", railReferenceText(model, side))
+        .set(name + "wheel_outline", wheelOutlineText(model, side));
+  }
+  return connection;
 }
 }  // namespace wheel_rail_contact
