@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "bag/bag_record.h"
+#include "bag/bag_file.h"
 
 namespace wheel_rail_contact
 {
