@@ -12,7 +12,6 @@
 #include "bag/bag_writer.h"
 #include "replay/csv_rows.h"
 #include "replay/evaluation_pool.h"
-#include "replay/output_queue.h"
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
 #include "replay/result_counts.h"
