@@ -279,6 +279,8 @@ void bindOneWheel(py::module& module)
       .def_property_readonly("iterations", [](const OneWheel& wheel) { return wheel.contact().solution().iterations; })
       .def_property_readonly("modulus", [](const OneWheel& wheel) { return wheel.contact().problem().modulus; })
       .def_property_readonly("height", [](const OneWheel& wheel) { return wheel.pose().z; })
+      .def_property_readonly("vertical_force",
+                             [](const OneWheel& wheel) { return wheel.contact().forces()[core::wheel_up]; })
       .def_property_readonly("height_per_roll", &heightPerRoll)
       .def_property_readonly("contacts", &contacts)
       .def("gap_on", &gapOn, "rail_u"_a, "wheel_u"_a, "count"_a, "size"_a, "y0"_a, "plane"_a = py::none())

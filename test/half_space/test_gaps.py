@@ -20,10 +20,11 @@ def models(y):
 
 
 class LoadedWheel(unittest.TestCase):
-    def test_has_the_ratio_and_the_model_error_of_the_result(self):
+    def test_carries_the_load_and_has_the_ratio_and_the_model_error_of_the_result(self):
         contact = WheelsetContact([PROFILES, {"wheelset": {"free": []}}])
         wheel = gaps.loaded_wheel(contact)
         gaps.solve(wheel, 6.5e-3, LOAD)
+        self.assertAlmostEqual(wheel.vertical_force / LOAD, 1, delta=1e-6)  # the load is held to rounding
         patch = contact.evaluate(y=6.5e-3, z=wheel.height).patches[0]
         # Both are the turn between the outer loaded columns: they differ by a cell of the coarser grid.
         self.assertAlmostEqual(wheel.contacts[0]["half_space_ratio"], patch.half_space_ratio, delta=0.02)

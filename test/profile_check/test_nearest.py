@@ -87,7 +87,7 @@ class NearestStandard(ProfileCase):
         self.assertLess(abs(fit_to(rail).largest), 1e-6)
 
     def test_is_none_if_no_point_of_the_running_surface_is_known(self):
-        with mock.patch.object(nearest, "compared_points", return_value=np.empty((0, 2))):
+        with mock.patch.object(nearest.Curve, "missing", lambda _, u: np.ones(len(u), bool)):
             fit = nearest.nearest_standard(standard("60E1"), "rail")
         self.assertEqual((fit.curve, fit.rms, fit.share), (None, np.inf, 0))
 

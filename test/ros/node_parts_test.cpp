@@ -3,6 +3,8 @@
 
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/node_parameters.h"
@@ -79,9 +81,22 @@ TEST(NodeParameters, NumbersOfTheParameterServerKeepTheirExactValue)
   }
 }
 
+// ROS reads the name 54E1 as the number 540, and an inclination of 1:40 as 100: they are found again by these texts.
+TEST(NodeParameters, NumbersThatRosMakesOfTextsHaveTheTextsOfIntegers)
+{
+  const std::vector<std::pair<double, std::string>> texts{{100, "100"}, {540, "540"},   {560, "560"},
+                                                          {600, "600"}, {6000, "6000"}, {54000, "54000"}};
+  for (const auto& [number, text] : texts)
+  {
+    EXPECT_EQ(toYaml(XmlRpc::XmlRpcValue(number)).Scalar(), text);
+  }
+}
+
 TEST(NodeParameters, ParameterServerTypesAreConvertedToYaml)
 {
   XmlRpc::XmlRpcValue server;
+  server["wheel"]["profile"]["file"] = "my.csv";
+  server["wheel"]["profile"]["mirror"] = XmlRpc::XmlRpcValue(true);
   server["a"] = 5;
   server["b"] = "210e9";
   server["c"] = XmlRpc::XmlRpcValue(true);  // before ROS 1.15, an assignment of true stores the number 1
@@ -89,6 +104,8 @@ TEST(NodeParameters, ParameterServerTypesAreConvertedToYaml)
   server["d"][1] = "roll";
   server["e"].setSize(0);
   const ParameterTree tree = parameterTree(toYaml(server));
+  EXPECT_EQ(tree.at("wheel/profile/file").Scalar(), "my.csv");
+  EXPECT_EQ(tree.at("wheel/profile/mirror").Scalar(), "true");
   EXPECT_EQ(tree.at("a").Scalar(), "5");
   EXPECT_EQ(tree.at("b").Scalar(), "210e9");
   EXPECT_EQ(tree.at("c").Scalar(), "true");

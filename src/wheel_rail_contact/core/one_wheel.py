@@ -17,6 +17,7 @@ class OneWheel(core.OneWheel):
     iterations      sweeps of the method, or products with the influence matrix
     modulus         contact modulus [Pa]
     height          of the axle centre [m]
+    vertical_force  of the rail on the wheel, up positive [N]
     height_per_roll change of the height by roll under the same load [m/rad]
     contacts        separate contacts of the solution: list of dict with first_u, last_u (parameters of the rail profile at the
                     outer loaded columns), wheel_u (of the wheel profile at the first), half_length [m], half_space_ratio [-],

@@ -164,7 +164,8 @@ namespace
 constexpr double step = 25e-6;  ///< [m]
 constexpr int steps = 400;
 
-void sweep(const ContactModelConfig& config, double load, bool cold)
+/// Expects a result in every state, and wheels that carry their loads.
+void sweep(const ContactModelConfig& config, double load, double yaw, bool cold)
 {
   WheelsetContact contact(config);
   for (int k = 0; k < steps; ++k)
@@ -174,8 +175,10 @@ void sweep(const ContactModelConfig& config, double load, bool cold)
       contact.reset();
     }
     const double y = -k * step;
-    const WheelsetResult& result = contact.evaluate(stateAt(y, load));
-    EXPECT_TRUE(isUsable(result.status)) << "y " << y << (cold ? ", cold: " : ", warm: ") << result.reason;
+    const WheelsetResult& result = contact.evaluate(stateAt(y, load, yaw));
+    EXPECT_EQ(result.status, ContactStatus::ok) << "y " << y << (cold ? ", cold: " : ", warm: ") << result.reason;
+    EXPECT_NEAR(result.wheel.left.vertical / load, 1, 1e-6) << "y " << y;  // the accuracy of the balance
+    EXPECT_NEAR(result.wheel.right.vertical / load, 1, 1e-6) << "y " << y;
   }
 }
 }  // namespace
@@ -191,9 +194,11 @@ TEST(FineSweep, FindsTheBalanceFromTheTrackCentreToTheFlange)
     }
     for (const double load : {2e4, 1e5})
     {
-      sweep(config, load, false);
-      sweep(config, load, true);
+      sweep(config, load, 0, false);
+      sweep(config, load, 0, true);
     }
+    sweep(config, 1e5, 0.01, false);
+    sweep(config, 1e5, 0.01, true);
   }
 }
 

@@ -87,6 +87,16 @@ TEST_F(WheelsetInputTest, GivenHeightAndRollAreChecked)
   }
 }
 
+TEST_F(WheelsetInputTest, ADisplacementOfARailBeyondItsLimitIsRefusedByName)
+{
+  WheelsetContact contact(scene_);
+  WheelsetState state = stateAt(0, 1e5);
+  state.rail_displacement.right.lateral = 0.11;
+  const WheelsetResult& result = contact.evaluate(state);
+  expectUnusable(result, ContactStatus::invalid_input);
+  EXPECT_NE(result.reason.find("displacement of a rail"), std::string::npos) << result.reason;
+}
+
 TEST_F(WheelsetInputTest, WheelBesideItsRailIsOffTheProfile)
 {
   WheelsetContact contact(scene_);
