@@ -68,9 +68,6 @@ class ParameterReader
   /// @throw std::invalid_argument "parameter NAME = VALUE must be RULE", always.
   [[noreturn]] void refuse(const std::string& name, const std::string& rule) const;
 
-  /// Names of all parameters that were read, given or not.
-  const std::set<std::string>& knownNames() const { return known_; }
-
  private:
   const YAML::Node* find(const std::string& name);
   const std::string& scalar(const std::string& name, const YAML::Node& node, const std::string& rule) const;

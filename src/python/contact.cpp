@@ -96,7 +96,7 @@ ManyResults evaluateStates(const ContactModel& model, const StateTable& table, i
   const auto is_interrupted = [&interrupted]
   {
     const py::gil_scoped_acquire interpreter;
-    interrupted = PyErr_CheckSignals() != 0;
+    interrupted = interrupted || PyErr_CheckSignals() != 0;
     return interrupted;
   };
   ManyResults results(0);

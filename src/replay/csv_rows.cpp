@@ -48,7 +48,7 @@ class Line
   /// Cell with nine significant digits, which is finer than any tolerance.
   void add(const std::string& name, const char* unit, double value)
   {
-    add(name + " [" + unit + "]", formatted("%.9g", value));
+    text_ += (text_.empty() ? "" : ",") + (has_names_ ? name + " [" + unit + "]" : formatted("%.9g", value));
   }
 
   const std::string& text() const { return text_; }

@@ -31,8 +31,6 @@ class HoldLast
   {
   }
 
-  /// True if results are held.
-  bool holds() const { return longest_ > 0; }
   /// Adds the next result of the wheelset. Changes it if it is not usable. A usable one needs its `result` only if
   /// results are held.
   void apply(ContactOutput& output);

@@ -4,6 +4,7 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
