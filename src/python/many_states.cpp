@@ -160,7 +160,8 @@ ManyResults evaluateMany(const NodeConfig& config, const std::vector<core::Wheel
       throw;
     }
   };
-  std::vector<std::future<void>> workers = start(std::min<std::size_t>(options.threads, states.size()), work);
+  std::vector<std::future<void>> workers =
+      start(std::min(static_cast<std::size_t>(options.threads), states.size()), work);
   for (std::future<void>& worker : workers)
   {
     while (worker.wait_for(between_checks) != std::future_status::ready)

@@ -217,7 +217,7 @@ py::dict gapOn(const OneWheel& wheel, double rail_u, double wheel_u, const std::
   const auto each = [&columns](const auto& value)
   {
     Eigen::ArrayXd values(static_cast<Eigen::Index>(columns.size()));
-    std::transform(columns.begin(), columns.end(), values.begin(), value);
+    std::transform(columns.begin(), columns.end(), values.data(), value);
     return values;
   };
   return py::dict("gap"_a = gap, "y"_a = each([](const SurfaceColumn& c) { return c.y; }),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiles kernels for several instruction sets. A source defines KERNELS_BODY, a file that defines `constexpr ...
-// kernels`, and includes this file in an anonymous namespace. Each body is in a namespace that defines register_width
-// (doubles in a register) and kernel_name. No include guard.
+// kernels`, and includes this file in a namespace of its own within an anonymous one. Each body is in a namespace that
+// defines register_width (doubles in a register) and kernel_name. No include guard.
 
 namespace baseline
 {
@@ -50,3 +50,4 @@ auto supportedKernels()
   supported.push_back(&baseline::kernels);
   return supported;
 }
+#undef KERNELS_BODY

@@ -5,13 +5,16 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
+namespace point_force_sets
+{
 #define KERNELS_BODY "core/stress/point_forces_body.h"
 #include "core/simd/instruction_sets_body.h"
+}  // namespace point_force_sets
 }  // namespace
 
 std::vector<const PointForceKernels*> supportedPointForceKernels()
 {
-  return supportedKernels();
+  return point_force_sets::supportedKernels();
 }
 
 const PointForceKernels& pointForceKernels()

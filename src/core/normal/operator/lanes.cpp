@@ -8,8 +8,11 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
+namespace lane_sets
+{
 #define KERNELS_BODY "core/normal/operator/lanes_body.h"
 #include "core/simd/instruction_sets_body.h"
+}  // namespace lane_sets
 }  // namespace
 
 void LaneBuffer::resize(int size)
@@ -30,7 +33,7 @@ void LaneBuffer::resize(int size)
 
 std::vector<const LaneKernels*> supportedLaneKernels()
 {
-  return supportedKernels();
+  return lane_sets::supportedKernels();
 }
 
 const LaneKernels& laneKernels()
