@@ -3,7 +3,8 @@
 //   record_states write FILE     before the change: one line for each state, with a digest of the bits of its result
 //   record_states compare FILE   after it: prints the states whose line differs; exit status 1 if there are any
 //   record_states print SEED     all numbers of the results of one scene, to find the first that differs
-// The scenes are random scenes of test/stability, varied by unequal sides, moments, stress, irregularities and sections.
+// The scenes are random scenes of test/stability, varied by unequal sides, moments, stress, irregularities and
+// sections.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
