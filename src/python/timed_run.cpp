@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <ctime>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -267,24 +266,12 @@ std::pair<double, Outcome> gapReference(const GapProblem& gaps)
   return {solution.approach, gapOutcome(gaps, solution, {})};
 }
 
-core::NormalMethod methodNamed(const std::string& name)
-{
-  for (const core::NormalMethod method : core::all_normal_methods)
-  {
-    if (name == toString(method))
-    {
-      return method;
-    }
-  }
-  throw std::invalid_argument("method = '" + name + "': unknown");
-}
-
 /// @param grid  of a method other than `auto`
 /// @param tolerance  [-]; 0: the default
 std::shared_ptr<core::GridLevels> levelsOf(const std::string& method, const std::pair<int, int>& grid, double tolerance)
 {
   core::ContactModelConfig config;
-  config.contact.method = methodNamed(method);
+  config.contact.method = core::methodNamed(method);
   config.contact.cells_along = grid.first;
   config.contact.cells_across = grid.second;
   config.contact.tolerance = tolerance > 0 ? tolerance : config.contact.tolerance;

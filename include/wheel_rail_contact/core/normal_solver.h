@@ -29,6 +29,10 @@ constexpr std::array<NormalMethod, 6> all_normal_methods{
 /// Name of the method, as in the parameter `contact/method`; a string with static lifetime.
 const char* toString(NormalMethod method);
 
+/// Method by its name.
+/// @throw std::invalid_argument with the name if there is no such method.
+NormalMethod methodNamed(std::string_view name);
+
 /// Solver for the normal contact problem: its input is a gap for each patch and the contact modulus, independent of any
 /// wheel or rail. An object may keep memory between solutions and is not thread-safe.
 class NormalSolver

@@ -21,20 +21,6 @@ constexpr std::array<std::uint8_t, 7> status_constants{WheelsetContact::OK,     
                                                        WheelsetContact::TOO_DEEP,     WheelsetContact::OUTSIDE_LINE,
                                                        WheelsetContact::INVALID_INPUT};
 
-/// The given name of a normal method as text with static lifetime. `auto` is refused: a patch has the method that auto
-/// chose.
-std::string_view methodNamed(const std::string& name)
-{
-  for (const core::NormalMethod method : core::all_normal_methods)
-  {
-    if (method != core::NormalMethod::automatic && name == toString(method))
-    {
-      return toString(method);
-    }
-  }
-  throw std::invalid_argument("contact patch: method '" + name + "' is unknown");
-}
-
 /// Assigns a field of a message from one of the core, or back.
 template <typename To, typename From>
 void assign(const From& from, To& to)
@@ -42,9 +28,15 @@ void assign(const From& from, To& to)
   to = static_cast<To>(from);
 }
 
+/// Method of a patch. `auto` is refused: a patch has the method that auto chose.
 void assign(const std::string& from, std::string_view& to)
 {
-  to = methodNamed(from);
+  const core::NormalMethod method = core::methodNamed(from);
+  if (method == core::NormalMethod::automatic)
+  {
+    throw std::invalid_argument("method = 'auto': not the method of a patch");
+  }
+  to = toString(method);
 }
 
 /// Visitor of fields that copies each from the core to the message.

@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/core/normal_solver.h"
 
 #include <stdexcept>
+#include <string>
 
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -38,6 +39,18 @@ const char* toString(NormalMethod method)
     default:
       return "auto";
   }
+}
+
+NormalMethod methodNamed(std::string_view name)
+{
+  for (const NormalMethod method : all_normal_methods)
+  {
+    if (name == toString(method))
+    {
+      return method;
+    }
+  }
+  throw std::invalid_argument("method = '" + std::string(name) + "': unknown");
 }
 
 void NormalSolver::solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution)
