@@ -29,11 +29,7 @@ class RecordedRun:
 
     def time(self, states, cold=False):
         (self.cold if cold else self.states).extend(states)
-        return 1e-6
-
-    def times(self, states):
-        self.states += states
-        return [1e-6 * (state + 1) for state in states]
+        return 1e-6 * (sum(states) / len(states) + 1)
 
     def outcome(self):
         return self.result

@@ -102,9 +102,9 @@ class Runner:
         Returns the longest time of a result: a method that fails at once on the scene may take long at the next position.
         """
         start = time.thread_time()
-        times = self._run.times([self._state(self._reach)])
+        times = [self._run.time([self._state(self._reach)])]
         while len(times) <= WARM_UP and time.thread_time() - start < WARM_UP_TIME:
-            times += self._run.times([self._state(next(self._messages))])
+            times.append(self._run.time([self._state(next(self._messages))]))
         self._slow = sum(times) > FAST * len(times)
         return max(times)
 
@@ -124,7 +124,7 @@ class Runner:
         for step in (1, self._per_step):
             path = range(0, 2 * self._reach * self._per_step + 1, step)
             self._run.solve(0)
-            times += self._run.times([*path[1:], *path[-2::-1]])
+            times += [self._run.time([state]) for state in (*path[1:], *path[-2::-1])]
         self._sweep_time += sum(times)
         self.warm.sweeps.append(times)
 
