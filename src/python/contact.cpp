@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 #include <ros/package.h>
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -183,14 +182,19 @@ core::Side sideOf(const std::string& name)
   throw std::invalid_argument("side = '" + name + "': must be 'left' or 'right'");
 }
 
+FileSearch fileSearch()
+{
+  return {".", ros::package::getPath};
+}
+
 std::string statusTextOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
 {
   return isUsable(result.status) ? sentences(result.reason, linearRangeWarning(result, linear_range)) : result.reason;
 }
 
 ContactModel::ContactModel(const std::vector<ParameterSource>& sources)
-    : parameters_(readParameters(sources, {".", ros::package::getPath})),
-      config_(readNodeConfig(parameters_, "", {std::filesystem::current_path().string(), ros::package::getPath})),
+    : parameters_(readParameters(sources, fileSearch())),
+      config_(readNodeConfig(parameters_, "", fileSearch())),
       contact_(config_.model)
 {
 }

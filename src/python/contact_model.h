@@ -15,6 +15,9 @@ namespace wheel_rail_contact
 /// @throw std::invalid_argument unless it is "left" or "right".
 core::Side sideOf(const std::string& name);
 
+/// Where the module finds files: names are relative to the working folder.
+FileSearch fileSearch();
+
 /// Text of a status as the node publishes it: with the warning of a rail beyond the linear range of its table.
 std::string statusTextOf(const core::WheelsetResult& result, const core::Sides<double>& linear_range);
 

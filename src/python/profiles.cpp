@@ -2,7 +2,6 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <ros/package.h>
 
 #include <cmath>
 #include <cstddef>
@@ -20,6 +19,7 @@
 #include "config/profile_parameters.h"
 #include "core/profile/curve/measures.h"
 #include "python/bindings.h"
+#include "python/contact_model.h"
 #include "ros/evaluation/text.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -46,15 +46,10 @@ core::ProfileKind kindOf(const std::string& name)
   throw std::invalid_argument("kind = '" + name + "': must be 'wheel', 'rail' or 'rail_section'");
 }
 
-FileSearch search()
-{
-  return {".", ros::package::getPath};
-}
-
 ReadProfile readProfile(const std::string& name, const std::string& kind, const std::string& options)
 {
   const core::ProfileReading reading = readProfileOptions(parameterTree(YAML::Load(options)));
-  core::DescribedProfile described = openProfile(name, kindOf(kind), reading, search());
+  core::DescribedProfile described = openProfile(name, kindOf(kind), reading, fileSearch());
   return {std::make_shared<const core::Profile>(std::move(described.profile)), described.report.text};
 }
 
@@ -157,7 +152,8 @@ void bindTable(py::module& module)
           "RailDisplacement by a lateral force (outward positive) [N], a vertical force (down positive) [N] and their "
           "moment about the reference point (outward roll positive) [N m], of a rail with an inclination [rad]")
       .def("__repr__", [](const Table& file) { return "<ComplianceTable " + file.name + ">"; });
-  module.def("read_compliance_table", [](const std::string& file) { return readComplianceTable(search().find(file)); });
+  module.def("read_compliance_table",
+             [](const std::string& file) { return readComplianceTable(fileSearch().find(file)); });
 }
 
 /// One row per point or parameter.

@@ -3,7 +3,6 @@
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
-#include <ros/package.h>
 
 #include <algorithm>
 #include <ctime>
@@ -60,7 +59,7 @@ using SharedWheelset = std::shared_ptr<core::WheelsetContact>;
 
 core::ContactModelConfig modelOf(const std::vector<ParameterSource>& sources)
 {
-  return readContactParameters(sources, {".", ros::package::getPath}).model;
+  return readContactParameters(sources, fileSearch()).model;
 }
 
 /// @param y  of the axle centre [m]
