@@ -49,9 +49,8 @@ void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
     reader.refuse("track/frame", "the name of a tf frame, without a leading slash");
   }
   readLine(reader, files);
-  using Choices = std::vector<std::pair<std::string, bool>>;
-  reader.read("track/displacement", Choices{{"none", false}, {"topic", true}}, config.displacement_topic);
-  reader.read("track/distance", Choices{{"pose", false}, {"topic", true}}, config.distance_topic);
+  reader.read("track/displacement", {{"none", false}, {"topic", true}}, config.displacement_topic);
+  reader.read("track/distance", {{"pose", false}, {"topic", true}}, config.distance_topic);
 }
 
 void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
@@ -68,8 +67,7 @@ void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
     reader.refuse("wheelset/free", "[z, roll] or []");
   }
   using Balance = core::WheelsetConfig::Balance;
-  using Choices = std::vector<std::pair<std::string, Balance>>;
-  reader.read("wheelset/balance", Choices{{"wheel_loads", Balance::wheel_loads}, {"moments", Balance::moments}},
+  reader.read("wheelset/balance", {{"wheel_loads", Balance::wheel_loads}, {"moments", Balance::moments}},
               wheelset.balance);
 }
 
@@ -168,22 +166,19 @@ void readContact(ParameterReader& reader, core::ContactConfig& contact)
   reader.read("contact/tolerance", rules::finite, contact.tolerance);
   reader.read("contact/grid/along", rules::whole, contact.cells_along);
   reader.read("contact/grid/across", rules::whole, contact.cells_across);
-  reader.read("contact/check_branches", std::vector<std::pair<std::string, bool>>{{"false", false}, {"true", true}},
-              contact.check_branches);
+  reader.read("contact/check_branches", {{"false", false}, {"true", true}}, contact.check_branches);
 }
 
 void readStress(ParameterReader& reader, core::StressConfig& stress)
 {
   reader.read("stress/depths", rules::whole, stress.depths);
-  reader.read("stress/field", std::vector<std::pair<std::string, bool>>{{"false", false}, {"true", true}},
-              stress.field);
+  reader.read("stress/field", {{"false", false}, {"true", true}}, stress.field);
 }
 
 void readSync(ParameterReader& reader, NodeConfig& config)
 {
   reader.read("sync/slop", slop_rule, config.slop);
-  reader.read("sync/load", std::vector<std::pair<std::string, bool>>{{"match", false}, {"interpolate", true}},
-              config.interpolate_load);
+  reader.read("sync/load", {{"match", false}, {"interpolate", true}}, config.interpolate_load);
   if (config.interpolate_load && !config.model.wheelset.solve_height_and_roll)
   {
     reader.refuse("sync/load", "match if wheelset/free is [], because no load is read then");
