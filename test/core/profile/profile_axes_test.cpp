@@ -15,7 +15,6 @@ namespace wheel_rail_contact::core
 // Files whose origin is not where the profile frame has it, and the options that move and turn points.
 namespace
 {
-using namespace test;
 using Origin = ProfileReading::Origin;
 
 constexpr double rounding = 1e-12;  ///< of 12 digits [m]
@@ -253,12 +252,6 @@ TEST_F(OriginTest, OptionsOutOfRangeAreRefused)
 
 namespace
 {
-using test::changed;
-using test::Folder;
-using test::lines;
-using test::Point;
-using test::pointsOf;
-
 ProfileReading mirrored(std::optional<double> smoothing = std::nullopt)
 {
   ProfileReading reading;
@@ -351,7 +344,7 @@ TEST(MirroredProfile, IsTheProfileWrittenWithYNegated)
     if (std::string(format.extension) == "whl")
     {
       EXPECT_NEAR(mirrored.length(), given.length(), 1e-9);
-      EXPECT_LT(test::deviation(mirrored, pointsOf(given)), 1e-9) << "1e-13 m over 0.25 mm, smoothed";
+      EXPECT_LT(deviation(mirrored, pointsOf(given)), 1e-9) << "1e-13 m over 0.25 mm, smoothed";
     }
     else
     {

@@ -17,8 +17,6 @@
 
 namespace wheel_rail_contact::core
 {
-namespace test
-{
 constexpr double mm = 1e-3;  ///< [m]
 
 /// Temporary folder for the files of a test. It is removed with the object.
@@ -127,5 +125,4 @@ inline double deviation(const Profile& profile, const std::vector<Point>& points
   }
   return largest;
 }
-}  // namespace test
 }  // namespace wheel_rail_contact::core

@@ -10,7 +10,6 @@
 #include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
-using namespace wheel_rail_contact::core::test;
 
 namespace
 {

@@ -15,8 +15,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using namespace test;
-
 constexpr unsigned seed = 43;
 
 /// Points of a profile, displaced across it by normal noise [m].

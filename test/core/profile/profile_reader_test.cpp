@@ -14,15 +14,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using test::changed;
-using test::deviation;
-using test::Folder;
-using test::lines;
-using test::mm;
-using test::parameterAt;
-using test::Point;
-using test::pointsOf;
-
 /// Expects a FileError with this line and a reason that contains `reason`.
 void expectRejected(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
 {

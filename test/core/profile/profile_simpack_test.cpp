@@ -15,14 +15,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using test::changed;
-using test::deviation;
-using test::Folder;
-using test::lines;
-using test::mm;
-using test::Point;
-using test::pointsOf;
-
 using Edits = std::map<std::string, std::string>;
 
 /// Text of a Simpack file, as written by the program. `edits` replaces or adds settings.
@@ -269,7 +261,6 @@ TEST_F(SimpackProfile, DamagedFilesAreRejected)
 namespace
 {
 using section_scenes::profileOf;
-using namespace test;
 
 /// Rounding of 12 digits, and of the unit [m].
 constexpr double rounding = 1e-12;

@@ -13,8 +13,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using namespace test;
-
 constexpr double digits = 2e-9;  ///< rounding of the points of these tests: 1e-6 mm [m]
 
 /// A row for each point of 60E1 in millimetres, by a format of two numbers.

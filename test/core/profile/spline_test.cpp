@@ -17,9 +17,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using test::mm;
-using test::parameterAt;
-
 constexpr unsigned seed = 7;
 
 /// Points of a profile, about `spacing` [m] apart, with white noise of standard deviation `noise` [m] across and along

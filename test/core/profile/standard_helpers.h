@@ -10,8 +10,6 @@
 
 namespace wheel_rail_contact::core
 {
-namespace test
-{
 /// Point of the profile at `y` [m]. y must increase along the curve.
 inline CurvePoint atY(const Profile& profile, double y)
 {
@@ -75,5 +73,4 @@ inline void expectDerivativesByDifferences(const Profile& profile)
     }
   }
 }
-}  // namespace test
 }  // namespace wheel_rail_contact::core

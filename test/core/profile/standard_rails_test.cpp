@@ -16,9 +16,6 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-using test::height;
-using test::mm;
-
 /// Half-widths of the head at a depth below the crown [m]: on the gauge side and on the field side.
 std::vector<double> halfWidths(const Profile& rail, double depth)
 {
@@ -108,7 +105,7 @@ TEST(StandardRails, HeadsAreArcsWithoutKinksAndSymmetric)
     const Profile rail = head.make();
     EXPECT_EQ(rail.name(), head.name);
     expectRailHead(rail, head.radii, head.side_slope, 0.0);
-    test::expectDerivativesByDifferences(rail);
+    expectDerivativesByDifferences(rail);
   }
 }
 
@@ -227,7 +224,7 @@ TEST(RailUic60Manchester, HeadHasTheDimensionsOfTheBenchmark)
   {
     EXPECT_NEAR(half_width, 36.0020 * mm, 0.00005 * mm);
   }
-  test::expectDerivativesByDifferences(rail);
+  expectDerivativesByDifferences(rail);
 }
 
 TEST(RailUic60Manchester, HeadDiffersFromEn13674AtTheGaugeCorner)

@@ -13,10 +13,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using test::atY;
-using test::mm;
-using test::secondDerivative;
-
 /// Boundary of two sections, in the direction from the flange back to the field side.
 struct Discontinuity
 {
@@ -101,7 +97,7 @@ TEST(S1002, SectionBoundariesHaveTheStepsAndCurvaturesOfTheStandard)
 
 TEST(S1002, DerivativesAgreeWithDifferences)
 {
-  test::expectDerivativesByDifferences(s1002Wheel());
+  expectDerivativesByDifferences(s1002Wheel());
 }
 
 TEST(S1002, ProfilePassesThroughThePointsOfTheManchesterBenchmark)
@@ -151,7 +147,7 @@ TEST(LmaWheel, SectionsAreTheArcsAndConesOfLma)
     EXPECT_NEAR(wheel.at(u).curvature(), bends[k] / mm, 1e-10) << k;
   }
   expectSmoothJoints(wheel, 1e-15, 1e-12, 30.0);
-  test::expectDerivativesByDifferences(wheel);
+  expectDerivativesByDifferences(wheel);
 }
 
 TEST(LmaWheel, FlangeAndTreadHaveTheirDimensions)
@@ -219,7 +215,7 @@ TEST(ConeWheel, TreadIsStraightAndFlangeIsThatOfEn13715)
     EXPECT_NEAR(atY(wheel, (32.301 - 70.0) * mm).z, -10.0 * mm, 0.001 * mm) << "flange thickness";
     // Flange sections: rounded numbers of the standard, as in S1002. The steps there are 0.06 nm, the kinks 7e-10.
     expectSmoothJoints(wheel, 1e-10, 1e-9, 1e9);
-    test::expectDerivativesByDifferences(wheel);
+    expectDerivativesByDifferences(wheel);
   }
   EXPECT_EQ(coneWheel(1.0 / 20).name(), "cone_1_20");
   EXPECT_EQ(coneWheel(1.0 / 40).name(), "cone_1_40");

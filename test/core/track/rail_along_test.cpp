@@ -284,7 +284,7 @@ class RailOnLineTest : public testing::Test
     return {std::istream_iterator<std::string>(stream), {}};
   }
 
-  const test::Folder folder_;
+  const Folder folder_;
   ContactModelConfig scene_ = manchesterScene();
   Sides<RailDeflection> displaced_{};  ///< of each Side
   Sides<RailMeasure> rail_{};          ///< of each Side

@@ -266,7 +266,7 @@ class LineFileTest : public testing::Test
     return "accepted";
   }
 
-  const test::Folder folder_;
+  const Folder folder_;
 };
 
 void expectSame(const LineStation& a, const LineStation& b)
