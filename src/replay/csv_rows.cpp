@@ -155,9 +155,9 @@ std::string csvRows(const WheelsetContact& result, std::uint64_t number, const s
   addResult(result, number, wheelset, start);
   if (result.patches.empty())
   {
-    const std::string names = patchText({}, true);
-    return start.text() + std::string(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')), ',') +
-           "\n";
+    static const std::string names = patchText({}, true);
+    static const auto columns = static_cast<std::size_t>(std::count(names.begin(), names.end(), ','));
+    return start.text() + std::string(columns, ',') + "\n";
   }
   std::string rows;
   for (const ContactPatch& patch : result.patches)
