@@ -71,6 +71,7 @@ std::string outline(const core::Profile& profile, const Place& place)
   }
   return text.str();
 }
+
 std::string railOutlineText(const core::ContactModelConfig& config, core::Side side)
 {
   const core::PlacedRail rail = core::restingRail(config, side);

@@ -34,6 +34,7 @@ bool isCutAlong(const PatchGap& patch)
   const auto last = patch.gap.rows() - 1;
   return patch.gap.row(last).minCoeff() < 0 || (!patch.grid.symmetric && patch.gap.row(0).minCoeff() < 0);
 }
+
 /// True if the overlap reaches a side of its grid across the track.
 bool isCutAcross(const PatchGap& patch)
 {

@@ -70,7 +70,7 @@ class OverlapGrids
 
   /// The next grids cover this pressure of the last problem and a cell more on each side, instead of the overlap.
   void follow(const std::vector<PatchPressure>& pressure);
-  /// The next grids are group over the overlap again.
+  /// The next grids are laid over the overlap again.
   void unfollow() { pressed_.clear(); }
 
   /// Position of the smallest separation at the last pose. Valid unless the wheel was beside the rail.

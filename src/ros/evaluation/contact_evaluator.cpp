@@ -23,7 +23,7 @@ std::string rangeWarning(core::Side side, const core::RailResult& rail, double l
 std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
 {
   std::string text;
-  for (const core::Side side : {core::Side::left, core::Side::right})
+  for (const core::Side side : core::sides)
   {
     const core::RailResult& rail = result.rail[side];
     if (std::abs(rail.lateral_force) > linear_range[side] * std::max(rail.vertical_force, 0.0))

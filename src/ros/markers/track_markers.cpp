@@ -28,10 +28,12 @@ std_msgs::ColorRGBA wheelColor(double alpha)
 {
   return makeColor(0.60, 0.75, 0.95, alpha);
 }
+
 std_msgs::ColorRGBA lineColor()
 {
   return makeColor(0.62, 0.70, 0.80, 0.35);
 }
+
 /// Angle of the rear end of the drawn part of a wheel [rad].
 double rearEnd(const TrackStyle& style)
 {

@@ -34,6 +34,7 @@ class ImmediateCallbacks : public ros::CallbackQueueInterface
   /// Does nothing, because no callback is stored.
   void removeByID(std::uint64_t /*owner_id*/) override {}
 };
+
 /// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics;
 /// provides the services (ContactServices).
 ///

@@ -89,6 +89,7 @@ std::vector<CorrespondingPlaces> placesOf(const RailSection& a, const RailSectio
   }
   return places;
 }
+
 /// Curves between a section and the next one; null if both are the same profile.
 std::shared_ptr<const SectionBlend> blendOf(const RailSeries& series, std::size_t index, const std::string& part)
 {

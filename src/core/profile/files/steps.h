@@ -50,6 +50,7 @@ struct FramedPoints
   FileAxes axes;
   PlacedPoints placed;
 };
+
 /// Places and orders the points, by the unit and the axes that `reading`, the file or its format states.
 /// @throw FileError as the two steps, if `reading` contradicts the unit in the file, and if one of them is not known.
 /// The reason gives the values by which the points are a profile.
