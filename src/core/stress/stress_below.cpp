@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stress below the pressure on a grid.
+#include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "core/option_check.h"
 #include "core/pi.h"
-#include "core/stress/layer_products.h"
 #include "wheel_rail_contact/core/stress.h"
 
 namespace wheel_rail_contact::core
@@ -14,6 +15,131 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double half_over_pi = 0.5 / pi;
+constexpr std::array<int, 2> parities{0, 1};
+
+/// Cosine and sine sums along one direction of a grid, on the modes of a grid of twice the length (zero padding).
+///
+/// The n = 2 h cells (the last one is empty if their number is odd) have their centres at ±(k + 1/2), k < h. The even
+/// part of a field has the modes cos(pi m (k + 1/2) / n), the odd part sin(pi m (k + 1/2) / n), m = 0 … n.
+class ParitySums
+{
+ public:
+  explicit ParitySums(int cells);
+
+  int cells() const { return cells_; }
+  int half() const { return half_; }
+  /// Values of the modes of a parity (0 even, 1 odd): half × modes.
+  const Eigen::MatrixXd& modes(int parity) const { return modes_[static_cast<std::size_t>(parity)]; }
+  /// Factors that transform a kernel of a parity, given at the distances 0 … cells - 1: cells × modes. They include the
+  /// weights of the inverse transform.
+  const Eigen::MatrixXd& kernelSums(int parity) const { return kernel_sums_[static_cast<std::size_t>(parity)]; }
+
+ private:
+  int cells_, half_;
+  std::array<Eigen::MatrixXd, 2> modes_, kernel_sums_;
+};
+
+/// Products of a field on a grid with kernels that depend on the distances of the cells along x and y, and are even or
+/// odd in each of them: the discrete convolution, exact.
+class LayerProducts
+{
+ public:
+  /// Parity of a kernel along x and y: 0 even, 1 odd.
+  struct Parity
+  {
+    int x = 0, y = 0;
+  };
+
+  explicit LayerProducts(const Eigen::ArrayXXd& field);
+
+  /// Sum over all cells of kernel(distance of the result's cell from the field's cell) * field.
+  /// @param kernel  at the distances 0 … nx - 1 and 0 … ny - 1, same shape as the field
+  Eigen::ArrayXXd product(const Eigen::ArrayXXd& kernel, Parity parity) const;
+
+ private:
+  ParitySums x_, y_;
+  std::array<std::array<Eigen::MatrixXd, 2>, 2> field_modes_;
+};
+
+/// Even (0) or odd (1) part of the lines of a field: column k is line half + k plus or minus line half - 1 - k.
+Eigen::MatrixXd fold(const Eigen::MatrixXd& field, int half, int parity)
+{
+  const double sign = parity == 0 ? 1 : -1;
+  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(half, field.cols());
+  part.topRows(field.rows() - half) = field.bottomRows(field.rows() - half);
+  part += sign * field.topRows(half).colwise().reverse();
+  return part;
+}
+
+/// Lines of a field from its even and odd parts.
+Eigen::MatrixXd unfold(const Eigen::MatrixXd& even, const Eigen::MatrixXd& odd, Eigen::Index lines)
+{
+  const Eigen::Index half = even.rows();
+  Eigen::MatrixXd field(lines, even.cols());
+  field.topRows(half) = (even - odd).colwise().reverse();
+  field.bottomRows(lines - half) = (even + odd).topRows(lines - half);
+  return field;
+}
+
+ParitySums::ParitySums(int cells) : cells_(cells), half_((cells + 1) / 2)
+{
+  const int length = 2 * half_;
+  for (const int parity : parities)
+  {
+    const auto wave = [parity](double phase) { return parity == 0 ? std::cos(phase) : std::sin(phase); };
+    Eigen::MatrixXd &modes = modes_[static_cast<std::size_t>(parity)],
+                    &sums = kernel_sums_[static_cast<std::size_t>(parity)];
+    modes.resize(half_, length + 1);
+    sums.resize(cells_, length + 1);
+    for (int m = 0; m <= length; ++m)
+    {
+      const double weight = (m == 0 || m == length ? 1.0 : 2.0) / (2 * length);
+      for (int k = 0; k < half_; ++k)
+      {
+        modes(k, m) = wave(pi * m * (k + 0.5) / length);
+      }
+      for (int distance = 0; distance < cells_; ++distance)
+      {
+        sums(distance, m) = (distance == 0 ? 1 : 2) * weight * wave(pi * m * distance / length);
+      }
+    }
+  }
+}
+
+LayerProducts::LayerProducts(const Eigen::ArrayXXd& field)
+    : x_(static_cast<int>(field.rows())), y_(static_cast<int>(field.cols()))
+{
+  for (const int px : parities)
+  {
+    const Eigen::MatrixXd along = x_.modes(px).transpose() * fold(field.matrix(), x_.half(), px);
+    for (const int py : parities)
+    {
+      field_modes_[static_cast<std::size_t>(px)][static_cast<std::size_t>(py)] =
+          (y_.modes(py).transpose() * fold(along.transpose(), y_.half(), py)).transpose();
+    }
+  }
+}
+
+Eigen::ArrayXXd LayerProducts::product(const Eigen::ArrayXXd& kernel, Parity parity) const
+{
+  const Eigen::MatrixXd factors = x_.kernelSums(parity.x).transpose() * kernel.matrix() * y_.kernelSums(parity.y);
+  std::array<Eigen::MatrixXd, 2> along;
+  for (const int px : parities)
+  {
+    std::array<Eigen::MatrixXd, 2> across;
+    for (const int py : parities)
+    {
+      // An odd kernel turns the cosine into the sine, and the sine into minus the cosine.
+      const int from_x = px ^ parity.x, from_y = py ^ parity.y;
+      const double sign = (parity.x == 1 && from_x == 1 ? -1 : 1) * (parity.y == 1 && from_y == 1 ? -1 : 1);
+      const Eigen::MatrixXd modes =
+          sign * factors.cwiseProduct(field_modes_[static_cast<std::size_t>(from_x)][static_cast<std::size_t>(from_y)]);
+      across[static_cast<std::size_t>(py)] = y_.modes(py) * modes.transpose();
+    }
+    along[static_cast<std::size_t>(px)] = x_.modes(px) * unfold(across[0], across[1], y_.cells()).transpose();
+  }
+  return unfold(along[0], along[1], x_.cells()).array();
+}
 
 /// Stress below one corner of a quadrant of unit pressure, as a function of the offset from the corner [-].
 ///
@@ -92,7 +218,7 @@ Eigen::Vector3d corner(const PatchGrid& grid, int row, int column)
 /// Components of a stress in the order of StressLayer, and their parities along x and y.
 constexpr std::array<double Stress::*, 6> components{&Stress::xx, &Stress::yy, &Stress::zz,
                                                      &Stress::yz, &Stress::xz, &Stress::xy};
-constexpr std::array<LayerProducts::Parity, 6> parities{{{0, 0}, {0, 0}, {0, 0}, {0, 1}, {1, 0}, {1, 1}}};
+constexpr std::array<LayerProducts::Parity, 6> component_parities{{{0, 0}, {0, 0}, {0, 0}, {0, 1}, {1, 0}, {1, 1}}};
 
 using Kernels = std::array<Eigen::ArrayXXd, 6>;
 
@@ -165,7 +291,7 @@ std::vector<StressLayer> stressLayers(const PatchGrid& grid, const Eigen::ArrayX
     layer.depth = depth;
     for (std::size_t c = 0; c < components.size(); ++c)
     {
-      layer.components[c] = products.product(kernels[c], parities[c]);
+      layer.components[c] = products.product(kernels[c], component_parities[c]);
     }
   }
   return layers;
