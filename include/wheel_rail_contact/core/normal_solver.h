@@ -47,6 +47,8 @@ class NormalSolver
   /// starts from it. For shapes that it has solved before, it allocates no memory. Does not throw for a numerical
   /// failure: check NormalSolution::status.
   virtual void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) = 0;
+  /// Curved surfaces require solveCurved().
+  void solve(const CurvedProblem& problem, bool warm, NormalSolution& solution) = delete;
 
   /// Solves a problem on curved surfaces. The default implementation solves it as a NormalProblem, with one normal for
   /// each patch, and leaves out the rest.

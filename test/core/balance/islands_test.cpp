@@ -38,7 +38,7 @@ class IslandsTest : public testing::Test
   void solve(const CurvedProblem& problem)
   {
     problem_ = problem;
-    ConjugateGradients().solve(problem_, false, solution_);
+    ConjugateGradients().solveCurved(problem_, false, solution_);
     ASSERT_EQ(solution_.status, SolveStatus::converged);
     islands_.find(problem_, solution_);
   }

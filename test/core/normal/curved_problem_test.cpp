@@ -161,7 +161,7 @@ TEST(ColumnFields, OtherMethodsSayWhatTheyLeaveOut)
     const auto solver = makeNormalSolver(method);
     NormalSolution on_curved, plane;
     solver->solveCurved(problem, false, on_curved);
-    solver->solve(problem, false, plane);
+    solver->solve(static_cast<const NormalProblem&>(problem), false, plane);
     EXPECT_EQ(on_curved.patches[0].max_pressure, plane.patches[0].max_pressure) << toString(method);
     EXPECT_EQ(solver->leftOut(problem), "column normals") << toString(method);
   }

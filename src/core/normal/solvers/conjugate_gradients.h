@@ -45,6 +45,7 @@ class ConjugateGradients : public NormalSolver
   /// @throw std::invalid_argument for an invalid size.
   void prepare(int nx, int ny);
 
+  using NormalSolver::solve;
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
   void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution) override;
   std::string_view leftOut(const CurvedProblem& /*problem*/) const override { return {}; }

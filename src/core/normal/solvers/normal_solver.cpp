@@ -55,7 +55,7 @@ NormalMethod methodNamed(std::string_view name)
 
 void NormalSolver::solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution)
 {
-  solve(problem, warm, solution);
+  solve(static_cast<const NormalProblem&>(problem), warm, solution);
 }
 
 std::string_view NormalSolver::leftOut(const CurvedProblem& problem) const
