@@ -118,6 +118,11 @@ TEST_F(SimulationParameters, CommandLineIsOverTheFile)
                   parseOptions({"--speed", "3x"});
                 }),
             "the argument ('3x') for option '--speed' is invalid: must be a number");
+  EXPECT_EQ(messageOf(
+                [] {
+                  parseOptions({"--speed", "3", "--speed", "4"});
+                }),
+            "option '--speed' cannot be specified more than once");
   EXPECT_EQ(messageOf([] { parseOptions({"--speed"}); }), "the required argument for option '--speed' is missing");
   EXPECT_EQ(messageOf([] { parseOptions({"--fast", "1"}); }), "unrecognised option '--fast'");
   EXPECT_EQ(messageOf([] { parseOptions({"fast"}); }), "fast: unknown option");

@@ -232,7 +232,7 @@ Options parseOptions(const std::vector<std::string>& arguments)
     po::notify(values);
     others = po::collect_unrecognized(parsed.options, po::include_positional);
   }
-  catch (const po::validation_error& error)
+  catch (const po::invalid_option_value& error)
   {
     throw std::invalid_argument(std::string(error.what()) + ": must be a number");
   }
