@@ -2,13 +2,13 @@
 // Joins the results of consecutive parts of a bag (contact_replay with --from and --to). contact_campaign calls it.
 //
 //   contact_join [--lz4] OUT.bag PART.bag...
+#include <boost/program_options.hpp>
 #include <cstdint>
 #include <exception>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,10 +86,6 @@ class Results
  public:
   explicit Results(const std::vector<std::string>& parts)
   {
-    if (parts.empty())
-    {
-      throw std::invalid_argument("parts: at least one is required");
-    }
     std::vector<Connections> connections;
     connections.reserve(parts.size());
     for (const std::string& part : parts)
@@ -226,14 +222,14 @@ class Joiner
   std::map<std::string, std::uint32_t> by_header_;  ///< numbers in the output of copied connections
   std::uint64_t messages_ = 0;
 };
+
 /// Joins the results of consecutive parts of one bag (contact_replay with --from and --to). The output is identical to
 /// the file that one replay of the whole bag writes: to the last byte, with --keep-topics to the last message.
-/// @param parts in their order
+/// @param parts in their order, at least one
 /// @param compression none or lz4, as that of the parts
 /// @return number of messages written
 /// @throw BagError if a part is damaged, does not belong to the same replay, is out of order or is missing, or if the
 /// output exists. A part without results does not contain its span; a gap next to such a part is not detected.
-/// @throw std::invalid_argument if no parts are given.
 std::uint64_t joinParts(const std::vector<std::string>& parts, const std::string& output,
                         const std::string& compression)
 {
@@ -249,19 +245,34 @@ std::uint64_t joinParts(const std::vector<std::string>& parts, const std::string
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> files(argv + 1, argv + argc);
-  const bool lz4 = !files.empty() && files.front() == "--lz4";
-  files.erase(files.begin(), files.begin() + (lz4 ? 1 : 0));
-  if (files.size() < 2 || files.front()[0] == '-')
-  {
-    std::cerr << "usage: contact_join [--lz4] OUT.bag PART.bag...\n";
-    return 2;
-  }
+  namespace po = boost::program_options;
+  po::options_description described("usage: contact_join [--lz4] OUT.bag PART.bag...");
+  described.add_options()("lz4", po::bool_switch(), "compresses OUT.bag; for parts that are compressed")(
+      "help,h", po::bool_switch(), "prints this text");
   try
   {
+    const po::parsed_options parsed = po::command_line_parser(argc, argv).options(described).run();
+    po::variables_map values;
+    po::store(parsed, values);
+    const std::vector<std::string> files = po::collect_unrecognized(parsed.options, po::include_positional);
+    if (values["help"].as<bool>())
+    {
+      std::cout << described;
+      return 0;
+    }
+    if (files.size() < 2)
+    {
+      throw po::error("OUT.bag and at least one PART.bag are required");
+    }
     const std::vector<std::string> parts(files.begin() + 1, files.end());
-    std::cout << wheel_rail_contact::joinParts(parts, files.front(), lz4 ? "lz4" : "none") << " messages\n";
+    const std::string compression = values["lz4"].as<bool>() ? "lz4" : "none";
+    std::cout << wheel_rail_contact::joinParts(parts, files.front(), compression) << " messages\n";
     return 0;
+  }
+  catch (const po::error& error)
+  {
+    std::cerr << "contact_join: " << error.what() << "\n(contact_join --help)\n";
+    return 2;
   }
   catch (const std::exception& error)
   {

@@ -159,6 +159,10 @@ class Parts(ReplayCase):
         _, printed = self.join(parts, status=1)
         self.assertIn("part_1.bag", printed)
 
+    def test_join_requires_an_output_and_a_part(self):
+        self.assertIn("at least one PART.bag", self.join([], status=2)[1])
+        self.assertIn("unrecognised option '--bz2'", self.join(["part.bag"], "--bz2", status=2)[1])
+
     def test_missing_parts_are_reported(self):
         self.write(seconds=2)
         parts = self.parts(cuts=(0.7, 1.3))
