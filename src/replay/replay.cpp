@@ -120,7 +120,7 @@ ReplayOptions withCheckedOutputs(ReplayOptions options)
 Replay::Replay(ReplayOptions options)
     : options_(withCheckedOutputs(std::move(options))),
       parameters_(replayParameters(options_)),
-      config_(readNodeConfig(parameters_, "", {std::filesystem::current_path().string(), ros::package::getPath})),
+      config_(readNodeConfig(parameters_, "", {".", ros::package::getPath})),
       source_(options_.input, config_, options_.inputs, options_.keep_topics, options_.span,
               warmUpStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
