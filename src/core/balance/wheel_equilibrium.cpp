@@ -52,7 +52,7 @@ void WheelEquilibrium::moveTo(double x)
   if (rail_.moveTo(x))
   {
     contact_.setProfile(rail_.atRest().profile());
-    is_placed_ = false;
+    placed_.reset();
   }
 }
 
@@ -68,10 +68,9 @@ void WheelEquilibrium::setRail(double lateral, const RailDeflection& displaced)
 void WheelEquilibrium::place(const Eigen::Vector3d& forces)
 {
   const Eigen::Vector3d coordinates = rail_.under(forces);
-  if (!is_placed_ || coordinates != placed_)
+  if (!placed_ || coordinates != *placed_)
   {
     placed_ = coordinates;
-    is_placed_ = true;
     contact_.setRail(rail_.atRest().deflected(toDeflection(coordinates)));
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
@@ -95,8 +97,7 @@ class WheelEquilibrium
   bool own_force_ = true;
   double given_lateral_ = 0;
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
-  Eigen::Vector3d placed_ = Eigen::Vector3d::Zero();  ///< coordinates at which the rail lies
-  bool is_placed_ = false;
+  std::optional<Eigen::Vector3d> placed_;             ///< coordinates at which the rail lies, since moveTo()
   double height_ = 0, touch_slope_ = 0;
   bool loaded_ = false, responded_ = false, under_load_ = true;
   bool keep_response_ = false;
