@@ -250,4 +250,7 @@ TEST(Conversions, EveryStatusHasItsConstant)
   EXPECT_EQ(toMessage(core::ContactStatus::off_profile), WheelsetContact::OFF_PROFILE);
   EXPECT_EQ(toMessage(core::ContactStatus::not_converged), WheelsetContact::NOT_CONVERGED);
   EXPECT_EQ(toMessage(core::ContactStatus::invalid_input), WheelsetContact::INVALID_INPUT);
+  EXPECT_EQ(toMessage(core::ContactStatus::outside_line), WheelsetContact::OUTSIDE_LINE);
+  EXPECT_EQ(toMessage(core::ContactStatus::too_deep), WheelsetContact::TOO_DEEP);
+  EXPECT_STREQ(nameOf(core::ContactStatus::too_deep), "TOO_DEEP");
 }

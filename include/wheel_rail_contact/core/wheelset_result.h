@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,23 +50,23 @@ struct WheelsetState
   double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
 };
 
-/// Whether a result is usable, and if not, why.
-enum class ContactStatus
+/// Whether a result is usable, and if not, why. The numbers are those of the message, which also has NO_TRANSFORM = 5.
+enum class ContactStatus : std::uint8_t
 {
-  ok,             ///< every wheel carries its load; usable
-  lift_off,       ///< at least one wheel carries no load, the other one is solved; usable
-  off_profile,    ///< the contact would be beyond the end of a profile; not usable
-  not_converged,  ///< normal solution, balance or coupling with the rails did not converge; not usable
-  too_deep,       ///< the given height is more than 10 mm below first touch, or was never set; not usable
-  outside_line,   ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
-  invalid_input   ///< a value of the state is NaN, infinite or beyond its limit; not usable
+  ok,                ///< every wheel carries its load; usable
+  lift_off,          ///< at least one wheel carries no load, the other one is solved; usable
+  off_profile,       ///< the contact would be beyond the end of a profile; not usable
+  not_converged,     ///< normal solution, balance or coupling with the rails did not converge; not usable
+  invalid_input,     ///< a value of the state is NaN, infinite or beyond its limit; not usable
+  outside_line = 6,  ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
+  too_deep           ///< the given height is more than 10 mm below first touch, or was never set; not usable
 };
 
-/// Name of a status, as in the message: "OK", "LIFT_OFF", ...
+/// Name of a status, as in the message: "OK", "LIFT_OFF", ... Also of NO_TRANSFORM, which only a message has.
 inline const char* nameOf(ContactStatus status)
 {
-  constexpr std::array names{"OK",       "LIFT_OFF",     "OFF_PROFILE",  "NOT_CONVERGED",
-                             "TOO_DEEP", "OUTSIDE_LINE", "INVALID_INPUT"};
+  constexpr std::array names{"OK",           "LIFT_OFF",     "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT",
+                             "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
   return names.at(static_cast<std::size_t>(status));
 }
 

@@ -8,7 +8,6 @@
 #include <ros/param.h>
 #include <wheel_rail_contact/EvaluateWheelset.h>
 
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -85,14 +84,6 @@ constexpr int attempts = 600;
 constexpr double trial_force_z = -100e3;              ///< a light wheelset [N]; the result of the trial is not used
 constexpr std::int64_t attempt_time = 1'000'000'000;  ///< between the stamps of attempts [ns]
 
-/// Name of a value of WheelsetContact::status.
-std::string nameOf(std::uint8_t status)
-{
-  constexpr std::array names{"OK",           "LIFT_OFF",     "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT",
-                             "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
-  return status < names.size() ? names[status] : "status " + std::to_string(status);
-}
-
 /// Rotation about x of a pose that is rotated about x and z only [rad].
 double rollOf(const geometry_msgs::Quaternion& q)
 {
@@ -139,8 +130,9 @@ EvaluateWheelset::Request messageOf(const ContactRequest& request, const std::st
 ContactReply replyOf(const WheelsetContact& message)
 {
   ContactReply reply;
-  reply.is_usable = message.status == WheelsetContact::OK || message.status == WheelsetContact::LIFT_OFF;
-  reply.status = statusText(nameOf(message.status), message.status_text);
+  const auto status = static_cast<core::ContactStatus>(message.status);
+  reply.is_usable = isUsable(status);
+  reply.status = statusText(nameOf(status), message.status_text);
   reply.z = message.wheelset.position.z;
   reply.roll = rollOf(message.wheelset.orientation);
   for (const ContactPatch& patch : message.patches)

@@ -101,7 +101,7 @@ void addTimes(const ContactStatistics& now, const ContactStatistics& before,
 
 const char* statusName(std::uint8_t status)
 {
-  return status == WheelsetContact::NO_TRANSFORM ? "NO_TRANSFORM" : nameOf(statusFromMessage(status));
+  return nameOf(static_cast<core::ContactStatus>(status));
 }
 
 const char* dropName(DropReason reason)

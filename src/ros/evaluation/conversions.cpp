@@ -2,7 +2,6 @@
 #include "ros/evaluation/conversions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -15,12 +14,6 @@ namespace wheel_rail_contact
 {
 namespace
 {
-/// Status constants of the message, in the order of ContactStatus.
-constexpr std::array<std::uint8_t, 7> status_constants{WheelsetContact::OK,           WheelsetContact::LIFT_OFF,
-                                                       WheelsetContact::OFF_PROFILE,  WheelsetContact::NOT_CONVERGED,
-                                                       WheelsetContact::TOO_DEEP,     WheelsetContact::OUTSIDE_LINE,
-                                                       WheelsetContact::INVALID_INPUT};
-
 /// Assigns a field of a message from one of the core, or back.
 template <typename To, typename From>
 void assign(const From& from, To& to)
@@ -161,23 +154,17 @@ geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
 
 std::uint8_t toMessage(core::ContactStatus status)
 {
-  return status_constants.at(static_cast<std::size_t>(status));
+  return static_cast<std::uint8_t>(status);
 }
 
 core::ContactStatus statusFromMessage(std::uint8_t status)
 {
-  if (status == WheelsetContact::NO_TRANSFORM)
+  if (status > WheelsetContact::TOO_DEEP)
   {
-    return core::ContactStatus::invalid_input;
+    throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
   }
-  for (std::size_t i = 0; i < status_constants.size(); ++i)
-  {
-    if (status_constants[i] == status)
-    {
-      return static_cast<core::ContactStatus>(i);
-    }
-  }
-  throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
+  return status == WheelsetContact::NO_TRANSFORM ? core::ContactStatus::invalid_input
+                                                 : static_cast<core::ContactStatus>(status);
 }
 
 bool isUsable(std::uint8_t status)
