@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/compliance_table_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "config/parameter_reader.h"
+#include "config/text.h"
 
 namespace wheel_rail_contact
 {
@@ -87,5 +89,22 @@ ComplianceTableFile readComplianceTable(const std::string& file)
   result.neighbours = readNeighbours(reader);
   reader.refuseUnknown();
   return result;
+}
+
+std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
+{
+  std::string text;
+  for (const core::Side side : core::sides)
+  {
+    const core::RailResult& rail = result.rail[side];
+    if (std::abs(rail.lateral_force) > linear_range[side] * std::max(rail.vertical_force, 0.0))
+    {
+      text = sentences(
+          text, formatted("%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table is valid up to %g",
+                          nameOf(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
+                          std::abs(rail.lateral_force / rail.vertical_force), linear_range[side]));
+    }
+  }
+  return text;
 }
 }  // namespace wheel_rail_contact

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/rail/neighbours.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact
 {
@@ -22,4 +23,8 @@ struct ComplianceTableFile
 /// definite.
 /// @throw std::invalid_argument with file, key, value and violated rule.
 ComplianceTableFile readComplianceTable(const std::string& file);
+
+/// Warning with side, Y, Q and |Y|/Q of each rail whose |Y|/Q exceeds the range of its table; empty if there is none.
+/// @param linear_range largest |Y|/Q for which the table of each rail is valid [-]
+std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range);
 }  // namespace wheel_rail_contact

@@ -3,11 +3,10 @@
 
 #include <pybind11/pybind11.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 
-#include "ros/evaluation/result_fields.h"
+#include "config/result_fields.h"
 #include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact
@@ -21,7 +20,7 @@ auto propertiesOf(Class& bound, const Of& of)
   {
     const std::string unit = *field.unit == 0 ? "" : std::string(" [") + field.unit + "]";
     bound.def_property_readonly(
-        field.name, [of, core](const typename Class::type& object) { return std::invoke(core, of(object)); },
+        field.name, [of, core](const typename Class::type& object) { return core(of(object)); },
         (field.text + unit).c_str());
   };
 }

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "config/compliance_table_file.h"
+#include "config/text.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 #include "python/many_states.h"
-#include "ros/evaluation/contact_evaluator.h"
-#include "ros/evaluation/text.h"
 
 namespace py = pybind11;
 

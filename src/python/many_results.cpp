@@ -7,8 +7,6 @@
 
 #include "python/bindings.h"
 #include "python/many_states.h"
-#include "ros/evaluation/contact_statistics.h"
-#include "ros/evaluation/conversions.h"
 
 namespace py = pybind11;
 

@@ -17,10 +17,10 @@
 #include "config/compliance_table_file.h"
 #include "config/model_files.h"
 #include "config/profile_parameters.h"
+#include "config/text.h"
 #include "core/profile/curve/measures.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
-#include "ros/evaluation/text.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace py = pybind11;

@@ -2,16 +2,15 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "config/text.h"
 #include "core/pi.h"
 #include "python/bindings.h"
-#include "ros/evaluation/contact_statistics.h"
-#include "ros/evaluation/conversions.h"
-#include "ros/evaluation/text.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace py = pybind11;
@@ -29,12 +28,12 @@ struct Patch
   const core::PatchResult* patch;
 };
 
-/// Pose as in a message, with the angles of its orientation.
+/// Pose in the track frame.
 struct Pose
 {
-  geometry_msgs::Pose message;
-  double yaw, roll;  ///< [rad]
-  double axle_x;     ///< x of the axle centre [m]
+  Eigen::Vector3d position;  ///< [m]
+  double yaw, roll;          ///< [rad]
+  double axle_x;             ///< x of the axle centre [m]
 };
 
 /// Numbers x, y, z (and w) as an array with these names.
@@ -117,19 +116,14 @@ void bindPose(py::module& module)
 {
   py::class_<Pose>(module, "Pose", "Pose in the track frame.")
       .def_property_readonly(
-          "position",
-          [](const Pose& pose)
-          {
-            const auto& p = pose.message.position;
-            return vectorOf(p.x, p.y, p.z);
-          },
-          "x, y, z; (3,) [m]")
+          "position", [](const Pose& pose) { return vectorOf(pose.position); }, "x, y, z; (3,) [m]")
       .def_property_readonly(
           "orientation",
           [](const Pose& pose)
           {
-            const auto& q = pose.message.orientation;
-            return vectorOf(q.x, q.y, q.z, q.w);
+            const Eigen::Quaterniond q = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) *
+                                         Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX());
+            return vectorOf(q.x(), q.y(), q.z(), q.w());
           },
           "quaternion x, y, z, w; (4,)")
       .def_readonly("yaw", &Pose::yaw, "rotation about z, positive to the left [rad]")
@@ -138,9 +132,9 @@ void bindPose(py::module& module)
       .def("__repr__",
            [](const Pose& pose)
            {
-             const auto& p = pose.message.position;
-             return formatted("<Pose: x %.3f mm, y %.3f mm, z %.3f mm, yaw %.3f mrad, roll %.3f mrad>", p.x * 1e3,
-                              p.y * 1e3, p.z * 1e3, pose.yaw * 1e3, pose.roll * 1e3);
+             const Eigen::Vector3d p = pose.position * 1e3;
+             return formatted("<Pose: x %.3f mm, y %.3f mm, z %.3f mm, yaw %.3f mrad, roll %.3f mrad>", p.x(), p.y(),
+                              p.z(), pose.yaw * 1e3, pose.roll * 1e3);
            });
 }
 
@@ -157,7 +151,8 @@ void bindPatch(py::module& module)
           [](const Patch& p)
           {
             const double x = p.result->x;
-            return Pose{toMessage(p.patch->pose, x), 0, p.patch->pose.angle, x};
+            const core::PatchPose& pose = p.patch->pose;
+            return Pose{{x + pose.x, pose.y, pose.z}, 0, pose.angle, x};
           },
           "patch frame; its origin is the centre of pressure")
       .def_property_readonly(
@@ -223,7 +218,7 @@ void bindResults(py::module& module)
       .def_property_readonly(
           "wheelset",
           [](const WheelsetResult& r) {
-            return Pose{toMessage(core::WheelsetPose{r.y, r.z, r.yaw, r.roll}, r.x), r.yaw, r.roll, r.x};
+            return Pose{{r.x, r.y, r.z}, r.yaw, r.roll, r.x};
           },
           "Pose of the axle centre; height and roll are the solved (or given) ones")
       .def_readonly("distance", &WheelsetResult::distance, "place of the wheelset on the line [m]")

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "config/text.h"
 #include "python/bindings.h"
-#include "ros/evaluation/text.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 

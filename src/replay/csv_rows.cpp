@@ -6,13 +6,12 @@
 #include <cinttypes>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 #include <system_error>
 
+#include "config/result_fields.h"
+#include "config/text.h"
 #include "ros/evaluation/contact_statistics.h"
-#include "ros/evaluation/result_fields.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
@@ -67,7 +66,7 @@ void addRail(const std::string& side, const RailDeflection& rail, Line& line)
         if (name != "moment")
         {
           const bool is_whole = name.find('_') == std::string::npos;  // a displacement, not its part or a force
-          line.add(side + (is_whole ? "_rail_" : "_") + name, field.unit, std::invoke(message, rail));
+          line.add(side + (is_whole ? "_rail_" : "_") + name, field.unit, message(rail));
         }
       });
 }
@@ -75,7 +74,7 @@ void addRail(const std::string& side, const RailDeflection& rail, Line& line)
 void addWheel(const std::string& side, const WheelForces& wheel, Line& line)
 {
   visitWheel([&](const ResultField& field, auto /*core*/, auto message)
-             { line.add(side + "_wheel_" + field.name, field.unit, std::invoke(message, wheel)); });
+             { line.add(side + "_wheel_" + field.name, field.unit, message(wheel)); });
 }
 
 void addVector(const std::string& name, const char* unit, const geometry_msgs::Vector3& vector, Line& line)
@@ -94,7 +93,7 @@ void addStress(const std::string& body, const PatchStress& stress, Line& line)
   line.add(body + "_shear", "Pa", stress.shear.value);
   line.add(body + "_shear_depth", "m", stress.shear.depth);
   visitStress([&](const ResultField& field, auto /*core*/, auto message)
-              { line.add(body + "_" + field.name, field.unit, std::invoke(message, stress)); });
+              { line.add(body + "_" + field.name, field.unit, message(stress)); });
 }
 
 /// Columns of a patch, after those of the result.
@@ -104,7 +103,7 @@ void addPatch(const ContactPatch& patch, Line& line)
   line.add("patch_y", "m", patch.pose.position.y);
   line.add("patch_z", "m", patch.pose.position.z);
   visitPatch([&](const ResultField& field, auto /*core*/, auto message)
-             { line.add(field.name, field.unit, std::invoke(message, patch)); });
+             { line.add(field.name, field.unit, message(patch)); });
   addStress("wheel", patch.wheel_stress, line);
   addStress("rail", patch.rail_stress, line);
 }

@@ -5,9 +5,9 @@
 
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "bag/bag_stream.h"
+#include "config/text.h"
 #include "replay/bag_messages.h"
 #include "ros/evaluation/result_head.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {

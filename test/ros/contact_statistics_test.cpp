@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "config/compliance_table_file.h"
 #include "result_scene.h"
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/contact_statistics.h"

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/contact_evaluator.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "config/compliance_table_file.h"
+#include "config/text.h"
 #include "ros/evaluation/conversions.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {
-namespace
-{
-std::string rangeWarning(core::Side side, const core::RailResult& rail, double linear_range)
-{
-  return formatted("%s rail: Y = %.1f kN at Q = %.1f kN, |Y|/Q = %.3f; its compliance table is valid up to %g",
-                   nameOf(side), 1e-3 * rail.lateral_force, 1e-3 * rail.vertical_force,
-                   std::abs(rail.lateral_force / rail.vertical_force), linear_range);
-}
-}  // namespace
-
-std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range)
-{
-  std::string text;
-  for (const core::Side side : core::sides)
-  {
-    const core::RailResult& rail = result.rail[side];
-    if (std::abs(rail.lateral_force) > linear_range[side] * std::max(rail.vertical_force, 0.0))
-    {
-      text = sentences(text, rangeWarning(side, rail, linear_range[side]));
-    }
-  }
-  return text;
-}
-
 ContactEvaluator::ContactEvaluator(const NodeConfig& config)
     : track_frame_(config.track_frame), linear_range_(config.linear_range), contact_(config.model)
 {

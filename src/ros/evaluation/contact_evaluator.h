@@ -56,11 +56,6 @@ class ContactEvaluator
   core::WheelsetContact contact_;
 };
 
-/// Warning with side, Y, Q and |Y|/Q of each rail whose |Y|/Q exceeds the range of the compliance table; empty if both
-/// rails are within the range.
-/// @param linear_range largest |Y|/Q for which the table of each rail is valid [-]
-std::string linearRangeWarning(const core::WheelsetResult& result, const core::Sides<double>& linear_range);
-
 /// Message of an output.
 /// @param with_grids false: the pressure grids are left empty
 WheelsetContact toMessage(const ContactOutput& output, bool with_grids);

@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "config/text.h"
 #include "ros/evaluation/conversions.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "ros/evaluation/result_fields.h"
+#include "config/result_fields.h"
 
 namespace wheel_rail_contact
 {
@@ -36,16 +35,14 @@ void assign(const std::string& from, std::string_view& to)
 template <typename Core, typename Message>
 auto writing(const Core& from, Message& to)
 {
-  return [&from, &to](const ResultField& /*field*/, auto core, auto message)
-  { assign(std::invoke(core, from), std::invoke(message, to)); };
+  return [&from, &to](const ResultField& /*field*/, auto core, auto message) { assign(core(from), message(to)); };
 }
 
 /// Visitor of fields that copies each from the message to the core.
 template <typename Message, typename Core>
 auto reading(const Message& from, Core& to)
 {
-  return [&from, &to](const ResultField& /*field*/, auto core, auto message)
-  { assign(std::invoke(message, from), std::invoke(core, to)); };
+  return [&from, &to](const ResultField& /*field*/, auto core, auto message) { assign(message(from), core(to)); };
 }
 
 geometry_msgs::Vector3 toMessage(const Eigen::Vector3d& v)

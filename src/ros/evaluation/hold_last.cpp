@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "config/text.h"
 #include "ros/evaluation/conversions.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {

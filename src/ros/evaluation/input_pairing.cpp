@@ -6,7 +6,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "ros/evaluation/text.h"
+#include "config/text.h"
 
 namespace wheel_rail_contact
 {

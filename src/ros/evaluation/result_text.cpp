@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "config/text.h"
 #include "core/pi.h"
 #include "ros/evaluation/contact_statistics.h"
-#include "ros/evaluation/text.h"
 
 namespace wheel_rail_contact
 {

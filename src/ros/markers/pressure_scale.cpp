@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ros/evaluation/text.h"
+#include "config/text.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"
 

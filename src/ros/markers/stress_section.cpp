@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ros/evaluation/text.h"
+#include "config/text.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"
 
