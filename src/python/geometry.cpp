@@ -92,9 +92,9 @@ GeometryTable curveTable(const ContactGeometry& geometry)
 }
 
 /// Distance of the running circles [m], and the mean of both rolling radii [m].
-std::tuple<double, double> runningCirclesOf(const ContactModel& model)
+std::tuple<double, double> runningCirclesOf(const std::vector<ParameterSource>& sources)
 {
-  const core::WheelsetConfig& wheelset = model.config().model.wheelset;
+  const core::WheelsetConfig wheelset = readContactParameters(sources, fileSearch()).model.wheelset;
   return {2 * wheelset.halfBase(), wheelset.meanRadius()};
 }
 }  // namespace

@@ -76,17 +76,21 @@ def calculating():
         raise Failure(error) from error
 
 
-def contact_model(files, overlay=None):
-    """ContactModel of the extension module, with the parameters of the node.
+def contact_model(config=()):
+    """ContactModel of the extension module, with parameters of the node as for WheelsetContact."""
+    return _with_parameters("ContactModel", config)
 
-    files: names of YAML files, each applied over config/default.yaml and those before
-    overlay: parameters that are applied over these, as the text of a YAML document
-    """
+
+def running_circles(config=()):
+    """Distance of the running circles, and mean rolling radius [m]. No contact is prepared, which saves time."""
+    return _with_parameters("running_circles", config)
+
+
+def _with_parameters(name, config):
     core = native()
-    sources = [core.ParameterSource(True, str(name)) for name in (shipped("config/default.yaml"), *files)]
-    sources += [core.ParameterSource(False, overlay)] if overlay else []
+    from .core.contact import sources
     with calculating():
-        return core.ContactModel(sources)
+        return getattr(core, name)(sources(config))
 
 
 def pyplot():

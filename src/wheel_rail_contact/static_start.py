@@ -20,7 +20,7 @@ def _run(options):
     for name, value in numbers.items():
         if not math.isfinite(value):
             raise Failure(f"--{name} {value:g}: must be a finite number")
-    model = contact_model(options.config, overlay="wheelset: {free: [z, roll]}")
+    model = contact_model([*options.config, {"wheelset": {"free": ["z", "roll"]}}])
     for note in [*model.notes, *_missing_inputs(model, options.distance)]:
         print(f"static_start: {note}", file=sys.stderr)
     with calculating():

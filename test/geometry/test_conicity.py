@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from wheel_rail_contact.command import contact_model, native
+from wheel_rail_contact.command import contact_model, native, running_circles
 from wheel_rail_contact.geometry.conicity import (NO_CENTRE, NO_WAVE, OUT_OF_RANGE, SEVERAL_WAVES, RadiusDifference,
                                                   kinematic_wavelength)
 
@@ -120,23 +120,22 @@ class Conicity(unittest.TestCase):
 
 class OfContactGeometry(unittest.TestCase):
     @staticmethod
-    def curve(reach, step, overlay="{}", roll=True):
+    def curve(reach, step, config=(), roll=True):
         """Curve for y within ±reach in steps [mm]."""
-        model = contact_model([], overlay)
+        model = contact_model(config)
         return RadiusDifference(native().contact_geometry(model, -reach * MM, reach * MM, step * MM, roll, 0.0).curve)
 
     def test_of_cones_with_unequal_radii_it_is_their_slope(self):
-        overlay = "wheel: {profile: cone_1_20, left: {rolling_radius: 0.4604}, right: {rolling_radius: 0.46}}"
-        value, centre, reason = self.curve(5, 1, overlay, roll=False).conicity(0.9 * MM)
+        wheels = {"profile": "cone_1_20", "left": {"rolling_radius": 0.4604}, "right": {"rolling_radius": 0.46}}
+        value, centre, reason = self.curve(5, 1, {"wheel": wheels}, roll=False).conicity(0.9 * MM)
         self.assertEqual(reason, "")
         self.assertAlmostEqual(value, 0.05, delta=1e-5)
         self.assertAlmostEqual(centre, -4 * MM, delta=1e-6)
 
     def test_of_the_mirror_image_it_is_the_same_about_the_mirrored_centre(self):
-        text = ("wheel: {{{0}: {{rolling_radius: 0.461}}, {1}: {{rolling_radius: 0.46}}}}\n"
-                "rail: {{{0}: {{inclination: 0.05}}, {1}: {{inclination: 0.025}}}}")
-        one, other = (self.curve(6, 1, text.format(*names)).conicity(3 * MM)
-                      for names in (("left", "right"), ("right", "left")))
+        one, other = (self.curve(6, 1, {"wheel": {a: {"rolling_radius": 0.461}, b: {"rolling_radius": 0.46}},
+                                        "rail": {a: {"inclination": 0.05}, b: {"inclination": 0.025}}}).conicity(3 * MM)
+                      for a, b in (("left", "right"), ("right", "left")))
         self.assertAlmostEqual(one[0], other[0], delta=1e-5)
         self.assertAlmostEqual(one[1], -other[1], delta=1e-7)
         self.assertGreater(abs(one[1]), 1e-4)
@@ -148,8 +147,8 @@ class OfContactGeometry(unittest.TestCase):
             self.assertAlmostEqual(coarse.conicity(amplitude * MM)[0], fine.conicity(amplitude * MM)[0], delta=2e-4)
 
     def test_wavelength_has_the_running_circles_of_the_wheelset(self):
-        overlay = "wheel: {left: {rolling_radius: 0.4604}, right: {rolling_radius: 0.46}}"
-        base, radius = native().running_circles(contact_model([], overlay))
+        wheels = {"left": {"rolling_radius": 0.4604}, "right": {"rolling_radius": 0.46}}
+        base, radius = running_circles({"wheel": wheels})
         self.assertAlmostEqual(base, 1.5, delta=1e-12)
         self.assertAlmostEqual(radius, 0.4602, delta=1e-12)
 

@@ -3,7 +3,6 @@
 
 A scene has `states_per_step` states for each step between two messages, from `reach` steps to its right to as many to its left.
 """
-import json
 import math
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,8 +10,7 @@ from typing import Callable
 
 import numpy as np
 
-from ..command import shipped
-from ..core.contact import DEFAULTS
+from ..core.contact import sources
 from ..core.extension import core
 
 STEP = 0.05e-3  # lateral distance of consecutive messages [m]
@@ -128,8 +126,7 @@ class Wheelsets:
 
     def sources(self, *groups):
         """Parameters of the configuration, with further groups, for the core."""
-        texts = [core.ParameterSource(False, json.dumps(group)) for group in (self._parameters, *groups)]
-        return [core.ParameterSource(True, str(shipped(DEFAULTS))), *texts]
+        return sources([self._parameters, *groups])
 
     def find(self, choice):
         if choice not in self._made:

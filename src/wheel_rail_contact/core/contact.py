@@ -12,7 +12,6 @@ from ..command import shipped
 from .extension import core
 from .states import MANY, ONE, table
 
-DEFAULTS = "config/default.yaml"
 MOST_THREADS = 1024
 
 
@@ -32,11 +31,7 @@ class WheelsetContact:
         Raises ValueError with the name of the parameter, its value and the broken rule, and TypeError for a config that is
         none of these.
         """
-        items = [config] if isinstance(config, (str, os.PathLike, Mapping)) else config
-        if not isinstance(items, (list, tuple)):
-            raise TypeError(f"config = {config!r}: must be the name of a file, a dict, or a list of these")
-        sources = [core.ParameterSource(True, str(shipped(DEFAULTS))), *map(_source, items)]
-        self._model = core.ContactModel(sources)
+        self._model = core.ContactModel(sources(config))
         if self._model.has_neighbours:
             warnings.warn("rail_bending/neighbours is not used: give the displacement by other wheelsets as rail_displacement",
                           stacklevel=2)
@@ -126,6 +121,14 @@ class WheelsetContact:
         names = [", ".join(sorted({profile.name if profile else "sections" for profile in pair}))
                  for pair in (self.wheel_profiles, self.rail_profiles)]
         return f"<WheelsetContact: wheels {names[0]}, rails {names[1]}, method {self.config['contact/method']}>"
+
+
+def sources(config=()):
+    """Parameters for the extension module: those of `config` over config/default.yaml; see WheelsetContact."""
+    items = [config] if isinstance(config, (str, os.PathLike, Mapping)) else config
+    if not isinstance(items, (list, tuple)):
+        raise TypeError(f"config = {config!r}: must be the name of a file, a dict, or a list of these")
+    return [_source(item) for item in (shipped("config/default.yaml"), *items)]
 
 
 def _source(item):

@@ -8,7 +8,7 @@ import textwrap
 
 from ..command import Failure, finish, writing
 from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
-from .running_circles import DISTANCES, RunningCircles
+from .running_circles import LONGEST, SHORTEST, RunningCircles
 from .state import read_bag, write_bag
 from .table import AXES, Reading, read_table, write_table
 from .units import UNITS
@@ -66,8 +66,8 @@ def _named(parser, options):
 def _reading(parser, options):
     """Reading of the options, after a check of their values."""
     circles, speed = options.running_circles, options.speed
-    if circles is not None and not DISTANCES.contains(circles):
-        parser.error(f"--running-circles {circles}: {DISTANCES.rule()}")
+    if circles is not None and not SHORTEST <= circles <= LONGEST:
+        parser.error(f"--running-circles {circles}: must be a number from {SHORTEST} to {LONGEST}, in metres")
     if circles is not None and options.config:
         parser.error("--running-circles and --config exclude one another")
     if speed is not None and (not math.isfinite(speed) or speed == 0):
