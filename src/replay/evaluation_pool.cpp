@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
-#include <tuple>
 #include <utility>
 
 #include "replay/bag_messages.h"
@@ -15,11 +13,12 @@ namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t overhead = 1024;  ///< memory of an item and its input, without the data of the result [B]
+constexpr std::size_t budget = 96 << 20;  ///< approximate memory limit of the items [B]
+constexpr std::size_t overhead = 1024;    ///< memory of an item and its input, without the data of the result [B]
 constexpr std::chrono::milliseconds pop_timeout(100);
 
-/// Memory of an evaluated item [B].
-std::size_t sizeOf(const OutputItem& item)
+/// Memory of the data of an evaluated item [B].
+std::size_t sizeOf(const ReplayItem& item)
 {
   std::size_t cells = 0;
   if (item.output.result)
@@ -34,120 +33,89 @@ std::size_t sizeOf(const OutputItem& item)
 }
 }  // namespace
 
-/// Updates the memory attributed to an item. An unfinished result counts as much as the largest result so far.
-void OutputQueue::charge(OutputItem& item)
-{
-  bytes_ -= item.charged;
-  item.charged = overhead + (item.ready ? sizeOf(item) : largest_result_);
-  bytes_ += item.charged;
-}
-
-OutputItem* OutputQueue::append(OutputItem item)
-{
-  std::unique_lock<std::mutex> lock(mutex_);
-  space_.wait(lock, [this] { return stopped_ || items_.empty() || bytes_ < budget_; });
-  if (stopped_)
-  {
-    return nullptr;
-  }
-  items_.push_back(std::move(item));
-  charge(items_.back());
-  if (items_.front().ready)
-  {
-    front_ready_.notify_one();
-  }
-  return &items_.back();
-}
-
-void OutputQueue::complete(OutputItem& item, ContactOutput output, std::string data, std::string csv)
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (stopped_)
-  {
-    return;
-  }
-  item.data = std::move(data);
-  item.csv = std::move(csv);
-  item.output = std::move(output);
-  item.ready = true;
-  charge(item);
-  largest_result_ = std::max(largest_result_, sizeOf(item));
-  if (&item == &items_.front())
-  {
-    front_ready_.notify_one();
-  }
-}
-
-void OutputQueue::close()
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  closed_ = true;
-  front_ready_.notify_one();
-}
-
-OutputQueue::State OutputQueue::pop(OutputItem& item)
-{
-  std::unique_lock<std::mutex> lock(mutex_);
-  const auto is_ready = [this] { return !items_.empty() && items_.front().ready; };
-  front_ready_.wait_for(lock, pop_timeout, [&] { return stopped_ || is_ready() || (closed_ && items_.empty()); });
-  if (reason_)
-  {
-    std::rethrow_exception(reason_);
-  }
-  if (stopped_ || (closed_ && items_.empty()))
-  {
-    return State::end;
-  }
-  if (!is_ready())
-  {
-    return State::later;
-  }
-  item = std::move(items_.front());
-  items_.pop_front();
-  bytes_ -= item.charged;
-  if (bytes_ < budget_ / 4 * 3 || items_.empty())
-  {
-    space_.notify_one();
-  }
-  return State::item;
-}
-
-void OutputQueue::stop(std::exception_ptr reason)
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  stopped_ = true;
-  reason_ = reason_ ? reason_ : std::move(reason);
-  space_.notify_all();
-  front_ready_.notify_all();
-}
-
-EvaluationPool::EvaluationPool(NodeConfig config, int threads, Format format, OutputQueue& output)
-    : config_(std::move(config)), format_(std::move(format)), output_(output), open_(format_.wheelsets.size())
+EvaluationPool::EvaluationPool(NodeConfig config, int threads, Format format, std::function<void(EvaluationPool&)> read)
+    : config_(std::move(config)),
+      format_(std::move(format)),
+      hold_(format_.wheelsets.size(), HoldLast(config_)),
+      open_(format_.wheelsets.size())
 {
   for (int i = 0; i < threads; ++i)
   {
-    threads_.emplace_back(&EvaluationPool::work, this);
+    start([this] { work(); });
   }
+  start(
+      [this, read = std::move(read)]
+      {
+        read(*this);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        closed_ = true;
+        front_ready_.notify_one();
+      });
 }
 
 EvaluationPool::~EvaluationPool()
 {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopped_ = true;
-    wake_.notify_all();
-  }
+  stop(nullptr);
   for (std::thread& thread : threads_)
   {
     thread.join();
   }
 }
 
-void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* item)
+/// Starts a thread. The pool ends at an exception in it.
+void EvaluationPool::start(const std::function<void()>& task)
+{
+  threads_.emplace_back(
+      [this, task]
+      {
+        try
+        {
+          task();
+        }
+        catch (...)
+        {
+          stop(std::current_exception());
+        }
+      });
+}
+
+/// Ends all waiting.
+/// @param reason exception for pop(); of several calls the first exception counts
+void EvaluationPool::stop(std::exception_ptr reason)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::shared_ptr<Slice>& slice = open_[wheelset];
-  if (!slice || input.resets)
+  stopped_ = true;
+  reason_ = reason_ ? reason_ : std::move(reason);
+  space_.notify_all();
+  wake_.notify_all();
+  front_ready_.notify_all();
+}
+
+bool EvaluationPool::append(ReplayItem item)
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  space_.wait(lock, [this] { return stopped_ || entries_.empty() || bytes_ < budget; });
+  if (stopped_)
+  {
+    return false;
+  }
+  Entry& entry = entries_.emplace_back(std::move(item));
+  charge(entry);
+  if (entry.is_evaluated)
+  {
+    addToSlice(entry);
+  }
+  else if (entries_.size() == 1)
+  {
+    front_ready_.notify_one();
+  }
+  return true;
+}
+
+void EvaluationPool::addToSlice(Entry& entry)
+{
+  std::shared_ptr<Slice>& slice = open_[*entry.wheelset];
+  if (!slice || entry.input.resets)
   {
     if (slice)
     {
@@ -157,7 +125,7 @@ void EvaluationPool::add(std::size_t wheelset, PreparedInput input, OutputItem* 
     slice = std::make_shared<Slice>();
     slice->number = slices_++;
   }
-  slice->waiting.push_back({std::move(input), item});
+  slice->waiting.push_back(&entry);
   offer(slice);
 }
 
@@ -172,24 +140,17 @@ void EvaluationPool::offer(const std::shared_ptr<Slice>& slice)
 
 void EvaluationPool::work()
 {
-  try
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true)
   {
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (true)
+    wake_.wait(lock, [this] { return stopped_ || !offered_.empty(); });
+    if (stopped_)
     {
-      wake_.wait(lock, [this] { return stopped_ || !offered_.empty(); });
-      if (stopped_)
-      {
-        return;
-      }
-      const std::shared_ptr<Slice> slice = offered_.begin()->second;
-      offered_.erase(offered_.begin());
-      run(*slice, lock);
+      return;
     }
-  }
-  catch (...)
-  {
-    output_.stop(std::current_exception());
+    const std::shared_ptr<Slice> slice = offered_.begin()->second;
+    offered_.erase(offered_.begin());
+    run(*slice, lock);
   }
 }
 
@@ -204,17 +165,20 @@ void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
   }
   while (!slice.waiting.empty() && !stopped_)
   {
-    const std::vector<Job> jobs = std::exchange(slice.waiting, {});
+    Entry& entry = *slice.waiting.front();
+    slice.waiting.pop_front();
     lock.unlock();
     if (!slice.evaluator)
     {
       slice.evaluator = std::make_unique<ContactEvaluator>(config_);
     }
-    for (const Job& job : jobs)
+    entry.output = slice.evaluator->evaluate(entry.input);
+    if (isUsable(entry.output.status))
     {
-      evaluate(*slice.evaluator, job);
+      format_.write(entry);  // already here, because HoldLast does not change it
     }
     lock.lock();
+    complete(entry);
   }
   slice.taken = false;
   if (slice.closed && slice.evaluator)
@@ -223,26 +187,68 @@ void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
   }
 }
 
-void EvaluationPool::evaluate(ContactEvaluator& evaluator, const Job& job) const
+void EvaluationPool::complete(Entry& entry)
 {
-  ContactOutput output = evaluator.evaluate(job.input);
-  std::string data, csv;
-  if (isUsable(output.status))
+  entry.ready = true;
+  charge(entry);
+  largest_result_ = std::max(largest_result_, sizeOf(entry));
+  if (&entry == &entries_.front())
   {
-    std::tie(data, csv) = format_.write(output, *job.item);
-    if (config_.hold_last == 0)
-    {
-      output.release();
-    }
+    front_ready_.notify_one();
   }
-  output_.complete(*job.item, std::move(output), std::move(data), std::move(csv));
 }
 
-std::pair<std::string, std::string> EvaluationPool::Format::write(const ContactOutput& output,
-                                                                  const OutputItem& item) const
+/// Updates the memory attributed to an item. An unfinished result counts as much as the largest result so far.
+void EvaluationPool::charge(Entry& entry)
 {
-  WheelsetContact message = toMessage(output, grids);
+  bytes_ -= entry.charged;
+  entry.charged = overhead + (entry.ready ? sizeOf(entry) : largest_result_);
+  bytes_ += entry.charged;
+}
+
+std::optional<ReplayItem> EvaluationPool::pop()
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto is_ready = [this] { return !entries_.empty() && entries_.front().ready; };
+  front_ready_.wait_for(lock, pop_timeout, [&] { return reason_ || is_ready() || (closed_ && entries_.empty()); });
+  if (reason_)
+  {
+    std::rethrow_exception(reason_);
+  }
+  if (!is_ready())
+  {
+    return std::nullopt;
+  }
+  Entry entry = std::move(entries_.front());
+  entries_.pop_front();
+  bytes_ -= entry.charged;
+  if (bytes_ < budget / 4 * 3 || entries_.empty())
+  {
+    space_.notify_one();
+  }
+  lock.unlock();
+  if (entry.is_evaluated)
+  {
+    hold_[*entry.wheelset].apply(entry.output);
+    if (!isUsable(entry.output.status))
+    {
+      format_.write(entry);
+    }
+  }
+  return entry.warm_up ? std::nullopt : std::optional<ReplayItem>(std::move(entry));
+}
+
+bool EvaluationPool::isEmpty()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return closed_ && entries_.empty();
+}
+
+void EvaluationPool::Format::write(ReplayItem& item) const
+{
+  WheelsetContact message = toMessage(item.output, grids);
   message.header.seq = item.sequence;
-  return {serialized(message), csv ? csvRows(message, item.result, wheelsets[*item.wheelset]) : ""};
+  item.data = serialized(message);
+  item.csv = csv ? csvRows(message, item.result, wheelsets[*item.wheelset]) : "";
 }
 }  // namespace wheel_rail_contact

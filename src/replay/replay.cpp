@@ -11,18 +11,17 @@
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
-#include <thread>
-#include <tuple>
 #include <utility>
 
 #include "replay/result_connection.h"
-#include "ros/evaluation/conversions.h"
+#include "replay/warm_up.h"
 
 namespace wheel_rail_contact
 {
 namespace
 {
-constexpr std::size_t queue_budget = 96 << 20;  ///< [B]
+/// Number of inputs before the output from which a slice begins early enough for HoldLast.
+constexpr std::size_t warm_up_inputs = HoldLast::memory + ResetRule::slice_capacity;
 constexpr std::chrono::milliseconds bar_period(200);
 constexpr std::chrono::seconds line_period(10);
 constexpr int bar_width = 30;
@@ -124,31 +123,17 @@ Replay::Replay(ReplayOptions options)
       source_(options_.input, config_, options_.inputs, options_.keep_topics, options_.span,
               warmUpStart(options_, config_)),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
-      queue_(queue_budget),
-      warm_up_(options_.inputs.wheelsets.size(), WarmUpInputs(HoldLast::memory)),
-      hold_(options_.inputs.wheelsets.size(), HoldLast(config_)),
-      format_{options_.grids, !options_.csv.empty(), options_.inputs.wheelsets}
+      warm_up_(options_.inputs.wheelsets.size())
 {
-  if (options_.resume)
-  {
-    bag_ = resumeOutput();
-  }
   if (!options_.csv.empty())
   {
     csv_ = std::make_unique<CsvFile>(options_.csv, options_.resume);
   }
-  if (!options_.resume)
+  bag_ = options_.resume ? resumeOutput() : std::make_unique<BagWriter>(options_.output, options_.compression);
+  if (csv_)
   {
-    bag_ = std::make_unique<BagWriter>(options_.output, options_.compression);
+    bag_->onChunk([this] { csv_->flush(); });
   }
-  bag_->onChunk(
-      [this]
-      {
-        if (csv_)
-        {
-          csv_->flush();
-        }
-      });
   for (const std::string& wheelset : options_.inputs.wheelsets)
   {
     bag_->addConnection(resultConnection(wheelset, description_, config_.model));
@@ -161,13 +146,13 @@ std::unique_ptr<BagWriter> Replay::resumeOutput()
   const BagFile file(options_.output);
   const auto any_topic = [](const std::string&) { return true; };
   const BagContents contents = readContents(file, any_topic);
-  const bool has_messages = !contents.chunks.empty();
-  bool is_same = !has_messages;
-  for (const auto& [number, connection] : contents.connections)
-  {
-    is_same = is_same ||
-              (connection.header.has(description_field) && connection.header.text(description_field) == description_);
-  }
+  const bool is_same = contents.chunks.empty() || std::any_of(contents.connections.begin(), contents.connections.end(),
+                                                              [this](const auto& entry)
+                                                              {
+                                                                const BagFields& header = entry.second.header;
+                                                                return header.has(description_field) &&
+                                                                       header.text(description_field) == description_;
+                                                              });
   if (!is_same)
   {
     throw std::runtime_error(options_.output +
@@ -184,31 +169,17 @@ void Replay::run(const std::atomic<bool>& interrupted)
 {
   Progress progress(source_.messages());
   {
-    EvaluationPool pool(config_, options_.threads, format_, queue_);
-    std::thread reader([this, &pool] { read(pool); });
-    try
+    EvaluationPool pool(config_, options_.threads, {options_.grids, csv_ != nullptr, options_.inputs.wheelsets},
+                        [this](EvaluationPool& own) { read(own); });
+    // An interrupt takes effect after the resumed messages. Otherwise table and connections would be incomplete.
+    while (!pool.isEmpty() && !(interrupted && written_ >= resume_point_.messages))
     {
-      OutputItem item;
-      // An interrupt takes effect after the resumed messages. Otherwise table and connections would be incomplete.
-      const auto is_over = [&] { return interrupted && written_ >= resume_point_.messages; };
-      for (auto state = OutputQueue::State::later; state != OutputQueue::State::end && !is_over();)
+      if (const auto item = pool.pop())
       {
-        state = queue_.pop(item);
-        if (state == OutputQueue::State::item)
-        {
-          write(item);
-        }
-        progress.show(last_read_, results_ - results_before_);
+        write(*item);
       }
+      progress.show(last_read_, results_ - results_before_);
     }
-    catch (...)
-    {
-      queue_.stop();
-      reader.join();
-      throw;
-    }
-    queue_.stop();
-    reader.join();
   }
   if (csv_)
   {
@@ -219,119 +190,95 @@ void Replay::run(const std::atomic<bool>& interrupted)
   progress.finish(last_read_, results_ - results_before_);
 }
 
-/// Reads the input and distributes the evaluations. Runs in the thread of the reader.
+/// Reads the input, and passes on what belongs to the output.
 void Replay::read(EvaluationPool& pool)
 {
-  try
+  std::uint64_t messages = 0, results = 0;
+  std::vector<std::uint32_t> sequence(options_.inputs.wheelsets.size(), 0);
+  while (auto item = source_.next())
   {
-    std::uint64_t messages = 0, results = 0;
-    bool has_begun = false;
-    std::vector<std::uint32_t> sequence(options_.inputs.wheelsets.size(), 0);
-    while (auto event = source_.next())
+    item->resumed = !item->warm_up && messages < resume_point_.messages;
+    if (item->wheelset && (item->warm_up || item->resumed))
     {
-      const bool wanted = !event->warm_up && messages >= resume_point_.messages;
-      if (event->wheelset && !wanted)
-      {
-        warm_up_[*event->wheelset].add(std::move(event->input));
-      }
-      if (event->warm_up)
-      {
-        continue;
-      }
-      if (wanted && !has_begun && !addWarmUp(pool))
-      {
-        return;
-      }
-      has_begun = wanted;
-      ++messages;
-      OutputItem item;
-      static_cast<ReplayItem&>(item) = std::move(static_cast<ReplayItem&>(*event));
-      item.ready = !event->wheelset || !wanted;
-      if (event->wheelset)
-      {
-        item.result = results++;
-        item.sequence = sequence[*event->wheelset]++;
-      }
-      OutputItem* const place = queue_.append(std::move(item));
-      if (!place)
-      {
-        return;
-      }
-      if (event->wheelset && wanted)
-      {
-        pool.add(*event->wheelset, std::move(event->input), place);
-      }
+      keepForWarmUp(*item);
     }
-    queue_.close();
-  }
-  catch (...)
-  {
-    queue_.stop(std::current_exception());
+    if (item->warm_up)
+    {
+      continue;
+    }
+    ++messages;
+    if (item->wheelset)
+    {
+      item->result = results++;
+      item->sequence = sequence[*item->wheelset]++;
+    }
+    if ((!item->resumed && !addWarmUp(pool)) || !pool.append(std::move(*item)))
+    {
+      return;
+    }
   }
 }
 
-/// Evaluates the last inputs before the output.
-/// @return false if the queue was stopped
+void Replay::keepForWarmUp(ReplayItem item)
+{
+  item.warm_up = true;
+  item.resumed = false;
+  std::deque<ReplayItem>& last = warm_up_[*item.wheelset];
+  last.push_back(std::move(item));
+  if (last.size() > warm_up_inputs)
+  {
+    last.pop_front();
+  }
+}
+
+/// Evaluates the last inputs before the output, from the beginning of a slice.
+/// @return false if the pool ends
 bool Replay::addWarmUp(EvaluationPool& pool)
 {
-  for (std::size_t i = 0; i < warm_up_.size(); ++i)
+  for (std::deque<ReplayItem>& last : warm_up_)
   {
-    for (PreparedInput& input : warm_up_[i].inputs())
+    auto item = std::find_if(last.begin(), last.end(), [](const ReplayItem& i) { return i.input.resets; });
+    for (; item != last.end(); ++item)
     {
-      OutputItem item;
-      item.wheelset = i;
-      item.warm_up = true;
-      OutputItem* const place = queue_.append(std::move(item));
-      if (!place)
+      if (!pool.append(std::move(*item)))
       {
         return false;
       }
-      pool.add(i, std::move(input), place);
     }
-    warm_up_[i].inputs().clear();
+    last.clear();
   }
   return true;
 }
 
-void Replay::write(OutputItem& item)
+void Replay::write(const ReplayItem& item)
 {
-  if (item.warm_up)
-  {
-    hold_[*item.wheelset].apply(item.output);
-    return;
-  }
-  const bool is_resumed = written_++ < resume_point_.messages;
+  ++written_;
   if (item.wheelset)
   {
     ++results_;
-    results_before_ += is_resumed ? 1U : 0U;
+    results_before_ += item.resumed ? 1U : 0U;
   }
-  if (item.wheelset && !is_resumed)
+  if (item.wheelset && !item.resumed)
   {
-    hold_[*item.wheelset].apply(item.output);
-    if (!isUsable(item.output.status))
-    {
-      std::tie(item.data, item.csv) = format_.write(item.output, item);
-    }
     counts_.add(item.output.status, item.output.reason, item.output.held);
-  }
-  if (csv_ && item.wheelset && !is_resumed)
-  {
-    csv_->write(item.result, item.csv);
+    if (csv_)
+    {
+      csv_->write(item.result, item.csv);
+    }
   }
   last_read_ = item.read;
   const auto number = item.wheelset ? static_cast<std::uint32_t>(*item.wheelset) : keptConnection(item);
   bag_->write(number, item.time, item.data);
 }
 
-std::uint32_t Replay::keptConnection(const OutputItem& item)
+std::uint32_t Replay::keptConnection(const ReplayItem& item)
 {
-  const auto found = kept_connections_.find(item.connection_id);
-  if (found != kept_connections_.end())
+  const auto [found, is_new] = kept_connections_.try_emplace(item.connection_id);
+  if (is_new)
   {
-    return found->second;
+    found->second = bag_->addConnection(*item.connection);
   }
-  return kept_connections_[item.connection_id] = bag_->addConnection(*item.connection);
+  return found->second;
 }
 
 void Replay::printSummary(std::ostream& out) const

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <iosfwd>
 #include <map>
 #include <memory>
@@ -15,8 +16,6 @@
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
 #include "replay/result_counts.h"
-#include "replay/warm_up.h"
-#include "ros/evaluation/hold_last.h"
 
 namespace wheel_rail_contact
 {
@@ -53,9 +52,10 @@ class Replay
  private:
   std::unique_ptr<BagWriter> resumeOutput();
   void read(EvaluationPool& pool);
+  void keepForWarmUp(ReplayItem item);
   bool addWarmUp(EvaluationPool& pool);
-  void write(OutputItem& item);
-  std::uint32_t keptConnection(const OutputItem& item);
+  void write(const ReplayItem& item);
+  std::uint32_t keptConnection(const ReplayItem& item);
 
   const ReplayOptions options_;
   const ParameterTree parameters_;
@@ -65,16 +65,13 @@ class Replay
   BagResumePoint resume_point_;
   std::unique_ptr<BagWriter> bag_;
   std::unique_ptr<CsvFile> csv_;
-  OutputQueue queue_;
   std::map<std::uint32_t, std::uint32_t> kept_connections_;  ///< numbers in the output by numbers in the input
   std::uint64_t written_ = 0;                                ///< messages in the output, including resumed ones
   std::uint64_t results_ = 0;                                ///< results in the output, including resumed ones
   std::uint64_t results_before_ = 0;                         ///< resumed results
   std::uint64_t last_read_ = 0;                              ///< messages of the input that are processed
-  std::vector<WarmUpInputs> warm_up_;                        ///< by wheelset; thread of the reader only
-  std::vector<HoldLast> hold_;                               ///< by wheelset
-  const EvaluationPool::Format format_;
-  ResultCounts counts_;  ///< of all results in the output, including resumed ones
+  std::vector<std::deque<ReplayItem>> warm_up_;              ///< by wheelset; thread of the reader only
+  ResultCounts counts_;                                      ///< of all results in the output, including resumed ones
   double seconds_ = 0;
 };
 }  // namespace wheel_rail_contact

@@ -69,7 +69,7 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
 {
   for (std::size_t i = 0; i < inputs.wheelsets.size(); ++i)
   {
-    wheelsets_.emplace_back(config);
+    wheelsets_.emplace_back(config, transforms_);
   }
   requireTopics();
   requireTypes();
@@ -211,9 +211,9 @@ std::vector<std::string> ReplaySource::faults() const
   return faults;
 }
 
-std::optional<ReplayEvent> ReplaySource::next()
+std::optional<ReplayItem> ReplaySource::next()
 {
-  while (events_.empty() && !finished_)
+  while (items_.empty() && !finished_)
   {
     const auto message = stream_.next();
     if (!message)
@@ -229,13 +229,13 @@ std::optional<ReplayEvent> ReplaySource::next()
       finished_ = true;
     }
   }
-  if (events_.empty())
+  if (items_.empty())
   {
     return std::nullopt;
   }
-  ReplayEvent event = std::move(events_.front());
-  events_.pop_front();
-  return event;
+  ReplayItem item = std::move(items_.front());
+  items_.pop_front();
+  return item;
 }
 
 void ReplaySource::take(const BagMessage& message)
@@ -246,13 +246,13 @@ void ReplaySource::take(const BagMessage& message)
   release(true);
   if (keep_ && in_span_)
   {
-    ReplayEvent event;
-    event.time = now_;
-    event.connection_id = message.connection_id;
-    event.connection = message.connection;
-    event.data = message.data;
-    event.read = read_;
-    events_.push_back(std::move(event));
+    ReplayItem item;
+    item.time = now_;
+    item.connection_id = message.connection_id;
+    item.connection = message.connection;
+    item.data = message.data;
+    item.read = read_;
+    items_.push_back(std::move(item));
   }
   const auto [first, last] = uses_.equal_range(absolute(message.connection->topic));
   try
@@ -303,7 +303,7 @@ void ReplaySource::release(bool only_overdue)
     Wheelset& wheelset = wheelsets_[i];
     while (!wheelset.waiting.empty() &&
            (wheelset.waiting.front().deadline < now_ ||
-            (!only_overdue && wheelset.preparation.isReady(wheelset.waiting.front().input, transforms_))))
+            (!only_overdue && wheelset.preparation.isReady(wheelset.waiting.front().input))))
     {
       emit(i);
     }
@@ -313,19 +313,18 @@ void ReplaySource::release(bool only_overdue)
 void ReplaySource::emit(std::size_t wheelset)
 {
   Wheelset& own = wheelsets_[wheelset];
-  ReplayEvent event;
-  event.time = now_;
-  event.wheelset = wheelset;
-  event.input = own.preparation.prepare(own.waiting.front().input, transforms_);
-  own.neighbours.apply(event.input);
-  event.read = read_;
-  event.warm_up = !in_span_;
-  const bool is_evaluated = event.input.status == WheelsetContact::OK;
-  has_moved_ = has_moved_ || (in_span_ && is_evaluated && event.input.state.distance != 0);
-  own.lacking_neighbour += in_span_ && is_evaluated && event.input.lacks_neighbour ? 1U : 0U;
-  observe(own, event.input.stamp);
+  ReplayItem item;
+  item.time = now_;
+  item.wheelset = wheelset;
+  item.input = own.preparation.prepare(own.waiting.front().input);
+  item.read = read_;
+  item.warm_up = !in_span_;
+  const bool is_evaluated = item.input.status == WheelsetContact::OK;
+  has_moved_ = has_moved_ || (in_span_ && is_evaluated && item.input.state.distance != 0);
+  own.lacking_neighbour += in_span_ && is_evaluated && item.input.lacks_neighbour ? 1U : 0U;
+  observe(own, item.input.stamp);
   own.waiting.pop_front();
-  events_.push_back(std::move(event));
+  items_.push_back(std::move(item));
 }
 
 /// Begins the span when it is reached: messages dropped from now on are counted.

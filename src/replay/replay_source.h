@@ -15,12 +15,12 @@
 
 #include "bag/bag_stream.h"
 #include "replay/replay_options.h"
-#include "ros/evaluation/contact_input.h"
-#include "ros/evaluation/neighbour_forces.h"
+#include "ros/evaluation/contact_evaluator.h"
 
 namespace wheel_rail_contact
 {
-/// A message of the output of a replay: a result, or a copied message of the input (--keep-topics).
+/// A message of the output of a replay: a result, or a copied message of the input (--keep-topics). ReplaySource makes
+/// it, the stages of the evaluation complete it (EvaluationPool).
 struct ReplayItem
 {
   std::optional<std::size_t> wheelset;        ///< wheelset of a result; empty: a copied message
@@ -28,14 +28,16 @@ struct ReplayItem
   const BagConnection* connection = nullptr;  ///< of a copied message
   std::uint64_t time = 0;  ///< recording time: of a copied message, or when the input became complete [ns]
   std::uint64_t read = 0;  ///< messages read from the input so far
-  std::string data;        ///< bytes of the message; for a result set later
-};
+  PreparedInput input;     ///< of a result
+  bool warm_up = false;    ///< true: the result is not output, but later results may start from it
 
-/// Next item of a replay: an input to evaluate, or a message to copy.
-struct ReplayEvent : ReplayItem
-{
-  PreparedInput input;   ///< of a result
-  bool warm_up = false;  ///< true: the result is not output, but later results may start from it
+  bool resumed = false;        ///< true: the message is already in the output
+  std::uint64_t result = 0;    ///< number of the result in the output
+  std::uint32_t sequence = 0;  ///< number of the result among those of its wheelset
+
+  ContactOutput output;  ///< the result
+  std::string data;      ///< bytes of the message
+  std::string csv;       ///< rows of the table
 };
 
 /// Forms from the messages of a bag the same inputs as the live node. It matches messages by their stamps and
@@ -54,8 +56,8 @@ class ReplaySource
   ReplaySource(const std::string& bag, const NodeConfig& config, const BagInputs& inputs, bool keep,
                const BagSpan& span = {}, std::uint64_t warm_up = 0);
 
-  /// The next event; empty at the end.
-  std::optional<ReplayEvent> next();
+  /// The next input to evaluate, or message to copy; empty at the end.
+  std::optional<ReplayItem> next();
 
   /// Number of messages to read.
   std::uint64_t messages() const;
@@ -102,11 +104,14 @@ class ReplaySource
   };
   struct Wheelset
   {
-    explicit Wheelset(const NodeConfig& config) : pairing(config), preparation(config), neighbours(config) {}
+    Wheelset(const NodeConfig& config, const tf2::BufferCore& transforms)
+        : pairing(config), neighbours(config), preparation(config, transforms, neighbours)
+    {
+    }
 
     InputPairing pairing;
-    InputPreparation preparation;
     NeighbourForces neighbours;
+    InputPreparation preparation;
     std::deque<Waiting> waiting;                                         ///< inputs that wait for their transforms
     std::array<std::uint64_t, PairingCounts::reasons> dropped_before{};  ///< dropped before the span
     std::uint64_t poses_dropped_before = 0;                              ///< the same of the poses
@@ -137,10 +142,10 @@ class ReplaySource
   std::set<std::string> results_;  ///< topics of the results of this run
   Uses uses_;
   bool keep_;
-  std::deque<Wheelset> wheelsets_;
   tf2::BufferCore transforms_;
+  std::deque<Wheelset> wheelsets_;
   BagStream stream_;
-  std::deque<ReplayEvent> events_;
+  std::deque<ReplayItem> items_;
   std::uint64_t now_ = 0;   ///< recording time of the last message [ns]
   std::uint64_t read_ = 0;  ///< number of messages read
   std::uint64_t damaged_ = 0;

@@ -156,13 +156,10 @@ TEST(HoldLast, InputAtTheOriginHasAPose)
   EXPECT_DOUBLE_EQ(refused->wheelset.position.z, height);
 }
 
-TEST(HoldLast, ReleasedResultGivesHeightAndRollToTheNext)
+TEST(HoldLast, ForgetsTheLastResultAtARestart)
 {
   HoldLast hold(config(0));
-  ContactOutput usable = result(1, WheelsetContact::OK);
-  usable.release();
-  EXPECT_EQ(usable.result, nullptr);
-  hold.apply(usable);
+  applied(hold, 1, WheelsetContact::OK);
   expectLastHeight(*applied(hold, 2, WheelsetContact::NOT_CONVERGED));
   hold.restart();
   EXPECT_EQ(applied(hold, 3, WheelsetContact::NOT_CONVERGED)->wheelset.position.z, 0);

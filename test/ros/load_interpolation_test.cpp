@@ -291,7 +291,9 @@ TEST_F(LoadInterpolation, LoadsInDifferentFramesAreRefusedByName)
   addPose(10.01);
   const auto inputs = addLoad(load(10.02, 1, "axle"));
   ASSERT_EQ(inputs.size(), 1U);
-  const PreparedInput prepared = InputPreparation(config()).prepare(inputs[0], tf2::BufferCore());
+  const tf2::BufferCore transforms;
+  const NeighbourForces neighbours(config());
+  const PreparedInput prepared = InputPreparation(config(), transforms, neighbours).prepare(inputs[0]);
   EXPECT_EQ(prepared.status, WheelsetContact::INVALID_INPUT);
   EXPECT_EQ(prepared.reason,
             "load: frame_id is 'track' before the pose and 'axle' after it, but must be the same to interpolate");

@@ -167,27 +167,33 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   return state;
 }
 
-bool InputPreparation::isReady(const ContactInput& input, const tf2::BufferCore& transforms) const
+bool InputPreparation::isReady(const ContactInput& input) const
 {
   const std_msgs::Header& header = input.pose->header;
   return header.frame_id == track_frame_ || !isFrameName(header.frame_id) ||
-         transforms.canTransform(track_frame_, header.frame_id, header.stamp);
+         transforms_.canTransform(track_frame_, header.frame_id, header.stamp);
 }
 
-PreparedInput InputPreparation::prepare(const ContactInput& input, const tf2::BufferCore& transforms)
+PreparedInput InputPreparation::prepare(const ContactInput& input)
 {
   PreparedInput prepared;
   prepared.stamp = input.pose->header.stamp;
   prepared.resets = reset_rule_.resets(prepared.stamp);
   try
   {
-    prepared.state = toState(input, track_frame_, transforms);
+    prepared.state = toState(input, track_frame_, transforms_);
   }
   catch (const UnusableInput& error)
   {
     prepared.status = error.status();
     prepared.reason = error.what();
   }
+  const NeighbourEffect effect = neighbours_.effectAt(prepared.stamp);
+  for (const core::Side side : core::sides)
+  {
+    prepared.state.rail_displacement[side] += effect.deflection[side];
+  }
+  prepared.lacks_neighbour = !effect.complete;
   return prepared;
 }
 }  // namespace wheel_rail_contact

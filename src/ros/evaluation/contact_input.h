@@ -10,6 +10,7 @@
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "config/node_config.h"
 #include "ros/evaluation/input_pairing.h"
+#include "ros/evaluation/neighbour_forces.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact
@@ -92,7 +93,7 @@ class ResetRule
   int count_ = 0;  ///< number of inputs in the slice
 };
 
-/// Prepares the inputs of one wheelset, in order, for evaluation.
+/// Prepares the inputs of one wheelset, in order, for evaluation: transform, checks and the forces of the neighbours.
 class InputPreparation
 {
  public:
@@ -100,17 +101,23 @@ class InputPreparation
   static constexpr double transform_timeout = 0.1;
 
   /// Keeps no reference to `config`.
-  explicit InputPreparation(const NodeConfig& config) : track_frame_(config.track_frame) {}
+  /// @param transforms,neighbours must outlive the preparation
+  InputPreparation(const NodeConfig& config, const tf2::BufferCore& transforms, const NeighbourForces& neighbours)
+      : track_frame_(config.track_frame), transforms_(transforms), neighbours_(neighbours)
+  {
+  }
 
   /// True if the input need not wait: its pose needs no transform, its frame_id is invalid, or tf has the transform.
-  bool isReady(const ContactInput& input, const tf2::BufferCore& transforms) const;
+  bool isReady(const ContactInput& input) const;
   /// Does not throw for an unusable input: see PreparedInput::status.
-  PreparedInput prepare(const ContactInput& input, const tf2::BufferCore& transforms);
+  PreparedInput prepare(const ContactInput& input);
   /// The next input is prepared as the first one.
   void restart() { reset_rule_ = ResetRule(); }
 
  private:
   std::string track_frame_;
+  const tf2::BufferCore& transforms_;
+  const NeighbourForces& neighbours_;
   ResetRule reset_rule_;
 };
 }  // namespace wheel_rail_contact

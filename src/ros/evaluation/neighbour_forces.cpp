@@ -90,16 +90,6 @@ NeighbourEffect NeighbourForces::effectAt(const ros::Time& stamp) const
   return effect;
 }
 
-void NeighbourForces::apply(PreparedInput& input) const
-{
-  const NeighbourEffect effect = effectAt(input.stamp);
-  for (const core::Side side : core::sides)
-  {
-    input.state.rail_displacement[side] += effect.deflection[side];
-  }
-  input.lacks_neighbour = !effect.complete;
-}
-
 /// Forces of the newest result before the stamp; null if there is none, or if it is too old or not usable.
 const NeighbourForces::Forces* NeighbourForces::forcesAt(const Neighbour& neighbour, const ros::Time& stamp)
 {

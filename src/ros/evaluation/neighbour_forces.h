@@ -8,7 +8,6 @@
 
 #include "config/node_config.h"
 #include "core/rail/neighbours.h"
-#include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/result_head.h"
 
 namespace wheel_rail_contact
@@ -45,8 +44,6 @@ class NeighbourForces
 
   /// Effect of all neighbours at the stamp.
   NeighbourEffect effectAt(const ros::Time& stamp) const;
-  /// Adds the effect at the stamp of an input to its rail displacement, and marks it if a neighbour is unknown.
-  void apply(PreparedInput& input) const;
 
  private:
   using Forces = core::Sides<core::RailForce>;  ///< by Side

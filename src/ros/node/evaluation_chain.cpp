@@ -10,7 +10,7 @@ constexpr double poll_period = 0.002;  ///< [s]
 
 EvaluationChain::EvaluationChain(const NodeConfig& config, const tf2::BufferCore& transforms,
                                  const NeighbourForces& neighbours)
-    : preparation_(config), evaluator_(config), hold_(config), transforms_(transforms), neighbours_(neighbours)
+    : preparation_(config, transforms, neighbours), evaluator_(config), hold_(config)
 {
 }
 
@@ -18,9 +18,7 @@ ContactOutput EvaluationChain::evaluate(const ContactInput& input, const std::fu
 {
   waitForTransform(input, ended);
   const ros::WallTime start = ros::WallTime::now();
-  PreparedInput prepared = preparation_.prepare(input, transforms_);
-  neighbours_.apply(prepared);
-  ContactOutput output = evaluator_.evaluate(prepared);
+  ContactOutput output = evaluator_.evaluate(preparation_.prepare(input));
   hold_.apply(output);
   output.solve_time = (ros::WallTime::now() - start).toSec();
   return output;
@@ -35,7 +33,7 @@ void EvaluationChain::restart()
 void EvaluationChain::waitForTransform(const ContactInput& input, const std::function<bool()>& ended) const
 {
   const ros::WallTime deadline = input.arrival + ros::WallDuration(InputPreparation::transform_timeout);
-  while (!preparation_.isReady(input, transforms_) && ros::WallTime::now() < deadline && !ended())
+  while (!preparation_.isReady(input) && ros::WallTime::now() < deadline && !ended())
   {
     ros::WallDuration(poll_period).sleep();
   }

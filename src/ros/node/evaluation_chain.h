@@ -8,12 +8,11 @@
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/hold_last.h"
-#include "ros/evaluation/neighbour_forces.h"
 
 namespace wheel_rail_contact
 {
-/// Evaluates the inputs of one wheelset in the live node, in their order. The replay has the same steps in its threads:
-/// preparation (InputPreparation), forces of the neighbours, evaluation (ContactEvaluator), hold (HoldLast). Not
+/// Evaluates the inputs of one wheelset in the live node, in their order. Its stages are InputPreparation,
+/// ContactEvaluator and HoldLast. The replay distributes the same stages over threads (EvaluationPool). Not
 /// thread-safe.
 class EvaluationChain
 {
@@ -36,7 +35,5 @@ class EvaluationChain
   InputPreparation preparation_;
   ContactEvaluator evaluator_;
   HoldLast hold_;
-  const tf2::BufferCore& transforms_;
-  const NeighbourForces& neighbours_;
 };
 }  // namespace wheel_rail_contact
