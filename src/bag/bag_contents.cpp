@@ -11,12 +11,6 @@ namespace
 {
 constexpr std::size_t pair_length = 8;  ///< (conn, number of messages) in a chunk info record [B]
 
-bool isWanted(const BagContents& contents, std::uint32_t connection, const TopicFilter& wanted)
-{
-  const auto found = contents.connections.find(connection);
-  return found != contents.connections.end() && wanted(found->second.topic);
-}
-
 /// Adds to the number of messages of a connection. Messages of a connection without a record are not counted.
 void countMessages(BagContents& contents, std::uint32_t connection, std::uint64_t count)
 {
@@ -295,6 +289,12 @@ std::string wholeRecords(std::string bytes)
   return bytes;
 }
 }  // namespace
+
+bool isWanted(const BagContents& contents, std::uint32_t connection, const TopicFilter& wanted)
+{
+  const auto found = contents.connections.find(connection);
+  return found != contents.connections.end() && wanted(found->second.topic);
+}
 
 BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span)
 {

@@ -43,7 +43,8 @@ struct BagChunk
 struct BagContents
 {
   std::map<std::uint32_t, BagConnection> connections;  ///< by number
-  /// Number of messages by connection. With an index, only chunks that overlap the span count.
+  /// Number of messages by connection, which is one of `connections`. With an index, only chunks that overlap the span
+  /// count.
   std::map<std::uint32_t, std::uint64_t> messages;
   /// Chunks with messages of wanted topics, in the order of the file. With an index, chunks that end before the span
   /// are left out.
@@ -53,6 +54,9 @@ struct BagContents
 
 /// Predicate: true for the topics whose messages are wanted.
 using TopicFilter = std::function<bool(const std::string& topic)>;
+
+/// True if the contents have this connection, and its topic is wanted.
+bool isWanted(const BagContents& contents, std::uint32_t connection, const TopicFilter& wanted);
 
 /// Reads the index of a bag. If there is none (crashed recorder, truncated file), reads the whole file. If chunks
 /// follow the last one that the index lists (`rosbag reindex` of a truncated file), reads them, too, and reports a

@@ -105,17 +105,12 @@ void BagStream::listMessages(OpenChunk& chunk)
                   {
                     addConnection(record.header, record.data, contents_);
                   }
-                  else if (record.header.op() == BagOp::message && isWanted(id) && record.header.time("time") >= from_)
+                  else if (record.header.op() == BagOp::message && isWanted(contents_, id, wanted_) &&
+                           record.header.time("time") >= from_)
                   {
                     chunk.entries.push_back({record.header.time("time"), id, record.data});
                   }
                 });
-}
-
-bool BagStream::isWanted(std::uint32_t connection) const
-{
-  const auto found = contents_.connections.find(connection);
-  return found != contents_.connections.end() && wanted_(found->second.topic);
 }
 
 void BagStream::report(const std::string& fault)

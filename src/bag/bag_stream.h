@@ -64,7 +64,6 @@ class BagStream
   void openDueChunks();
   void open(const BagChunk& chunk);
   void listMessages(OpenChunk& chunk);
-  bool isWanted(std::uint32_t connection) const;
   void report(const std::string& fault);
 
   TopicFilter wanted_;

@@ -97,17 +97,12 @@ void Progress::print(std::uint64_t read, std::uint64_t results) const
 /// if the output does not exist.
 ReplayOptions withCheckedOutputs(ReplayOptions options)
 {
-  if (std::filesystem::exists(options.output))
+  const bool exists = std::filesystem::exists(options.output);
+  if (exists && !options.resume)
   {
-    if (!options.resume)
-    {
-      throw std::runtime_error(options.output + ": already exists and is not overwritten (--resume continues it)");
-    }
+    throw std::runtime_error(options.output + ": already exists and is not overwritten (--resume continues it)");
   }
-  else
-  {
-    options.resume = false;
-  }
+  options.resume = exists;
   if (!options.csv.empty())
   {
     CsvFile::requireUsablePath(options.csv, options.resume);

@@ -195,8 +195,7 @@ std::uint64_t ReplaySource::messages() const
   std::uint64_t sum = 0;
   for (const auto& [connection, count] : stream_.contents().messages)
   {
-    const auto found = stream_.contents().connections.find(connection);
-    sum += found != stream_.contents().connections.end() && isRead(found->second.topic) ? count : 0;
+    sum += isRead(stream_.contents().connections.at(connection).topic) ? count : 0;
   }
   return sum;
 }

@@ -53,10 +53,10 @@ std::vector<double> drawnPlaces(const core::RailSections& sections)
   return places;
 }
 
-void write(double y, double z, std::ostream& text)
+void write(const core::PlanePoint& point, std::ostream& text)
 {
   text.precision(7);
-  text << y << ' ' << z << '\n';
+  text << point.y << ' ' << point.z << '\n';
 }
 
 template <typename Place>
@@ -66,8 +66,7 @@ std::string outline(const core::Profile& profile, const Place& place)
   const core::ParameterRange part = profile.parts().front();
   for (int i = 0; i < points; ++i)
   {
-    const auto [y, z] = place(part.begin + (part.end - part.begin) * i / (points - 1));
-    write(y, z, text);
+    write(place(part.begin + (part.end - part.begin) * i / (points - 1)), text);
   }
   return text.str();
 }
@@ -75,12 +74,7 @@ std::string outline(const core::Profile& profile, const Place& place)
 std::string railOutlineText(const core::ContactModelConfig& config, core::Side side)
 {
   const core::PlacedRail rail = core::restingRail(config, side);
-  return outline(rail.profile(),
-                 [&rail](double u)
-                 {
-                   const core::PlanePoint p = rail.at(u);
-                   return std::make_pair(p.y, p.z);
-                 });
+  return outline(rail.profile(), [&rail](double u) { return rail.at(u); });
 }
 
 std::string railSectionsText(const core::ContactModelConfig& config, core::Side side)
@@ -105,9 +99,8 @@ std::string railSectionsText(const core::ContactModelConfig& config, core::Side 
 
 std::string railReferenceText(const core::ContactModelConfig& config, core::Side side)
 {
-  const core::PlanePoint point = core::restingRail(config, side).referencePoint();
   std::ostringstream text;
-  write(point.y, point.z, text);
+  write(core::restingRail(config, side).referencePoint(), text);
   return text.str();
 }
 
@@ -119,7 +112,7 @@ std::string wheelOutlineText(const core::ContactModelConfig& config, core::Side 
                  [&](double u)
                  {
                    const core::CurvePoint p = profile.at(u);
-                   return std::make_pair(wheelset.halfBase() + p.y, p.z - wheelset.rolling_radius[side]);
+                   return core::PlanePoint{wheelset.halfBase() + p.y, p.z - wheelset.rolling_radius[side], p.dy, p.dz};
                  });
 }
 }  // namespace

@@ -24,11 +24,7 @@ bool holdsTransforms(const BagContents& contents)
 {
   return std::any_of(contents.messages.begin(), contents.messages.end(),
                      [&contents](const auto& entry)
-                     {
-                       const auto found = contents.connections.find(entry.first);
-                       return entry.second > 0 && found != contents.connections.end() &&
-                              isTransform(found->second.topic);
-                     });
+                     { return entry.second > 0 && isTransform(contents.connections.at(entry.first).topic); });
 }
 
 std::uint64_t startOf(const BagContents& contents)

@@ -14,35 +14,25 @@ constexpr Polynomial red{0.2745, 0.1077, -0.3272, -4.5999, 6.2037, 4.7518, -5.43
 constexpr Polynomial green{0.0058, 1.3965, 0.2148, -5.7582, 14.154, -13.7494, 4.6416};
 constexpr Polynomial blue{0.3327, 1.3868, 0.092, -19.2918, 56.6563, -65.321, 26.2721};
 
-float evaluate(const Polynomial& polynomial, double t)
+double evaluate(const Polynomial& polynomial, double t)
 {
   double value = 0;
   for (auto coefficient = polynomial.rbegin(); coefficient != polynomial.rend(); ++coefficient)
   {
     value = value * t + *coefficient;
   }
-  return static_cast<float>(std::clamp(value, 0.0, 1.0));
+  return std::clamp(value, 0.0, 1.0);
 }
 }  // namespace
 
 std_msgs::ColorRGBA colorOf(double value)
 {
   const double t = value > 0 ? std::min(value, 1.0) : 0.0;  // 0 for NaN
-  std_msgs::ColorRGBA color;
-  color.r = evaluate(red, t);
-  color.g = evaluate(green, t);
-  color.b = evaluate(blue, t);
-  color.a = 1;
-  return color;
+  return makeColor(evaluate(red, t), evaluate(green, t), evaluate(blue, t));
 }
 
 std_msgs::ColorRGBA aboveScaleColor()
 {
-  std_msgs::ColorRGBA color;
-  color.r = 1;
-  color.g = 0.1F;
-  color.b = 0.8F;
-  color.a = 1;
-  return color;
+  return makeColor(1, 0.1, 0.8);
 }
 }  // namespace wheel_rail_contact

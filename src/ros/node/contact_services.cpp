@@ -2,10 +2,10 @@
 #include "ros/node/contact_services.h"
 
 #include <algorithm>
+#include <boost/function.hpp>
 #include <boost/make_shared.hpp>
 #include <exception>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "ros/evaluation/conversions.h"
@@ -43,26 +43,34 @@ ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig&
 }
 }  // namespace
 
-ContactServices::ContactServices(const ros::NodeHandle& private_nh, NodeConfig config,
+ContactServices::ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config,
                                  const tf2::BufferCore& transforms, const NeighbourForces& neighbours)
-    : config_(std::move(config)),
-      static_config_(withSolvedHeight(config_)),
-      transforms_(transforms),
+    : transforms_(transforms),
       neighbours_(neighbours),
+      evaluate_{config, &ServiceCounts::evaluate, false, {}, {}},
+      static_start_{withSolvedHeight(config), &ServiceCounts::static_start, true, {}, {}},
       spinner_(1, &queue_)
 {
   ros::NodeHandle own(private_nh);
   own.setCallbackQueue(&queue_);
-  evaluate_server_ = own.advertiseService("evaluate", &ContactServices::evaluate, this);
-  static_start_server_ = own.advertiseService("static_start", &ContactServices::startStatic, this);
+  advertise(evaluate_, "evaluate", own);
+  advertise(static_start_, "static_start", own);
   spinner_.start();
+}
+
+void ContactServices::advertise(Service& service, const std::string& name, ros::NodeHandle& own)
+{
+  using Answer = boost::function<bool(EvaluateWheelset::Request&, EvaluateWheelset::Response&)>;
+  service.server = own.advertiseService(
+      name, Answer([this, &service](EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
+                   { return answer(service, request, response); }));
 }
 
 ContactServices::~ContactServices()
 {
   ended_ = true;
-  evaluate_server_.shutdown();
-  static_start_server_.shutdown();
+  evaluate_.server.shutdown();
+  static_start_.server.shutdown();
   spinner_.stop();
 }
 
@@ -72,70 +80,35 @@ ServiceCounts ContactServices::counts() const
   return counts_;
 }
 
-bool ContactServices::evaluate(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
+bool ContactServices::answer(Service& service, const EvaluateWheelset::Request& request,
+                             EvaluateWheelset::Response& response)
 {
   try
   {
-    if (!evaluate_)
+    if (!service.chain)
     {
-      evaluate_ = std::make_unique<EvaluationChain>(config_, transforms_, neighbours_);
+      service.chain = std::make_unique<EvaluationChain>(service.config, transforms_, neighbours_);
     }
-    response.contact = resultOf(request, config_, *evaluate_);
-    count(&ServiceCounts::evaluate, response.contact);
-  }
-  catch (const std::exception& error)
-  {
-    fail(error);
-    return false;
-  }
-  return true;
-}
-
-bool ContactServices::startStatic(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
-{
-  try
-  {
-    if (!static_start_)
+    if (service.is_cold)
     {
-      static_start_ = std::make_unique<EvaluationChain>(static_config_, transforms_, neighbours_);
+      service.chain->restart();
     }
-    static_start_->restart();
-    response.contact = resultOf(request, static_config_, *static_start_);
-    count(&ServiceCounts::static_start, response.contact);
-  }
-  catch (const std::exception& error)
-  {
-    fail(error);
-    return false;
-  }
-  return true;
-}
-
-WheelsetContact ContactServices::resultOf(const EvaluateWheelset::Request& request, const NodeConfig& config,
-                                          EvaluationChain& chain)
-{
-  ContactInput input = inputOf(request, config);
-  input.arrival = ros::WallTime::now();
-  const ContactOutput output = chain.evaluate(input, [this] { return ended_.load(); });
-  if (output.lacks_neighbour)
-  {
+    ContactInput input = inputOf(request, service.config);
+    input.arrival = ros::WallTime::now();
+    const ContactOutput output = service.chain->evaluate(input, [this] { return ended_.load(); });
+    response.contact = toMessage(output, true);
     const std::lock_guard<std::mutex> lock(mutex_);
-    ++counts_.lacking_neighbour;
+    ++(counts_.*service.results);
+    counts_.unusable += isUsable(output.status) ? 0U : 1U;
+    counts_.lacking_neighbour += output.lacks_neighbour ? 1U : 0U;
+    return true;
   }
-  return toMessage(output, true);
-}
-
-void ContactServices::count(std::uint64_t ServiceCounts::*requests, const WheelsetContact& result)
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++(counts_.*requests);
-  counts_.unusable += isUsable(result.status) ? 0U : 1U;
-}
-
-void ContactServices::fail(const std::exception& error)
-{
-  ROS_ERROR_THROTTLE(1.0, "internal error in a service: %s", error.what());
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++counts_.failed;
+  catch (const std::exception& error)
+  {
+    ROS_ERROR_THROTTLE(1.0, "internal error in a service: %s", error.what());
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++counts_.failed;
+    return false;
+  }
 }
 }  // namespace wheel_rail_contact

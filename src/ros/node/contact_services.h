@@ -7,9 +7,9 @@
 
 #include <atomic>
 #include <cstdint>
-#include <exception>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
 #include "config/node_config.h"
@@ -32,7 +32,7 @@ class ContactServices
  public:
   /// Advertises the services.
   /// @param transforms,neighbours must outlive the services
-  ContactServices(const ros::NodeHandle& private_nh, NodeConfig config, const tf2::BufferCore& transforms,
+  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const tf2::BufferCore& transforms,
                   const NeighbourForces& neighbours);
   /// Ends after the current request.
   ~ContactServices();
@@ -43,22 +43,25 @@ class ContactServices
   ServiceCounts counts() const;
 
  private:
-  bool evaluate(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
-  bool startStatic(EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
-  /// Result of a request. Counts it if it lacks the forces of a neighbour.
-  WheelsetContact resultOf(const EvaluateWheelset::Request& request, const NodeConfig& config, EvaluationChain& chain);
-  void fail(const std::exception& error);
-  void count(std::uint64_t ServiceCounts::*requests, const WheelsetContact& result);
+  struct Service
+  {
+    NodeConfig config;
+    std::uint64_t ServiceCounts::*results;   ///< their number
+    bool is_cold;                            ///< each request starts cold
+    std::unique_ptr<EvaluationChain> chain;  ///< thread of the services only
+    ros::ServiceServer server;
+  };
 
-  const NodeConfig config_, static_config_;
+  void advertise(Service& service, const std::string& name, ros::NodeHandle& own);
+  bool answer(Service& service, const EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
+
   const tf2::BufferCore& transforms_;
   const NeighbourForces& neighbours_;
-  std::unique_ptr<EvaluationChain> evaluate_, static_start_;  ///< thread of the services only
+  ros::CallbackQueue queue_;
+  Service evaluate_, static_start_;
   std::atomic<bool> ended_{false};
   mutable std::mutex mutex_;  ///< guards `counts_`
   ServiceCounts counts_;
-  ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;
-  ros::ServiceServer evaluate_server_, static_start_server_;
 };
 }  // namespace wheel_rail_contact
