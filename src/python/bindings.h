@@ -50,7 +50,7 @@ void bindResults(pybind11::module& module);
 void bindMany(pybind11::module& module);
 /// Adds the class that evaluates states.
 void bindContact(pybind11::module& module);
-/// Adds profiles, compliance tables, and what the command check_profile requires.
+/// Adds profiles, compliance tables, tables of cells, and what the command check_profile requires.
 void bindProfiles(pybind11::module& module);
 /// Adds the contact geometry of rigid wheels and rails. The class that evaluates states is added before.
 void bindGeometry(pybind11::module& module);

@@ -19,6 +19,8 @@
 #include "config/profile_parameters.h"
 #include "config/text.h"
 #include "core/profile/curve/measures.h"
+#include "core/text/text_table.h"
+#include "core/text/words.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 #include "wheel_rail_contact/core/profile_reader.h"
@@ -266,6 +268,43 @@ void bindProfileCheck(py::module& module)
   module.def("wheel_measures", &wheelMeasuresOf);
   module.def("rail_measures", &railMeasuresOf);
 }
+
+/// Table of any cells, with its file.
+struct CellFile
+{
+  core::TextFile file;
+  core::CellTable table;
+
+  explicit CellFile(const std::string& path) : file(path, std::size_t{1} << 30U, 100000), table(file, false) {}
+
+  core::TableRow next()
+  {
+    core::TableRow row;
+    return table.next(row) ? row : throw py::stop_iteration();
+  }
+};
+
+/// Adds the tables that the command contact_states reads.
+void bindCells(py::module& module)
+{
+  py::class_<core::TableRow>(module, "TableRow")
+      .def_readonly("line", &core::TableRow::line)
+      .def_readonly("cells", &core::TableRow::cells);
+  py::class_<CellFile>(module, "CellTable")
+      .def(py::init<const std::string&>())
+      .def_property_readonly("path", [](const CellFile& cells) { return cells.file.path(); })
+      .def_property_readonly("head", [](const CellFile& cells) { return cells.table.head(); })
+      .def_property_readonly("comments", [](const CellFile& cells) { return cells.table.comments(); })
+      .def("rewind", [](CellFile& cells) { cells.table.rewind(); })
+      .def("__iter__", [](const py::object& cells) { return cells; })
+      .def("__next__", &CellFile::next);
+  module.def("plain_number",
+             [](const std::string& cell)
+             {
+               const std::string number = core::withPoint(cell);
+               return core::parseNumber(number) ? std::optional(number) : std::nullopt;
+             });
+}
 }  // namespace
 
 void bindProfiles(py::module& module)
@@ -273,5 +312,6 @@ void bindProfiles(py::module& module)
   bindProfile(module);
   bindTable(module);
   bindProfileCheck(module);
+  bindCells(module);
 }
 }  // namespace wheel_rail_contact

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the CSV files that the programs of the package write. Tables of other programs: text_table."""
+"""Reads the CSV files that the programs of the package write. Tables of other programs: CellTable of the module."""
 import csv
 
 import numpy as np

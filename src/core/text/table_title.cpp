@@ -3,27 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
-#include <sstream>
 
 #include "core/pi.h"
+#include "core/text/formatted.h"
 #include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-std::string withoutQuotes(std::string text)
-{
-  text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
-  return trim(text);
-}
-
 /// Text in brackets that open at `open` and close at the end of the text; empty if its last character is not `close`.
 std::string insideBrackets(const std::string& text, std::size_t open, char close)
 {
   return text.back() == close ? trim(text.substr(open + 1, text.size() - open - 2)) : "";
+}
+
+/// Title with the unit after the last sign of its kind; no unit if the word there is none.
+TableTitle withUnitAtEnd(const std::string& text)
+{
+  const std::size_t sign = text.find_last_of("/_ \t");
+  const std::string unit = sign == std::string::npos ? "" : text.substr(sign + 1);
+  if (!isUnit(unit))
+  {
+    return {text, ""};
+  }
+  const std::size_t end = text.find_last_not_of("/_ \t", sign);
+  return {end == std::string::npos ? "" : text.substr(0, end + 1), unit};
 }
 }  // namespace
 
@@ -57,9 +63,7 @@ std::string nameOfLength(double unit)
 
 std::string millimetres(double length)
 {
-  std::ostringstream text;
-  text << std::setprecision(4) << length * 1e3 << " mm";
-  return text.str();
+  return formatted("%.4g mm", length * 1e3);
 }
 
 const Units& angleUnits()
@@ -82,48 +86,15 @@ bool isUnit(const std::string& text)
   return unitNamed(lengthUnits(), text) || unitNamed(angleUnits(), text);
 }
 
-namespace
+std::vector<TableTitle> titlesIn(const std::vector<std::string>& cells)
 {
-/// Title with the unit after the last sign of its kind; no unit if the word there is none.
-TableTitle withUnitAtEnd(const std::string& text)
-{
-  const std::size_t sign = text.find_last_of("/_ \t");
-  const std::string unit = sign == std::string::npos ? "" : text.substr(sign + 1);
-  if (!isUnit(unit))
-  {
-    return {text, ""};
-  }
-  const std::size_t end = text.find_last_not_of("/_ \t", sign);
-  return {end == std::string::npos ? "" : text.substr(0, end + 1), unit};
-}
-}  // namespace
-
-std::vector<TableTitle> titlesIn(const std::string& line)
-{
-  const char separator = line.find(';') != std::string::npos    ? ';'
-                         : line.find('\t') != std::string::npos ? '\t'
-                         : line.find(',') != std::string::npos  ? ','
-                                                                : ' ';
-  std::vector<std::string> fields = splitAt(line, separator);
-  for (std::size_t i = fields.size(); separator == ' ' && i-- > 1;)
-  {
-    const bool after_slash = fields[i - 1] == "/" || fields[i][0] == '/';
-    const bool in_brackets =
-        (fields[i][0] == '[' || fields[i][0] == '(') && fields[i - 1].back() != ']' && fields[i - 1].back() != ')';
-    if (after_slash || in_brackets)
-    {
-      fields[i - 1] += " " + fields[i];
-      fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-  }
   std::vector<TableTitle> titles;
-  std::transform(fields.begin(), fields.end(), std::back_inserter(titles), titleOf);
+  std::transform(cells.begin(), cells.end(), std::back_inserter(titles), titleOf);
   return titles;
 }
 
-TableTitle titleOf(const std::string& text)
+TableTitle titleOf(const std::string& title)
 {
-  const std::string title = withoutQuotes(text);
   for (const char* brackets : {"[]", "()"})
   {
     const std::size_t open = title.find(brackets[0]);

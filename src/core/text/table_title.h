@@ -39,10 +39,9 @@ struct TableTitle
 std::optional<double> unitNamed(const Units& units, const std::string& text);
 /// True if the text is a unit of length or angle.
 bool isUnit(const std::string& text);
-/// Line of titles divided into fields: at semicolons, tabs or commas, the first of these that occurs, or at white
-/// space. A unit in brackets or after a slash belongs to the name before it.
-std::vector<TableTitle> titlesIn(const std::string& line);
-/// Divides a title into name and unit: `y [mm]`, `y (mm)`, `y / mm`, `y_mm`, or `y` alone. Quotes are removed. Text
-/// after a first word with its unit is a remark: `z_mm worn`.
-TableTitle titleOf(const std::string& text);
+/// Titles in the cells of a row.
+std::vector<TableTitle> titlesIn(const std::vector<std::string>& cells);
+/// Divides a title into name and unit: `y [mm]`, `y (mm)`, `y / mm`, `y_mm`, or `y` alone. Text after a first word with
+/// its unit is a remark: `z_mm worn`.
+TableTitle titleOf(const std::string& title);
 }  // namespace wheel_rail_contact::core

@@ -14,7 +14,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr std::size_t longest_line = 1000;
+
 constexpr char32_t replacement = 0xFFFD;  ///< stands for bytes that are no character
 
 bool beginsWith(const std::string& bytes, const std::string& mark)
@@ -39,23 +39,17 @@ std::size_t following(std::uint32_t first)
 
 bool isUtf8(const std::string& bytes)
 {
-  for (std::size_t i = 0; i < bytes.size();)
+  std::size_t more = 0;  // bytes of the current character
+  for (std::size_t i = 0; i < bytes.size() && more <= 3; ++i)
   {
-    const std::size_t more = following(byteAt(bytes, i));
-    if (more > 3 || i + more >= bytes.size() + (more == 0 ? 1 : 0))
+    const bool continues = (byteAt(bytes, i) & 0xC0U) == 0x80;
+    if (continues != (more > 0))
     {
       return false;
     }
-    for (std::size_t k = 1; k <= more; ++k)
-    {
-      if ((byteAt(bytes, i + k) & 0xC0U) != 0x80)
-      {
-        return false;
-      }
-    }
-    i += more + 1;
+    more = continues ? more - 1 : following(byteAt(bytes, i));
   }
-  return true;
+  return more == 0;
 }
 
 void append(std::string& text, char32_t character)
@@ -114,34 +108,7 @@ std::string asUtf8(const std::string& bytes)
 bool isControl(char c)
 {
   const auto code = static_cast<unsigned char>(c);
-  return (code < 0x20 && c != '\n' && c != '\t' && c != '\v' && c != '\f') || code == 0x7F;
-}
-
-/// Text of a file in UTF-8, with lines that end with \n; nothing if the bytes are not a text: they contain control
-/// characters.
-std::optional<std::string> decodedText(const std::string& bytes)
-{
-  const std::string text = asUtf8(bytes);
-  std::string lines;
-  lines.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    const bool before_newline = i + 1 < text.size() && text[i + 1] == '\n';
-    if (text[i] != '\r')
-    {
-      lines += text[i];
-    }
-    else if (!before_newline)
-    {
-      lines += '\n';
-    }
-  }
-  // Ctrl-Z ends the text of files of DOS.
-  while (!lines.empty() && lines.back() == '\x1A')
-  {
-    lines.pop_back();
-  }
-  return std::any_of(lines.begin(), lines.end(), isControl) ? std::nullopt : std::optional(lines);
+  return (code < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\v' && c != '\f') || code == 0x7F;
 }
 
 std::string contentOf(const std::string& path, std::size_t largest)
@@ -164,16 +131,18 @@ std::string contentOf(const std::string& path, std::size_t largest)
   {
     refuse("cannot be read");
   }
-  const std::optional<std::string> text = decodedText(bytes);
-  if (!text)
+  std::string text = asUtf8(bytes);
+  // Ctrl-Z ends the text of files of DOS.
+  text.erase(text.find_last_not_of('\x1A') + 1);
+  if (std::any_of(text.begin(), text.end(), isControl))
   {
-    refuse("contains binary data: not a text file");
+    refuse("contains binary data: not a text in UTF-8, Latin-1, or UTF-16 with a byte order mark");
   }
-  if (trim(*text).empty())
+  if (trim(text).empty())
   {
     refuse("is empty");
   }
-  return *text;
+  return text;
 }
 }  // namespace
 
@@ -185,7 +154,10 @@ FileError::FileError(const std::string& file, std::size_t line, const std::strin
 {
 }
 
-TextFile::TextFile(const std::string& path, std::size_t largest) : path_(path), text_(contentOf(path, largest)) {}
+TextFile::TextFile(const std::string& path, std::size_t largest, std::size_t longest_line)
+    : path_(path), text_(contentOf(path, largest)), longest_line_(longest_line)
+{
+}
 
 bool TextFile::next()
 {
@@ -193,14 +165,15 @@ bool TextFile::next()
   {
     return false;
   }
-  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+  const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
   ++number_;
-  if (end - position_ > longest_line)
+  if (end - position_ > longest_line_)
   {
-    refuse("line has more than " + std::to_string(longest_line) + " characters");
+    refuse("line has more than " + std::to_string(longest_line_) + " characters");
   }
-  line_ = trim(text_.substr(position_, end - position_));
-  position_ = end + 1;
+  whole_line_ = text_.substr(position_, end - position_);
+  line_ = trim(whole_line_);
+  position_ = end + (text_.compare(end, 2, "\r\n") == 0 ? 2 : 1);
   return true;
 }
 
@@ -211,19 +184,14 @@ void TextFile::rewind()
   line_.clear();
 }
 
-double TextFile::numberIn(const std::string& word) const
+double TextFile::numberIn(const std::string& word, const std::string& column) const
 {
   const std::optional<double> value = parseNumber(word);
   if (!value)
   {
-    refuse("'" + word + "' is not a number");
+    refuse((column.empty() ? "" : "column '" + column + "': ") + "'" + word + "' is not a finite number");
   }
   return *value;
-}
-
-void TextFile::refuse(const std::string& reason) const
-{
-  refuse(number_, reason);
 }
 
 void TextFile::refuse(std::size_t line, const std::string& reason) const

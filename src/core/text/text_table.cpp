@@ -11,170 +11,201 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-bool isLoneNumber(const std::string& line)
+constexpr std::size_t longest_head = 100;  ///< [lines] without comments
+
+bool isNumber(const std::string& cell)
 {
-  return line.find_first_not_of("0123456789") == std::string::npos;
+  return parseNumber(withPoint(cell)).has_value();
 }
 
-bool beginsWithNumber(const std::string& line)
+/// Number of cells up to the last one that is not empty.
+std::size_t filled(const std::vector<std::string>& cells)
 {
-  return parseNumber(withPoint(line.substr(0, line.find_first_of("; \t")))) ||
-         parseNumber(line.substr(0, line.find_first_of(",; \t")));
+  const auto last = std::find_if(cells.rbegin(), cells.rend(), [](const std::string& cell) { return !cell.empty(); });
+  return static_cast<std::size_t>(cells.rend() - last);
 }
 }  // namespace
 
-TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file)
+CellTable::CellTable(TextFile& file, bool of_numbers) : file_(file), of_numbers_(of_numbers)
 {
-  std::vector<Line> comments;
-  std::optional<Line> line = nextLine(comments);
-  if (!line)
+  std::vector<Line> lines, comments;
+  while (file_.next())
+  {
+    const Line line{file_.number(), rowText()};
+    if (line.text.empty() && !file_.line().empty())
+    {
+      comments_.push_back(withoutCommentSign(file_.line()));
+      comments.push_back({line.number, comments_.back()});
+    }
+    else if (lines.size() < longest_head && !trim(line.text).empty())
+    {
+      lines.push_back(line);
+    }
+  }
+  if (lines.empty())
   {
     file_.refuse(0, "is empty");
   }
-  // Spreadsheets write the separator in a line of its own, other programs the number of rows.
-  if (line->text.compare(0, 4, "sep=") == 0 || isLoneNumber(line->text))
+  findSeparator(lines);
+  head_in_comments_ = head_.empty();
+  for (const Line& comment : comments)
   {
-    line = nextLine(comments);
-  }
-  const bool has_titles = line && !beginsWithNumber(line->text);
-  if (has_titles)
-  {
-    takeTitles(*line);
-    line = nextLine(comments);
-    if (line && takeUnits(*line))
+    std::vector<std::string> cells = splitCells(comment.text, separatorIn(comment.text));
+    cells.resize(filled(cells));
+    if (head_in_comments_ && comment.number < first_line_ && cells.size() == columns_)
     {
-      line = nextLine(comments);
+      head_.push_back({comment.number, cells});
     }
   }
-  if (line)
+  rewind();
+}
+
+void CellTable::findSeparator(std::vector<Line>& lines)
+{
+  std::string separators = of_numbers_ ? "; \t," : ";\t, ";  // numbers may be between tabs and blanks
+  // Spreadsheets write the separator in a line of its own, other programs the number of rows.
+  const std::string first = lines.front().text;
+  const bool names_separator = first.size() > 4 && first.compare(0, 4, "sep=") == 0;
+  if (lines.size() > 1 && (names_separator || trim(first).find_first_not_of("0123456789") == std::string::npos))
   {
-    takeFirstRow(*line);
+    separators = names_separator ? first.substr(4, 1) : separators;
+    lines.erase(lines.begin());
   }
-  if (!has_titles)
+  const auto divides = [&](bool own_of_titles)
   {
-    takeComment(comments, are_titles);
+    return std::any_of(separators.begin(), separators.end(),
+                       [&](char separator) { return divide(lines, separator, own_of_titles); });
+  };
+  if (!divides(false) && !(of_numbers_ && divides(true)))
+  {
+    divide(lines, separators.size() > 1 ? separatorIn(lines.front().text) : separators.front(), false);
   }
 }
 
-/// Next line that is no comment; nothing at the end. Comments before it are added to `comments`.
-std::optional<TextTable::Line> TextTable::nextLine(std::vector<Line>& comments)
+/// Divides head and first row.
+/// @param own_of_titles  each line of the head is divided by the separator that occurs in it
+/// @return false if titles and first row do not have as many cells
+bool CellTable::divide(const std::vector<Line>& lines, char separator, bool own_of_titles)
+{
+  separator_ = separator;
+  head_.clear();
+  first_line_ = lines.back().number + 1;
+  std::vector<std::string> row;
+  for (const Line& line : lines)
+  {
+    row = splitCells(line.text, separator);
+    if (std::any_of(row.begin(), row.end(), isNumber))
+    {
+      first_line_ = line.number;
+      break;
+    }
+    head_.push_back({line.number, own_of_titles ? splitCells(line.text, separatorIn(line.text)) : row});
+    head_.back().cells.resize(of_numbers_ ? filled(head_.back().cells) : head_.back().cells.size());
+  }
+  row.resize(head_.empty() ? filled(row) : row.size());
+  const bool are_numbers = std::all_of(row.begin(), row.end(), isNumber);
+  if (head_.empty())
+  {
+    columns_ = row.size();
+    return columns_ > 1 && are_numbers;
+  }
+  const std::vector<std::string>& titles = head_.back().cells;
+  // A row of units may be shorter than that of the names.
+  const std::size_t above = head_.size() > 1 && separator != ' ' ? head_[head_.size() - 2].cells.size() : 0;
+  columns_ = std::max(titles.size(), above);
+  const bool has_row = first_line_ <= lines.back().number && (are_numbers || !of_numbers_ || separator != ' ');
+  return has_row && titles.size() > 1 && filled(titles) <= row.size() && filled(row) <= titles.size();
+}
+
+/// Current line as a row; empty if it is a comment.
+std::string CellTable::rowText() const
+{
+  const std::string text = withoutComment(file_.wholeLine());
+  return of_numbers_ || (text.empty() && file_.line().compare(0, 4, "#N/A") != 0) ? text : file_.wholeLine();
+}
+
+bool CellTable::next(TableRow& row)
 {
   while (file_.next())
   {
-    const std::string text = withoutComment(file_.line());
-    if (!text.empty())
+    row = {file_.number(), splitCells(rowText(), separator_)};
+    const std::size_t count = filled(row.cells);
+    if (count == 0)
     {
-      return Line{file_.number(), text};
+      continue;
     }
-    if (!file_.line().empty())
+    if (count > columns_ || (row.cells.size() < columns_ && (of_numbers_ || separator_ == ' ')))
     {
-      comments.push_back({file_.number(), withoutCommentSign(file_.line())});
+      const std::string hint =
+          separator_ == ',' && count == 2 * columns_ ? "; with decimal commas, columns must be separated by semicolons"
+          : separator_ == ' ' && count < columns_    ? "; with empty cells, columns must be separated by semicolons"
+                                                     : "";
+      file_.refuse("number of columns is " + std::to_string(count) + ", must be " + std::to_string(columns_) + hint);
     }
+    row.cells.resize(columns_);
+    return true;
   }
-  return std::nullopt;
+  return false;
 }
 
-void TextTable::takeTitles(const Line& line)
+void CellTable::rewind()
 {
-  titles_ = titlesIn(line.text);
-  title_line_ = line.number;
-  columns_ = titles_.size();
+  file_.rewind();
+  while (file_.number() + 1 < first_line_ && file_.next())
+  {
+  }
+}
+
+TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file), cells_(file, true)
+{
+  const std::vector<TableRow>& head = cells_.head();
+  if (!cells_.isHeadInComments())
+  {
+    titles_ = titlesIn(head.front().cells);
+    title_line_ = head.front().line;
+    const std::size_t known = head.size() > 1 && takeUnits(head[1]) ? 2 : 1;
+    unknown_line_ = head.size() > known ? head[known].line : 0;
+    return;
+  }
+  const auto row = std::find_if(head.rbegin(), head.rend(),
+                                [&](const TableRow& comment) { return are_titles(titlesIn(comment.cells)); });
+  if (row != head.rend())
+  {
+    titles_ = titlesIn(row->cells);
+    title_line_ = row->line;
+  }
 }
 
 /// Takes the units of the titles from a line of units. @return false if it is none
-bool TextTable::takeUnits(const Line& line)
+bool TextTable::takeUnits(const TableRow& row)
 {
-  const std::vector<TableTitle> units = titlesIn(line.text);
+  const std::vector<TableTitle> units = titlesIn(row.cells);
   const auto unit_of = [](const TableTitle& title) { return title.name.empty() ? title.unit : title.name; };
-  const bool are_units = units.size() == columns_ &&
+  const bool are_units = units.size() == titles_.size() &&
                          std::all_of(units.begin(), units.end(),
                                      [&](const TableTitle& title)
                                      { return isUnit(unit_of(title)) && (title.name.empty() || title.unit.empty()); });
-  for (std::size_t i = 0; are_units && i < columns_; ++i)
+  for (std::size_t i = 0; are_units && i < units.size(); ++i)
   {
     if (!titles_[i].unit.empty() && titles_[i].unit != unit_of(units[i]))
     {
-      file_.refuse(line.number, "unit '" + unit_of(units[i]) + "' contradicts '" + titles_[i].unit + "' in the title");
+      file_.refuse(row.line, "unit '" + unit_of(units[i]) + "' contradicts '" + titles_[i].unit + "' in the title");
     }
     titles_[i].unit = unit_of(units[i]);
   }
   return are_units;
 }
 
-/// Finds the separator: the first one by which the row has as many columns as there are titles, or at least two without
-/// titles. White space separates only numbers.
-void TextTable::takeFirstRow(const Line& line)
-{
-  row_ = line;
-  for (const char separator : {';', ' ', '\t', ','})
-  {
-    const std::vector<std::string> fields = splitAt(line.text, separator);
-    const auto is_number = [&](const std::string& field)
-    { return parseNumber(separator == ',' ? field : withPoint(field)).has_value(); };
-    const auto numbers = static_cast<std::size_t>(std::count_if(fields.begin(), fields.end(), is_number));
-    const bool enough = separator == ' ' ? numbers == fields.size() : numbers > 0;
-    const bool fits = enough && (columns_ > 0 ? fields.size() == columns_ : fields.size() > 1);
-    if (fits)
-    {
-      separator_ = separator;
-      columns_ = fields.size();
-      return;
-    }
-  }
-  separator_ = line.text.find(',') != std::string::npos ? ',' : ' ';
-  columns_ = columns_ > 0 ? columns_ : splitAt(line.text, separator_).size();
-}
-
-void TextTable::takeComment(const std::vector<Line>& comments, const TitleRule& are_titles)
-{
-  for (auto line = comments.rbegin(); line != comments.rend(); ++line)
-  {
-    const std::vector<TableTitle> titles = titlesIn(line->text);
-    if (titles.size() == columns_ && are_titles(titles))
-    {
-      titles_ = titles;
-      title_line_ = line->number;
-      return;
-    }
-  }
-}
-
-std::vector<std::string> TextTable::fieldsOf(const std::string& line) const
-{
-  std::vector<std::string> fields = splitAt(line, separator_, columns_);
-  if (separator_ != ',')
-  {
-    std::transform(fields.begin(), fields.end(), fields.begin(), withPoint);
-  }
-  return fields;
-}
-
 bool TextTable::next(std::vector<std::string>& fields)
 {
-  std::vector<Line> comments;
-  const std::optional<Line> line = row_ ? std::exchange(row_, std::nullopt) : nextLine(comments);
-  if (!line)
+  if (unknown_line_ > 0)
   {
-    return false;
+    file_.refuse(unknown_line_, "is neither a row of numbers nor, below the titles, of units");
   }
-  fields = fieldsOf(line->text);
-  if (fields.size() != columns_)
-  {
-    const bool decimal_commas = separator_ == ',' && fields.size() == 2 * columns_;
-    file_.refuse(line->number,
-                 "number of columns is " + std::to_string(fields.size()) + ", must be " + std::to_string(columns_) +
-                     (decimal_commas ? "; with decimal commas, columns must be separated by semicolons" : ""));
-  }
-  return true;
-}
-
-double TextTable::number(const std::string& field, const std::string& column) const
-{
-  const std::optional<double> value = parseNumber(field);
-  if (!value)
-  {
-    file_.refuse((column.empty() ? "" : "column '" + column + "': ") + "'" + field + "' is not a finite number");
-  }
-  return *value;
+  TableRow row;
+  const bool is_row = cells_.next(row);
+  fields = std::move(row.cells);
+  std::transform(fields.begin(), fields.end(), fields.begin(), withPoint);
+  return is_row;
 }
 }  // namespace wheel_rail_contact::core

@@ -13,6 +13,29 @@ namespace
 {
 constexpr const char* white_space = " \t\r\n\v\f";
 constexpr const char* exponent_letters = "eEdD";
+
+/// Place of the sign that closes the quotation or bracket that opens at a place; this place if there is none.
+std::size_t closing(const std::string& line, std::size_t open)
+{
+  const std::size_t kind = std::string("\"[(").find(line[open]);
+  std::size_t end = kind == std::string::npos ? kind : line.find("\"])"[kind], open + 1);
+  while (end != std::string::npos && line.compare(end, 2, "\"\"") == 0)
+  {
+    end = line.find('"', end + 2);
+  }
+  return end == std::string::npos ? open : end;
+}
+
+/// Cell without white space at its ends. If it begins with a quotation, its quotation marks are removed.
+std::string cellOf(const std::string& text)
+{
+  std::string cell = trim(text);
+  if (!cell.empty() && cell.front() == '"' && closing(cell, 0) > 0)
+  {
+    cell.erase(std::remove(cell.begin(), cell.end(), '"'), cell.end());
+  }
+  return trim(cell);
+}
 }  // namespace
 
 std::optional<double> parseNumber(std::string word)
@@ -51,26 +74,43 @@ std::vector<std::string> splitWords(const std::string& line)
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
-std::vector<std::string> splitFields(const std::string& line, char separator)
+std::vector<std::string> splitCells(const std::string& line, char separator)
 {
-  std::vector<std::string> fields;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
+  const bool at_blanks = separator == ' ';
+  const std::string ends = at_blanks ? white_space : std::string(1, separator);
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = end + 1)
   {
-    end = line.find(separator, begin);
-    fields.push_back(trim(line.substr(begin, end - begin)));
+    const std::size_t text = std::min(line.find_first_not_of(' ', begin), line.size());
+    for (end = text; end < line.size() && ends.find(line[end]) == std::string::npos; ++end)
+    {
+      end = at_blanks || (end == text && line[end] == '"') ? closing(line, end) : end;
+    }
+    const std::string cell = cellOf(line.substr(begin, end - begin));
+    const char last = cells.empty() || cells.back().empty() ? ' ' : cells.back().back();
+    const bool in_brackets = (line[text] == '[' || line[text] == '(') && last != ']' && last != ')';
+    if (at_blanks && !cells.empty() && (last == '/' || line[text] == '/' || in_brackets))
+    {
+      cells.back() += " " + cell;
+    }
+    else if (!at_blanks || end > text)
+    {
+      cells.push_back(cell);
+    }
   }
-  return fields;
+  return cells;
 }
 
-std::vector<std::string> splitAt(const std::string& line, char separator, std::size_t least)
+char separatorIn(const std::string& line)
 {
-  std::vector<std::string> fields = separator == ' ' ? splitWords(line) : splitFields(line, separator);
-  while (fields.size() > least && fields.back().empty())
+  for (const char separator : {';', '\t', ','})
   {
-    fields.pop_back();
+    if (line.find(separator) != std::string::npos)
+    {
+      return separator;
+    }
   }
-  return fields;
+  return ' ';
 }
 
 std::string trim(const std::string& text)

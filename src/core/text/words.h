@@ -16,11 +16,22 @@ std::optional<double> parseNumber(std::string word);
 int decimalPlaces(const std::string& number);
 /// Words of a line, separated by white space.
 std::vector<std::string> splitWords(const std::string& line);
-/// Fields of a line, without white space at their ends.
-std::vector<std::string> splitFields(const std::string& line, char separator);
-/// Fields of a line without empty ones at its end; separator ' ': white space.
-/// @param least  number of fields that are kept although they are empty
-std::vector<std::string> splitAt(const std::string& line, char separator, std::size_t least = 1);
+/// Cells of a line, without white space at their ends. A cell may be in quotation marks. Separator ' ': white space,
+/// but not before a unit in brackets, in it, or beside a slash.
+std::vector<std::string> splitCells(const std::string& line, char separator);
+/// First of semicolon, tab and comma that occurs in a line; otherwise ' '.
+char separatorIn(const std::string& line);
+/// Words in one text, with a separator between them.
+template <typename Words>
+std::string joined(const Words& words, const std::string& separator)
+{
+  std::string text;
+  for (const auto& word : words)
+  {
+    text += (text.empty() ? "" : separator) + word;
+  }
+  return text;
+}
 /// Text without white space at its ends.
 std::string trim(const std::string& text);
 /// Text with the letters A to Z in lower case.

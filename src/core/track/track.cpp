@@ -113,7 +113,7 @@ class LineFile
     }
     for (std::size_t i = 0; i < fields_.size(); ++i)
     {
-      row[column_[i]] = table_.number(fields_[i], rules[column_[i]].name) * factor_[i];
+      row[column_[i]] = file_.numberIn(fields_[i], rules[column_[i]].name) * factor_[i];
     }
     return true;
   }

@@ -1,21 +1,63 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rows of a table of states: their times, the rows that are dropped, and the states."""
 import decimal
-import math
+import re
 
-from ..command import Failure
-from ..text_table import number_text
+from ..command import Failure, native
 from .columns import COLUMNS
 from .state import State
 
 SECOND = 10**9                # [ns]
 LAST_STAMP = 2**32 * SECOND   # [ns] stamps of ROS have 32 bits for the seconds
 LISTED = 5                    # lines in a remark
+MISSING = re.compile(r"[+-]?nan(?:\(\w*\))?|[+-]?1\.#(?:qnan|ind)\d*|#?n/a|na|null|-*", re.IGNORECASE)
+THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)  # 1,250 is 1.25 or 1250
 
 
 def reversed_value(value):
     """Value along the opposite axis; 0 stays 0 and does not become -0."""
     return 0.0 - value
+
+
+def _decimal_sign(table, indices, plain_number):
+    """Decimal sign of the numbers in the columns with these indices: "." or ",". plain_number: that of the module.
+
+    @throw Failure if both occur, or if the comma may also separate thousands
+    """
+    example = {}
+    table.rewind()
+    for row in table:
+        for cell in (row.cells[index] for index in indices):
+            sign = "," if "," in cell else "."
+            if sign in cell and ("sure" not in example or sign not in example) and plain_number(cell):
+                example.setdefault(sign, cell)
+                if sign == "." or not THOUSANDS.fullmatch(cell):
+                    example.setdefault("sure", cell)
+    if "." in example and "," in example:
+        raise Failure(f"{table.path}: '{example['.']}' has a decimal point and '{example[',']}' a comma; export it with one "
+                      "decimal sign and without separators of thousands")
+    if "," in example and "sure" not in example:
+        raise Failure(f"{table.path}: '{example[',']}' has a decimal comma or a separator of thousands; --decimal-comma selects "
+                      "the first, otherwise export it without separators of thousands")
+    return "," if "," in example else "."
+
+
+def _number_text(cell, sign, plain_number):
+    """Number of a cell, as float() and decimal.Decimal() read it; "" if the cell is empty, NaN, NA or the like.
+
+    @throw ValueError if the cell contains something else
+    """
+    if MISSING.fullmatch(cell):
+        return ""
+    text = plain_number(cell.replace("\u2212", "-"))
+    if not text or (sign == "." and "," in cell) or (sign == "," and "." in cell):
+        raise ValueError(f"'{cell}' is not a finite number with a decimal {'comma' if sign == ',' else 'point'}")
+    return re.sub("[dD]", "e", text)
+
+
+def _value(column, text):
+    """Number of a cell in SI units."""
+    return float(text) if column.factor == 1 else float(text) * column.factor
 
 
 def _counted(count, lines, why):
@@ -41,7 +83,7 @@ class Dropped:
 
 
 class Rows:
-    """Converts the rows of a TextTable to states.
+    """Converts the rows of a table of cells to states.
 
     remarks  sentences for the user, after states()
     dropped  number of rows that were dropped, after states()
@@ -58,7 +100,8 @@ class Rows:
         self._table, self._columns, self._reading = table, columns, reading
         self._is_railway, self._running_circles = is_railway, running_circles
         indices = [column.index for column in columns.values()]
-        self._sign = "," if reading.decimal_comma else table.decimal_sign(indices)
+        self._plain_number = native().plain_number
+        self._sign = "," if reading.decimal_comma else _decimal_sign(table, indices, self._plain_number)
 
     def states(self):
         """States with increasing times above 0.
@@ -68,9 +111,11 @@ class Rows:
         incomplete = Dropped("because a value is missing")
         repeated = Dropped("because the next row has the same time")
         states, total, before = [], 0, None
-        for line, cells in self._table.rows():
+        self._table.rewind()
+        for row in self._table:
             total += 1
-            state = self._state(line, cells)
+            line = row.line
+            state = self._state(line, row.cells)
             if state is None:
                 incomplete.add(line)
                 continue
@@ -121,7 +166,7 @@ class Rows:
         texts = {quantity: self._text(line, column, cells[column.index]) for quantity, column in self._columns.items()}
         if not all(texts.values()):
             return None
-        values = {quantity: self._value(line, self._columns[quantity], text) for quantity, text in texts.items()}
+        values = {quantity: _value(self._columns[quantity], text) for quantity, text in texts.items()}
         state = State(self._nanoseconds(texts, values))
         for quantity, (field, _, railway_sign) in COLUMNS.items():
             if quantity in values:
@@ -134,15 +179,9 @@ class Rows:
 
     def _text(self, line, column, cell):
         try:
-            return number_text(cell, self._sign)
+            return _number_text(cell, self._sign, self._plain_number)
         except ValueError as error:
             raise self._failure(line, f"column '{column.title.shown}': {error}") from None
-
-    def _value(self, line, column, text):
-        value = float(text)
-        if not math.isfinite(value):
-            raise self._failure(line, f"column '{column.title.shown}': '{text}' is not a finite number")
-        return value if column.factor == 1 else value * column.factor
 
     def _nanoseconds(self, texts, values):
         """Time of a row [ns], exact to the rounding of its last digit."""

@@ -5,8 +5,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Dict, Optional
 
-from ..command import Failure
-from ..text_table import TextTable
+from ..command import Failure, calculating, native
 from .columns import COLUMNS, check_columns, columns_of
 from .rows import Rows, reversed_value
 from .running_circles import RunningCircles
@@ -41,8 +40,8 @@ def _axes_of(table, wanted):
 
 def _remarks(table, above, ignored, columns):
     """Yields a sentence for each part of the file that is not used, and if there is no load."""
-    for number, cells in above:
-        yield f"line {number}, above the titles, is ignored: {' '.join(cells)}"
+    for row in above:
+        yield f"line {row.line}, above the titles, is ignored: {' '.join(row.cells)}"
     unused = f"ignored columns: {', '.join(title.shown for title in ignored)}" if ignored else ""
     no_load = "" if "force_z" in columns or "Q_left" in columns else "no load was found (force_z, or Q_left and Q_right)"
     if unused or no_load:
@@ -56,16 +55,20 @@ def read_table(path, reading):
     @return States, remarks for the user, and the number of rows that were dropped
     @throw Failure
     """
-    table = TextTable(path)
+    with calculating():
+        return _states_of(native().CellTable(str(path)), reading)
+
+
+def _states_of(table, reading):
     axes = _axes_of(table, reading.axes)
     titles, above = titles_of(table)
-    _, first = next(table.rows(), (0, [""] * len(titles)))
-    titles = [title for title in titles if title.text or first[title.index]]
+    first = next(iter(table), None)
+    titles = [title for title in titles if title.text or (first and first.cells[title.index])]
     try:
         columns, ignored = columns_of(titles, reading.named)
         check_columns(columns, titles, reading.speed is not None)
     except Failure as error:
-        raise Failure(f"{path}: {error}") from None
+        raise Failure(f"{table.path}: {error}") from None
     remarks = list(_remarks(table, above, ignored, columns))
     distance = 0.0
     if "Q_left" in columns:

@@ -47,26 +47,24 @@ def _bare_unit(cell):
 
 def _is_units_row(head):
     """True if the last row of the head contains units: at least half of its cells, of which one is a unit of this package."""
-    cells = [_bare_unit(cell) for cell in head[-1][1] if cell]
+    cells = [_bare_unit(cell) for cell in head[-1].cells if cell]
     alike = sum(1 for cell in cells if unit_of(cell) or "/" in cell)
     return len(head) > 1 and any(map(unit_of, cells)) and 2 * alike >= len(cells)
 
 
 def titles_of(table):
-    """Titles of the columns of a TextTable, and the rows above them: (number of the line, cells).
+    """Titles of the columns of a table of cells, and the rows above them.
 
     @throw Failure if there are no titles
     """
-    if not table.head:
+    head = table.head
+    if not head:
         raise Failure(f"{table.path}: has no titles; its first line must contain names and units, for example 'y [mm]'")
     units = []
-    above = table.head[:-1]
-    cells = table.head[-1][1]
-    if _is_units_row(table.head):
-        units = [_bare_unit(cell) for cell in cells]
-        above = table.head[:-2]
-        cells = table.head[-2][1]
-    return [_title(index, text, units[index] if index < len(units) else "") for index, text in enumerate(cells)], above
+    if _is_units_row(head):
+        units = [_bare_unit(cell) for cell in head.pop().cells]
+    *above, titles = head
+    return [_title(index, text, units[index] if index < len(units) else "") for index, text in enumerate(titles.cells)], above
 
 
 def _title(index, text, below):

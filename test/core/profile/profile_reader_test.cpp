@@ -337,7 +337,7 @@ TEST(MiniProfProfile, DamagedFilesAreRejected)
   rejected("Xoffset=one\n" + points, 1, "not a plausible number");
   rejected("Dear reader,\n" + points, 1, "not a MiniProf profile");
   rejected(points + "12.5\n", count + 1, "number of columns is 1");
-  rejected(points + "12.5 gauge\n", count + 1, "'gauge' is not a number");
+  rejected(points + "12.5 gauge\n", count + 1, "'gauge' is not a finite number");
   rejected("Comment=none\n", 0, "number of points is 0");
   rejected(lines(pointsOf(rail60E1()), " "), 0, "wrong unit");
   rejected(lines(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), " "), 0, "z does not point up");

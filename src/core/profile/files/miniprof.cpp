@@ -135,17 +135,9 @@ void MiniProfReader::readHeader(std::string line)
   {
     readColumns(value);
   }
-  else if (key == "xoffset")
+  else if (key == "xoffset" || key == "yoffset" || key == "xypoints")
   {
-    x_offset_ = number(key, value);
-  }
-  else if (key == "yoffset")
-  {
-    y_offset_ = number(key, value);
-  }
-  else if (key == "xypoints")
-  {
-    stated_points_ = number(key, value);
+    (key == "xoffset" ? x_offset_ : key == "yoffset" ? y_offset_ : stated_points_) = number(key, value);
   }
   else if (key == "wheeldiametertaperline" && number(key, value) > 0.0)
   {
@@ -169,7 +161,7 @@ double MiniProfReader::number(const std::string& key, const std::string& value) 
 
 void MiniProfReader::readColumns(const std::string& definition)
 {
-  const std::vector<std::string> names = splitFields(lowerCase(definition), ',');
+  const std::vector<std::string> names = splitCells(lowerCase(definition), ',');
   const auto column_of = [&](const char* name)
   {
     const auto found = std::find(names.begin(), names.end(), name);

@@ -49,15 +49,6 @@ bool areTitles(const std::vector<TableTitle>& titles)
   return columns.y != none && !titles[columns.y].unit.empty();
 }
 
-}  // namespace
-
-bool namesCoordinates(const std::string& line)
-{
-  return areTitles(titlesIn(withoutCommentSign(line)));
-}
-
-namespace
-{
 /// Unit of the two columns [m]; nothing if none is stated.
 std::optional<double> unitOf(const TextFile& file, const TextTable& table, const Columns& columns)
 {
@@ -127,6 +118,12 @@ Columns readTitles(const TextFile& file, const TextTable& table, FileProfile& co
 }
 }  // namespace
 
+bool namesCoordinates(const std::string& line)
+{
+  const std::string titles = withoutCommentSign(line);
+  return areTitles(titlesIn(splitCells(titles, separatorIn(titles))));
+}
+
 FileProfile readProfileTable(TextFile& file)
 {
   FileProfile content;
@@ -136,7 +133,7 @@ FileProfile readProfileTable(TextFile& file)
   while (table.next(fields))
   {
     const std::string& z = fields[columns.z];
-    addPoint(file, content, {table.number(fields[columns.y]), table.number(z)}, z);
+    addPoint(file, content, {file.numberIn(fields[columns.y]), file.numberIn(z)}, z);
   }
   return content;
 }
