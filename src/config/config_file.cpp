@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/node_config.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact
 {
@@ -53,17 +54,16 @@ std::vector<std::string> candidates(const std::string& name, const FileSearch& s
 
 std::string FileSearch::find(const std::string& name) const
 {
-  std::string searched;
-  for (const auto& path : candidates(name, *this))
+  const std::vector<std::string> paths = candidates(name, *this);
+  for (const auto& path : paths)
   {
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error))
     {
       return path;
     }
-    searched += (searched.empty() ? "" : ", ") + path;
   }
-  throw std::invalid_argument("no such file: " + name + " (searched: " + searched + ")");
+  throw std::invalid_argument("no such file: " + name + " (searched: " + core::joined(paths, ", ") + ")");
 }
 
 ContactParameters readContactParameters(const std::vector<ParameterSource>& sources, const FileSearch& search)

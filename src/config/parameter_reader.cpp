@@ -3,9 +3,7 @@
 
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 namespace wheel_rail_contact
@@ -34,25 +32,7 @@ std::optional<double> parseNumber(const std::string& text)
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double value = 0;
-  stream >> std::noskipws >> value;
-  if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof())
-  {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::string joined(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const auto& word : words)
-  {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
+  return core::parseNumber(text);
 }
 }  // namespace
 
@@ -212,11 +192,6 @@ void ParameterReader::refuse(const std::string& name, const std::string& rule) c
   throw std::invalid_argument("parameter " + prefix_ + name + value + " must be " + rule);
 }
 
-void ParameterReader::refuseChoice(const std::string& name, const std::vector<std::string>& words) const
-{
-  refuse(name, "one of " + joined(words));
-}
-
 /// Known names in the innermost group of `name` that has any.
 std::string ParameterReader::siblingsOf(const std::string& name) const
 {
@@ -238,6 +213,6 @@ std::string ParameterReader::siblingsOf(const std::string& name) const
       break;
     }
   }
-  return joined(known);
+  return core::joined(known, ", ");
 }
 }  // namespace wheel_rail_contact

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/parameter_tree.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact
 {
@@ -71,7 +72,6 @@ class ParameterReader
  private:
   const YAML::Node* find(const std::string& name);
   const std::string& scalar(const std::string& name, const YAML::Node& node, const std::string& rule) const;
-  [[noreturn]] void refuseChoice(const std::string& name, const std::vector<std::string>& words) const;
   std::string siblingsOf(const std::string& name) const;
 
   ParameterTree tree_;
@@ -99,6 +99,6 @@ void ParameterReader::read(const std::string& name, const std::vector<std::pair<
     }
     words.push_back(choice.first);
   }
-  refuseChoice(name, words);
+  refuse(name, "one of " + core::joined(words, ", "));
 }
 }  // namespace wheel_rail_contact

@@ -72,6 +72,22 @@ bool isWithin(const std::string& name, const ParameterTree& tree)
   }
   return false;
 }
+
+ParameterTree readParameters(const ParameterSource& source, const FileSearch& search)
+{
+  if (source.kind == ParameterSource::file)
+  {
+    return readParameterFile(search.find(source.value));
+  }
+  try
+  {
+    return parameterTree(YAML::Load(source.value));
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw std::invalid_argument(std::string("parameters: ") + error.what());
+  }
+}
 }  // namespace
 
 ParameterTree parameterTree(const YAML::Node& document)
@@ -117,25 +133,6 @@ ParameterTree overlay(const ParameterTree& base, const ParameterTree& upper)
   }
   return result;
 }
-
-namespace
-{
-ParameterTree readParameters(const ParameterSource& source, const FileSearch& search)
-{
-  if (source.kind == ParameterSource::file)
-  {
-    return readParameterFile(search.find(source.value));
-  }
-  try
-  {
-    return parameterTree(YAML::Load(source.value));
-  }
-  catch (const YAML::Exception& error)
-  {
-    throw std::invalid_argument(std::string("parameters: ") + error.what());
-  }
-}
-}  // namespace
 
 ParameterTree readParameters(const std::vector<ParameterSource>& sources, const FileSearch& search)
 {

@@ -278,6 +278,24 @@ std::vector<ProfileSection> PenalisedFit::sections(double noise) const
   }
   return sections;
 }
+
+/// Largest distance of the curve from the polygon through the points, at the points and in the middle between them,
+/// over what is plausible there: a share of the distance of the points.
+double excess(const std::vector<ProfileSection>& sections, const std::vector<SampledPoint>& points, double noise)
+{
+  constexpr double share = 0.3, times_noise = 20, least = 1e-5;  // arcs rise less between points; [-, -, m]
+  const Profile curve("", sections);
+  const Column u = polygonLength(points);
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const CurvePoint p = curve.at(0.5 * (u[i] + u[i + 1]));
+    const double y = 0.5 * (points[i].y + points[i + 1].y), z = 0.5 * (points[i].z + points[i + 1].z);
+    const double plausible = share * (u[i + 1] - u[i]) + times_noise * noise + least;
+    largest = std::max(largest, std::hypot(p.y - y, p.z - z) / plausible);
+  }
+  return largest;
+}
 }  // namespace
 
 std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
@@ -297,27 +315,6 @@ std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
   }
   return means;
 }
-
-namespace
-{
-/// Largest distance of the curve from the polygon through the points, at the points and in the middle between them,
-/// over what is plausible there: a share of the distance of the points.
-double excess(const std::vector<ProfileSection>& sections, const std::vector<SampledPoint>& points, double noise)
-{
-  constexpr double share = 0.3, times_noise = 20, least = 1e-5;  // arcs rise less between points; [-, -, m]
-  const Profile curve("", sections);
-  const Column u = polygonLength(points);
-  double largest = 0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-  {
-    const CurvePoint p = curve.at(0.5 * (u[i] + u[i + 1]));
-    const double y = 0.5 * (points[i].y + points[i + 1].y), z = 0.5 * (points[i].z + points[i + 1].z);
-    const double plausible = share * (u[i + 1] - u[i]) + times_noise * noise + least;
-    largest = std::max(largest, std::hypot(p.y - y, p.z - z) / plausible);
-  }
-  return largest;
-}
-}  // namespace
 
 std::vector<ProfileSection> smoothingSpline(const std::vector<SampledPoint>& points, double noise)
 {

@@ -6,6 +6,7 @@
 
 #include "core/profile/files/steps.h"
 #include "core/text/table_title.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
@@ -57,16 +58,6 @@ const char* nameOf(Y y)
 const char* nameOf(Z z)
 {
   return z == Z::up ? "up" : "down";
-}
-
-std::string joined(const std::set<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : " or ") + word;
-  }
-  return text;
 }
 
 /// Values of the options by which the points are a profile.
@@ -125,7 +116,7 @@ Fitting fittingAxes(const TextFile& file, const FileProfile& content, ProfileKin
     if (!is_known)
     {
       missing += (missing.empty() ? "" : ", ") + std::string(name);
-      values += (values.empty() ? "" : ", ") + std::string(name) + ": " + joined(fits);
+      values += (values.empty() ? "" : ", ") + std::string(name) + ": " + joined(fits, " or ");
     }
   };
   require("unit", known.unit.has_value(), fitting.units);
@@ -148,13 +139,13 @@ std::string hintFor(const TextFile& file, const FileProfile& content, ProfileKin
   if (fitting.y.empty())
   {
     fitting = fittingAxes(file, content, kind, {}, any);
-    other_unit = "unit: " + joined(fitting.units) +
+    other_unit = "unit: " + joined(fitting.units, " or ") +
                  (content.unit_in_file ? " (the file states another one: correct it), " : ", ");
   }
   return fitting.y.empty()
              ? ""
-             : "the points are a profile by " + other_unit + "y: " + joined(fitting.y) + ", z: " + joined(fitting.z) +
-                   (fitting.from_flange_back ? ", origin: flange_back" : "") +
+             : "the points are a profile by " + other_unit + "y: " + joined(fitting.y, " or ") +
+                   ", z: " + joined(fitting.z, " or ") + (fitting.from_flange_back ? ", origin: flange_back" : "") +
                    (reading.origin && !fitting.from_flange_back ? ", without origin" : "");
 }
 }  // namespace

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "core/profile/files/steps.h"
+#include "core/text/formatted.h"
 #include "core/text/table_title.h"
 
 namespace wheel_rail_contact::core
@@ -24,9 +24,7 @@ constexpr double steep = 3;
 
 std::string micrometres(double length)
 {
-  std::ostringstream text;
-  text << std::setprecision(2) << length / micrometre << " um";
-  return text.str();
+  return formatted("%.2g um", length / micrometre);
 }
 
 /// Range of y in which points of a profile are missing [m].

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/profile/files/steps.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
@@ -38,17 +39,6 @@ const StandardProfile* findStandardProfile(const std::string& name)
   const StandardProfile* found = std::find_if(std::begin(standard_profiles), std::end(standard_profiles),
                                               [&](const StandardProfile& standard) { return name == standard.name; });
   return found == std::end(standard_profiles) ? nullptr : found;
-}
-
-/// Names of all standard profiles, separated by a comma and a blank, for messages.
-std::string listOfStandardProfiles()
-{
-  std::string list;
-  for (const StandardProfile& standard : standard_profiles)
-  {
-    list += (list.empty() ? "" : ", ") + std::string(standard.name);
-  }
-  return list;
 }
 
 bool fits(ProfileKind standard, ProfileKind kind)
@@ -116,7 +106,9 @@ DescribedProfile describedProfile(const std::string& name_or_path, ProfileKind k
   if (!std::filesystem::exists(name_or_path))
   {
     throw FileError(name_or_path, 0,
-                    "neither the name of a standard profile (" + listOfStandardProfiles() + ") nor a file");
+                    "neither the name of a standard profile (" +
+                        joined(standardProfileNames(ProfileKind::wheel), ", ") + ", " +
+                        joined(standardProfileNames(ProfileKind::rail), ", ") + ") nor a file");
   }
   return readDescribed(name_or_path, kind, reading);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/profile/files/content.h"
@@ -184,36 +185,19 @@ FileProfile SimpackReader::read()
 
 bool SimpackReader::changeBlock(const std::string& line)
 {
-  if (line == "header.begin")
-  {
-    move(Block::outside, Block::header);
-  }
-  else if (line == "header.end")
-  {
-    move(Block::header, Block::outside);
-  }
-  else if (line == "spline.begin")
-  {
-    move(Block::outside, Block::spline);
-  }
-  else if (line == "spline.end")
-  {
-    move(Block::spline, Block::outside);
-    spline_ended_ = true;
-  }
-  else if (line == "point.begin")
-  {
-    move(Block::spline, Block::points);
-  }
-  else if (line == "point.end")
-  {
-    move(Block::points, Block::spline);
-    points_ended_ = true;
-  }
-  else
+  static const std::map<std::string, std::pair<Block, Block>> changes{
+      {"header.begin", {Block::outside, Block::header}}, {"header.end", {Block::header, Block::outside}},
+      {"spline.begin", {Block::outside, Block::spline}}, {"spline.end", {Block::spline, Block::outside}},
+      {"point.begin", {Block::spline, Block::points}},   {"point.end", {Block::points, Block::spline}}};
+  const auto change = changes.find(line);
+  if (change == changes.end())
   {
     return false;
   }
+  const auto [from, to] = change->second;
+  move(from, to);
+  points_ended_ = points_ended_ || from == Block::points;
+  spline_ended_ = spline_ended_ || (from == Block::spline && to == Block::outside);
   return true;
 }
 

@@ -18,61 +18,54 @@ constexpr double largest_count = 20000;  ///< of slices or features
 constexpr double per_mm = 1e-3;          ///< [m]
 
 /// Values of a slices file, word by word, without its comments.
-class SlicesFile
+class SlicesFile : public TextFile
 {
  public:
-  explicit SlicesFile(const std::string& path) : file_(path) {}
+  using TextFile::TextFile;
 
   /// Reads the words of the next line that has any.
   /// @param least  least number of words
-  std::vector<std::string> line(std::size_t least, const std::string& content)
+  std::vector<std::string> words(std::size_t least, const std::string& content)
   {
-    while (file_.next())
+    while (next())
     {
-      std::vector<std::string> words = splitWords(text());
-      if (words.empty())
+      std::vector<std::string> found = splitWords(text());
+      if (found.empty())
       {
         continue;
       }
-      if (words.size() < least)
+      if (found.size() < least)
       {
-        file_.refuse("must contain " + content);
+        refuse("must contain " + content);
       }
-      return words;
+      return found;
     }
-    file_.refuse("ends before " + content);
+    refuse("ends before " + content);
   }
-
-  double number(const std::string& word) const { return file_.numberIn(word); }
 
   std::size_t count(const std::string& word) const
   {
-    const double value = number(word);
+    const double value = numberIn(word);
     if (!(value >= 0 && value <= largest_count) || value != std::floor(value))
     {
-      file_.refuse("'" + word + "' is not a number of slices or features");
+      refuse("'" + word + "' is not a number of slices or features");
     }
     return static_cast<std::size_t>(value);
   }
 
   /// Current line without its comment.
-  std::string text() const { return file_.line().substr(0, file_.line().find('%')); }
+  std::string text() const { return line().substr(0, line().find('%')); }
   /// @throw FileError if another line has words.
   void requireEnd()
   {
-    while (file_.next())
+    while (next())
     {
       if (!splitWords(text()).empty())
       {
-        file_.refuse("more lines than the stated numbers of slices and features");
+        refuse("more lines than the stated numbers of slices and features");
       }
     }
   }
-
-  const TextFile& file() const { return file_; }
-
- private:
-  TextFile file_;
 };
 
 /// Slice of a rail from a file.
@@ -120,14 +113,14 @@ struct Slice
 
 Slice sliceOf(SlicesFile& file, double scale)
 {
-  const std::vector<std::string> words = file.line(2, "a place and a file name in quotes");
+  const std::vector<std::string> words = file.words(2, "a place and a file name in quotes");
   const std::string line = file.text();
   const std::size_t open = line.find('\''), close = line.rfind('\'');
   if (open == close)
   {
-    file.file().refuse("the name of a file must be in quotes");
+    file.refuse("the name of a file must be in quotes");
   }
-  return {scale * file.number(words[0]), line.substr(open + 1, close - open - 1), false};
+  return {scale * file.numberIn(words[0]), line.substr(open + 1, close - open - 1), false};
 }
 
 std::vector<Slice> slicesOf(SlicesFile& file, std::size_t count, double scale)
@@ -138,7 +131,7 @@ std::vector<Slice> slicesOf(SlicesFile& file, std::size_t count, double scale)
     slices.push_back(sliceOf(file, scale));
     if (i > 0 && !(slices[i].x > slices[i - 1].x))
     {
-      file.file().refuse("the places of the slices must increase");
+      file.refuse("the places of the slices must increase");
     }
   }
   return slices;
@@ -147,16 +140,16 @@ std::vector<Slice> slicesOf(SlicesFile& file, std::size_t count, double scale)
 /// Parameters of the features on the profile of a slice; NaN where it has none.
 std::vector<double> featuresOf(SlicesFile& file, std::size_t count, double scale, const Slice& slice, double length)
 {
-  const std::vector<std::string> words = file.line(count + 1, "a place and the position of each feature");
-  if (std::abs(scale * file.number(words[0]) - slice.x) > per_mm)
+  const std::vector<std::string> words = file.words(count + 1, "a place and the position of each feature");
+  if (std::abs(scale * file.numberIn(words[0]) - slice.x) > per_mm)
   {
-    file.file().refuse("the places of the features must be those of the slices, in the same order");
+    file.refuse("the places of the features must be those of the slices, in the same order");
   }
   std::vector<double> features;
   double before = -1;
   for (std::size_t k = 1; k <= count; ++k)
   {
-    const double position = per_mm * file.number(words[k]);
+    const double position = per_mm * file.numberIn(words[k]);
     if (position < 0)
     {
       features.push_back(std::numeric_limits<double>::quiet_NaN());
@@ -164,8 +157,7 @@ std::vector<double> featuresOf(SlicesFile& file, std::size_t count, double scale
     }
     if (!(position > before) || position > length + per_mm)
     {
-      file.file().refuse("'" + words[k] +
-                         "': the positions of the features must increase, up to the length of the curve");
+      file.refuse("'" + words[k] + "': the positions of the features must increase, up to the length of the curve");
     }
     before = position;
     const double u = std::min(position, length);
@@ -222,7 +214,7 @@ void skipParts(SlicesFile& file, const std::vector<std::string>& counts)
   {
     if (const std::size_t count = file.count(counts[kind]); count > 0)
     {
-      file.line(count, "part numbers");
+      file.words(count, "part numbers");
     }
   }
 }
@@ -237,24 +229,24 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
 RailSeries readRailSlices(const std::string& path, const ProfileReading& reading, std::vector<std::string>& notes)
 {
   SlicesFile file(path);
-  const std::vector<std::string> scaling = file.line(2, "U_OFFSET and the scale of the places [mm]");
-  if (file.number(scaling[0]) != 0)
+  const std::vector<std::string> scaling = file.words(2, "U_OFFSET and the scale of the places [mm]");
+  if (file.numberIn(scaling[0]) != 0)
   {
-    file.file().refuse("U_OFFSET = " + scaling[0] + ": must be 0; add it to the places");
+    file.refuse("U_OFFSET = " + scaling[0] + ": must be 0; add it to the places");
   }
-  const double scale = per_mm * file.number(scaling[1]);
+  const double scale = per_mm * file.numberIn(scaling[1]);
   if (!(scale > 0))
   {
-    file.file().refuse("scale of the places = " + scaling[1] + ": must be positive");
+    file.refuse("scale of the places = " + scaling[1] + ": must be positive");
   }
-  const std::size_t count = file.count(file.line(1, "the number of slices")[0]);
+  const std::size_t count = file.count(file.words(1, "the number of slices")[0]);
   if (count == 0)
   {
-    file.file().refuse("the number of slices must not be 0");
+    file.refuse("the number of slices must not be 0");
   }
-  const std::vector<std::string> counts = file.line(3, "the numbers of features, kinks and accelerations");
+  const std::vector<std::string> counts = file.words(3, "the numbers of features, kinks and accelerations");
   const std::size_t features = file.count(counts[0]);
-  file.line(1, "the method of interpolation");
+  file.words(1, "the method of interpolation");
   std::vector<Slice> slices = slicesOf(file, count, scale);
   skipParts(file, counts);
   RailSeries series = seriesOf(slices, path, reading, notes);
