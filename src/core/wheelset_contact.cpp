@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "core/balance/patch_result.h"
 #include "core/balance/stress_beneath.h"
 #include "core/balance/wheelset_balance.h"
+#include "core/constants.h"
 #include "core/text/formatted.h"
 
 namespace wheel_rail_contact::core
@@ -207,7 +207,6 @@ class WheelsetContact::Calculation
       {
         const RailSeries& running = sections->parts().front();
         const bool everywhere = running.size() == 1;  // the place is not a number, or infinite
-        const double infinity = std::numeric_limits<double>::infinity();
         return PlaceRange{side == Side::left ? "the sections of the left rail" : "the sections of the right rail",
                           everywhere ? -infinity : running.front().x, everywhere ? infinity : running.back().x};
       }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "config/text.h"
-#include "core/pi.h"
+#include "core/constants.h"
 #include "python/bindings.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 

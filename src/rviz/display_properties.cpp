@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display_properties.h"
 
-#include "core/pi.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact
 {

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/pi.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 double pressureVariance(double half_length)

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/balance/grid_layout.h"
 #include "core/balance/tuning.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr double least_overlap = 1e-9;  ///< smaller ones are below the accuracy of the search [m]
 constexpr std::size_t usual_grids = 4;  ///< of a wheel, for which memory is reserved

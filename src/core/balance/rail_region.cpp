@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/balance/tuning.h"
+#include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Range of the overlap along the track [m].
 struct Extent

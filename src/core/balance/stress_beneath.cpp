@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double deepest = 2;  ///< depth of the last layer of a field, in units of the shorter semi-axis [-]
+constexpr double last_depth = 2;  ///< depth of the last layer of a field, in units of the shorter semi-axis [-]
 
 /// Equally spaced depths from the surface [m].
 std::vector<double> layerDepths(const SemiAxes& axes, int count)
@@ -18,7 +18,7 @@ std::vector<double> layerDepths(const SemiAxes& axes, int count)
   std::vector<double> depths(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < depths.size(); ++k)
   {
-    depths[k] = static_cast<double>(k) * deepest * std::min(axes.along, axes.across) / (count - 1);
+    depths[k] = static_cast<double>(k) * last_depth * std::min(axes.along, axes.across) / (count - 1);
   }
   return depths;
 }

@@ -4,16 +4,15 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/balance/rail_support.h"
 #include "core/balance/tuning.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_move = 1e-9;  ///< of a rail without contact that is neglected [m]
 constexpr double roll_arm = 0.1;     ///< converts a roll of the rail to a comparable displacement [m]
 }  // namespace

@@ -11,7 +11,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double deepest = 0.01;  ///< of a given height below that of first touch [m]
+constexpr double deepest_height = 0.01;  ///< of a given height below that of first touch [m]
 }  // namespace
 
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
@@ -106,7 +106,7 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
   } while (isUsable(status) && (requireOwnGrids() || refine()));
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
   depth_ = given ? depthOfHeight(status) : 0;
-  if (depth_ > deepest)
+  if (depth_ > deepest_height)
   {
     reset();
     return ContactStatus::too_deep;

@@ -2,17 +2,16 @@
 // Search of WheelsetBalance for loads, roll and height.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/balance/tuning.h"
 #include "core/balance/wheelset_balance.h"
+#include "core/constants.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr double finest_bracket = 1e-9;       ///< width at which a bracket without a zero ends the search [rad]
 constexpr double roll_limit = 0.2;            ///< [rad]

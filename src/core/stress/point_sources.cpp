@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/pi.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {
@@ -39,7 +38,7 @@ void PointSources::set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, d
   for (Eigen::Index j = 0; j < grid.ny; j += joined)
   {
     const Line line = lineOf(grid, pressure, j, std::min<Eigen::Index>(j + joined, grid.ny), unit);
-    double distance = places.empty() ? 0 : std::numeric_limits<double>::infinity();
+    double distance = places.empty() ? 0 : infinity;
     for (const double place : places)
     {
       distance = std::min(distance, std::abs(line.y - place));

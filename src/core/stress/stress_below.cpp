@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/constants.h"
 #include "core/option_check.h"
-#include "core/pi.h"
 #include "wheel_rail_contact/core/stress.h"
 
 namespace wheel_rail_contact::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/pi.h"
+#include "core/constants.h"
 #include "core/text/formatted.h"
 #include "core/text/words.h"
 

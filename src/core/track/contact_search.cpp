@@ -2,15 +2,15 @@
 // ContactSearch: outlines, stations and overlap intervals. exact_contact.cpp refines single contacts.
 #include "core/track/contact_search.h"
 
+#include "core/constants.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_parts = 16;    ///< of a rail for which memory is taken
 constexpr std::size_t fine_stations = 8;  ///< intervals of fewer stations: their width follows from the curvature
 }  // namespace

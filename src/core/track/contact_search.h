@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/constants.h"
 #include "core/track/outline.h"
 #include "core/track/placement.h"
 
@@ -41,9 +42,9 @@ struct SearchAxes
 /// What a search compares, and along which axes.
 struct SearchScope
 {
-  SearchAxes axes;                                             ///< of all results, stations and separations
-  double wheel_end = std::numeric_limits<double>::infinity();  ///< end of the wheel profile that is compared [m]
-  std::size_t first_part = 0;                                  ///< first part of the rail that is compared
+  SearchAxes axes;              ///< of all results, stations and separations
+  double wheel_end = infinity;  ///< end of the wheel profile that is compared [m]
+  std::size_t first_part = 0;   ///< first part of the rail that is compared
 };
 
 /// Interval across the track in which the separation is below a given value.

@@ -2,8 +2,8 @@
 // ContactSearch: refinement of a contact on the exact profiles. contact_search.cpp contains the rest of the class.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/constants.h"
 #include "core/track/bracketed_root.h"
 #include "core/track/contact_search.h"
 
@@ -11,11 +11,10 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int newton_iterations = 30;
-constexpr double newton_tolerance = 1e-11;  ///< [m]
-constexpr double root_tolerance = 1e-8;     ///< of the position of a contact along the rail profile [m]
-constexpr int most_place_steps = 5;         ///< of Newton's method for this position
+constexpr double newton_tolerance = 1e-11;   ///< [m]
+constexpr double position_tolerance = 1e-8;  ///< of the position of a contact along the rail profile [m]
+constexpr int most_place_steps = 5;          ///< of Newton's method for this position
 }  // namespace
 
 /// A point and its tangent in the axes of the search.
@@ -126,7 +125,7 @@ bool ContactSearch::findByNewton(std::size_t k, InitialContact& contact) const
     {
       return false;
     }
-    if (std::abs(step * rail_per_y) < root_tolerance)
+    if (std::abs(step * rail_per_y) < position_tolerance)
     {
       return true;
     }
@@ -166,7 +165,7 @@ InitialContact ContactSearch::refined(std::size_t k) const
   const bool bracketed = low < 0 && high > 0;
   if (bracketed)
   {
-    bracketedRoot(slope_difference_at, rail_outline_.u(before), low, rail_outline_.u(after), high, root_tolerance);
+    bracketedRoot(slope_difference_at, rail_outline_.u(before), low, rail_outline_.u(after), high, position_tolerance);
   }
   if (!bracketed || !found || !isNear(trial, k))
   {

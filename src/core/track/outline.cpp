@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/outline.h"
 
+#include "core/constants.h"
+
 #include <algorithm>
 
 namespace wheel_rail_contact::core
@@ -8,7 +10,7 @@ namespace wheel_rail_contact::core
 void Outline::start(const Stations& stations)
 {
   stations_ = stations;
-  height_.assign(stations.count, std::numeric_limits<double>::infinity());
+  height_.assign(stations.count, infinity);
   u_.assign(stations.count, std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/constants.h"
 #include "core/track/bracketed_root.h"
 
 namespace wheel_rail_contact::core
@@ -55,7 +56,7 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
   frame_.z = -height(u_top);
 
   int below = top;
-  double y_gauge = std::numeric_limits<double>::infinity();
+  double y_gauge = infinity;
   for (; below >= 0 && height(below * step) > -track.gauge_depth; --below)
   {
     y_gauge = std::min(y_gauge, at(below * step).y);

@@ -41,7 +41,7 @@ constexpr double largest_widening = 0.2;
 constexpr std::size_t largest_file = std::size_t{256} << 20U;  ///< of a line of some thousand kilometres [bytes]
 
 /// Quantities of a table.
-enum Column
+enum Quantity
 {
   x,
   gauge,

@@ -45,7 +45,7 @@ auto reading(const Message& from, Core& to)
   return [&from, &to](const ResultField& /*field*/, auto core, auto message) { assign(message(from), core(to)); };
 }
 
-geometry_msgs::Vector3 toMessage(const Eigen::Vector3d& v)
+geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
 {
   geometry_msgs::Vector3 message;
   message.x = v.x();
@@ -74,7 +74,7 @@ void addField(const std::vector<core::StressLayer>& field, PatchStress& message)
   }
 }
 
-PatchStress toMessage(const core::PatchStress& stress, bool with_field)
+PatchStress stressMessage(const core::PatchStress& stress, bool with_field)
 {
   PatchStress message;
   visitStress(writing(stress, message));
@@ -236,8 +236,8 @@ ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
   message.side = patch.side == core::Side::left ? ContactPatch::LEFT : ContactPatch::RIGHT;
   message.pose = toMessage(patch.pose, x);
   visitPatch(writing(patch, message));
-  message.wheel_stress = toMessage(patch.wheel_stress, with_grid);
-  message.rail_stress = toMessage(patch.rail_stress, with_grid);
+  message.wheel_stress = stressMessage(patch.wheel_stress, with_grid);
+  message.rail_stress = stressMessage(patch.rail_stress, with_grid);
   if (with_grid)
   {
     message.grid = toMessage(patch.grid, patch.pressure);
@@ -270,8 +270,8 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   message.wheelset = toMessage(core::WheelsetPose{result.y, result.z, result.yaw, result.roll}, x);
   visitWheel(writing(result.wheel.left, message.left_wheel));
   visitWheel(writing(result.wheel.right, message.right_wheel));
-  message.rail_wrench.force = toMessage(result.rail_wrench.force);
-  message.rail_wrench.torque = toMessage(result.rail_wrench.moment);
+  message.rail_wrench.force = vectorMessage(result.rail_wrench.force);
+  message.rail_wrench.torque = vectorMessage(result.rail_wrench.moment);
   message.implausible_force = result.implausible_force;
   visitRail(writing(result.rail.left, message.left_rail));
   visitRail(writing(result.rail.right, message.right_rail));

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "config/text.h"
-#include "core/pi.h"
+#include "core/constants.h"
 #include "ros/evaluation/contact_statistics.h"
 
 namespace wheel_rail_contact

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.h"
+#include "core/constants.h"
 #include "core/track/placement.h"
 #include "ros/evaluation/conversions.h"
 #include "ros/markers/marker_tools.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.h"
 #include "core/normal/measures/cells_around.h"
 #include "core/normal/measures/gap_steps.h"
 #include "core/normal/measures/peak_pressure.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {

@@ -24,7 +24,7 @@ double straightEdge(double p1, double p2)
 
 /// Edge on the four sides of a square between neighbouring cell centres: its distances from the loaded end of each side
 /// [cells].
-struct Sides
+struct EdgeSides
 {
   double lower = 0, upper = 0;  ///< along x, at the first and second column
   double left = 0, right = 0;   ///< along y, at the first and second row
@@ -43,7 +43,7 @@ double emptyCorner(double a, double b)
 }
 
 /// Loaded share of a square. Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
-double loadedShare(unsigned corners, const Sides& s)
+double loadedShare(unsigned corners, const EdgeSides& s)
 {
   switch (corners)
   {
@@ -180,9 +180,9 @@ double EdgePolygon::chords()
   {
     const double *p = at(-1, j), *q = p + stride_;
     unsigned corners = (p[0] > 0 ? 2U : 0U) | (q[0] > 0 ? 8U : 0U);
-    Sides sides;
+    EdgeSides edges;
     // For a mirrored pressure: a crossing with the image of the first row, which is not counted as another crossing.
-    sides.right = corners == 2 || corners == 8 ? reach(crossingAfter(p, stride_)) : 0;
+    edges.right = corners == 2 || corners == 8 ? reach(crossingAfter(p, stride_)) : 0;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(rows_); ++i, ++p, ++q)
     {
       // Half of the corners and two of the sides are those of the previous row and column.
@@ -190,13 +190,13 @@ double EdgePolygon::chords()
       if (corners != 0 && corners != 15)
       {
         const unsigned second_row = corners & 10U, second_column = corners & 12U;
-        sides.left = sides.right;
-        sides.right = second_row == 2 || second_row == 8 ? cross(p + 1, stride_) : 0;
-        sides.lower = along_[i];
-        sides.upper = second_column == 4 || second_column == 8 ? cross(q, 1) : 0;
-        along_[i] = sides.upper;
+        edges.left = edges.right;
+        edges.right = second_row == 2 || second_row == 8 ? cross(p + 1, stride_) : 0;
+        edges.lower = along_[i];
+        edges.upper = second_column == 4 || second_column == 8 ? cross(q, 1) : 0;
+        along_[i] = edges.upper;
       }
-      const double share = loadedShare(corners, sides);
+      const double share = loadedShare(corners, edges);
       whole += share;
       middle += i == 0 ? share : 0;
       turns += quarter_turns[corners];

@@ -14,7 +14,7 @@ namespace
 using Eigen::Index;
 
 /// Limit for the steps, which are relative to the pressures at the crossing. These pressures vanish at the tips.
-constexpr float largest_step = 3;
+constexpr float step_limit = 3;
 
 /// Direction along y that leads out of the contact; zero if the lines on both sides of a line along x carry the same
 /// pressure.
@@ -32,7 +32,7 @@ int outwardAcross(const EdgeCrossing& crossing)
 
 /// Output of test/calibration/fit_discontinuity_bias.cpp in revision e6707df: along, across.
 // clang-format off
-constexpr std::array<double, DiscontinuityBias::numbers> fitted{
+constexpr std::array<double, DiscontinuityBias::numbers> fitted_step{
     0.3342, -0.01587, 0.2171, -0.02907, -0.7441, 0.07427, 0.8776, 1.414, 0.1392, -0.6416, -0.6746, 0.3144,
     -0.3803, 0.1383, 0.6822, -0.07073, -0.618, -0.09891, -0.5699, -0.1954, -0.4894, -0.09663, -0.04966, 0.1357,
     0.1213, 0.627, -0.6049, 0.4348, -0.1586, 0.3757, 0.2341, 0.2465, -0.0574, 0.7248, 0.05744, 0.2,
@@ -102,7 +102,7 @@ bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeI
     const double here = second.at(row, column + outward * (k + 2 - edge_steps)), step = here - before;
     const bool known = !std::isnan(step);
     any = any || (known && std::abs(step) > smooth_step);
-    steps[k] = known ? std::clamp(static_cast<float>(scale * step), -largest_step, largest_step) : 0;
+    steps[k] = known ? std::clamp(static_cast<float>(scale * step), -step_limit, step_limit) : 0;
     before = here;
   }
   return any;
@@ -144,7 +144,7 @@ const DiscontinuityBias& discontinuityBias()
 {
   static const DiscontinuityBias bias = []
   {
-    const Eigen::Map<const Eigen::Array<double, DiscontinuityBias::numbers, 1>> numbers(fitted.data());
+    const Eigen::Map<const Eigen::Array<double, DiscontinuityBias::numbers, 1>> numbers(fitted_step.data());
     DiscontinuityBias unpacked;
     unpacked.along.all = numbers.head<DiscontinuityBias::Crossing::numbers>().cast<float>();
     unpacked.across.all = numbers.tail<DiscontinuityBias::Crossing::numbers>().cast<float>();

@@ -41,7 +41,7 @@ struct Line
 /// numbers of that revision the program finds other weights that leave the same errors. Nearly all contacts of the fit
 /// for island and few_cells had a single island.
 // clang-format off
-constexpr std::array<double, EdgeBias::numbers> fitted{
+constexpr std::array<double, EdgeBias::numbers> fitted_edge{
     -0.6668, 1.112, 0.6871, -0.3653, 0.02027, -0.4504, 0.9748, -0.1003, 0.01908, 0.3237, -0.33, 0.02157,
     -1.023, -0.2533, 0.9853, -0.5287, -0.9445, -0.3316, 0.596, -0.2171, -0.4308, -0.2954, -0.6617, 0.04237,
     0.5269, 0.2872, 0.002186, 0.4081, -0.7628, 0.2336, -0.006409, -0.599, -5.539, 0.3888, 0.1971, 0.428,
@@ -96,11 +96,11 @@ const EdgeBias& edgeBias()
 {
   static const EdgeBias bias = []
   {
-    const Eigen::Map<const Eigen::Array<double, EdgeBias::numbers, 1>> numbers(fitted.data());
+    const Eigen::Map<const Eigen::Array<double, EdgeBias::numbers, 1>> numbers(fitted_edge.data());
     EdgeBias unpacked;
     unpacked.crossing.all = numbers.head<EdgeBias::Crossing::numbers>().cast<float>();
-    unpacked.island = static_cast<float>(fitted[fitted.size() - 2]);
-    unpacked.few_cells = static_cast<float>(fitted.back());
+    unpacked.island = static_cast<float>(fitted_edge[fitted_edge.size() - 2]);
+    unpacked.few_cells = static_cast<float>(fitted_edge.back());
     return unpacked;
   }();
   return bias;

@@ -60,7 +60,7 @@ PeakInputs::Side sideInputs(const CellsAround& peak, const GapSteps& steps, int 
 
 /// Output of test/calibration/fit_peak_bias.cpp in revision e6707df: tip, side.
 // clang-format off
-constexpr std::array<double, PeakBias::numbers> fitted{
+constexpr std::array<double, PeakBias::numbers> fitted_peak{
     0.3848, 0.005758, -0.3478, -0.3372, -0.02053, -0.1462, 0.9373, 0.0719, 0.1971, -0.1463, -0.2607, 0.08396,
     -0.3971, -0.005732, 0.0643, -0.4704, -1.114, -0.01716, 0.2995, -0.6817, -1.051, -0.4116, -0.2241, -0.1639,
     0.8123, 0.1703, -1.038, -0.8112, -4.166, 0.008834, -0.4412, -0.3924, -0.09922, 0.6794, -0.4751, 0.1046,
@@ -143,7 +143,7 @@ const PeakBias& peakBias()
 {
   static const PeakBias bias = []
   {
-    const Eigen::Map<const Eigen::Array<double, PeakBias::numbers, 1>> numbers(fitted.data());
+    const Eigen::Map<const Eigen::Array<double, PeakBias::numbers, 1>> numbers(fitted_peak.data());
     PeakBias unpacked;
     unpacked.tip.all = numbers.head<PeakBias::Tip::numbers>().cast<float>();
     unpacked.side.all = numbers.tail<PeakBias::Side::numbers>().cast<float>();

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.h"
 #include "core/normal/measures/discontinuity_bias.h"
 #include "core/normal/measures/peak_pressure.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "core/pi.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

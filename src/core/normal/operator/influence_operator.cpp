@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/constants.h"
 #include "core/normal/operator/half_transform.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/operator/lanes.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/column_fields.h"
 
+#include "core/constants.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace wheel_rail_contact::core
 {
@@ -66,7 +67,7 @@ void ColumnFields::begin(const CurvedProblem* problem, std::vector<PatchLayout>&
     for (std::size_t k = 0; k < patches.size(); ++k)
     {
       const PatchGap& patch = problem->patches[k];
-      double& least = patches[k].least_gap = std::numeric_limits<double>::infinity();
+      double& least = patches[k].least_gap = infinity;
       for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
       {
         least = std::min(least, patch.gap.col(j).minCoeff() / weightOf(problem->normals[k], j));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/contact_iteration.h"
 
+#include "core/constants.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace wheel_rail_contact::core
 {
@@ -53,7 +54,7 @@ void ContactIteration::begin(const NormalProblem& problem, const CurvedProblem* 
   residual_ = 1;
   s_q_ = 0;
   trial_length_ = 1;
-  best_ = std::numeric_limits<double>::infinity();
+  best_ = infinity;
   best_at_ = 0;
   products_ = 0;
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/constants.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/patch_fields.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
@@ -300,7 +299,7 @@ SolveStatus HertzSolver::fit(const NormalProblem& problem)
 double HertzSolver::approachForLoad(const NormalProblem& problem) const
 {
   constexpr int most_steps = 50;
-  double approach = std::numeric_limits<double>::infinity();
+  double approach = infinity;
   for (std::size_t k = 0; k < ellipses_.size(); ++k)
   {
     const double weight = problem.patches[k].weight;
@@ -335,7 +334,7 @@ ShapeTerms HertzSolver::errorTerms(const NormalProblem& problem, const NormalSol
   const double approach = gap.weight * solution.approach - minimum.gap;
   if (!minimum.isPositive() || !(approach > 0))
   {
-    constexpr double unknown = std::numeric_limits<double>::infinity();
+    constexpr double unknown = infinity;
     return {unknown, unknown, unknown, 0};
   }
   const OverlapMismatch half = compareOverlap(gap, minimum, minimum.gap + 0.5 * approach);

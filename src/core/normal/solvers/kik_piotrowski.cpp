@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/constants.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/patch_fields.h"
@@ -18,7 +18,7 @@ constexpr double load_tolerance = 1e-10;  ///< relative error of the load
 constexpr int most_evaluations = 60;
 
 /// Output of test/calibration/calibrate_error_estimate.cpp.
-constexpr ShapeWeights error_weights{
+constexpr ShapeWeights strip_error_weights{
     {0.113, 0, 0.847, 0.00813}, {0.100, 0.0661, 0.0013, 0.0112}, {0.0622, 0, 0.0560, 0.00569}};
 
 /// Paraboloid, with axes along x and y, whose part below `level` has the centroid and second moments of the volume of
@@ -87,7 +87,7 @@ bool KikPiotrowski::loadAt(const NormalProblem& problem, double approach, double
 
 double KikPiotrowski::firstTouch(const NormalProblem& problem) const
 {
-  double first = std::numeric_limits<double>::infinity();
+  double first = infinity;
   for (std::size_t k = 0; k < gaps_.size(); ++k)
   {
     first = std::min(first, gaps_[k].deepest.gap / problem.patches[k].weight);
@@ -195,7 +195,7 @@ void KikPiotrowski::estimateErrors(const NormalProblem& problem, const NormalSol
     }
     // If the bodies overlap only between the cells, the cells give no error terms.
     const bool known = ownApproach(problem, solution, k) > 0;
-    return known ? weighted(error_weights, errorTerms(problem, solution, k)) : ErrorEstimate{1, 1, 1};
+    return known ? weighted(strip_error_weights, errorTerms(problem, solution, k)) : ErrorEstimate{1, 1, 1};
   };
   withSharedApproach(problem, solution, alone, errors);
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/pi.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.h"
 #include "core/normal/operator/influence.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {

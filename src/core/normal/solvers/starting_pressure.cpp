@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/pi.h"
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {
@@ -43,7 +42,7 @@ double loadAt(const NormalProblem& problem, const std::vector<PatchLayout>& patc
 /// Half the approach that carries the load [m].
 double levelForLoad(const NormalProblem& problem, const std::vector<PatchLayout>& patches, const LaneBuffer& gap)
 {
-  double low = firstTouch(patches), high = std::numeric_limits<double>::infinity();
+  double low = firstTouch(patches), high = infinity;
   for (const PatchLayout& patch : patches)
   {
     const double one_cell = patch.weight * problem.modulus * std::sqrt(patch.grid.cellArea());
@@ -79,7 +78,7 @@ bool copyDisplacement(const PatchLayout& patch, const PatchPressure& earlier, co
 
 double firstTouch(const std::vector<PatchLayout>& patches)
 {
-  double level = std::numeric_limits<double>::infinity();
+  double level = infinity;
   for (const PatchLayout& patch : patches)
   {
     level = std::min(level, patch.least_gap / patch.weight);

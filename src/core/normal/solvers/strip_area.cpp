@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"
 #include "core/normal/solvers/hertz.h"
-#include "core/pi.h"
 
 namespace wheel_rail_contact::core
 {
@@ -19,7 +18,7 @@ constexpr double virtual_penetration = 0.55;
 /// Squared half-length of a strip below a level [m²]; not positive if the strip is not loaded.
 double squaredLength(const Strip& strip, double level)
 {
-  return strip.bend > 0 ? (level - strip.gap) / strip.bend : -std::numeric_limits<double>::infinity();
+  return strip.bend > 0 ? (level - strip.gap) / strip.bend : -infinity;
 }
 
 /// Interpolates between the values of two neighbouring columns [m²]. At an end only the value of this end counts; the
@@ -124,7 +123,7 @@ void extrapolate(Strip* edge, int step, int count)
   {
     Strip& strip = edge[k * step];
     strip = *edge;
-    strip.gap = closed ? std::numeric_limits<double>::infinity() : edge->gap + k * (increase + 0.5 * (k + 1) * bend);
+    strip.gap = closed ? infinity : edge->gap + k * (increase + 0.5 * (k + 1) * bend);
   }
 }
 

@@ -18,7 +18,7 @@ constexpr double origin_tolerance = 0.005;
 constexpr double crown_spacing = 1e-4;  ///< of the places at which the crown is searched for [m]
 
 /// @throw std::invalid_argument "PART, section N REASON", unless `rule` is true. Index of the section: from 0.
-void require(bool rule, const std::string& part, std::size_t section, const std::string& reason)
+void requireSection(bool rule, const std::string& part, std::size_t section, const std::string& reason)
 {
   if (!rule)
   {
@@ -50,12 +50,12 @@ void check(const RailSeries& series, const std::string& part)
   for (std::size_t i = 0; i < series.size(); ++i)
   {
     const RailSection& section = series[i];
-    require(section.profile && section.profile->parts().size() == 1, part, i, "must have a profile of one part");
-    require(std::isfinite(section.x) && (i == 0 || section.x > series[i - 1].x), part, i,
-            "must have a finite x above that of the section before");
-    require(section.places.size() == series.front().places.size(), part, i,
-            "must have as many places as the first one");
-    require(areOnProfile(section), part, i, "must have increasing places on its profile");
+    requireSection(section.profile && section.profile->parts().size() == 1, part, i, "must have a profile of one part");
+    requireSection(std::isfinite(section.x) && (i == 0 || section.x > series[i - 1].x), part, i,
+                   "must have a finite x above that of the section before");
+    requireSection(section.places.size() == series.front().places.size(), part, i,
+                   "must have as many places as the first one");
+    requireSection(areOnProfile(section), part, i, "must have increasing places on its profile");
   }
 }
 
@@ -143,8 +143,8 @@ void RailSections::checkPlacement() const
   }
   for (std::size_t i = 0; i < (by_gauge ? running.size() : 1); ++i)
   {
-    require(hasOriginOnCrown(*running[i].profile), "the running rail", i,
-            "must have its origin on its crown, within 5 mm in height");
+    requireSection(hasOriginOnCrown(*running[i].profile), "the running rail", i,
+                   "must have its origin on its crown, within 5 mm in height");
   }
 }
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/pi.h"
+#include "core/constants.h"
 #include "core/profile/curve/spline.h"
 
 namespace wheel_rail_contact::core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct SampledPoint
   double weight = 1;     ///< relative weight of its squared deviation in smoothingSpline() [-], > 0
   std::size_t line = 0;  ///< number of its line in a file, from 1, for messages; 0: none
 };
+
+/// Distance between two points [m].
+inline double distance(const SampledPoint& a, const SampledPoint& b)
+{
+  return std::hypot(b.y - a.y, b.z - a.z);
+}
 
 /// Distance of each point from the first one, along the polygon through the points [m]; strictly increasing.
 /// @throw std::invalid_argument if there are fewer than 4 points, a point is not finite or has no positive weight, two

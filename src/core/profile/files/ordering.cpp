@@ -16,14 +16,9 @@ constexpr double widest_gap = 0.025;  ///< [m]
 /// to 1e-4 mm.
 constexpr double least_distance = 5e-5;
 /// Largest distance over which a measurement in two strokes may run back [m].
-constexpr double overlap = 1e-3;
+constexpr double largest_overlap = 1e-3;
 /// Largest share of the points that may be omitted because the measurement runs back there.
 constexpr double most_left_out = 0.05;
-
-double distance(const SampledPoint& a, const SampledPoint& b)
-{
-  return std::hypot(b.y - a.y, b.z - a.z);
-}
 
 /// Points without those too close to the preceding kept one. The last point is always kept: it replaces the last kept
 /// one.
@@ -68,7 +63,7 @@ Points alongTheCurve(const TextFile& file, const Points& points)
       continue;
     }
     const bool back = runsBack(kept, p);
-    if (back && step > overlap)
+    if (back && step > largest_overlap)
     {
       file.refuse(p.line, "points run back by " + millimetres(step) + ": not in order along the profile");
     }

@@ -12,12 +12,12 @@ namespace
 using Points = std::vector<SampledPoint>;
 
 // Bounds of a plausible profile [m].
-constexpr std::size_t least_points = 10;
+constexpr std::size_t fewest_points = 10;
 constexpr double least_width = 0.020;
 constexpr double most_width = 0.300;
 constexpr double most_height = 0.120;
 /// Largest height of a wheel profile over its running circle, at y = 0 [m]. Wear is less.
-constexpr double origin_tolerance = 0.005;
+constexpr double running_circle_tolerance = 0.005;
 /// Least depth of the flange tip below the running circle and below the field side [m].
 constexpr double least_flange_height = 0.010;
 /// Greatest height of a tread over the running circle, and least distance of a higher rim from it [m].
@@ -53,11 +53,6 @@ struct Box
   double y_min, y_max;
   SampledPoint lowest, highest;
 };
-
-double distance(const SampledPoint& a, const SampledPoint& b)
-{
-  return std::hypot(b.y - a.y, b.z - a.z);
-}
 
 void checkExtent(const TextFile& file, const Points& points)
 {
@@ -108,11 +103,11 @@ void checkRunningCircle(const TextFile& file, const Points& points)
   {
     file.refuse(0, "profile does not cross y = 0, where the running circle must be");
   }
-  if (!(std::abs(height) <= origin_tolerance))
+  if (!(std::abs(height) <= running_circle_tolerance))
   {
     file.refuse(0, "profile is " + millimetres(height) +
                        " above its origin at y = 0, which must be the running circle, within " +
-                       millimetres(origin_tolerance) + "; a shift of z moves it");
+                       millimetres(running_circle_tolerance) + "; a shift of z moves it");
   }
   const double front = frontOfFlange(points, least_flange_height);
   if (!std::isinf(front) && !(front >= first_front && front <= last_front))
@@ -236,10 +231,10 @@ void checkFlangeReachesDown(const TextFile& file, const Points& points)
 
 void checkSize(const TextFile& file, const Points& points)
 {
-  if (points.size() < least_points)
+  if (points.size() < fewest_points)
   {
     file.refuse(0, "number of points is " + std::to_string(points.size()) + ", must be at least " +
-                       std::to_string(least_points));
+                       std::to_string(fewest_points));
   }
   for (const SampledPoint& p : points)
   {

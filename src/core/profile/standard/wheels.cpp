@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pi.h"
+#include "core/constants.h"
 #include "core/profile/standard/sections.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
