@@ -14,8 +14,8 @@ import sys
 
 VERSION = 14
 SKIPPED = 77
-# Flags that differ between sources and do not affect the checks.
-IRRELEVANT = re.compile(r"-O\d|-fPIC|-Winvalid-pch|-fmacro-prefix-map=|-D.*_EXPORTS")
+# Flags that the checks need. Each target has those of folders, libraries and definitions that it uses.
+RELEVANT = re.compile(r"-(isystem|I|std=|D(?!.*_EXPORTS)|W(?!invalid-pch))")
 ERROR = re.compile(r"^([^:\n]+):\d+:\d+: (?:fatal )?error: (?:redefinition of '(\w+)')?", re.MULTILINE)
 
 MAIN = re.compile(r"^int main\(", re.MULTILINE)
@@ -43,21 +43,16 @@ def sources_of(file):
     return [file]
 
 
-def groups(folder, build_dir):
-    """Sources below the folder that can be compiled with the same flags, as a list of (flags, files)."""
-    found = {}
+def sources(folder, build_dir):
+    """All sources below the folder, and flags with which each of them can be compiled: those of all targets together."""
+    flags, files = {}, set()
     for entry in json.loads((build_dir / "compile_commands.json").read_text()):
-        words = shlex.split(re.sub(r" -o .*", "", re.sub(r" -include \S+", "", entry["command"])))[1:]
-        flags = tuple(word for word in words if not IRRELEVANT.match(word))
-        for file in sources_of(pathlib.Path(entry["file"])):
-            if folder in file.parents:
-                found.setdefault(flags, set()).add(file)
-    # Sources of which another target has all flags and more of them (folders, libraries) are compiled with those.
-    for flags in sorted(found, key=len):
-        larger = [other for other in found if set(flags) < set(other)]
-        if larger:
-            found[min(larger, key=len)] |= found.pop(flags)
-    return [(flags, sorted(files)) for flags, files in sorted(found.items())]
+        found = {file for file in sources_of(pathlib.Path(entry["file"])) if folder in file.parents}
+        if found:
+            words = shlex.split(entry["command"].replace("-isystem ", "-isystem"))
+            flags.update(dict.fromkeys(filter(RELEVANT.match, words)))
+            files |= found
+    return tuple(flags), sorted(files)
 
 
 def write(flags, files, renamed, folder):
