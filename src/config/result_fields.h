@@ -16,11 +16,7 @@ struct ResultField
 };
 
 // Arguments of visit() for a field with a name, and with the name of the member of the core if it is another one.
-#define MEMBER(name)        \
-  [](auto& object) -> auto& \
-  {                         \
-    return object.name;     \
-  }
+#define MEMBER(name) ([](auto& object) -> auto& { return object.name; })
 #define FIELD_OF(core_name, name, unit, text) ResultField{#name, unit, text}, MEMBER(core_name), MEMBER(name)
 #define FIELD(name, unit, text) FIELD_OF(name, name, unit, text)
 

@@ -60,10 +60,10 @@ ContactServices::ContactServices(const ros::NodeHandle& private_nh, const NodeCo
 
 void ContactServices::advertise(Service& service, const std::string& name, ros::NodeHandle& own)
 {
-  using Answer = boost::function<bool(EvaluateWheelset::Request&, EvaluateWheelset::Response&)>;
+  using Callback = boost::function<bool(EvaluateWheelset::Request&, EvaluateWheelset::Response&)>;
   service.server = own.advertiseService(
-      name, Answer([this, &service](EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
-                   { return answer(service, request, response); }));
+      name, Callback([this, &service](EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
+                     { return evaluate(service, request, response); }));
 }
 
 ContactServices::~ContactServices()
@@ -80,8 +80,8 @@ ServiceCounts ContactServices::counts() const
   return counts_;
 }
 
-bool ContactServices::answer(Service& service, const EvaluateWheelset::Request& request,
-                             EvaluateWheelset::Response& response)
+bool ContactServices::evaluate(Service& service, const EvaluateWheelset::Request& request,
+                               EvaluateWheelset::Response& response)
 {
   try
   {

@@ -53,7 +53,7 @@ class ContactServices
   };
 
   void advertise(Service& service, const std::string& name, ros::NodeHandle& own);
-  bool answer(Service& service, const EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
+  bool evaluate(Service& service, const EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
 
   const tf2::BufferCore& transforms_;
   const NeighbourForces& neighbours_;
