@@ -13,7 +13,7 @@ using namespace simulate_wheelset;
 
 namespace
 {
-constexpr double radius = 0.46;
+constexpr double wheel_radius = 0.46;
 
 ContactPoint pointAt(bool is_left, const Eigen::Vector3d& position, double angle, double normal_force)
 {
@@ -42,7 +42,7 @@ ContactReply flangeContact()
 TEST(WheelsetDynamics, LoadHoldsAllForcesThatTheContactCalculationLeavesOut)
 {
   const Parameters parameters;
-  WheelsetDynamics dynamics(parameters, radius);
+  WheelsetDynamics dynamics(parameters, wheel_radius);
   const ContactReply contact = flangeContact();
   dynamics.advance(contact);
   // Sums over the contacts, from the patch frames: the lateral normal force, and the creep force and its moment.
@@ -62,8 +62,8 @@ TEST(WheelsetDynamics, LoadHoldsAllForcesThatTheContactCalculationLeavesOut)
   const ContactRequest request = dynamics.request(0, contact.roll);
   const SuspensionParameters& s = parameters.suspension;
   const double suspension = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * contact.roll;
-  EXPECT_NEAR(request.torque_x, suspension + radius * normal_y + moment_of_z + moment_of_y, 1e-6);
-  EXPECT_NEAR(request.torque_x, suspension + radius * normal_y + dynamics.forces().creep_moment.x(), 1e-6);
+  EXPECT_NEAR(request.torque_x, suspension + wheel_radius * normal_y + moment_of_z + moment_of_y, 1e-6);
+  EXPECT_NEAR(request.torque_x, suspension + wheel_radius * normal_y + dynamics.forces().creep_moment.x(), 1e-6);
   EXPECT_NEAR(request.force_z, -parameters.wheelset.axle_load + creep_z, 1e-6);
 }
 

@@ -16,7 +16,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double wheel_load = 1e5;       // [N]
 constexpr double corner_radius = 13e-3;  // [m]
 constexpr double steepness = 20;         // of the face, 1:20 from the vertical
 

@@ -17,8 +17,6 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double wheel_load = 1e5;  ///< [N]
-
 ContactModelConfig onPads(const ComplianceTable& table)
 {
   ContactModelConfig config = manchesterScene();

@@ -16,7 +16,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double wheel_load = 1e5;  ///< [N]
 constexpr GridSize coarse{24, 64}, fine{64, 128};
 
 /// Highest pressure of a cell [Pa] and whole area [m²].

@@ -15,8 +15,7 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double load = 1e5;  ///< [N]
-constexpr GridSize size{32, 96};
+constexpr GridSize grid_size{32, 96};
 constexpr double strict = 1e-5;
 
 /// Left wheel on a bending rail.
@@ -47,14 +46,14 @@ class WheelEquilibriumTest : public testing::Test
   double potential(const Eigen::Vector3d& rail, WheelsetPose pose)
   {
     WheelContact contact(config_, Side::left, restingRail(config_, Side::left), solver_);
-    contact.setGrid(0, size);
+    contact.setGrid(0, grid_size);
     contact.setRail(restingRail(config_, Side::left).deflected(toDeflection(rail)));
     for (int i = 0; i < 10; ++i)
     {
-      EXPECT_EQ(contact.solveLoad(pose, load), WheelStatus::solved);
+      EXPECT_EQ(contact.solveLoad(pose, wheel_load), WheelStatus::solved);
       pose.z = contact.height();
     }
-    return contact.energy() + load * contact.height() + 0.5 * rail.dot(compliance().inverse() * rail);
+    return contact.energy() + wheel_load * contact.height() + 0.5 * rail.dot(compliance().inverse() * rail);
   }
 
   ContactModelConfig config_ = onPads(softPads());
@@ -72,15 +71,15 @@ TEST_F(WheelEquilibriumTest, ForcesOfTheContactDeflectTheRail)
     for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
     {
       WheelEquilibrium wheel(config_, Side::left, solver_);
-      wheel.contact().setGrid(0, size);
-      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
+      wheel.contact().setGrid(0, grid_size);
+      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
       const Eigen::Vector3d due = compliance().inverse() * coordinates(wheel);
       const Eigen::Vector3d found = wheel.contact().forces().tail<3>();
-      EXPECT_NEAR(found[0], due[0], 1e-3 * load) << "y " << y;
-      EXPECT_NEAR(found[1], -load, 1e-6 * load) << "y " << y;
-      EXPECT_NEAR(due[1], -load, 1e-3 * load) << "y " << y;
-      EXPECT_NEAR(found[2], due[2], 1e-3 * load * 0.1) << "y " << y;
-      EXPECT_LT((forces(wheel.rail()) - due).norm(), 1e-6 * load) << "y " << y;
+      EXPECT_NEAR(found[0], due[0], 1e-3 * wheel_load) << "y " << y;
+      EXPECT_NEAR(found[1], -wheel_load, 1e-6 * wheel_load) << "y " << y;
+      EXPECT_NEAR(due[1], -wheel_load, 1e-3 * wheel_load) << "y " << y;
+      EXPECT_NEAR(found[2], due[2], 1e-3 * wheel_load * 0.1) << "y " << y;
+      EXPECT_LT((forces(wheel.rail()) - due).norm(), 1e-6 * wheel_load) << "y " << y;
     }
   }
 }
@@ -92,8 +91,8 @@ TEST_F(WheelEquilibriumTest, EquilibriumIsTheLeastPotentialEnergy)
   {
     const WheelsetPose pose{y, 0.46, 0, 0};
     WheelEquilibrium wheel(config_, Side::left, solver_);
-    wheel.contact().setGrid(0, size);
-    ASSERT_EQ(wheel.solveUnderLoad(pose, load, strict, false), WheelStatus::solved) << "y " << y;
+    wheel.contact().setGrid(0, grid_size);
+    ASSERT_EQ(wheel.solveUnderLoad(pose, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double least = potential(rail, pose);
     for (const double lateral : {-1e-4, 1e-4})
@@ -108,14 +107,14 @@ TEST_F(WheelEquilibriumTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
   for (const double y : {0.0, 6e-3, 7e-3})
   {
     WheelEquilibrium wheel(config_, Side::left, solver_);
-    wheel.contact().setGrid(0, size);
-    ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, load, strict, false), WheelStatus::solved) << "y " << y;
+    wheel.contact().setGrid(0, grid_size);
+    ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double height = wheel.height();
     wheel.reset();
     ASSERT_EQ(wheel.solveAtPose({y, height, 0, 0}, strict), WheelStatus::solved) << "y " << y;
     // The grids of the two solutions differ.
-    EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 2e-3) << "y " << y;
+    EXPECT_NEAR(wheel.rail().vertical_force / wheel_load, 1, 2e-3) << "y " << y;
     EXPECT_LT((coordinates(wheel) - rail).head<2>().norm(), 1e-3 * rail.head<2>().norm()) << "y " << y;
   }
 }
@@ -126,10 +125,10 @@ TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
   for (const double y : {0.0, 3e-3})
   {
     WheelEquilibrium wheel(config_, Side::left, solver_);
-    wheel.contact().setGrid(0, size);
+    wheel.contact().setGrid(0, grid_size);
     const auto heightAt = [&](double roll)
     {
-      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, load, strict, false), WheelStatus::solved) << "y " << y;
+      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
       return wheel.height();
     };
     const double slope = (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4;
@@ -142,8 +141,8 @@ TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
 TEST_F(WheelEquilibriumTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 {
   WheelEquilibrium wheel(config_, Side::left, solver_);
-  wheel.contact().setGrid(0, size);
-  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
+  wheel.contact().setGrid(0, grid_size);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved);
   ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, 0, strict, false), WheelStatus::no_contact);
   EXPECT_FALSE(wheel.loaded());
   EXPECT_TRUE(coordinates(wheel).isZero(0));
@@ -155,10 +154,10 @@ TEST_F(WheelEquilibriumTest, ARigidRailIsNotDeflected)
 {
   config_ = manchesterScene();
   WheelEquilibrium wheel(config_, Side::left, solver_);
-  wheel.contact().setGrid(0, size);
-  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, load, strict, false), WheelStatus::solved);
+  wheel.contact().setGrid(0, grid_size);
+  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved);
   EXPECT_TRUE(coordinates(wheel).isZero(0));
-  EXPECT_NEAR(wheel.rail().vertical_force / load, 1, 1e-6);
+  EXPECT_NEAR(wheel.rail().vertical_force / wheel_load, 1, 1e-6);
   EXPECT_GT(wheel.rail().lateral_force, 0);
 }
 

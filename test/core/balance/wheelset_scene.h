@@ -7,13 +7,15 @@
 
 namespace wheel_rail_contact::core
 {
+constexpr double wheel_load = 1e5;  ///< usual load of a wheel [N]
+
 /// State at `y` [m] with the same load on each wheel [N].
-inline WheelsetState stateAt(double y, double wheel_load, double yaw = 0)
+inline WheelsetState stateAt(double y, double load, double yaw = 0)
 {
   WheelsetState state;
   state.y = y;
   state.yaw = yaw;
-  state.force_z = -2 * wheel_load;
+  state.force_z = -2 * load;
   return state;
 }
 

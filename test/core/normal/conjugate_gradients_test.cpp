@@ -41,11 +41,11 @@ double loadOf(const NormalProblem& problem, const NormalSolution& solution)
   return load;
 }
 
-class HertzContact : public testing::TestWithParam<double>
+class HertzCurvature : public testing::TestWithParam<double>
 {
 };
 
-TEST_P(HertzContact, MaxPressureApproachAndAreaAreWithinATenthOfAPercent)
+TEST_P(HertzCurvature, MaxPressureApproachAndAreaAreWithinATenthOfAPercent)
 {
   for (const bool symmetric : {true, false})
   {
@@ -58,7 +58,7 @@ TEST_P(HertzContact, MaxPressureApproachAndAreaAreWithinATenthOfAPercent)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Curvatures, HertzContact, testing::Values(1.0, 2.0, 5.0, 10.0, 0.2));
+INSTANTIATE_TEST_SUITE_P(Curvatures, HertzCurvature, testing::Values(1.0, 2.0, 5.0, 10.0, 0.2));
 
 TEST(ConjugateGradients, AgreesWithTheDenseReference)
 {

@@ -173,7 +173,7 @@ NormalProblem wavyBowl(int nx, int ny, double amplitude)
   return problems::underLoad(problems::sampled(problems::centredGrid(nx, ny, width, width, true), gap), 1e5);
 }
 
-PatchPressure solved(const NormalProblem& problem, double& estimate)
+PatchPressure solvedWithEstimate(const NormalProblem& problem, double& estimate)
 {
   ConjugateGradients solver;
   const NormalSolution solution = problems::solved(solver, problem);
@@ -232,10 +232,11 @@ TEST(UnseenSlope, EstimateIncludesWavesNarrowerThanTheCells)
   {
     double seen = 0, blind = 0, fine = 0;
     NormalProblem problem = wavyBowl(columns, columns, amplitude);
-    const double max_pressure = solved(problem, blind).max_pressure;
+    const double max_pressure = solvedWithEstimate(problem, blind).max_pressure;
     problem.patches[0].unseen_slope.setConstant(columns, 2 * std::acos(-1.0) / wave * amplitude);
-    EXPECT_EQ(solved(problem, seen).max_pressure, max_pressure);
-    const double error = solved(wavyBowl(2 * columns, 16 * columns, amplitude), fine).max_pressure / max_pressure - 1;
+    EXPECT_EQ(solvedWithEstimate(problem, seen).max_pressure, max_pressure);
+    const double error =
+        solvedWithEstimate(wavyBowl(2 * columns, 16 * columns, amplitude), fine).max_pressure / max_pressure - 1;
     EXPECT_GT(error, 0.05) << amplitude;
     EXPECT_GT(seen, 0.99 * error) << amplitude;
     EXPECT_LT(seen, 2 * error) << amplitude;

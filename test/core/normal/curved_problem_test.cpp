@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "core/constants.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/contact_tangent.h"
 #include "dense_active_set.h"
@@ -286,7 +287,6 @@ TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
 // Patches that deform one another (CurvedProblem::coupling).
 namespace
 {
-const double pi = std::acos(-1.0);
 
 /// Displacement of each column of two patches by the forces in the columns of the other: that of a point force on a
 /// half-space (Johnson 1985, eq. 3.22b), at the root of `distance`² + `spread`² [m].

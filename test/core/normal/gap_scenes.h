@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "core/constants.h"
 #include "core/normal/operator/operator_cache.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
@@ -143,7 +144,6 @@ inline Gap roughGap(Random& random)
   {
     double number, height, phase;
   };
-  const double pi = std::acos(-1.0);
   const double along = 0.5 / uniform(random, 0.3, 0.6), across = spread(random, 0.5, 10);
   const double level = spread(random, 0.05, 1.5);
   std::vector<Wave> waves(1 + random() % 5);

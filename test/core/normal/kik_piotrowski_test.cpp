@@ -19,7 +19,7 @@ using problems::underLoad;
 
 constexpr double wheel = 0.5 / 0.46;  ///< coefficient A for a wheel of 460 mm radius [1/m]
 
-NormalSolution solved(const NormalProblem& problem)
+NormalSolution stripSolution(const NormalProblem& problem)
 {
   KikPiotrowski solver;
   const NormalSolution solution = problems::solved(solver, problem);
@@ -35,7 +35,7 @@ struct Deviation
 
 Deviation deviation(const NormalProblem& problem, const NormalSolution& reference)
 {
-  const NormalSolution solution = solved(problem);
+  const NormalSolution solution = stripSolution(problem);
   const Eigen::ArrayXXd &p = solution.patches[0].pressure, &q = reference.patches[0].pressure;
   return {solution.patches[0].max_pressure / reference.patches[0].max_pressure - 1,
           solution.approach / reference.approach - 1, std::sqrt((p - q).square().sum() / q.square().sum())};
@@ -82,7 +82,7 @@ TEST(KikPiotrowski, EllipsesHaveTheHertzAxisRatio)
   for (const double ratio : {0.1, 0.5, 1.0, 4.0, 30.0})
   {
     const auto hertz = hertzCase(ratio, 128, 128, true, 1.3);
-    const NormalSolution solution = solved(hertz.problem);
+    const NormalSolution solution = stripSolution(hertz.problem);
     const PatchPressure& patch = solution.patches[0];
     const auto count = [](const Eigen::Array<bool, Eigen::Dynamic, 1>& loaded)
     { return static_cast<double>(loaded.count()); };
@@ -99,7 +99,7 @@ TEST(KikPiotrowski, PressureCarriesTheLoad)
   for (const bool symmetric : {true, false})
   {
     const auto hertz = hertzCase(2.5, 96, 96, symmetric, 1.3, 0.3);
-    const NormalSolution solution = solved(hertz.problem);
+    const NormalSolution solution = stripSolution(hertz.problem);
     const PatchPressure& patch = solution.patches[0];
     EXPECT_NEAR(patch.force / hertz.problem.value, 1, 1e-9);
     // The midpoint rule on 75 cells, against the closed form along and a second-order rule across.
@@ -118,9 +118,9 @@ TEST(KikPiotrowski, MirroredGapsNextToAStepGiveMirroredPressures)
   problem.control = NormalProblem::Control::approach;
   problem.value = 1e-4;
   problem.patches = {sampled(grid, [](double x, double y) { return 0.2 * std::abs(y) + (y <= 0 ? 2 * x * x : 0); })};
-  const NormalSolution solution = solved(problem);
+  const NormalSolution solution = stripSolution(problem);
   problem.patches[0].gap = problem.patches[0].gap.rowwise().reverse().eval();
-  const NormalSolution mirrored = solved(problem);
+  const NormalSolution mirrored = stripSolution(problem);
   ASSERT_GT(solution.patches[0].force, 0);
   ASSERT_TRUE(solution.patches[0].pressure.allFinite());
   // Sums in another order differ by rounding. Near the edge the difference is under a root.
@@ -133,21 +133,21 @@ TEST(KikPiotrowski, MirroredGapsNextToAStepGiveMirroredPressures)
 TEST(KikPiotrowski, LoadFollowsTheHertzPowerLawOnEllipses)
 {
   NormalProblem problem = hertzCase(3, 32, 64, true, 1.3).problem;
-  const double one = solved(problem).approach;
+  const double one = stripSolution(problem).approach;
   problem.value *= 0.5;
   // Exact in the limit of narrow strips; here 64 columns.
-  EXPECT_NEAR(solved(problem).approach / one, std::pow(0.5, 2.0 / 3.0), 2e-4);
+  EXPECT_NEAR(stripSolution(problem).approach / one, std::pow(0.5, 2.0 / 3.0), 2e-4);
 }
 
 TEST(KikPiotrowski, AlongAndAcrossAreEquivalentOnEllipses)
 {
-  const NormalSolution flat = solved(hertzCase(6, 64, 256, true, 1.4).problem);
+  const NormalSolution flat = stripSolution(hertzCase(6, 64, 256, true, 1.4).problem);
   NormalProblem turned = hertzCase(6, 64, 256, true, 1.4).problem;
   const GapCurvature c = hertzCase(6, 64, 64, true).gap;
   const Grid& grid = turned.patches[0].grid;
   turned.patches[0] = sampled(centredGrid(64, 256, grid.dy * grid.ny, grid.dx * grid.nx, true),
                               [c](double x, double y) { return c.b * x * x + c.a * y * y; });
-  const NormalSolution steep = solved(turned);
+  const NormalSolution steep = stripSolution(turned);
   // The difference comes from the rule across: strips are exact only along.
   EXPECT_NEAR(flat.approach / steep.approach, 1, 1e-4);
   EXPECT_NEAR(flat.patches[0].max_pressure / steep.patches[0].max_pressure, 1, 1e-3);
@@ -157,8 +157,8 @@ TEST(KikPiotrowski, AlongAndAcrossAreEquivalentOnEllipses)
 TEST(KikPiotrowski, DependsLittleOnTheBox)
 {
   // The overlap of a 10:1 ellipse is wider than its contact, and wider than a close box.
-  const double close = solved(hertzCase(0.03, 32, 64, true, 1.05).problem).patches[0].max_pressure;
-  const double wide = solved(hertzCase(0.03, 32, 128, true, 2.1).problem).patches[0].max_pressure;
+  const double close = stripSolution(hertzCase(0.03, 32, 64, true, 1.05).problem).patches[0].max_pressure;
+  const double wide = stripSolution(hertzCase(0.03, 32, 128, true, 2.1).problem).patches[0].max_pressure;
   EXPECT_NEAR(close / wide, 1, 2e-3);
 }
 
@@ -183,7 +183,7 @@ TEST(KikPiotrowski, PatchesShareTheLoadAtOneApproach)
   problem.patches.push_back(hertzCase(6, 16, 32, true, 1.3).problem.patches[0]);
   problem.patches[1].gap += 2e-5;
   problem.patches[1].weight = 0.7;
-  const NormalSolution both = solved(problem);
+  const NormalSolution both = stripSolution(problem);
   EXPECT_NEAR((both.patches[0].force + 0.7 * both.patches[1].force) / problem.value, 1, 1e-9);
   NormalProblem second;
   second.modulus = problem.modulus;
@@ -191,7 +191,7 @@ TEST(KikPiotrowski, PatchesShareTheLoadAtOneApproach)
   second.value = 0.7 * both.approach;
   second.patches = {problem.patches[1]};
   second.patches[0].weight = 1;
-  EXPECT_NEAR(solved(second).patches[0].force / both.patches[1].force, 1, 1e-9);
+  EXPECT_NEAR(stripSolution(second).patches[0].force / both.patches[1].force, 1, 1e-9);
 }
 
 TEST(KikPiotrowski, PressureFollowsShiftedStrips)
@@ -199,7 +199,7 @@ TEST(KikPiotrowski, PressureFollowsShiftedStrips)
   // Columns are lowest at x = 0.3 y, which is the middle of the strips.
   const Grid grid = centredGrid(48, 48, 0.024, 0.024, false);
   const auto skewed = [](double x, double y) { return wheel * (x - 0.3 * y) * (x - 0.3 * y) + 2 * wheel * y * y; };
-  const NormalSolution solution = solved(underLoad(sampled(grid, skewed), 1e5));
+  const NormalSolution solution = stripSolution(underLoad(sampled(grid, skewed), 1e5));
   const Eigen::ArrayXXd& p = solution.patches[0].pressure;
   for (const int column : {20, 24, 28})
   {
@@ -216,7 +216,7 @@ TEST(KikPiotrowski, SolvesAGridThatCutsTheDeepestPoint)
   for (const double side : {-1.0, 1.0})
   {
     const auto falling = [side](double x, double y) { return wheel * x * x + 4 * y * y - 0.1 * side * y; };
-    const NormalSolution solution = solved(underLoad(sampled(grid, falling), 1e5));
+    const NormalSolution solution = stripSolution(underLoad(sampled(grid, falling), 1e5));
     const Eigen::Index edge = side > 0 ? grid.ny - 1 : 0;
     EXPECT_TRUE(solution.patches[0].touches_border);
     EXPECT_GT(solution.patches[0].pressure.col(edge).maxCoeff(), 0.5 * solution.patches[0].max_pressure);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/measures/peak_pressure.h"
+#include "core/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,6 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-const double pi = std::acos(-1.0);
 
 struct Pressures
 {
@@ -223,7 +223,7 @@ TEST(PeakPressure, OfAHalfEqualsThatOfTheWhole)
   EXPECT_NEAR(half.patches[0].max_pressure / whole.patches[0].max_pressure, 1, 1e-6);
 }
 
-constexpr double modulus = 1.14e11;  // steel on steel [Pa]
+constexpr double steel_modulus = 1.14e11;  // steel on steel [Pa]
 
 /// Bowl whose curvature across jumps by `jump` times its value at y = `discontinuity`.
 scenes::Gap discontinuous(double discontinuity, double jump)
@@ -239,7 +239,7 @@ scenes::Gap discontinuous(double discontinuity, double jump)
 NormalProblem problemOf(const scenes::Gap& gap, const GridSize& size, bool symmetric = false)
 {
   NormalProblem problem;
-  problem.modulus = modulus;
+  problem.modulus = steel_modulus;
   problem.value = 2e4;
   problem.patches.resize(1);
   const double length = 13e-3, width = 7e-3, dx = length / size.along, dy = width / size.across;

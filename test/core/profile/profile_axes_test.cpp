@@ -295,11 +295,6 @@ struct Format
   std::string (*text)(const std::vector<Point>& points);
 };
 
-std::string csv(const std::vector<Point>& points)
-{
-  return "y_m,z_m\n" + lines(points, ",");
-}
-
 std::string simpack(const std::vector<Point>& points, const char* type)
 {
   return std::string("header.begin\n version = 1\n type = ") + type +

@@ -101,6 +101,12 @@ inline std::string lines(const std::vector<Point>& points, const std::string& se
   return text.str();
 }
 
+/// Table of points [m].
+inline std::string csv(const std::vector<Point>& points)
+{
+  return "y_m,z_m\n" + lines(points, ",");
+}
+
 /// Largest distance of points from a profile close to them, across the curve [m]. The points must be in order along it.
 inline double deviation(const Profile& profile, const std::vector<Point>& points)
 {

@@ -32,11 +32,6 @@ void expectRejected(const std::string& path, ProfileKind kind, std::size_t line,
   }
 }
 
-std::string csv(const std::vector<Point>& points)
-{
-  return "y_m,z_m\n" + lines(points, ",");
-}
-
 /// The points in a random order that is the same with every standard library. The order of std::shuffle is not.
 std::vector<Point> shuffled(std::vector<Point> points, unsigned seed)
 {

@@ -263,7 +263,7 @@ namespace
 using section_scenes::profileOf;
 
 /// Rounding of 12 digits, and of the unit [m].
-constexpr double rounding = 1e-12;
+constexpr double slice_rounding = 1e-12;
 
 /// Text of a slice: y to the field side, z down, in units of `unit` [m].
 std::string twoColumns(const Profile& profile, double unit)
@@ -271,7 +271,7 @@ std::string twoColumns(const Profile& profile, double unit)
   return lines(changed(pointsOf(profile), [unit](const Point& p) { return Point{p.y / unit, -p.z / unit}; }), " ");
 }
 
-ProfileReading mirrored()
+ProfileReading mirroredSlices()
 {
   ProfileReading reading;
   reading.mirror = true;
@@ -322,8 +322,8 @@ TEST_F(SlicesTest, PlacesAndProfilesAreReadBack)
   ASSERT_EQ(series.size(), 2U);
   EXPECT_EQ(series[0].x, -1.5);
   EXPECT_EQ(series[1].x, 0.25);
-  EXPECT_LT(deviation(*series[0].profile, pointsOf(a_)), rounding);
-  EXPECT_LT(deviation(*series[1].profile, pointsOf(b_)), rounding);
+  EXPECT_LT(deviation(*series[0].profile, pointsOf(a_)), slice_rounding);
+  EXPECT_LT(deviation(*series[1].profile, pointsOf(b_)), slice_rounding);
   EXPECT_TRUE(series[0].places.empty());
 }
 
@@ -344,8 +344,8 @@ TEST_F(SlicesTest, SlicesAreInMetresOrMillimetres)
                                                            }),
                                                    ","));
   const RailSeries series = read("0 1000\n2\n0 0 0\n1\n0 'metres.txt'\n1 'other.csv'\n");
-  EXPECT_LT(deviation(*series[0].profile, pointsOf(a_)), rounding);
-  EXPECT_LT(deviation(*series[1].profile, pointsOf(a_)), rounding) << "a format of readProfile() has z up";
+  EXPECT_LT(deviation(*series[0].profile, pointsOf(a_)), slice_rounding);
+  EXPECT_LT(deviation(*series[1].profile, pointsOf(a_)), slice_rounding) << "a format of readProfile() has z up";
 }
 
 TEST_F(SlicesTest, WhatWasUnderstoodOfEachFileIsNoted)
@@ -367,8 +367,8 @@ TEST_F(SlicesTest, EqualSlicesShareOneProfile)
 
 TEST_F(SlicesTest, MirrorChangesTheSignOfY)
 {
-  const RailSeries series = read(head_ + "0 'a.txt'\n1 'b.txt'\n", mirrored());
-  EXPECT_NEAR(series[1].profile->at(0).y, -b_.at(b_.length()).y, rounding);
+  const RailSeries series = read(head_ + "0 'a.txt'\n1 'b.txt'\n", mirroredSlices());
+  EXPECT_NEAR(series[1].profile->at(0).y, -b_.at(b_.length()).y, slice_rounding);
   EXPECT_LT(series[1].profile->at(0).y, series[1].profile->at(series[1].profile->length()).y);
 }
 
@@ -382,7 +382,7 @@ TEST_F(SlicesTest, FeaturesAreLengthsAlongTheCurve)
   EXPECT_TRUE(std::isnan(series[1].places[0])) << "negative: the slice has no such feature";
   EXPECT_DOUBLE_EQ(series[1].places[1], 0.070);
 
-  const RailSeries other = read(slices + features, mirrored());
+  const RailSeries other = read(slices + features, mirroredSlices());
   const double length = other[0].profile->length();
   EXPECT_DOUBLE_EQ(other[0].places[0], length - 0.0605) << "the curve now begins at the other end";
   EXPECT_DOUBLE_EQ(other[0].places[1], length - 0.016);

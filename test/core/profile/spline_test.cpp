@@ -17,13 +17,13 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr unsigned seed = 7;
+constexpr unsigned point_seed = 7;
 
 /// Points of a profile, about `spacing` [m] apart, with white noise of standard deviation `noise` [m] across and along
 /// the curve.
 std::vector<SampledPoint> sample(const Profile& profile, double spacing, double noise)
 {
-  std::mt19937 generator(seed);
+  std::mt19937 generator(point_seed);
   std::normal_distribution<double> deviation(0.0, 1.0);
   std::vector<SampledPoint> points;
   const int count = static_cast<int>(profile.length() / spacing);
@@ -140,7 +140,7 @@ TEST(InterpolatingSpline, ErrorDecreasesWithTheFourthPowerOfTheSpacing)
 
 TEST(SmoothingSpline, ShapeAndCurvatureOfNoisyProfilesAreReproduced)
 {
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  SCOPED_TRACE("seed " + std::to_string(point_seed));
   struct Range
   {
     double y_from, y_to;  ///< [mm]

@@ -197,7 +197,7 @@ TEST(RailAlong, ASectionThatEndsAboveTheGaugeDepthIsRefused)
 // Places of the rails on a line, measured on placed rails by the definitions of EN 13848-1.
 namespace
 {
-constexpr double rounding = 1e-15;  ///< rounding error of sums of lengths below 2 m [m]
+constexpr double rail_rounding = 1e-15;  ///< rounding error of sums of lengths below 2 m [m]
 
 /// Places of a rail in track axes, measured on the surface of its head.
 struct RailMeasure
@@ -271,8 +271,8 @@ class RailOnLineTest : public testing::Test
     EXPECT_NEAR(rail_.right.top, right, tolerance);
     // Distance of the reference points: 1.507 m.
     const double tilt = std::asin((left - right) / 1.507), inclination = scene_.track.rail_inclination.left;
-    EXPECT_NEAR(rail_.left.angle - inclination, tilt, 1e-3 * std::abs(tilt) + rounding);
-    EXPECT_NEAR(rail_.right.angle - inclination, -tilt, 1e-3 * std::abs(tilt) + rounding);
+    EXPECT_NEAR(rail_.left.angle - inclination, tilt, 1e-3 * std::abs(tilt) + rail_rounding);
+    EXPECT_NEAR(rail_.right.angle - inclination, -tilt, 1e-3 * std::abs(tilt) + rail_rounding);
   }
 
   PlacedRail resting(Side side) const { return {scene_.rail_profile[side], scene_.track, side}; }
@@ -379,16 +379,16 @@ TEST_F(RailOnLineTest, CrossLevelTurnsBothRailsAboutTheCentreLine)
     for (const Side side : sides)
     {
       const double angle = sideSign(side) * tilt;  // raises the rail
-      EXPECT_NEAR(placed(side).angle() - resting(side).angle(), angle, rounding);
+      EXPECT_NEAR(placed(side).angle() - resting(side).angle(), angle, rail_rounding);
       for (double u = 0; u <= scene_.rail_profile[side]->length(); u += 0.01)
       {
         const PlanePoint before = resting(side).at(u), after = placed(side).at(u);
-        EXPECT_NEAR(after.y, std::cos(angle) * before.y - std::sin(angle) * before.z, rounding);
-        EXPECT_NEAR(after.z, std::sin(angle) * before.y + std::cos(angle) * before.z, rounding);
+        EXPECT_NEAR(after.y, std::cos(angle) * before.y - std::sin(angle) * before.z, rail_rounding);
+        EXPECT_NEAR(after.z, std::sin(angle) * before.y + std::cos(angle) * before.z, rail_rounding);
       }
     }
     const double height = placed(Side::left).referencePoint().z - placed(Side::right).referencePoint().z;
-    EXPECT_NEAR(height, cross_level, rounding);
+    EXPECT_NEAR(height, cross_level, rail_rounding);
   }
 }
 
@@ -409,8 +409,8 @@ TEST_F(RailOnLineTest, DisplacementsAreThoseInTheTiltedTrack)
     for (double u = 0; u <= scene_.rail_profile[side]->length(); u += 0.01)
     {
       const PlanePoint before = level[side].at(u), after = placed(side).at(u);
-      EXPECT_NEAR(after.y, std::cos(angle) * before.y - std::sin(angle) * before.z, rounding);
-      EXPECT_NEAR(after.z, std::sin(angle) * before.y + std::cos(angle) * before.z, rounding);
+      EXPECT_NEAR(after.y, std::cos(angle) * before.y - std::sin(angle) * before.z, rail_rounding);
+      EXPECT_NEAR(after.z, std::sin(angle) * before.y + std::cos(angle) * before.z, rail_rounding);
     }
   }
 }

@@ -17,7 +17,7 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-constexpr double rounding = 1e-17;  ///< rounding error of sums of lengths below 0.1 m [m]
+constexpr double line_rounding = 1e-17;  ///< rounding error of sums of lengths below 0.1 m [m]
 
 /// The seven quantities of a station, in the order of LineStation.
 std::vector<double> valuesOf(const LineStation& station)
@@ -100,7 +100,7 @@ TEST_F(TrackLineTest, PassesThroughAllStations)
     for (std::size_t k = 0; k < values.size(); ++k)
     {
       // The polynomial of an interval is evaluated at its end: rounding of its terms.
-      EXPECT_NEAR(values[k], expected[k], 10 * rounding) << "x = " << station.x << ", quantity " << k;
+      EXPECT_NEAR(values[k], expected[k], 10 * line_rounding) << "x = " << station.x << ", quantity " << k;
     }
   }
 }
@@ -118,8 +118,8 @@ TEST_F(TrackLineTest, NeverLeavesTheRangeOfTheTwoNearestStations)
       const std::vector<double> values = valuesOf(line.at(std::min(x, line.end())));
       for (std::size_t k = 0; k < values.size(); ++k)
       {
-        EXPECT_GE(values[k], std::min(before[k], after[k]) - rounding) << "x = " << x << ", quantity " << k;
-        EXPECT_LE(values[k], std::max(before[k], after[k]) + rounding) << "x = " << x << ", quantity " << k;
+        EXPECT_GE(values[k], std::min(before[k], after[k]) - line_rounding) << "x = " << x << ", quantity " << k;
+        EXPECT_LE(values[k], std::max(before[k], after[k]) + line_rounding) << "x = " << x << ", quantity " << k;
       }
     }
   }
@@ -157,7 +157,7 @@ TEST_F(TrackLineTest, ReproducesAStraightLine)
     const std::vector<double> values = valuesOf(line.at(x)), expected = valuesOf(stationAt(x, straight(x)));
     for (std::size_t k = 0; k < values.size(); ++k)
     {
-      EXPECT_NEAR(values[k], expected[k], 10 * rounding) << "x = " << x << ", quantity " << k;
+      EXPECT_NEAR(values[k], expected[k], 10 * line_rounding) << "x = " << x << ", quantity " << k;
     }
   }
 }

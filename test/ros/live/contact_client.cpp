@@ -111,6 +111,12 @@ Report nextReport(const std::string& node)
   return report;
 }
 
+std::uint64_t number(const Report& report, const std::string& key)
+{
+  const auto value = report.values.find(key);
+  return value == report.values.end() ? 0 : std::stoull(value->second);
+}
+
 int processOf(const std::string& node)
 {
   XmlRpc::XmlRpcValue request, response, uri;

@@ -62,6 +62,8 @@ struct Report
 };
 /// Waits for the next report of a node; empty after a timeout.
 Report nextReport(const std::string& node);
+/// Value of a key of a report; 0 if the report does not have it.
+std::uint64_t number(const Report& report, const std::string& key);
 
 /// Process id of a node.
 /// @throw std::runtime_error if there is no such node.

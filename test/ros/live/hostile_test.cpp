@@ -20,12 +20,6 @@ using Load = geometry_msgs::WrenchStamped;
 
 const std::string node = "/hostile/contact_node";
 
-std::uint64_t number(const Report& report, const std::string& key)
-{
-  const auto value = report.values.find(key);
-  return value == report.values.end() ? 0 : std::stoull(value->second);
-}
-
 std::uint64_t sumOf(const Report& report, const std::string& beginning)
 {
   std::uint64_t sum = 0;

@@ -21,12 +21,6 @@ geometry_msgs::TransformStamped shifted(const std::string& frame, double y, cons
   transform.transform.rotation.w = 1;
   return transform;
 }
-
-std::uint64_t number(const Report& report, const std::string& key)
-{
-  const auto value = report.values.find(key);
-  return value == report.values.end() ? 0 : std::stoull(value->second);
-}
 }  // namespace
 
 TEST(LiveNode, PoseInAnotherFrameIsTransformedToTheTrackFrame)
