@@ -246,12 +246,15 @@ std::uint64_t joinParts(const std::vector<std::string>& parts, const std::string
 int main(int argc, char** argv)
 {
   namespace po = boost::program_options;
+  using po::command_line_style::allow_guessing;
+  using po::command_line_style::unix_style;
   po::options_description described("usage: contact_join [--lz4] OUT.bag PART.bag...");
   described.add_options()("lz4", po::bool_switch(), "compresses OUT.bag; for parts that are compressed")(
       "help,h", po::bool_switch(), "prints this text");
   try
   {
-    const po::parsed_options parsed = po::command_line_parser(argc, argv).options(described).run();
+    const po::parsed_options parsed =
+        po::command_line_parser(argc, argv).options(described).style(unix_style ^ allow_guessing).run();
     po::variables_map values;
     po::store(parsed, values);
     const std::vector<std::string> files = po::collect_unrecognized(parsed.options, po::include_positional);

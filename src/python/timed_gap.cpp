@@ -172,7 +172,6 @@ std::vector<std::pair<int, int>> gridsOf(const core::GridLevels& levels)
   }
   return grids;
 }
-
 }  // namespace
 
 void bindTimedGaps(py::module& module)

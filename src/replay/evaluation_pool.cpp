@@ -176,6 +176,10 @@ void EvaluationPool::run(Slice& slice, std::unique_lock<std::mutex>& lock)
     if (isUsable(entry.output.status))
     {
       format_.write(entry);  // already here, because HoldLast does not change it
+      if (config_.hold_last == 0)
+      {
+        entry.output.release();
+      }
     }
     lock.lock();
     complete(entry);

@@ -52,7 +52,7 @@ class EvaluationPool
   /// @return false if the item is not needed any more, because the pool ends
   bool append(ReplayItem item);
 
-  /// Takes the next item of the output. @return nothing if it is not ready within 0.1 s
+  /// Takes the next item of the output. @return nothing if it is not ready within 0.1 s, or is not output
   /// @throw the first exception of a thread.
   std::optional<ReplayItem> pop();
   /// True once all items have been taken.

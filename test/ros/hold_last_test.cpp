@@ -156,10 +156,13 @@ TEST(HoldLast, InputAtTheOriginHasAPose)
   EXPECT_DOUBLE_EQ(refused->wheelset.position.z, height);
 }
 
-TEST(HoldLast, ForgetsTheLastResultAtARestart)
+TEST(HoldLast, ReleasedResultGivesHeightAndRollToTheNext)
 {
   HoldLast hold(config(0));
-  applied(hold, 1, WheelsetContact::OK);
+  ContactOutput usable = result(1, WheelsetContact::OK);
+  usable.release();
+  EXPECT_EQ(usable.result, nullptr);
+  hold.apply(usable);
   expectLastHeight(*applied(hold, 2, WheelsetContact::NOT_CONVERGED));
   hold.restart();
   EXPECT_EQ(applied(hold, 3, WheelsetContact::NOT_CONVERGED)->wheelset.position.z, 0);

@@ -45,6 +45,13 @@ class Tables(StatesCase):
                 self.assert_is_read(text.encode(encoding))
         self.assert_is_read(b"\xfe\xff" + text.encode("utf-16-be"))
 
+    def test_bytes_that_are_no_utf8_are_latin1(self):
+        for mark in (b"", b"\xef\xbb\xbf"):
+            for byte in (b"\xff", b"\xed\xa0\x80", b"\xe0\x80\x80", b"\xf4\x90\x80\x80", b"\xc3"):
+                with self.subTest(mark=mark, byte=byte):
+                    (state,), _ = self.convert(mark + b"time [s];y [mm];" + byte + b"\n1;3;7\n")
+                    self.assertEqual(state.y, 0.003)
+
     def test_signs_of_degree_and_micrometre_in_each_encoding(self):
         for micro, encodings in (("\u00b5", ("utf-8", "utf-16", "latin-1")), ("\u03bc", ("utf-8", "utf-16"))):
             text = f"time [s];yaw [°];y [{micro}m];Größe [%]\n1;0.5;250;3\n"
@@ -71,6 +78,8 @@ class Tables(StatesCase):
     def test_titles_in_a_comment_above_the_numbers(self):
         self.assert_is_read("# 12 March, run 3\n# " + table(","))
         self.assert_is_read("% run 3\n% " + table(" "))
+        titles, rows = table(";").split("\n", 1)
+        self.assert_is_read(f"# {titles}\n# on 12 March run\n{rows}")  # as many words as columns
         units = "% time y Q_left Q_right\n% s mm kN kN\n"
         self.assert_is_read(units + table(" ").split("\n", 1)[1])
 
@@ -138,8 +147,9 @@ class Tables(StatesCase):
                 (table(",").replace("61.5", "61.5,1"), ":3: number of columns is 5, must be 4"),
                 (table(" ").replace("61.5", ""), ":3: number of columns is 3, must be 4"),
                 (table(",") + "end\n", ":4: column 'time [s]': 'end' is not a finite number"),
-                (table(",") + '"0.015,1,2,3\n', ":4: column 'time [s]': '\"0.015' is not a finite number"),
-                ('time [s],y [mm]\n"0.015,1\n', ":2: column 'time [s]': '\"0.015' is not a finite number")):
+                (table(",") + '"0.015,1,2,3\n', ":4: a quotation mark is not closed at the end of a cell"),
+                ('time [s];y [mm];note;place\n0;1;"a;1;"b;5\n', ":2: a quotation mark is not closed at the end of a cell"),
+                ('time [s],y [mm]\n"0.015,1\n', ":2: a quotation mark is not closed at the end of a cell")):
             with self.subTest(text=text):
                 self.assertIn(reason, self.error_of(text))
 

@@ -146,11 +146,12 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 ///   Xoffset and Yoffset are added; a Tilt other than 0 is rejected. The directions of the axes are inferred from the
 ///   measured profiles of worn rails and wheels that come with CONTACT and from the conversion programs of GENSYS, not
 ///   from a description by the manufacturer.
-/// * **Table**: any other file. Columns are separated by commas, semicolons, tabs or spaces; with another separator
-///   than the comma, numbers may have a decimal comma. A line of titles names the columns y and z (or x and y) and
-///   their unit: `y_mm,z_mm`, `y [mm]; z [mm]`, `Y / m  Z / m`, or the units in a line of their own. With titles, y
-///   points to the field side and z up, unless `reading` states otherwise. Other columns are ignored. Without titles,
-///   `reading` must state unit, y and z; the error message lists the values by which the points are a profile.
+/// * **Table**: any other file. Columns are separated by commas, semicolons, tabs or spaces, or by the character that
+///   a first line "sep=;" names, and may be in quotation marks; with another separator than the comma, numbers may have
+///   a decimal comma. A line of titles names the columns y and z (or x and y) and their unit: `y_mm,z_mm`,
+///   `y [mm]; z [mm]`, `Y / m  Z / m`, or the units in a line of their own. With titles, y points to the field side and
+///   z up, unless `reading` states otherwise. Other columns are ignored. Without titles, `reading` must state unit, y
+///   and z; the error message lists the values by which the points are a profile.
 ///
 /// Text is UTF-8, UTF-16 with byte order mark, or Latin-1; lines end with CR, LF or both. #, %, ! and // begin
 /// comments; exponents may begin with D.

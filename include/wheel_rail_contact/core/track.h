@@ -69,9 +69,9 @@ enum class LineAxes
   railway  ///< y right, z down, as in EN 13848-1
 };
 
-/// Reads a line from a table (CSV with comma, semicolon or tab). Lines that begin with # are comments. The first line
-/// contains names and units of the columns, for example `x [m], gauge [mm], cross_level [mm]`. Units: m, mm, um, rad,
-/// mrad, deg.
+/// Reads a line from a table (CSV with comma, semicolon or tab). Lines that begin with #, %, ! or // are comments. The
+/// first line contains names and units of the columns, for example `x [m], gauge [mm], cross_level [mm]`. Units: m, mm,
+/// um, rad, mrad, deg.
 ///
 /// * `x`: along the line; required, increasing.
 /// * After EN 13848-1:2019: `gauge` (whole distance of the gauge faces, at TrackConfig::gauge_depth); `alignment_left`,

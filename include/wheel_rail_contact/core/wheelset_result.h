@@ -62,12 +62,14 @@ enum class ContactStatus : std::uint8_t
   too_deep           ///< the given height is more than 10 mm below first touch, or was never set; not usable
 };
 
-/// Name of a status, as in the message: "OK", "LIFT_OFF", ... Also of NO_TRANSFORM, which only a message has.
+/// Name of a status, as in the message: "OK", "LIFT_OFF", ... Also of NO_TRANSFORM, which only a message
+/// has; "unknown" for any other number.
 inline const char* nameOf(ContactStatus status)
 {
   constexpr std::array names{"OK",           "LIFT_OFF",     "OFF_PROFILE", "NOT_CONVERGED", "INVALID_INPUT",
                              "NO_TRANSFORM", "OUTSIDE_LINE", "TOO_DEEP"};
-  return names.at(static_cast<std::size_t>(status));
+  const auto number = static_cast<std::size_t>(status);
+  return number < names.size() ? names[number] : "unknown";
 }
 
 /// Deflection of one rail and the forces on it, in the axes of its side: outward (away from the track centre) and up.

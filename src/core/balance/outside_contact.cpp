@@ -8,10 +8,6 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
-}  // namespace
-
 double pressureVariance(double half_length)
 {
   return 0.25 * half_length * half_length;

@@ -13,7 +13,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-
 constexpr double least_overlap = 1e-9;  ///< smaller ones are below the accuracy of the search [m]
 constexpr std::size_t usual_grids = 4;  ///< of a wheel, for which memory is reserved
 

@@ -13,7 +13,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-
 /// Range of the overlap along the track [m].
 struct Extent
 {

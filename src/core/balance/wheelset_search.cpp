@@ -12,7 +12,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-
 constexpr double finest_bracket = 1e-9;       ///< width at which a bracket without a zero ends the search [rad]
 constexpr double roll_limit = 0.2;            ///< [rad]
 constexpr double least_load = 0.1;            ///< smaller wheel loads are taken as zero: no overlap resolves them [N]

@@ -14,7 +14,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-
 constexpr char32_t replacement = 0xFFFD;  ///< stands for bytes that are no character
 
 bool beginsWith(const std::string& bytes, const std::string& mark)
@@ -37,19 +36,28 @@ std::size_t following(std::uint32_t first)
   return first >= 0xC2 && first < 0xE0 ? 1 : first >= 0xE0 && first < 0xF0 ? 2 : first >= 0xF0 && first < 0xF5 ? 3 : 4;
 }
 
+/// True for UTF-8 without overlong forms and surrogates (RFC 3629).
 bool isUtf8(const std::string& bytes)
 {
-  std::size_t more = 0;  // bytes of the current character
-  for (std::size_t i = 0; i < bytes.size() && more <= 3; ++i)
+  for (std::size_t i = 0, more = 0; i < bytes.size(); i += 1 + more)
   {
-    const bool continues = (byteAt(bytes, i) & 0xC0U) == 0x80;
-    if (continues != (more > 0))
+    const std::uint32_t first = byteAt(bytes, i);
+    more = following(first);
+    if (more > 3 || i + more >= bytes.size())
     {
       return false;
     }
-    more = continues ? more - 1 : following(byteAt(bytes, i));
+    for (std::size_t k = 1; k <= more; ++k)
+    {
+      const std::uint32_t least = k > 1 ? 0x80 : first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+      const std::uint32_t most = k > 1 ? 0xBF : first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+      if (byteAt(bytes, i + k) < least || byteAt(bytes, i + k) > most)
+      {
+        return false;
+      }
+    }
   }
-  return more == 0;
+  return true;
 }
 
 void append(std::string& text, char32_t character)
@@ -94,15 +102,12 @@ std::string fromLatin1(const std::string& bytes)
 /// Text in UTF-8 with the lines as they are in the file.
 std::string asUtf8(const std::string& bytes)
 {
-  if (beginsWith(bytes, "\xEF\xBB\xBF"))
-  {
-    return bytes.substr(3);
-  }
   if (beginsWith(bytes, "\xFF\xFE") || beginsWith(bytes, "\xFE\xFF"))
   {
     return fromUtf16(bytes, bytes[0] == '\xFE');
   }
-  return isUtf8(bytes) ? bytes : fromLatin1(bytes);
+  const std::string text = beginsWith(bytes, "\xEF\xBB\xBF") ? bytes.substr(3) : bytes;
+  return isUtf8(text) ? text : fromLatin1(text);
 }
 
 bool isControl(char c)
@@ -182,6 +187,7 @@ void TextFile::rewind()
   position_ = 0;
   number_ = 0;
   line_.clear();
+  whole_line_.clear();
 }
 
 double TextFile::numberIn(const std::string& word, const std::string& column) const

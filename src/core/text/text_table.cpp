@@ -50,12 +50,17 @@ CellTable::CellTable(TextFile& file, bool of_numbers) : file_(file), of_numbers_
   head_in_comments_ = head_.empty();
   for (const Line& comment : comments)
   {
-    std::vector<std::string> cells = splitCells(comment.text, separatorIn(comment.text));
+    std::vector<std::string> cells = splitCells(comment.text, of_numbers_ ? separatorIn(comment.text) : separator_);
     cells.resize(filled(cells));
     if (head_in_comments_ && comment.number < first_line_ && cells.size() == columns_)
     {
       head_.push_back({comment.number, cells});
     }
+  }
+  // Names, and perhaps their units: other comments are above them. TextTable recognises its titles.
+  if (head_in_comments_ && !of_numbers_ && head_.size() > 2)
+  {
+    head_.erase(head_.begin(), head_.end() - 2);
   }
   rewind();
 }
@@ -64,8 +69,8 @@ void CellTable::findSeparator(std::vector<Line>& lines)
 {
   std::string separators = of_numbers_ ? "; \t," : ";\t, ";  // numbers may be between tabs and blanks
   // Spreadsheets write the separator in a line of its own, other programs the number of rows.
-  const std::string first = lines.front().text;
-  const bool names_separator = first.size() > 4 && first.compare(0, 4, "sep=") == 0;
+  const std::string first = lines.front().text.substr(lines.front().text.find_first_not_of(' '));
+  const bool names_separator = first.size() > 4 && first.compare(0, 4, "sep=") == 0 && first[4] > 0;
   if (lines.size() > 1 && (names_separator || trim(first).find_first_not_of("0123456789") == std::string::npos))
   {
     separators = names_separator ? first.substr(4, 1) : separators;
@@ -133,6 +138,10 @@ bool CellTable::next(TableRow& row)
     if (count == 0)
     {
       continue;
+    }
+    if (std::any_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell[0] == '"'; }))
+    {
+      file_.refuse("a quotation mark is not closed at the end of a cell");
     }
     if (count > columns_ || (row.cells.size() < columns_ && (of_numbers_ || separator_ == ' ')))
     {

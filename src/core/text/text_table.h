@@ -21,9 +21,10 @@ struct TableRow
 /// Cells of a table in a text file, as spreadsheets and programs write it.
 ///
 /// *Columns* are separated by semicolons, tabs, commas or white space: the first of these that divides titles and first
-/// row into as many cells, or else the first that occurs. A line `sep=;` above the table names another one. Cells may
-/// be in quotation marks. *Comments* are lines that begin with #, %, ! or //. *Head*: the rows above the first one with
-/// a number in a cell, or, if there are none, the comments above it that have as many cells.
+/// row into as many cells, or else the first that occurs. In a table of numbers, white space comes before tabs. A line
+/// `sep=;` above the table names another one. Cells may be in quotation marks. *Comments* are lines that begin with #,
+/// %, ! or //. *Head*: the rows above the first one with a number in a cell. If there are none: the comments above it
+/// that have as many cells; if the table is not of numbers, the last two of them.
 class CellTable
 {
  public:

@@ -26,11 +26,11 @@ std::size_t closing(const std::string& line, std::size_t open)
   return end == std::string::npos ? open : end;
 }
 
-/// Cell without white space at its ends. If it begins with a quotation, its quotation marks are removed.
+/// Cell without white space at its ends. If it is a quotation, its quotation marks are removed.
 std::string cellOf(const std::string& text)
 {
   std::string cell = trim(text);
-  if (!cell.empty() && cell.front() == '"' && closing(cell, 0) > 0)
+  if (cell.size() > 1 && cell.front() == '"' && closing(cell, 0) + 1 == cell.size())
   {
     cell.erase(std::remove(cell.begin(), cell.end(), '"'), cell.end());
   }
@@ -89,7 +89,7 @@ std::vector<std::string> splitCells(const std::string& line, char separator)
     const std::string cell = cellOf(line.substr(begin, end - begin));
     const char last = cells.empty() || cells.back().empty() ? ' ' : cells.back().back();
     const bool in_brackets = (line[text] == '[' || line[text] == '(') && last != ']' && last != ')';
-    if (at_blanks && !cells.empty() && (last == '/' || line[text] == '/' || in_brackets))
+    if (at_blanks && end > text && !cells.empty() && (last == '/' || line[text] == '/' || in_brackets))
     {
       cells.back() += " " + cell;
     }

@@ -2,10 +2,10 @@
 // ContactSearch: outlines, stations and overlap intervals. exact_contact.cpp refines single contacts.
 #include "core/track/contact_search.h"
 
-#include "core/constants.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/outline.h"
 
-#include "core/constants.h"
-
 #include <algorithm>
+#include <limits>
+
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

@@ -20,6 +20,14 @@ core::WheelsetPose ContactOutput::pose() const
                 : core::WheelsetPose{state.y, state.z, state.yaw, state.roll};
 }
 
+void ContactOutput::release()
+{
+  const core::WheelsetPose last = pose();
+  state.z = last.z;
+  state.roll = last.roll;
+  result.reset();
+}
+
 bool hasPose(const ContactOutput& output)
 {
   return !output.rejected && output.pose().z != 0;

@@ -32,6 +32,8 @@ struct ContactOutput
   double x() const { return state.x; }
   /// Wheelset pose, track frame: that of the result, otherwise as in the input.
   core::WheelsetPose pose() const;
+  /// Discards the result, of which only the pose remains.
+  void release();
 };
 
 /// False for an output without a pose of the wheelset: an input that was rejected before the evaluation, or without a

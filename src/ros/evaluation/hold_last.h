@@ -31,7 +31,8 @@ class HoldLast
   {
   }
 
-  /// Adds the next result of the wheelset. Changes it if it is not usable.
+  /// Adds the next result of the wheelset. Changes it if it is not usable. A usable one needs its `result` only if
+  /// results are held.
   void apply(ContactOutput& output);
   /// Discards the last usable result.
   void restart() { last_.reset(); }

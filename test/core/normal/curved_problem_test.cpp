@@ -287,7 +287,6 @@ TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
 // Patches that deform one another (CurvedProblem::coupling).
 namespace
 {
-
 /// Displacement of each column of two patches by the forces in the columns of the other: that of a point force on a
 /// half-space (Johnson 1985, eq. 3.22b), at the root of `distance`² + `spread`² [m].
 template <typename Distance>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/measures/peak_pressure.h"
-#include "core/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include <iostream>
 #include <vector>
 
+#include "core/constants.h"
 #include "core/normal/measures/discontinuity_bias.h"
 #include "core/normal/measures/gap_steps.h"
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -20,7 +20,6 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-
 struct Pressures
 {
   double raised = 0, highest_cell = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/column_fields.h"
 
-#include "core/constants.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

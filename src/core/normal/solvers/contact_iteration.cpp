@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/contact_iteration.h"
 
-#include "core/constants.h"
-
 #include <algorithm>
+
+#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

@@ -45,6 +45,7 @@ OverlapMismatch compareOverlap(const PatchGap& gap, const GapMinimum& paraboloid
 class HertzSolver : public NormalSolver
 {
  public:
+  using NormalSolver::solve;
   const char* name() const override { return "hertz"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 

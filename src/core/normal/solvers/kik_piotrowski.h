@@ -34,6 +34,7 @@ namespace wheel_rail_contact::core
 class KikPiotrowski : public NormalSolver
 {
  public:
+  using NormalSolver::solve;
   const char* name() const override { return "kik_piotrowski"; }
   void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override;
 

@@ -52,6 +52,7 @@ struct SeidelOptions
 class Seidel : public NormalSolver
 {
  public:
+  using NormalSolver::solve;
   /// @throw std::invalid_argument with the option, its value and the broken rule.
   explicit Seidel(const SeidelOptions& options = {});
   ~Seidel() override;

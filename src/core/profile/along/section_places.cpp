@@ -2,7 +2,6 @@
 // Corresponding places of two sections of a rail.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>

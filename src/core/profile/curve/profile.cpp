@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile.h"
-#include "core/constants.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "core/constants.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
 {
-
 CurveExpansion evaluate(const LineSection& line, double t)
 {
   return {{line.y0 + t * line.dy, line.z0 + t * line.dz, line.dy, line.dz, 0.0, 0.0}, 0.0, 0.0};
