@@ -92,9 +92,8 @@ GeometryTable curveTable(const ContactGeometry& geometry)
 }
 
 /// Distance of the running circles [m], and the mean of both rolling radii [m].
-std::tuple<double, double> runningCirclesOf(const std::vector<ParameterSource>& sources)
+std::tuple<double, double> runningCirclesOf(const core::WheelsetConfig& wheelset)
 {
-  const core::WheelsetConfig wheelset = readContactParameters(sources, fileSearch()).model.wheelset;
   return {2 * wheelset.halfBase(), wheelset.meanRadius()};
 }
 }  // namespace
@@ -112,7 +111,14 @@ void bindGeometry(py::module& module)
       .def_property_readonly("reasons", &reasonsOf, "list of n reasons of missing results, else empty")
       .def_property_readonly("curve", &curveTable,
                              "(m, 2) y and rolling radius difference [m], over the longest range with a result");
-  module.def("running_circles", &runningCirclesOf, "distance of the running circles, mean rolling radius [m]");
+  module.def(
+      "running_circles", [](const ContactModel& model) { return runningCirclesOf(model.config().model.wheelset); },
+      "distance of the running circles, mean rolling radius [m]");
+  module.def(
+      "running_circles",
+      [](const std::vector<ParameterSource>& sources)
+      { return runningCirclesOf(readContactParameters(sources, fileSearch()).model.wheelset); },
+      "as of a model, without the preparation of a contact");
   module.def(
       "contact_geometry",
       [](const ContactModel& model, double y_first, double y_last, double y_step, bool roll, double distance) {

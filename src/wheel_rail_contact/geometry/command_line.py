@@ -5,7 +5,7 @@ import math
 import sys
 from pathlib import Path
 
-from ..command import Failure, calculating, contact_model, finish, native, pyplot, running_circles
+from ..command import Failure, calculating, contact_model, finish, native, pyplot
 from . import picture, tables
 from .tables import CONICITY, GEOMETRY, MM
 
@@ -36,7 +36,7 @@ def _run(options):
         points = tables.points_of(geometry)
         tables.write(points, options.out / GEOMETRY)
     amplitudes = [value / MM for value in options.amplitudes]
-    conicity = tables.conicity_of(geometry, running_circles(options.config), amplitudes, step)
+    conicity = tables.conicity_of(geometry, core.running_circles(model), amplitudes, step)
     tables.write(conicity, options.out / CONICITY)
     picture.draw(plot, points, conicity, options.title or ", ".join(options.config) or "config/default.yaml",
                  options.out / PICTURE)
