@@ -70,12 +70,29 @@ class WheelLoads(StatesCase):
                 config = self.config(text)
                 printed = self.error_of(TABLE, "--config", config)
                 self.assertIn(reason, printed)
-                # contact_replay reads the parameters before the bag, which does not exist.
-                replay = subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "none.bag", self.folder / "results.bag",
-                                         "--config", config], capture_output=True, text=True, check=False)
-                self.assertEqual(printed.replace("contact_states", "contact_replay"), replay.stderr.splitlines()[0] + "\n")
+                refused = self.replay(config).stderr.splitlines()[0] + "\n"
+                self.assertEqual(printed.replace("contact_states", "contact_replay"), refused)
         self.assertIn("no such file: none.yaml", self.error_of(TABLE, "--config", "none.yaml"))
         self.assertIn("there is no ROS package 'none'", self.error_of(TABLE, "--config", "package://none/a.yaml"))
+
+    def test_lengths_at_the_ends_of_their_ranges_are_accepted_as_by_a_replay(self):
+        for name, value in (("flange_back_distance", 0.2), ("flange_back_distance", 3), ("tape_circle", 0.005),
+                            ("tape_circle", 0.5)):
+            with self.subTest(name=name, value=value):
+                config = self.config(f"wheelset: {{{name}: {value}}}\n")
+                self.convert(TABLE, "--config", config)
+                self.assertEqual(self.replay(config).returncode, 1)  # accepted: only the bag is missing
+        for name, value in (("flange_back_distance", 0.19), ("flange_back_distance", 3.01), ("tape_circle", 0.0049),
+                            ("tape_circle", 0.51)):
+            with self.subTest(name=name, value=value):
+                config = self.config(f"wheelset: {{{name}: {value}}}\n")
+                self.assertIn(f"wheelset/{name} = {value}", self.error_of(TABLE, "--config", config))
+                self.assertEqual(self.replay(config).returncode, 2)
+
+    def replay(self, config):
+        """contact_replay reads the parameters before the bag, which does not exist."""
+        return subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "none.bag", self.folder / "results.bag",
+                               "--config", config], capture_output=True, text=True, check=False)
 
     def test_invalid_options_are_refused(self):
         for value in ("0", "-1.5", "nan", "inf", "0.199", "3.001", "1500"):
