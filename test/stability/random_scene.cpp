@@ -188,7 +188,7 @@ ScenePool readScenePool()
     if (entry.path().extension() == ".yaml")
     {
       const ComplianceTableFile file = readComplianceTable(entry.path());
-      pool.tables.push_back({file.name, file.table});
+      pool.tables.push_back({file.name, entry.path().stem(), file.table});
     }
   }
   std::sort(pool.tables.begin(), pool.tables.end(),

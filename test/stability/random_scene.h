@@ -11,6 +11,7 @@ namespace wheel_rail_contact::core::stability
 struct NamedTable
 {
   std::string name;
+  std::string file;  ///< without folder and extension
   ComplianceTable table;
 };
 

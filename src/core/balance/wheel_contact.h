@@ -119,6 +119,8 @@ class WheelContact
   const NormalSolution& solution() const { return solution_; }
   /// Number of normal problems since the object was made.
   int solutions() const { return solutions_; }
+  /// Number of products with the influence matrix for stiffnesses since the object was made.
+  int stiffnessProducts() const { return tangent_.products(); }
   /// The next solutions start without the pressures of the last ones.
   void forget();
 

@@ -105,7 +105,6 @@ void ContactTangent::begin(const CurvedProblem& problem, const NormalSolution& s
     columns_.scaleOpening(field);
     mask(field);
   }
-  products_ = 0;
 }
 
 ContactTangent::Forces ContactTangent::column(Eigen::Index displacement)

@@ -38,7 +38,7 @@ class ContactTangent
   Forces stiffness(const CurvedProblem& problem, const NormalSolution& solution,
                    const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
 
-  /// Number of products with the influence matrix in the last call.
+  /// Number of products with the influence matrix since the object was made.
   int products() const { return products_; }
 
  private:
