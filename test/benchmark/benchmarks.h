@@ -2,10 +2,10 @@
 #pragma once
 
 #include <chrono>
-#include <ctime>
 #include <string>
 
 #include "../manchester_scene.h"
+#include "../thread_time.h"
 #include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -13,8 +13,7 @@
 /// Parts of contact_benchmark. Wheels S1002 on rails UIC60, 100 kN per wheel, one core unless stated.
 namespace wheel_rail_contact
 {
-/// Complete evaluations of a wheelset by tolerance, from a cold and from a warm start; spread of their times, and the
-/// longest one in a fine sweep.
+/// Complete evaluations of a wheelset by tolerance, from a cold and from a warm start.
 void registerWheelsets();
 /// A wheelset that runs over a line with and without irregularities, compared with the ideal track.
 void registerLines();
@@ -22,14 +21,6 @@ void registerLines();
 void registerSteps();
 /// contact_replay from bag to bag, compared with the evaluations alone.
 void registerReplay();
-
-/// CPU time of this thread [s], independent of other processes.
-inline double threadTime()
-{
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Time taken by `work` [s].
 template <typename Work>
@@ -45,35 +36,22 @@ inline std::string nameOf(const core::GridSize& size)
   return std::to_string(size.along) + "x" + std::to_string(size.across);
 }
 
-/// Endless series of states: lateral displacement back and forth about `y` in steps of 0.05 mm.
-class BackAndForth
+/// Endless series of states: lateral displacement from -6 mm to 6 mm and back in steps of 0.05 mm.
+class Sweep
 {
  public:
-  /// @param y mean lateral displacement, positive to the left [m]
-  /// @param reach number of steps from there to either end
-  BackAndForth(double y, int reach) : y_(y), reach_(reach) {}
-
   const core::WheelsetState& next()
   {
+    constexpr int steps = 240;
     constexpr double step = 0.05e-3;  // [m]
-    const int period = 4 * reach_;
-    const int place = count_++ % period;
-    const int k = place < 2 * reach_ ? place : period - place;
-    state_.y = y_ + (k - reach_) * step;
+    const int place = count_++ % (2 * steps);
+    state_.y = ((place < steps ? place : 2 * steps - place) - steps / 2) * step;
     return state_;
   }
 
  private:
-  double y_;
-  int reach_;
   core::WheelsetState state_{0, 0, 0, 0, -200e3, 0, {}};
   int count_ = 0;
-};
-
-/// Lateral displacement from -6 mm to 6 mm and back.
-struct Sweep : BackAndForth
-{
-  Sweep() : BackAndForth(0, 120) {}
 };
 
 /// One wheel on one rail, for timing the steps of an evaluation.

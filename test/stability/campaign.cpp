@@ -14,8 +14,6 @@
 //
 // To add a scene as a regression test, write it to test/stability/scenes/NAME.yaml and describe the fault in the file.
 // CONTRIBUTING.md gives the commands of long campaigns.
-#include <ctime>
-
 #include <cctype>
 #include <chrono>
 #include <cstdio>
@@ -25,6 +23,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "../thread_time.h"
 #include "continuity.h"
 #include "random_scene.h"
 #include "result_check.h"
@@ -35,13 +34,7 @@ namespace
 {
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::stability;
-
-double processorTime()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+using wheel_rail_contact::threadTime;
 
 /// hertz depends on the curvatures at one point and jumps where they jump.
 bool isContinuous(NormalMethod method)
@@ -90,9 +83,9 @@ void Campaign::evaluate(const Scene& scene, const std::string& name, bool print)
   {
     const int index = static_cast<int>(k);
     const WheelsetState& state = scene.states[k];
-    const double begin = processorTime();
+    const double begin = threadTime();
     const WheelsetResult& result = contact.evaluate(state);
-    const double seconds = processorTime() - begin;
+    const double seconds = threadTime() - begin;
     const std::vector<std::string>& faults = check.faults(state, result);
     const Tally::Entry entry{scene, name, index, state, result, seconds, check.violation(), faults};
     tally_.add(entry);

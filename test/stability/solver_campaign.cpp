@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures the search of the equilibrium of a wheelset: states without a result, and the work for a state.
 //
-//   solver_campaign random N [SEED]         N cold random states; prints each refused one as arguments of `state`
+//   solver_campaign random N [SEED]            N cold random states; prints each refused one as arguments of `state`
+//   solver_campaign sweep [NAME=VALUE|WORD...] warm sweeps whose names have all words. Values: states=10001,
+//                                              tolerance=0.01, begin=-0.008 and end=0.008 (lateral displacement)
 //   solver_campaign state WHEEL RAIL TABLE|rigid wheel_loads|moments TOLERANCE Y YAW Q_LEFT Q_RIGHT
-//                         [WHEEL_RIGHT RAIL_RIGHT]   one state: cold, along a path from y = 0, and from 1 mm beyond
-//   solver_campaign sweep [STATES] [WORD...]  warm sweeps over y = -8 to 8 mm, of those whose name has all words
+//                   [WHEEL_RIGHT RAIL_RIGHT]   one state: cold, after 200 steps from y = 0, and from 1 mm beyond
 //
-// Units: m, rad, N. A wheel load Q counts as with Balance::wheel_loads: also with `moments`, the torque is that by
-// which both loads differ at the running circles. The unit of work is one product with the influence matrix on a
-// symmetric grid of 12 x 24 cells. It contains all normal solutions of both wheels and all stiffnesses. Time is
-// processor time of the search, without the fields of the patches; in sweeps the smaller of two runs.
+// Units: m, rad, N. The wheel loads Q give force and torque as with `wheel_loads`, also with `moments`. States of a
+// wheel that cannot touch its rail, even without a load, are not refused but beside the rail.
+//
+// The unit of work is one product with the influence matrix on a symmetric grid of 12 x 24 cells. All normal solutions
+// of both wheels and all stiffnesses count. Time is processor time of the search without the results of the patches;
+// in sweeps the smaller one of two runs. Ratios are to the median of the sweep with rigid rails, wheel_loads and no
+// yaw, for the same rail and load. "solver": share of solutions and error estimates in the time.
 //
 // Exit status: 1 if a state is refused, 2 for wrong arguments.
-#include <ctime>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,133 +25,97 @@
 #include <stdexcept>
 
 #include "../core/normal/gap_scenes.h"
+#include "../thread_time.h"
+#include "config/compliance_table_file.h"
 #include "core/balance/wheelset_balance.h"
+#include "core/text/formatted.h"
 #include "random_scene.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace
 {
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::stability;
-using Words = std::vector<std::string>;
+using wheel_rail_contact::threadTime;
 
-/// Time of a product on a symmetric grid over that on 12 x 24 cells, by the number of cells of the whole grid. Measured
-/// at 8 x 16, 12 x 24, 16 x 32, 16 x 48, 24 x 64, 32 x 96, 48 x 128 and 64 x 192 cells, smallest of 40 runs. On a grid
-/// without symmetry it is twice as much, within 8 %.
+/// A wheelset and its state in words: the arguments of `state`.
+using Words = std::vector<std::string>;
+constexpr std::size_t wheel = 0, rail = 1, table = 2, balance = 3, tolerance = 4, y = 5, yaw = 6, load_left = 7,
+                      load_right = 8, wheel_right = 9, rail_right = 10, words_of_state = 11;
+
+/// Cells of a grid, and time of a product on it over that on 12 x 24 cells, both symmetric. Measured on 8 x 16, 12 x
+/// 24, 16 x 32, 16 x 48, 24 x 64, 32 x 96, 48 x 128 and 64 x 192 cells, smallest of 40 runs. Without symmetry it is
+/// twice as much, within 8 %.
 constexpr std::array<std::array<double, 2>, 8> product_costs{
     {{128, 0.42}, {288, 1}, {512, 1.54}, {768, 2.66}, {1536, 6.6}, {3072, 17.5}, {6144, 36}, {12288, 91}}};
 
-/// Work of one product on all patches of a problem. Between the sizes of the table it is a power of the cells. Normals
-/// that are turned take two products.
+/// Work of one product on all patches of a problem. Normals that are turned take two.
 double workOfProduct(const CurvedProblem& problem)
 {
   double work = 0;
   for (const PatchGap& patch : problem.patches)
   {
     const double cells = static_cast<double>(patch.grid.nx) * patch.grid.ny;
-    std::size_t k = 1;
-    while (k + 1 < product_costs.size() && cells > product_costs[k][0])
-    {
-      ++k;
-    }
-    const auto [cells_before, cost_before] = product_costs[k - 1];
-    const auto [cells_after, cost_after] = product_costs[k];
-    const double power = std::log(cost_after / cost_before) / std::log(cells_after / cells_before);
-    work += (patch.grid.symmetric ? 1 : 2) * cost_before * std::pow(cells / cells_before, power);
+    const auto size = std::find_if(product_costs.begin(), product_costs.end() - 1,
+                                   [&](const std::array<double, 2>& cost) { return cells <= cost[0]; });
+    work += (patch.grid.symmetric ? 1 : 2) * (*size)[1] * cells / (*size)[0];
   }
   const bool turned = std::any_of(problem.normals.begin(), problem.normals.end(),
                                   [](const ColumnNormals& normals) { return normals.areTurned(); });
   return (turned ? 2 : 1) * work;
 }
 
-double processorTime()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// A state in terms of its wheel loads.
-struct LoadedState
-{
-  double y = 0, yaw = 0;       ///< [m], [rad]
-  Sides<double> wheel_load{};  ///< [N]
-};
-
-/// Profiles, rails and method of a wheelset.
-struct Setup
-{
-  Sides<SceneProfile> wheel, rail;
-  std::string table = "rigid";  ///< file in config/rails
-  bool moments = false;
-  double tolerance = 0.01;
-
-  const char* balance() const { return moments ? "moments" : "wheel_loads"; }
-  bool isUnequal() const { return wheel.left.name != wheel.right.name || rail.left.name != rail.right.name; }
-  bool isMeasured() const { return wheel.left.noise || wheel.right.noise || rail.left.noise || rail.right.noise; }
-  ContactModelConfig config(const ScenePool& pool) const;
-  std::string arguments(const LoadedState& state) const;
-};
-
-ContactModelConfig Setup::config(const ScenePool& pool) const
-{
-  ContactModelConfig config;
-  for (const Side side : sides)
-  {
-    config.wheel_profile[side] = wheel[side].profile;
-    config.rail_profile[side] = rail[side].profile;
-  }
-  config.contact.tolerance = tolerance;
-  config.wheelset.balance = moments ? WheelsetConfig::Balance::moments : WheelsetConfig::Balance::wheel_loads;
-  if (table != "rigid")
-  {
-    const auto found = std::find_if(pool.tables.begin(), pool.tables.end(),
-                                    [&](const NamedTable& named) { return named.file == table; });
-    if (found == pool.tables.end())
-    {
-      throw std::invalid_argument("no table '" + table + "' in config/rails");
-    }
-    config.rail_bending.model = RailBendingConfig::Model::compliance;
-    config.rail_bending.table = found->table;
-  }
-  return config;
-}
-
-/// Arguments of the mode `state`.
-std::string Setup::arguments(const LoadedState& state) const
-{
-  char numbers[120];
-  std::snprintf(numbers, sizeof numbers, " %g %.17g %.17g %.17g %.17g", tolerance, state.y, state.yaw,
-                state.wheel_load.left, state.wheel_load.right);
-  return wheel.left.name + " " + rail.left.name + " " + table + " " + balance() + numbers +
-         (isUnequal() ? " " + wheel.right.name + " " + rail.right.name : "");
-}
-
-/// Result of the search for one state.
+/// Numbers of one search.
 struct Measurement
 {
-  ContactStatus status = ContactStatus::invalid_input;
-  bool above_tolerance = false;
-  int solutions = 0;  ///< of both wheels
-  double work = 0, milliseconds = 0;
+  double y = 0;                               ///< [m]
+  double refused = 0, beside = 0, above = 0;  ///< 1 if it is so; `above`: error estimate above the tolerance
+  double solutions = 0, work = 0;             ///< of both wheels
+  double seconds = 0, in_solver = 0;          ///< time [s]
+};
+
+/// Measurements of several states.
+struct Measurements : std::vector<Measurement>
+{
+  using Number = double Measurement::*;
+
+  double sum(Number number) const
+  {
+    double sum = 0;
+    std::for_each(begin(), end(), [&](const Measurement& one) { sum += one.*number; });
+    return sum;
+  }
+  double quantile(Number number, double share = 0.5) const
+  {
+    std::vector<double> numbers;
+    std::transform(begin(), end(), std::back_inserter(numbers), [&](const Measurement& one) { return one.*number; });
+    std::sort(numbers.begin(), numbers.end());
+    return numbers[static_cast<std::size_t>(share * static_cast<double>(size() - 1))];
+  }
 };
 
 /// A balance whose work is measured.
 class MeasuredBalance
 {
  public:
-  MeasuredBalance(const Setup& setup, const ScenePool& pool);
+  explicit MeasuredBalance(const ContactModelConfig& config);
 
-  Measurement solve(const LoadedState& state);
-  void reset() { balance_.reset(); }
-  /// True if both wheels touch their rails when they are put on them without a load. Resets the balance.
-  bool isOverRails(const LoadedState& state);
-  const WheelsetBalance& balance() const { return balance_; }
+  Measurement solve(const WheelsetState& state);
+  WheelsetBalance& balance() { return balance_; }
 
  private:
-  class Counter;
+  /// The solver, with a count of its solutions.
+  struct Counter : ConjugateGradients
+  {
+    Counter(NormalSolver& solver, MeasuredBalance& balance)
+        : ConjugateGradients(std::move(dynamic_cast<ConjugateGradients&>(solver))), owner(balance)
+    {
+    }
+    void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution) override;
+    void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                        std::vector<ErrorEstimate>& errors) const override;
+    MeasuredBalance& owner;
+  };
   void addStiffness();
-  void add(const CurvedProblem& problem, const NormalSolution& solution);
 
   ContactModelConfig config_;
   GridLevels levels_;
@@ -159,44 +125,32 @@ class MeasuredBalance
   Sides<double> work_of_product_{};  ///< in the last problem of a wheel
 };
 
-/// Wrapper of the solver that counts its solutions.
-class MeasuredBalance::Counter : public NormalSolver
-{
- public:
-  Counter(std::unique_ptr<NormalSolver> solver, MeasuredBalance& balance)
-      : solver_(std::move(solver)), balance_(balance)
-  {
-  }
-
-  const char* name() const override { return solver_->name(); }
-  std::string_view leftOut(const CurvedProblem& problem) const override { return solver_->leftOut(problem); }
-  void solve(const NormalProblem& problem, bool warm, NormalSolution& solution) override
-  {
-    solver_->solve(problem, warm, solution);
-  }
-  void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution) override
-  {
-    balance_.addStiffness();
-    solver_->solveCurved(problem, warm, solution);
-    balance_.add(problem, solution);
-  }
-  void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
-                      std::vector<ErrorEstimate>& errors) const override
-  {
-    solver_->estimateErrors(problem, solution, errors);
-  }
-
- private:
-  std::unique_ptr<NormalSolver> solver_;
-  MeasuredBalance& balance_;
-};
-
-MeasuredBalance::MeasuredBalance(const Setup& setup, const ScenePool& pool)
-    : config_(setup.config(pool)),
-      levels_(config_, [this](std::unique_ptr<NormalSolver> solver)
-              { return std::make_unique<Counter>(std::move(solver), *this); }),
+MeasuredBalance::MeasuredBalance(const ContactModelConfig& config)
+    : config_(config),
+      levels_(config_,
+              [this](std::unique_ptr<NormalSolver> solver) { return std::make_unique<Counter>(*solver, *this); }),
       balance_(config_, levels_)
 {
+}
+
+void MeasuredBalance::Counter::solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution)
+{
+  owner.addStiffness();
+  const double begin = threadTime();
+  ConjugateGradients::solveCurved(problem, warm, solution);
+  owner.now_.in_solver += threadTime() - begin;
+  const bool is_left = &problem == &owner.balance_.wheel(Side::left).contact().problem();
+  const double work = owner.work_of_product_[is_left ? Side::left : Side::right] = workOfProduct(problem);
+  owner.now_.work += solution.iterations * work;
+  owner.now_.solutions += 1;
+}
+
+void MeasuredBalance::Counter::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
+                                              std::vector<ErrorEstimate>& errors) const
+{
+  const double begin = threadTime();
+  ConjugateGradients::estimateErrors(problem, solution, errors);
+  owner.now_.in_solver += threadTime() - begin;
 }
 
 /// Adds the stiffnesses since the last call, which are those of the last problem of each wheel.
@@ -210,329 +164,305 @@ void MeasuredBalance::addStiffness()
   }
 }
 
-void MeasuredBalance::add(const CurvedProblem& problem, const NormalSolution& solution)
+Measurement MeasuredBalance::solve(const WheelsetState& state)
 {
-  const Side side = &problem == &balance_.wheel(Side::left).contact().problem() ? Side::left : Side::right;
-  work_of_product_[side] = workOfProduct(problem);
-  now_.work += solution.iterations * work_of_product_[side];
-  ++now_.solutions;
-}
-
-Measurement MeasuredBalance::solve(const LoadedState& state)
-{
-  const Sides<double>& load = state.wheel_load;
-  WheelsetState loaded;
-  loaded.y = state.y;
-  loaded.yaw = state.yaw;
-  loaded.force_z = -(load.left + load.right);
-  loaded.torque_x = (load.right - load.left) * config_.wheelset.halfBase();
-  now_ = {};
-  const double begin = processorTime();
-  now_.status = balance_.solve(loaded);
-  now_.milliseconds = 1e3 * (processorTime() - begin);
+  now_ = {state.y};
+  const double begin = threadTime();
+  const bool usable = isUsable(balance_.solve(state));
+  now_.seconds = threadTime() - begin;
   addStiffness();
-  now_.above_tolerance =
-      isUsable(now_.status) &&
-      std::max(balance_.wheelError(Side::left), balance_.wheelError(Side::right)) > config_.contact.tolerance;
+  const double error = std::max(balance_.wheelError(Side::left), balance_.wheelError(Side::right));
+  now_.refused = usable ? 0 : 1;
+  now_.above = usable && error > config_.contact.tolerance ? 1 : 0;
   return now_;
 }
 
-bool MeasuredBalance::isOverRails(const LoadedState& state)
-{
-  reset();
-  const ContactStatus status = solve({state.y, state.yaw, {}}).status;
-  reset();
-  return status != ContactStatus::off_profile;
-}
-
-/// The value that this share of the numbers does not exceed.
-double quantile(std::vector<double>& numbers, double share)
-{
-  std::sort(numbers.begin(), numbers.end());
-  return numbers.empty() ? 0 : numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1))];
-}
-
-/// States of one class of random states.
-struct ClassCount
-{
-  long states = 0, refused = 0, beside = 0;
-  std::vector<double> work, solutions;
-
-  void print(const std::string& name)
-  {
-    std::printf("%-44s %8ld %7ld %7ld %8.0f %8.0f %6.0f %6.0f\n", name.c_str(), states, refused, beside,
-                quantile(work, 0.999), quantile(work, 1), quantile(solutions, 0.999), quantile(solutions, 1));
-  }
-};
-
 /// Standard profiles, and those of measured points.
-std::vector<SceneProfile> profilesOf(ProfileKind kind, const std::vector<SceneProfile>& pool)
+std::vector<SceneProfile> profilesOf(ProfileKind kind)
 {
-  std::vector<SceneProfile> profiles;
+  std::vector<SceneProfile> profiles = kind == ProfileKind::wheel ? wheelProfiles() : railProfiles();
+  const auto is_other = [](const SceneProfile& profile) { return !(profile.noise.value_or(0) > 0); };
+  profiles.erase(std::remove_if(profiles.begin(), profiles.end(), is_other), profiles.end());
   for (const std::string& name : standardProfileNames(kind))
   {
     profiles.push_back(loadSceneProfile(name, kind));
   }
-  std::copy_if(pool.begin(), pool.end(), std::back_inserter(profiles),
-               [](const SceneProfile& profile) { return profile.noise.value_or(0) > 0; });
   return profiles;
 }
 
-int runRandom(const ScenePool& pool, long count, unsigned long seed)
+/// Profiles and names of tables.
+struct Pool
+{
+  std::vector<SceneProfile> wheels = profilesOf(ProfileKind::wheel), rails = profilesOf(ProfileKind::rail);
+  Words tables{"rigid"};
+
+  Pool()
+  {
+    for (const NamedTable& table : readScenePool().tables)
+    {
+      tables.push_back(table.file);
+    }
+  }
+};
+
+std::shared_ptr<const Profile> named(const std::string& name, const std::vector<SceneProfile>& profiles)
+{
+  const auto found =
+      std::find_if(profiles.begin(), profiles.end(), [&](const SceneProfile& one) { return one.name == name; });
+  return found != profiles.end() ? found->profile : throw std::invalid_argument("no profile '" + name + "'");
+}
+
+ContactModelConfig configOf(const Words& words, const Pool& pool)
+{
+  ContactModelConfig config;
+  config.wheel_profile = {named(words[wheel], pool.wheels), named(words[wheel_right], pool.wheels)};
+  config.rail_profile = {named(words[rail], pool.rails), named(words[rail_right], pool.rails)};
+  config.contact.tolerance = std::stod(words[tolerance]);
+  if (words[balance] == "moments")
+  {
+    config.wheelset.balance = WheelsetConfig::Balance::moments;
+  }
+  if (words[table] != "rigid")
+  {
+    config.rail_bending.model = RailBendingConfig::Model::compliance;
+    config.rail_bending.table = wheel_rail_contact::readComplianceTable(RAIL_TABLES "/" + words[table] + ".yaml").table;
+  }
+  return config;
+}
+
+WheelsetState stateOf(const Words& words)
+{
+  const double left = std::stod(words[load_left]), right = std::stod(words[load_right]);
+  WheelsetState state;
+  state.y = std::stod(words[y]);
+  state.yaw = std::stod(words[yaw]);
+  state.force_z = -(left + right);
+  state.torque_x = (right - left) * WheelsetConfig{}.halfBase();
+  return state;
+}
+
+std::string joined(const Words& words)
+{
+  std::string text;
+  std::for_each(words.begin(), words.end(), [&](const std::string& word) { text += " " + word; });
+  return text + " ";
+}
+
+/// A cold state. If it is refused, it is solved without loads, to see whether both wheels touch their rails.
+Measurement solveCold(MeasuredBalance& measured, const Words& words)
+{
+  WheelsetState state = stateOf(words);
+  measured.balance().reset();
+  Measurement found = measured.solve(state);
+  if (found.refused > 0)
+  {
+    const std::string reason(measured.balance().reason());
+    measured.balance().reset();
+    state.force_z = state.torque_x = 0;
+    found.beside = measured.solve(state).refused;
+    found.refused = 1 - found.beside;
+    std::printf("%s (%s):%s\n", found.beside > 0 ? "beside" : "refused", reason.c_str(), joined(words).c_str());
+    std::fflush(stdout);
+  }
+  return found;
+}
+
+int runRandom(const Pool& pool, std::size_t states, unsigned long seed)
 {
   constexpr int states_per_setup = 50;
   std::printf("seed %lu\n", seed);
   scenes::Random random(seed);
-  const std::vector<SceneProfile> wheels = profilesOf(ProfileKind::wheel, pool.wheels),
-                                  rails = profilesOf(ProfileKind::rail, pool.rails);
-  std::map<std::string, ClassCount> classes;
-  ClassCount all;
-  while (all.states < count)
+  const auto profile = [&](const std::vector<SceneProfile>& from) { return from[random() % from.size()].name; };
+  const auto number = [&](double least, double most)
+  { return formatted("%.17g", scenes::uniform(random, least, most)); };
+  std::map<std::string, Measurements> classes;
+  for (Measurements& all = classes["~ all"]; all.size() < states;)
   {
-    Setup setup;
+    Words words(words_of_state);
+    words[wheel] = words[wheel_right] = profile(pool.wheels);
+    words[rail] = words[rail_right] = profile(pool.rails);
     const bool unequal = scenes::oneIn(random, 4);
-    setup.wheel = wheels[random() % wheels.size()];
-    setup.rail = rails[random() % rails.size()];
     if (unequal)
     {
-      setup.wheel.right = wheels[random() % wheels.size()];
-      setup.rail.right = rails[random() % rails.size()];
+      words[wheel_right] = profile(pool.wheels);
+      words[rail_right] = profile(pool.rails);
     }
-    const std::size_t table = random() % (pool.tables.size() + 1);
-    setup.table = table < pool.tables.size() ? pool.tables[table].file : "rigid";
-    setup.moments = scenes::oneIn(random, 2);
-    setup.tolerance = scenes::oneIn(random, 2) ? 0.1 : 0.01;
-    char name[100];
-    std::snprintf(name, sizeof name, "%s %s %g %s", setup.balance(), setup.table.c_str(), setup.tolerance,
-                  setup.isUnequal()    ? "unequal"
-                  : setup.isMeasured() ? "measured"
-                                       : "standard");
-    MeasuredBalance balance(setup, pool);
-    for (int k = 0; k < states_per_setup && all.states < count; ++k)
+    words[table] = pool.tables[random() % pool.tables.size()];
+    words[balance] = scenes::oneIn(random, 2) ? "moments" : "wheel_loads";
+    words[tolerance] = scenes::oneIn(random, 2) ? "0.1" : "0.01";
+    const bool measured = (words[wheel] + words[rail]).find(".csv") != std::string::npos;
+    Measurements& counted = classes[words[balance] + " " + words[table] + " " + words[tolerance] +
+                                    (unequal    ? " unequal"
+                                     : measured ? " measured"
+                                                : " standard")];
+    MeasuredBalance search(configOf(words, pool));
+    for (int k = 0; k < states_per_setup; ++k)
     {
-      LoadedState state;
-      state.y = scenes::uniform(random, -9e-3, 9e-3);
-      state.yaw = scenes::oneIn(random, 2) ? 0 : scenes::uniform(random, -0.02, 0.02);
-      state.wheel_load = {scenes::uniform(random, 5e3, 1.5e5), scenes::uniform(random, 5e3, 1.5e5)};
-      balance.reset();
-      const Measurement result = balance.solve(state);
-      const bool usable = isUsable(result.status);
-      const std::string reason(balance.balance().reason());
-      const bool beside = !usable && !balance.isOverRails(state);
-      if (!usable)
-      {
-        std::printf("%s (%s, %d solutions): state %s\n", beside ? "beside" : "refused", reason.c_str(),
-                    result.solutions, setup.arguments(state).c_str());
-        std::fflush(stdout);
-      }
-      for (ClassCount* counted : {&classes[name], &all})
-      {
-        ++counted->states;
-        counted->refused += !usable && !beside ? 1 : 0;
-        counted->beside += beside ? 1 : 0;
-        counted->work.push_back(result.work);
-        counted->solutions.push_back(result.solutions);
-      }
+      words[y] = number(-9e-3, 9e-3);
+      words[yaw] = scenes::oneIn(random, 2) ? "0" : number(-0.02, 0.02);
+      words[load_left] = number(5e3, 1.5e5);
+      words[load_right] = number(5e3, 1.5e5);
+      counted.push_back(solveCold(search, words));
+      all.push_back(counted.back());
     }
   }
-  std::printf("%-44s %8s %7s %7s %8s %8s %6s %6s\n", "class", "states", "refused", "beside", "work999", "largest",
-              "sol999", "most");
-  for (auto& [name, counted] : classes)
+  std::printf("%-36s %8s %7s %7s  %8s %8s %8s  %9s %7s\n", "", "states", "refused", "beside", "work", "99.9 %",
+              "largest", "solutions", "largest");
+  for (const auto& [name, all] : classes)
   {
-    counted.print(name);
+    std::printf("%-36s %8zu %7.0f %7.0f  %8.1f %8.0f %8.0f  %9.0f %7.0f\n", name.c_str(), all.size(),
+                all.sum(&Measurement::refused), all.sum(&Measurement::beside), all.quantile(&Measurement::work),
+                all.quantile(&Measurement::work, 0.999), all.quantile(&Measurement::work, 1),
+                all.quantile(&Measurement::solutions, 0.999), all.quantile(&Measurement::solutions, 1));
   }
-  all.print("all");
-  std::printf("median work %.4g, 99 %% %.4g\n", quantile(all.work, 0.5), quantile(all.work, 0.99));
-  return all.refused > 0 ? 1 : 0;
+  return classes["~ all"].sum(&Measurement::refused) > 0 ? 1 : 0;
 }
 
-/// A profile of a pool, or a standard one.
-SceneProfile profileNamed(const std::string& name, ProfileKind kind, const std::vector<SceneProfile>& pool)
+/// Solves a path of `steps` from the lateral displacement `from` [m] to a state. @return number of refused states
+double runPath(const char* name, const ContactModelConfig& config, WheelsetState state, double from, int steps)
 {
-  const auto found =
-      std::find_if(pool.begin(), pool.end(), [&](const SceneProfile& profile) { return profile.name == name; });
-  return found != pool.end() ? *found : loadSceneProfile(name, kind);
-}
-
-bool printState(const char* how, const MeasuredBalance& measured, const LoadedState& state, const Measurement& result,
-                int refused)
-{
-  std::printf("%-8s %s, y %.9g m: %d solutions, work %.1f, %.3f ms", how, nameOf(result.status), state.y,
-              result.solutions, result.work, result.milliseconds);
-  if (isUsable(result.status))
+  MeasuredBalance measured(config);
+  const double to = state.y;
+  Measurements all;
+  for (int k = steps; k >= 0; --k)
   {
-    const RailResult left = measured.balance().wheel(Side::left).rail(),
-                     right = measured.balance().wheel(Side::right).rail();
-    std::printf(", Q %.8g %.8g N, Y %.8g %.8g N, z %.9g m, roll %.9g rad", left.vertical_force, right.vertical_force,
-                left.lateral_force, right.lateral_force, measured.balance().height(), measured.balance().roll());
+    state.y = k == 0 ? to : to + (from - to) * k / steps;
+    all.push_back(measured.solve(state));
   }
-  std::printf("; %d states refused\n", refused);
-  return refused == 0;
+  WheelsetBalance& balance = measured.balance();
+  const RailResult left = balance.wheel(Side::left).rail(), right = balance.wheel(Side::right).rail();
+  std::printf("%-7s %3.0f solutions, work %.1f, %.3f ms, ", name, all.back().solutions, all.back().work,
+              1e3 * all.back().seconds);
+  std::printf("y %.9g m, Q %.8g, %.8g N, Y %.8g, %.8g N, z %.9g m, roll %.9g rad; %s; %.0f of %d refused\n", to,
+              left.vertical_force, right.vertical_force, left.lateral_force, right.lateral_force, balance.height(),
+              balance.roll(), all.back().refused > 0 ? std::string(balance.reason()).c_str() : "ok",
+              all.sum(&Measurement::refused), steps + 1);
+  return all.sum(&Measurement::refused);
 }
 
-/// Solves a path of 200 steps to the state.
-bool printPath(const char* how, const Setup& setup, const ScenePool& pool, const LoadedState& state, double from)
+int runState(const Pool& pool, Words words)
 {
-  constexpr int steps = 200;
-  MeasuredBalance measured(setup, pool);
-  Measurement result;
-  int refused = 0;
-  for (int k = 0; k <= steps; ++k)
+  if (words.size() == wheel_right)
   {
-    LoadedState at = state;
-    at.y = k == steps ? state.y : from + (state.y - from) * k / steps;
-    result = measured.solve(at);
-    refused += isUsable(result.status) ? 0 : 1;
+    words.insert(words.end(), {words[wheel], words[rail]});
   }
-  return printState(how, measured, state, result, refused);
+  const ContactModelConfig config = configOf(words, pool);
+  const WheelsetState state = stateOf(words);
+  const double beyond = state.y + std::copysign(1e-3, state.y);
+  return runPath("cold", config, state, 0, 0) + runPath("outward", config, state, 0, 200) +
+                     runPath("inward", config, state, beyond, 200) >
+                 0
+             ? 1
+             : 0;
 }
 
-int runState(const ScenePool& pool, const Words& words)
-{
-  Setup setup;
-  setup.wheel = profileNamed(words[0], ProfileKind::wheel, pool.wheels);
-  setup.rail = profileNamed(words[1], ProfileKind::rail, pool.rails);
-  if (words.size() == 11)
-  {
-    setup.wheel.right = profileNamed(words[9], ProfileKind::wheel, pool.wheels);
-    setup.rail.right = profileNamed(words[10], ProfileKind::rail, pool.rails);
-  }
-  setup.table = words[2];
-  setup.moments = words[3] == "moments";
-  setup.tolerance = std::stod(words[4]);
-  const LoadedState state{std::stod(words[5]), std::stod(words[6]), {std::stod(words[7]), std::stod(words[8])}};
-  MeasuredBalance measured(setup, pool);
-  const Measurement cold = measured.solve(state);
-  bool good = printState("cold", measured, state, cold, isUsable(cold.status) ? 0 : 1);
-  good = printPath("outward", setup, pool, state, 0) && good;
-  return printPath("inward", setup, pool, state, state.y + std::copysign(1e-3, state.y)) && good ? 0 : 1;
-}
+using Values = std::map<std::string, double>;
 
-/// Results of a sweep.
-struct SweepResult
+Measurements sweep(const ContactModelConfig& config, WheelsetState state, const Values& values)
 {
-  std::vector<double> work, milliseconds;
-  int refused = 0, above_tolerance = 0, worst_solutions = 0;
-  double worst_work = 0, worst_y = 0;
-};
-
-SweepResult sweep(const Setup& setup, const ScenePool& pool, LoadedState state, int states)
-{
-  constexpr double end = 8e-3;  // [m]
-  SweepResult sweep;
-  for (int run = 0; run < 2; ++run)
+  const double begin = values.at("begin"), range = values.at("end") - begin;
+  Measurements best;
+  best.resize(static_cast<std::size_t>(values.at("states")));
+  for (const bool first : {true, false})
   {
-    MeasuredBalance measured(setup, pool);
-    for (int k = 0; k < states; ++k)
+    MeasuredBalance measured(config);
+    for (std::size_t k = 0; k < best.size(); ++k)
     {
-      state.y = end * (2.0 * k / (states - 1) - 1);
-      const Measurement result = measured.solve(state);
-      if (run > 0)
-      {
-        double& milliseconds = sweep.milliseconds[static_cast<std::size_t>(k)];
-        milliseconds = std::min(milliseconds, result.milliseconds);
-        continue;
-      }
-      sweep.work.push_back(result.work);
-      sweep.milliseconds.push_back(result.milliseconds);
-      sweep.refused += isUsable(result.status) ? 0 : 1;
-      sweep.above_tolerance += result.above_tolerance ? 1 : 0;
-      if (result.work > sweep.worst_work)
-      {
-        sweep.worst_work = result.work;
-        sweep.worst_solutions = result.solutions;
-        sweep.worst_y = state.y;
-      }
+      state.y = begin + range * static_cast<double>(k) / static_cast<double>(best.size() - 1);
+      const Measurement found = measured.solve(state);
+      best[k] = first || found.seconds < best[k].seconds ? found : best[k];
     }
   }
-  return sweep;
+  return best;
 }
 
-/// Sweeps whose names contain all words. Ratios are to the medians of the sweep of the same rail and load with rigid
-/// rails, wheel_loads and no yaw.
-int runSweeps(const ScenePool& pool, int states, const Words& words)
+void printSweep(const std::string& name, const Measurements& all, const Measurements& reference)
 {
-  std::vector<std::string> tables{"rigid"};
-  for (const NamedTable& table : pool.tables)
+  const auto worst = std::max_element(all.begin(), all.end(),
+                                      [](const Measurement& a, const Measurement& b) { return a.work < b.work; });
+  const auto print = [&](Measurements::Number number, double unit)
   {
-    tables.push_back(table.file);
-  }
-  int refused = 0;
-  std::printf("%-58s %7s %7s %7s %7s %6s %8s %4s %7s %6s %6s %7s\n", "", "median", "99 %", "99.9 %", "largest", "ratio",
-              "y [mm]", "sol.", "[ms]", "ratio", "above", "refused");
-  for (const char* rail : {"60E1", "UIC60_manchester"})
-  {
-    for (const double load : {2e4, 1e5})
+    for (const double share : {0.5, 0.99, 0.999, 1.0})
     {
-      double reference_work = 0, reference_time = 0;
-      for (int k = 0; k < static_cast<int>(4 * tables.size()); ++k)
+      std::printf(" %8.4g", unit * all.quantile(number, share));
+    }
+    std::printf(" %6.1f ", all.quantile(number, 1) / reference.quantile(number));
+  };
+  std::printf("%-52s", name.c_str());
+  print(&Measurement::work, 1);
+  std::printf("%7.4f %4.0f ", 1e3 * worst->y, worst->solutions);
+  print(&Measurement::seconds, 1e3);
+  std::printf("%4.0f %% %6.2f %% %5.0f\n", 100 * all.sum(&Measurement::in_solver) / all.sum(&Measurement::seconds),
+              100 * all.sum(&Measurement::above) / static_cast<double>(all.size()), all.sum(&Measurement::refused));
+  std::fflush(stdout);
+}
+
+int runSweeps(const Pool& pool, const Words& arguments)
+{
+  Values values{{"states", 10001}, {"tolerance", 0.01}, {"begin", -8e-3}, {"end", 8e-3}};
+  Words chosen;
+  for (const std::string& argument : arguments)
+  {
+    const std::size_t equals = argument.find('=');
+    if (equals == std::string::npos)
+    {
+      chosen.push_back(" " + argument + " ");
+      continue;
+    }
+    values.at(argument.substr(0, equals)) = std::stod(argument.substr(equals + 1));
+  }
+  std::printf("%-52s%9s %8s %8s %8s %6s %8s %4s %9s %8s %8s %8s %6s %7s %8s %s\n", "", "work", "99 %", "99.9 %",
+              "largest", "ratio", "y [mm]", "sol.", "ms", "99 %", "99.9 %", "largest", "ratio", "solver", "above",
+              "refused");
+  std::map<std::string, Measurements> references;  // by rail and load
+  double refused = 0;
+  const std::size_t count = 16 * pool.tables.size();
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    Words words(words_of_state);
+    words[wheel] = words[wheel_right] = "S1002";
+    words[rail] = words[rail_right] = k < count / 2 ? "60E1" : "UIC60_manchester";
+    words[load_left] = words[load_right] = k % 2 == 0 ? "20e3" : "100e3";
+    words[balance] = k / 2 % 2 == 0 ? "wheel_loads" : "moments";
+    words[yaw] = k / 4 % 2 == 0 ? "0" : "0.01";
+    words[table] = pool.tables[k / 8 % pool.tables.size()];
+    words[y] = "0";
+    words[tolerance] = std::to_string(values.at("tolerance"));
+    const std::string name = joined({words[rail], words[table], words[balance], "yaw=" + words[yaw], words[load_left]});
+    const bool is_chosen = std::all_of(chosen.begin(), chosen.end(),
+                                       [&](const std::string& word) { return name.find(word) != std::string::npos; });
+    Measurements& reference = references[words[rail] + words[load_left]];
+    if (is_chosen || reference.empty())
+    {
+      const Measurements all = sweep(configOf(words, pool), stateOf(words), values);
+      reference = reference.empty() ? all : reference;
+      if (is_chosen)
       {
-        Setup setup;
-        setup.wheel = profileNamed("S1002", ProfileKind::wheel, pool.wheels);
-        setup.rail = profileNamed(rail, ProfileKind::rail, pool.rails);
-        setup.table = tables[static_cast<std::size_t>(k / 4)];
-        setup.moments = k % 4 >= 2;
-        const LoadedState state{0, k % 2 == 0 ? 0 : 0.01, load};
-        char name[100];
-        std::snprintf(name, sizeof name, "%s %s %s %gmrad %gkN", rail, setup.table.c_str(), setup.balance(),
-                      1e3 * state.yaw, 1e-3 * load);
-        const bool chosen =
-            std::all_of(words.begin(), words.end(),
-                        [&](const std::string& word)
-                        { return (" " + std::string(name) + " ").find(" " + word + " ") != std::string::npos; });
-        if (!chosen && k > 0)
-        {
-          continue;
-        }
-        SweepResult result = sweep(setup, pool, state, states);
-        const double work = quantile(result.work, 0.5), most = quantile(result.work, 1);
-        const double time = quantile(result.milliseconds, 0.5), longest = quantile(result.milliseconds, 1);
-        if (k == 0)
-        {
-          reference_work = work;
-          reference_time = time;
-        }
-        if (chosen)
-        {
-          refused += result.refused;
-          std::printf("%-58s %7.1f %7.1f %7.1f %7.1f %6.1f %8.4f %4d %7.3f %6.1f %5.2f%% %7d\n", name, work,
-                      quantile(result.work, 0.99), quantile(result.work, 0.999), most, most / reference_work,
-                      1e3 * result.worst_y, result.worst_solutions, longest, longest / reference_time,
-                      100.0 * result.above_tolerance / states, result.refused);
-          std::fflush(stdout);
-        }
+        printSweep(name, all, reference);
+        refused += all.sum(&Measurement::refused);
       }
-      std::printf("%s %g kN: reference work %.2f, %.4f ms\n", rail, 1e-3 * load, reference_work, reference_time);
     }
   }
   return refused > 0 ? 1 : 0;
 }
 
-int run(Words words)
+int run(const Words& arguments)
 {
-  const std::string mode = words.empty() ? "" : words[0];
-  words.erase(words.begin(), words.begin() + (words.empty() ? 0 : 1));
-  const ScenePool pool = readScenePool();
-  if (mode == "random" && (words.size() == 1 || words.size() == 2))
+  const std::string mode = arguments.empty() ? "" : arguments[0];
+  const Words others(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
+  if (mode == "random" && (others.size() == 1 || others.size() == 2))
   {
-    return runRandom(pool, std::stol(words[0]), words.size() == 2 ? std::stoul(words[1]) : 1);
+    return runRandom(Pool(), std::stoul(others[0]), others.size() == 2 ? std::stoul(others[1]) : 1);
   }
-  if (mode == "state" && (words.size() == 9 || words.size() == 11))
+  if (mode == "state" && (others.size() == wheel_right || others.size() == words_of_state))
   {
-    return runState(pool, words);
+    return runState(Pool(), others);
   }
   if (mode == "sweep")
   {
-    int states = 10001;
-    if (!words.empty() && words[0].find_first_not_of("0123456789") == std::string::npos)
-    {
-      states = std::stoi(words[0]);
-      words.erase(words.begin());
-    }
-    return runSweeps(pool, states, words);
+    return runSweeps(Pool(), others);
   }
-  std::fprintf(stderr, "usage: solver_campaign random N [SEED] | state ... | sweep [STATES] [WORD...]\n");
-  return 2;
+  throw std::invalid_argument("usage: random N [SEED] | sweep [NAME=VALUE|WORD...] | state WHEEL RAIL TABLE|rigid ...");
 }
 }  // namespace
 
