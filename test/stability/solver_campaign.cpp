@@ -404,12 +404,15 @@ int runSweeps(const Pool& pool, const Words& arguments)
   for (const std::string& argument : arguments)
   {
     const std::size_t equals = argument.find('=');
-    if (equals == std::string::npos)
+    const auto value = values.find(argument.substr(0, equals));
+    if (value != values.end())
+    {
+      value->second = std::stod(argument.substr(equals + 1));
+    }
+    else
     {
       chosen.push_back(" " + argument + " ");
-      continue;
     }
-    values.at(argument.substr(0, equals)) = std::stod(argument.substr(equals + 1));
   }
   std::printf("%-52s%9s %8s %8s %8s %6s %8s %4s %9s %8s %8s %8s %6s %7s %8s %s\n", "", "work", "99 %", "99.9 %",
               "largest", "ratio", "y [mm]", "sol.", "ms", "99 %", "99.9 %", "largest", "ratio", "solver", "above",
