@@ -210,10 +210,10 @@ py::dict gapOn(const OneWheel& wheel, double rail_u, double wheel_u, const std::
   grid.dx = size[0];
   grid.dy = size[1];
   grid.y0 = y0;
-  Eigen::ArrayXXd gap;
+  Eigen::ArrayXXd gap, slope;
   std::vector<SurfaceColumn> columns(static_cast<std::size_t>(count[1]));
   buildSurfaceGap(wheel.wheel(), plane ? planeAt(*plane) : wheel.rail(),
-                  {0, plane ? plane_half_width : rail_u, wheel_u}, grid, gap, columns);
+                  {0, plane ? plane_half_width : rail_u, wheel_u}, grid, gap, slope, columns);
   const auto each = [&columns](const auto& value)
   {
     Eigen::ArrayXd values(static_cast<Eigen::Index>(columns.size()));

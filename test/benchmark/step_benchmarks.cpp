@@ -31,11 +31,11 @@ void gap(benchmark::State& state, const core::GridSize& size)
   const core::PlacedWheel placed(*one.config.wheel_profile.left, one.config.wheelset, core::Side::left, one.pose);
   const core::SurfaceOrigin origin = one.wheel.grids().originOf(0);
   const core::Grid grid = one.wheel.problem().patches[0].grid;
-  Eigen::ArrayXXd gaps;
+  Eigen::ArrayXXd gaps, slope;
   std::vector<core::SurfaceColumn> columns;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(buildSurfaceGap(placed, one.rail, origin, grid, gaps, columns));
+    benchmark::DoNotOptimize(buildSurfaceGap(placed, one.rail, origin, grid, gaps, slope, columns));
   }
 }
 

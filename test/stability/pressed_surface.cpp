@@ -120,9 +120,10 @@ std::vector<PressedSurface> surfacesUnder(const std::vector<PatchResult>& patche
       surfaces.push_back(std::move(surface));
     }
   }
+  Eigen::ArrayXXd slope;
   for (PressedSurface& surface : surfaces)
   {
-    if (!buildSurfaceGap(wheel, rail, surface.origin, surface.grid, surface.gap, surface.columns))
+    if (!buildSurfaceGap(wheel, rail, surface.origin, surface.grid, surface.gap, slope, surface.columns))
     {
       throw std::runtime_error("a body has no point on the grid of a patch");
     }

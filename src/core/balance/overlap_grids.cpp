@@ -74,6 +74,13 @@ void OverlapGrids::setRail(const PlacedRail& rail)
   search_.setRail(rail);
 }
 
+PlacedWheel OverlapGrids::wheelAt(double z) const
+{
+  WheelsetPose pose = placed_wheel_->pose();
+  pose.z = z;
+  return {*config_.wheel_profile[side_], config_.wheelset, side_, pose};
+}
+
 OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach,
                                           CurvedProblem& problem)
 {
@@ -305,7 +312,7 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
   for (double margin = tuning::overlap_margin; margin < 2; margin *= 2)
   {
     patch.grid = layout.grid;
-    if (!buildSurfaceGap(wheel, *rail_, layout.origin, layout.grid, patch.gap, columns))
+    if (!buildSurfaceGap(wheel, *rail_, layout.origin, layout.grid, patch.gap, slope_, columns))
     {
       return false;
     }

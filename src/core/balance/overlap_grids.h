@@ -75,8 +75,8 @@ class OverlapGrids
 
   /// Position of the smallest separation at the last pose. Valid unless the wheel was beside the rail.
   const InitialContact& touch() const { return touch_; }
-  /// All intervals of the overlap.
-  const std::vector<OverlapInterval>& intervals() const { return intervals_; }
+  /// The wheel of the last pose at another height of the axle centre [m].
+  PlacedWheel wheelAt(double z) const;
   /// Columns of each patch of the problem.
   const std::vector<std::vector<SurfaceColumn>>& columns() const { return columns_; }
   /// Origin of the grid of a patch.
@@ -126,6 +126,7 @@ class OverlapGrids
   OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;
+  Eigen::ArrayXXd slope_;                ///< of the cells of a grid, see buildSurfaceGap()
   std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
   std::vector<ColumnNormals> spare_normals_;
   std::vector<std::vector<SurfaceColumn>> spare_columns_;

@@ -55,22 +55,6 @@ Force forceOf(const Grid& grid, const Eigen::ArrayXXd& pressure, const std::vect
   return force;
 }
 
-/// Largest depth of the overlap along the normal, at the deepest places of the intervals that are within a part of the
-/// rail profile [m]; 0 if there is none.
-double deepestWithin(double u_first, double u_last, const std::vector<OverlapInterval>& intervals)
-{
-  double depth = 0;
-  for (const OverlapInterval& interval : intervals)
-  {
-    const InitialContact& contact = interval.contact;
-    if (contact.rail_u >= u_first && contact.rail_u <= u_last)
-    {
-      depth = std::max(depth, -contact.separation / std::hypot(1, contact.slope));
-    }
-  }
-  return depth;
-}
-
 /// Copies the whole pressure field of a patch, in track axes, from the centre of pressure.
 void copyPressure(Side side, const Grid& grid, const Centre& centre, const Eigen::ArrayXXd& stored, PatchResult& result)
 {
@@ -121,6 +105,35 @@ double opposite(const PlacedWheel& wheel, const PlanePoint& origin, double x, do
   }
   return u;
 }
+
+/// Largest overlap of the undeformed bodies along a normal of the rail [m], at most `reach` [m] from a place of both
+/// profiles. Newton's method, or bisection, for the place at which the tangents are parallel.
+double deepestNear(ProfilePlaces at, double reach, const PlacedWheel& wheel, const PlacedRail& rail)
+{
+  double low = at.rail_u - reach, high = at.rail_u + reach, depth = 0, step = reach;
+  SpacePoint locus{};
+  PlanePoint on_wheel{};
+  for (int i = 0; i < most_steps && std::abs(step) > 0.01 * reach && wheel.locus(wheel.profile().at(at.wheel_u), locus);
+       ++i)
+  {
+    const PlanePoint on_rail = rail.at(at.rail_u);
+    at.wheel_u = opposite(wheel, on_rail, locus.x, at.wheel_u);
+    const CurvePoint profile = wheel.profile().at(at.wheel_u);
+    if (!wheel.section(profile, locus.x, on_wheel))
+    {
+      break;
+    }
+    const Eigen::Vector2d tangent = Eigen::Vector2d(on_rail.dy, on_rail.dz).normalized();
+    const Eigen::Vector2d normal(-tangent.y(), tangent.x()), direction(on_wheel.dy, on_wheel.dz);
+    depth = std::max(depth, -normal.dot(Eigen::Vector2d(on_wheel.y - on_rail.y, on_wheel.z - on_rail.z)));
+    const double slope = normal.dot(direction) / tangent.dot(direction);
+    (slope > 0 ? high : low) = at.rail_u;
+    step = -slope / (profile.curvature() - rail.profile().at(at.rail_u).curvature());
+    step = at.rail_u + step > low && at.rail_u + step < high ? step : 0.5 * (low + high) - at.rail_u;
+    at.rail_u += step;
+  }
+  return depth;
+}
 }  // namespace
 
 void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, PatchResult& out)
@@ -151,11 +164,10 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.vertical_force = force.down;
   out.lateral_force = force.outward;
   placeOnBodies(balance.config(), balance.pose(), contact.rail(), places, out);
-  out.approach =
-      gap.weight * solution.approach +
-      std::max(-leastGap(gap.grid, gap.gap),
-               deepestWithin(columns[begin].rail_u, columns[begin + static_cast<std::size_t>(gap.grid.ny) - 1].rail_u,
-                             contact.grids().intervals()));
+  Eigen::Index row = 0, deepest = 0;
+  gap.gap.minCoeff(&row, &deepest);
+  const SurfaceColumn& column = columns[begin + static_cast<std::size_t>(deepest)];
+  out.approach = deepestNear({column.wheel_u, column.rail_u}, gap.grid.dy, contact.wheel(), contact.rail());
   out.area = pressure.area;
   const SemiAxes ellipse = equalEllipse(pressure);
   out.semi_axis_along = ellipse.along;

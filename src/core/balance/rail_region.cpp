@@ -7,7 +7,6 @@
 
 #include "core/balance/tuning.h"
 #include "core/constants.h"
-#include "core/normal/measures/pressure_measures.h"
 
 namespace wheel_rail_contact::core
 {
@@ -24,22 +23,6 @@ double halfLength(const PlacedWheel& wheel, const InitialContact& contact, doubl
 {
   const double radius = wheel.sections().radius - wheel.profile().at(contact.wheel_u).z;
   return std::sqrt(2 * std::max(depth, 0.0) * radius);
-}
-
-/// Squares of the ratios of a contact's semi-axes to those of the overlap [-].
-struct ContactShare
-{
-  double along = 0, across = 0;
-};
-
-/// Those of a Hertzian contact: D / K for the longer axis and 1 - D / K for the shorter one, with the complete elliptic
-/// integrals K and D of its aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
-ContactShare contactShare(double overlap_length, double overlap_width)
-{
-  const double ratio = std::min(overlap_length, overlap_width) / std::max(overlap_length, overlap_width);
-  const Elliptic integrals = elliptic(std::pow(ratio, 4 / pi));
-  const double longer = integrals.d / integrals.k;
-  return overlap_length > overlap_width ? ContactShare{longer, 1 - longer} : ContactShare{1 - longer, longer};
 }
 
 /// Range of an overlap whose middle line is the contact locus and whose half-length falls towards its ends as that of

@@ -80,6 +80,8 @@ class WheelContact
   /// Height of the axle centre in the last solution [m]. Under a load, the height to which the remaining approach
   /// leads.
   double height() const { return pose_.z - remaining(); }
+  /// The wheel at this height.
+  PlacedWheel wheel() const { return grids_.wheelAt(height()); }
   /// Height of the gap minus height() [m].
   double remaining() const { return solution_.approach; }
   /// True if the gap is so close to its final height that the solution is usable.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/constants.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/track/column_heights.h"
 
 namespace wheel_rail_contact::core
@@ -44,7 +46,7 @@ class SurfaceGapBuilder
 
   /// Builds the columns `first`, first + step, … up to the edge of the grid.
   /// @return false if none of these columns has points of both bodies.
-  bool build(int first, int step, const SurfaceOrigin& origin, Eigen::ArrayXXd& gap,
+  bool build(int first, int step, const SurfaceOrigin& origin, Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slope,
              std::vector<SurfaceColumn>& columns)
   {
     // Trapezoidal rule for the arc length: exact on lines and arcs. On polynomials, whose parameter is y, a column is
@@ -73,11 +75,11 @@ class SurfaceGapBuilder
       place_[static_cast<std::size_t>(count++)] = j;
       if (count == ColumnGroup::together)
       {
-        found_any = fillGroup(count, gap, columns) || found_any;
+        found_any = fillGroup(count, gap, slope, columns) || found_any;
         count = 0;
       }
     }
-    return fillGroup(count, gap, columns) || found_any;
+    return fillGroup(count, gap, slope, columns) || found_any;
   }
 
  private:
@@ -127,12 +129,11 @@ class SurfaceGapBuilder
     return true;
   }
 
-  /// Fills the gap in the columns of the first `count` places of the group. @return false if the wheel has no point
-  /// somewhere along each of them.
-  bool fillGroup(int count, Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns)
+  /// Fills gap and slope in the columns of the first `count` places of the group. @return false if the wheel has no
+  /// point somewhere along each of them.
+  bool fillGroup(int count, Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slope, std::vector<SurfaceColumn>& columns)
   {
-    Numbers mean_slope = Numbers::Zero();
-    const Numbers sum = fillRows(count, gap, mean_slope);
+    const Numbers sum = fillRows(count, gap, slope);
     bool found_any = false;
     for (int k = 0; k < count; ++k)
     {
@@ -141,42 +142,34 @@ class SurfaceGapBuilder
       if (!found)
       {
         gap.col(column(k)).setConstant(no_body_gap);
+        slope.col(column(k)).setZero();
       }
-      columns[static_cast<std::size_t>(column(k))].mean_slope = found ? mean_slope[k] : 0;
       columns[static_cast<std::size_t>(column(k))].has_bodies = found;
     }
     return found_any;
   }
 
   /// Evaluates each cell, from the middle of the columns to both of their ends. Returns the sum of the heights.
-  /// @param mean_slope  set to the mean of the slope, weighted with overlap^(5/2), which has on a parabola the variance
-  ///                    of a circular Hertz contact's pressure. Without overlap: the slope at the lowest place
-  Numbers fillRows(int count, Eigen::ArrayXXd& gap, Numbers& mean_slope)
+  Numbers fillRows(int count, Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slopes)
   {
     Numbers sum = Numbers::Zero(), slope = Numbers::Zero();
-    Numbers weights = Numbers::Zero(), lowest = Numbers::Constant(no_body_gap), lowest_slope = Numbers::Zero();
     const auto fill = [&](int first, int end, int step)
     {
       Numbers u = group_.u;
       for (int row = first; row != end; row += step)
       {
         const Numbers n = heights_.heights(group_, count, x_ + grid_.x(row), u, slope);
-        const Numbers overlap = (-n).max(0.0), weight = overlap * overlap * overlap.sqrt();
-        mean_slope += weight * slope;
-        weights += weight;
-        lowest_slope = (n < lowest).select(slope, lowest_slope);
-        lowest = lowest.min(n);
         sum += n;
         for (int k = 0; k < count; ++k)
         {
           gap(row, column(k)) = n[k];
+          slopes(row, column(k)) = slope[k];
         }
       }
     };
     const int middle = grid_.symmetric ? 0 : grid_.nx / 2;
     fill(middle, grid_.rows(), 1);
     fill(middle - 1, -1, -1);
-    mean_slope = (weights > 0).select(mean_slope / weights, lowest_slope);
     return sum;
   }
 
@@ -194,31 +187,57 @@ class SurfaceGapBuilder
   std::array<int, ColumnGroup::together> place_{};  ///< column of the grid at each place of the group
 };
 
-/// Distance of the minimum of the parabola through three gaps below the middle one, which is the least. Zero next to a
-/// cell without a body, whose gap is very large whatever has been added to all of them.
-double fall(double before, double least, double after)
+/// Share along the track of the contact in an overlap: that of a paraboloid with the same parts of the middle line and
+/// of the tops of the columns above the contact. Each length follows from an integral of the overlap, in which the
+/// cells join smoothly.
+double shareAlong(const Grid& grid, const Eigen::ArrayXXd& gap, const std::vector<SurfaceColumn>& columns,
+                  Eigen::Index deepest)
 {
-  const double bend = before - 2 * least + after;
-  const bool bodies = std::max(before, after) < 0.5 * no_body_gap;
-  return bodies && bend > 0 ? (after - before) * (after - before) / (8 * bend) : 0;
+  constexpr int rounds = 3;  // one on a paraboloid whose grid contains half of its depth
+  const double depth = columns[static_cast<std::size_t>(deepest)].overlap;
+  double share = 0.5;
+  for (int i = 0; i < rounds; ++i)
+  {
+    const double along = (-gap.col(deepest) - (1 - share) * depth).max(0.0).sum() * grid.dx * (grid.symmetric ? 2 : 1);
+    double across = 0;
+    for (const SurfaceColumn& column : columns)
+    {
+      across += std::max(column.overlap - share * depth, 0.0) * grid.dy;
+    }
+    share = contactShare(along * std::pow(share, -1.5), across * std::pow(1 - share, -1.5)).along;
+  }
+  return share;
 }
 
-/// The same across the track. Next to a kink, where the gap bends less beside the least cell, the distance is limited
-/// to twice that of a parabola with this bend.
-double fallAcross(const Eigen::ArrayXXd& gap, Eigen::Index i, Eigen::Index j)
+/// Sets overlap and mean slope of the columns. The pressure is that of a Hertz contact in each column: its squared
+/// half-length grows in proportion to the overlap beyond that at the end of the contact, which is `share` of the
+/// largest one.
+void setMeanSlopes(const Grid& grid, const Eigen::ArrayXXd& gap, const Eigen::ArrayXXd& slope,
+                   std::vector<SurfaceColumn>& columns)
 {
-  const auto inside = [&](Eigen::Index column) { return column > 0 && column + 1 < gap.cols(); };
-  if (!inside(j))
+  Eigen::Index row = 0, deepest = 0;
+  const double depth = -gap.minCoeff(&row, &deepest);
+  for (Eigen::Index j = 0; j < gap.cols(); ++j)
   {
-    return 0;
+    columns[static_cast<std::size_t>(j)].overlap = std::max(-gap.col(j).minCoeff(), 0.0);
   }
-  double most = fall(gap(i, j - 1), gap(i, j), gap(i, j + 1));
-  for (const Eigen::Index beside : {j - 1, j + 1})
+  const double share = depth > 0 ? shareAlong(grid, gap, columns, deepest) : 0.5, per_overlap = share / (1 - share);
+  for (Eigen::Index j = 0; j < gap.cols(); ++j)
   {
-    const double bend = inside(beside) ? gap(i, beside - 1) - 2 * gap(i, beside) + gap(i, beside + 1) : 4 * most;
-    most = std::min(most, std::max(bend, 0.0) / 4);
+    SurfaceColumn& column = columns[static_cast<std::size_t>(j)];
+    const double end = column.overlap - per_overlap * std::max(column.overlap - share * depth, 0.0);
+    const auto pressure = (-gap.col(j) - end).max(0.0).sqrt();
+    const double sum = pressure.sum();
+    if (sum > 0)
+    {
+      column.mean_slope = (pressure * slope.col(j)).sum() / sum;
+    }
+    else
+    {
+      gap.col(j).minCoeff(&row);
+      column.mean_slope = slope(row, j);
+    }
   }
-  return most;
 }
 }  // namespace
 
@@ -236,25 +255,25 @@ double arcLength(const Profile& profile, double from, double to)
   return length;
 }
 
+ContactShare contactShare(double overlap_length, double overlap_width)
+{
+  const double ratio = std::min(overlap_length, overlap_width) / std::max(overlap_length, overlap_width);
+  const Elliptic integrals = elliptic(std::pow(ratio, 4 / pi));
+  const double longer = integrals.d / integrals.k;
+  return overlap_length > overlap_width ? ContactShare{longer, 1 - longer} : ContactShare{1 - longer, longer};
+}
+
 bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid,
-                     Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns)
+                     Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slope, std::vector<SurfaceColumn>& columns)
 {
   gap.resize(grid.rows(), grid.ny);
+  slope.setZero(grid.rows(), grid.ny);
   columns.resize(static_cast<std::size_t>(grid.ny));
   SurfaceGapBuilder builder(wheel, rail, origin, grid);
   const int middle = std::clamp(static_cast<int>(std::lround(-grid.y0 / grid.dy)), 0, grid.ny - 1);
-  const bool up = builder.build(middle, 1, origin, gap, columns);
-  const bool down = builder.build(middle - 1, -1, origin, gap, columns);
+  const bool up = builder.build(middle, 1, origin, gap, slope, columns);
+  const bool down = builder.build(middle - 1, -1, origin, gap, slope, columns);
+  setMeanSlopes(grid, gap, slope, columns);
   return up || down;
-}
-
-double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap)
-{
-  Eigen::Index i = 0, j = 0;
-  const double least = gap.minCoeff(&i, &j);
-  const bool at_mirror = grid.symmetric && i == 0;  // the neighbour of this cell is its mirror image
-  const bool inside = (at_mirror || i > 0) && i + 1 < gap.rows();
-  const double along = inside ? fall(at_mirror ? least : gap(i - 1, j), least, gap(i + 1, j)) : 0;
-  return least - along - fallAcross(gap, i, j);
 }
 }  // namespace wheel_rail_contact::core

@@ -28,7 +28,10 @@ struct SurfaceColumn
   double wheel_u = 0;           ///< parameter of the wheel profile at the point opposite the middle of the column [m]
   double wheel_slope = 0;       ///< slope of the wheel relative to the plane at this point, towards the field side [-]
 
-  /// The same, as the mean over the pressure of the column. The surface of the wheel tilts towards its ends [-].
+  double overlap = 0;  ///< largest overlap in the column [m]; 0 without
+
+  /// The same slope, as the mean over the expected pressure of the column; without overlap at the lowest place. The
+  /// surface of the wheel tilts towards its ends [-].
   double mean_slope = 0;
   bool has_bodies = false;  ///< both bodies have a point on the normal
 
@@ -44,6 +47,17 @@ struct SurfaceColumn
 
 constexpr double no_body_gap = 0.1;  ///< gap in columns in which wheel or rail has no point [m]
 
+/// Squares of the ratios of a contact's semi-axes to those of the overlap [-]; their sum is 1.
+struct ContactShare
+{
+  double along = 0, across = 0;
+};
+
+/// Those of a Hertzian contact: D / K for the longer axis and 1 - D / K for the shorter one, with the complete elliptic
+/// integrals K and D of its aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
+/// @param overlap_length  along the track, in the unit of `overlap_width`
+ContactShare contactShare(double overlap_length, double overlap_width);
+
 /// Length of a profile between two parameters [m], negative if `to` is less than `from`.
 double arcLength(const Profile& profile, double from, double to);
 
@@ -55,12 +69,10 @@ double arcLength(const Profile& profile, double from, double to);
 /// @param origin   x and arc length of the grid are measured from here
 /// @param gap      set to grid.rows() × grid.ny values [m]; `no_body_gap` in columns in which a body has no
 /// point on the normal
+/// @param slope    set to the slopes of the wheel across the track relative to the planes of the columns, of the same
+/// shape [-]
 /// @param columns  set to one entry for each column
 /// @return false if no column has points of both bodies.
 bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid,
-                     Eigen::ArrayXXd& gap, std::vector<SurfaceColumn>& columns);
-
-/// Minimum of a gap [m], also between the cells: from parabolas along and across the track through the lowest cell and
-/// its neighbours.
-double leastGap(const Grid& grid, const Eigen::ArrayXXd& gap);
+                     Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slope, std::vector<SurfaceColumn>& columns);
 }  // namespace wheel_rail_contact::core

@@ -9,7 +9,7 @@
 
 #include "../normal/error_samples.h"
 #include "core/balance/grid_levels.h"
-#include "core/track/gap.h"
+#include "core/balance/patch_result.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
@@ -19,17 +19,17 @@ namespace
 /// Highest pressure, whole area and mean approach of a wheel, weighted with the forces of its contacts.
 struct WheelValues
 {
-  explicit WheelValues(const Islands& islands)
+  WheelValues(Side side, const WheelsetBalance& balance)
   {
     double force = 0;
-    for (std::size_t k = 0; k < islands.islands().size(); ++k)
+    for (std::size_t k = 0; k < balance.islands(side).islands().size(); ++k)
     {
-      const PatchPressure& patch = islands.solution().patches[k];
-      const PatchGap& gap = islands.problem().patches[k];
+      PatchResult patch;
+      fillPatch(side, balance, k, patch);
       max_pressure = std::max(max_pressure, patch.max_pressure);
       area += patch.area;
-      approach += patch.force * (gap.weight * islands.solution().approach - leastGap(gap.grid, gap.gap));
-      force += patch.force;
+      approach += patch.normal_force * patch.approach;
+      force += patch.normal_force;
     }
     approach /= force;
   }
@@ -42,7 +42,7 @@ double trueError(const WheelsetBalance& found, const WheelsetBalance& truth)
   double error = 0;
   for (const Side side : {Side::left, Side::right})
   {
-    const WheelValues wheel(found.islands(side)), fine(truth.islands(side));
+    const WheelValues wheel(side, found), fine(side, truth);
     error = std::max({error, std::abs(wheel.max_pressure / fine.max_pressure - 1), std::abs(wheel.area / fine.area - 1),
                       std::abs(wheel.approach / fine.approach - 1)});
   }

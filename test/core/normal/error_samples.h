@@ -6,12 +6,12 @@
 #include <memory>
 #include <vector>
 
+#include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/kik_piotrowski.h"
 #include "core/normal/solvers/seidel.h"
-#include "core/track/gap.h"
 #include "gap_scenes.h"
 #include "pressure_extent.h"
 #include "problems.h"
@@ -328,10 +328,7 @@ class WheelsetSampler
     bool alike = true;
     for (const Side side : {Side::left, Side::right})
     {
-      const CurvedProblem& problem = truth.wheel(side).contact().problem();
-      strict_.solveCurved(problem, false, true_);
-      true_islands_.find(problem, true_);
-      alike = add(levels.solver(), balance.islands(side), samples) && alike;
+      alike = add(levels.solver(), side, balance, truth, samples) && alike;
     }
     return alike && samples.size() > before;
   }
@@ -359,23 +356,26 @@ class WheelsetSampler
   static double settledTolerance(const GridSize& size) { return std::min(2e-3, 1.0 / (size.along * size.across)); }
 
   /// Approach of a contact from its first touch [m].
-  static double approachOf(const Islands& islands, std::size_t k)
+  static double approachOf(Side side, const WheelsetBalance& balance, std::size_t k)
   {
-    const PatchGap& gap = islands.problem().patches[k];
-    return gap.weight * islands.solution().approach - leastGap(gap.grid, gap.gap);
+    PatchResult patch;
+    fillPatch(side, balance, k, patch);
+    return patch.approach;
   }
 
   /// @return false if the wheel has another number of contacts in the reference
-  bool add(const NormalSolver& solver, const Islands& found, std::vector<ErrorSample>& samples) const
+  bool add(const NormalSolver& solver, Side side, const WheelsetBalance& balance, const WheelsetBalance& truth,
+           std::vector<ErrorSample>& samples) const
   {
+    const Islands &found = balance.islands(side), &fine = truth.islands(side);
     const std::size_t count = found.islands().size();
-    const bool alike = count == true_islands_.islands().size() && true_.status == SolveStatus::converged;
+    const bool alike = count == fine.islands().size();
     for (std::size_t k = 0; alike && k < count; ++k)
     {
-      const double approach = approachOf(found, k);
+      const double approach = approachOf(side, balance, k);
       ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
-      sample.error = relativeErrors(found.solution().patches[k], approach, true_islands_.solution().patches[k],
-                                    approachOf(true_islands_, k));
+      sample.error =
+          relativeErrors(found.solution().patches[k], approach, fine.solution().patches[k], approachOf(side, truth, k));
       samples.push_back(sample);
     }
     return alike;
@@ -383,8 +383,5 @@ class WheelsetSampler
 
   Method method_;
   std::map<std::array<int, 3>, std::unique_ptr<GridLevels>> solvers_;
-  ConjugateGradients strict_ = problems::solverTo(1e-6, 1000);
-  NormalSolution true_;
-  Islands true_islands_;
 };
 }  // namespace wheel_rail_contact::core::scenes

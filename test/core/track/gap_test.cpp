@@ -73,7 +73,7 @@ class GapTest : public testing::Test
     wheel_ = PlacedWheel(*config_.wheel_profile.left, config_.wheelset, Side::left, pose);
   }
 
-  bool build(const Grid& grid) { return buildSurfaceGap(wheel_, rail_, origin_, grid, gap_, columns_); }
+  bool build(const Grid& grid) { return buildSurfaceGap(wheel_, rail_, origin_, grid, gap_, slope_, columns_); }
 
   /// Grid of 16 × 32 cells about the first touch.
   static Grid grid(double half_length, double half_width, bool symmetric)
@@ -128,7 +128,7 @@ class GapTest : public testing::Test
   PlacedWheel wheel_{*config_.wheel_profile.left, config_.wheelset, Side::left, {}};
   ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
   SurfaceOrigin origin_;
-  Eigen::ArrayXXd gap_;
+  Eigen::ArrayXXd gap_, slope_;
   std::vector<SurfaceColumn> columns_;
 };
 }  // namespace
