@@ -269,6 +269,19 @@ class GapSampler
   NormalSolution found_, true_;
 };
 
+/// Solves a state on the grid of `fine`, from a solution on that of `coarse`, the levels of the balance. The result is
+/// that of a cold start on the fine grid, but most solutions of the search are on the coarse one. Both must have the
+/// same method and tolerance.
+inline ContactStatus solveFromCoarse(WheelsetBalance& balance, GridLevels& coarse, GridLevels& fine,
+                                     const WheelsetState& state)
+{
+  balance.solve(state);  // if it fails, the next one starts cold
+  std::swap(coarse, fine);
+  const ContactStatus status = balance.solve(state);
+  std::swap(coarse, fine);
+  return status;
+}
+
 /// A wheelset S1002 on the UIC60 rail of the benchmark or on 60E1.
 struct WheelsetScene
 {
