@@ -45,11 +45,12 @@ class Solution:
     check_roll: float      # roll of the head in the loaded section [rad]
 
 
-def solve(study, mesh_size, progress, deck_directory=None):
+def solve(study, mesh_size, progress, deck_directory=None, compliance=True):
     """Solves the study on one mesh.
 
     @param progress is called with the name of each step when it begins
     @param deck_directory keeps the deck, if given
+    @param compliance false: only the check load is solved, in a third of the time or less; compliance and neighbours are empty
 
     Raises Failure if a program is missing or fails.
     """
@@ -63,7 +64,7 @@ def solve(study, mesh_size, progress, deck_directory=None):
                  for x in (0.0, *study.neighbours)]
         reported = np.unique(np.concatenate([mesh.plane_nodes(0, 0.0)] + [head.nodes for head in heads]))
         rail_supports = supports(study.supports, mesh, study.section, study.pads)
-        model = Model(mesh, rail_supports, _load_cases(study, mesh), reported, study.young, study.poisson)
+        model = Model(mesh, rail_supports, _load_cases(study, mesh, compliance), reported, study.young, study.poisson)
         write_deck(directory / "rail.inp", model, fields=deck_directory is not None)
         steps = calculix.solve(directory, "rail", len(model.cases),
                                lambda k: progress(f"solving load case {k} of {len(model.cases)}"))
@@ -83,14 +84,15 @@ def _mesh(study, size, directory):
     return gmsh_mesh.rail_mesh(study.section, cuts, size, study.element_type, directory)
 
 
-def _load_cases(study, mesh):
-    """Load cases: Y at the reference height, Q on the axis, Q off the axis, and the check load if its height is given."""
+def _load_cases(study, mesh, compliance):
+    """Load cases: those of the compliance (Y at the reference height, Q on the axis, Q off the axis), then the check load, if
+    it is not the first of them."""
     section, surface = study.section, HeadSurface(mesh, study.section)
     cases = [surface.lateral(section.gauge_face(section.height - REFERENCE_DEPTH), "Y at the reference height"),
              surface.vertical(section.crown(), "Q on the axis"),
-             surface.vertical(section.crossing(0, ECCENTRICITY, 1), "Q off the axis")]
-    if study.force_height is not None:
-        cases.append(surface.lateral(section.gauge_face(study.force_height), f"Y at {study.force_height:g} m"))
+             surface.vertical(section.crossing(0, ECCENTRICITY, 1), "Q off the axis")] if compliance else []
+    if study.force_height is not None or not cases:
+        cases.append(surface.lateral(section.gauge_face(study.check_height), f"Y at {study.check_height:g} m"))
     return cases
 
 
@@ -102,26 +104,23 @@ def _displacements(step, mesh):
 
 
 def _evaluate(study, model, heads, fields):
-    own, *others = [_compliance(head, model.cases, fields) for head in heads]
-    lateral_roll, roll_lateral = own["lateral_roll"], own.pop("roll_lateral")
-    own["lateral_roll"] = 0.5 * (lateral_roll + roll_lateral)
-    for other in others:
-        other["lateral_roll"] = 0.5 * (other["lateral_roll"] + other.pop("roll_lateral"))
+    (own, asymmetry), *others = ([_compliance(head, model.cases, fields) for head in heads] if len(fields) > 1
+                                 else [({}, np.nan)])
     check = study.force * (fields[0] if study.force_height is None else fields[-1])
     crown = np.linalg.norm(model.mesh.nodes - [0, *study.section.points(study.section.crown())[0]], axis=1).argmin()
-    return Solution(model.mesh, own, abs(lateral_roll - roll_lateral) / own["lateral_roll"], others,
+    return Solution(model.mesh, own, asymmetry, [other for other, _ in others],
                     3 * len(model.mesh.nodes) - model.supports.fixed_count(),
                     check, float(check[crown, 1]), float(heads[0].motion(check)[2]))
 
 
 def _compliance(head, cases, fields):
-    """Compliances of the rigid motion of one head, from the first three load cases.
+    """Compliances of the rigid motion of one head, from the first three load cases, and their asymmetry.
 
     The difference of the two vertical forces is a moment. The moment of the lateral force is subtracted from its motion.
     """
     (lateral_case, on_axis, off_axis), motions = cases[:3], [head.motion(field) for field in fields[:3]]
     per_moment = (motions[2] - motions[1]) / (off_axis.moment - on_axis.moment)
     per_lateral = motions[0] - lateral_case.moment * per_moment
-    return {"lateral_lateral": float(per_lateral[0]), "lateral_roll": float(per_lateral[2]),
-            "roll_lateral": float(per_moment[0]), "roll_roll": float(per_moment[2]),
-            "vertical_vertical": float(-motions[1][1])}
+    lateral_roll = 0.5 * (per_lateral[2] + per_moment[0])
+    return {"lateral_lateral": float(per_lateral[0]), "lateral_roll": float(lateral_roll), "roll_roll": float(per_moment[2]),
+            "vertical_vertical": float(-motions[1][1])}, float(abs(per_lateral[2] - per_moment[0]) / lateral_roll)
