@@ -27,22 +27,23 @@ class Parts(ReplayCase):
         (self.folder / "grid.yaml").write_text(GRID)
         self.options = ["--no-grids", "--config", self.folder / "grid.yaml"]
 
-    def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, refused=(), **also):
+    def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, refused=(), step=STEP,
+              **also):
         """Writes pairs with stamps from 100 s on. `pace` is the rate of the recorder clock relative to the stamps. The
         wheelset is beside the rails in the pairs with the numbers `refused`."""
         with rosbag.Bag(str(self.bag), "w", chunk_threshold=3000) as bag:
             for name, messages in also.items():
                 for at, message in messages:
                     bag.write("/" + name, message, time(START + at))
-            for i in range(seconds * 20):
+            for i in range(seconds * 10**9 // step):
                 jump = 0 if back_at is None or i < back_at else 7.3e9
                 for wheelset in inputs:
                     for topic, message, late in (("pose", pose(i, frame), 0), ("load", load(i), LATE)):
                         if topic == "pose" and i in refused:
                             message.pose.position.y = 0.09
-                        message.header.stamp = time(100 * 10**9 + i * STEP - int(jump))
+                        message.header.stamp = time(100 * 10**9 + i * step - int(jump))
                         if (i, topic) not in left_out:
-                            bag.write(f"{wheelset}/{topic}", message, time(START + pace * i * STEP + late))
+                            bag.write(f"{wheelset}/{topic}", message, time(START + pace * i * step + late))
 
     def parts(self, *options, cuts=CUTS, status=0):
         """Replays the parts. @return paths of their results"""
@@ -90,6 +91,18 @@ class Parts(ReplayCase):
         self.assertIn("held: 28 (4.5 %)", printed)
         heights = [result.wheelset.position.z for result in self.results(whole)]
         self.assertEqual([heights[449], heights[450]], [heights[249], 0], "forgotten after 200 results")
+
+    def test_parts_of_a_fast_input_by_several_threads_equal_the_whole_by_one(self):
+        # At 500 Hz, the slices of each second begin at its inputs 0, 200 and 400. The result of 1199 is held up to 1389; at
+        # the second cut (1385), it is repeated from the beginning of its slice, 385 inputs before.
+        refused = range(1200, 1390)
+        self.write(seconds=4, step=2_000_000, refused=refused)
+        (self.folder / "hold.yaml").write_text("contact: {hold_last: 190}\n")
+        options = ["--config", self.folder / "hold.yaml", "--threads"]
+        whole, _ = self.replay(self.bag, "whole.bag", *self.options, *options, 1)
+        joined, _ = self.join(self.parts(*options, 3, cuts=(2.3, 2.77, 3.71)))
+        self.assert_same_file(whole, joined)
+        self.assertEqual([i for i, result in enumerate(self.results(whole)) if result.held], [*refused])
 
     def test_parts_with_several_wheelsets_kept_topics_and_compression_are_joined(self):
         remarks = [(k * 10**9 + 1, String(f"remark {k}")) for k in range(11)]
