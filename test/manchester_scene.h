@@ -30,4 +30,19 @@ inline ComplianceTable verySoftPads()
 {
   return {135.8e-9, 612e-9, 4.60e-6, 14.5e-9};
 }
+
+/// Lets the rails bend.
+inline void bend(ContactModelConfig& config, const ComplianceTable& table)
+{
+  config.rail_bending.model = RailBendingConfig::Model::compliance;
+  config.rail_bending.table = table;
+}
+
+/// The model on rails that bend.
+inline ContactModelConfig onPads(const ComplianceTable& table)
+{
+  ContactModelConfig config = manchesterScene();
+  bend(config, table);
+  return config;
+}
 }  // namespace wheel_rail_contact::core

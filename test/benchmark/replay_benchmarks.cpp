@@ -3,15 +3,14 @@
 
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "../pairs_bag.h"
+#include "../temporary_folder.h"
 #include "benchmarks.h"
 #include "replay/replay.h"
 
@@ -21,27 +20,6 @@ namespace
 {
 constexpr int pairs = 20000;
 constexpr int runs = 5;
-
-/// Temporary folder; removed with its files by the destructor.
-class Folder
-{
- public:
-  Folder() : path_((std::filesystem::temp_directory_path() / "contact_benchmark.XXXXXX").string())
-  {
-    if (mkdtemp(path_.data()) == nullptr)
-    {
-      throw std::runtime_error("cannot create the folder " + path_);
-    }
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 /// Wall time and processor time of a run [s].
 struct Cost
@@ -118,12 +96,11 @@ void replay(benchmark::State& state, int threads)
   {
     y = sweep.next().y;
   }
-  writePairs(folder.file("in.bag"), pairs, [&](int i) { return lateral[static_cast<std::size_t>(i)]; });
-  std::ofstream(folder.file("a.yaml")) << "{rail: {profile: UIC60_manchester}, contact: {tolerance: 0.01}}\n";
+  writePairs(folder.path("in.bag"), pairs, [&](int i) { return lateral[static_cast<std::size_t>(i)]; });
   ReplayOptions options;
-  options.input = folder.file("in.bag");
-  options.output = folder.file("out.bag");
-  options.configs = {folder.file("a.yaml")};
+  options.input = folder.path("in.bag");
+  options.output = folder.path("out.bag");
+  options.configs = {folder.write("a.yaml", "{rail: {profile: UIC60_manchester}, contact: {tolerance: 0.01}}\n")};
   options.threads = threads;
   const NodeConfig config = readNodeConfig(replayParameters(options), "", {});
   std::vector<ContactEvaluator> evaluators;

@@ -51,9 +51,7 @@ void registerWheelsets()
   core::ContactModelConfig stress = core::manchesterScene();
   stress.stress.depths = 16;
   add("wheelset_stress/warm/0.01", stress, Start::warm);
-  core::ContactModelConfig bending = core::manchesterScene();
-  bending.rail_bending.model = core::RailBendingConfig::Model::compliance;
-  bending.rail_bending.table = core::softPads();
+  const core::ContactModelConfig bending = core::onPads(core::softPads());
   add("wheelset_bending/cold/0.01", bending, Start::cold);
   add("wheelset_bending/warm/0.01", bending, Start::warm);
 }

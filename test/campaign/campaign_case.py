@@ -3,7 +3,6 @@
 
 import contextlib
 import hashlib
-import io
 import json
 import os
 import pathlib
@@ -18,6 +17,7 @@ from wheel_rail_contact.command import Failure
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / "test" / "replay"))
+from commands import running  # noqa: E402  (in the folder of other tests)
 from replay_case import ReplayCase  # noqa: E402  (in the folder of other tests)
 
 GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
@@ -56,10 +56,8 @@ def processes_of(folder):
 
 def run(*arguments):
     """Runs the command. @return exit status and output"""
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-        status = main([str(argument) for argument in arguments])
-    return status, printed.getvalue()
+    status, out, err = running(main)(*arguments)
+    return status, out + err
 
 
 class Cluster:

@@ -2,15 +2,15 @@
 // Parameter files and compliance tables: each is read, or rejected with std::invalid_argument.
 #include <stdexcept>
 
+#include "../temporary_folder.h"
 #include "config/compliance_table_file.h"
 #include "config/node_config.h"
-#include "scratch_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace wheel_rail_contact;
-  static const fuzz::ScratchFolder folder;
-  const std::string file = folder.write("input.yaml", data, size);
+  static const Folder folder;
+  const std::string file = folder.write("input.yaml", {data, data + size});
   try
   {
     readNodeConfig(readParameterFile(file), "", {"", nullptr});

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "scratch_folder.h"
+#include "../temporary_folder.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace
@@ -39,12 +39,12 @@ bool isSound(const core::Profile& profile)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const fuzz::ScratchFolder folder;
+  static const Folder folder;
   for (const Format& format : formats)
   {
     try
     {
-      if (!isSound(core::readProfile(folder.write(format.file, data, size), format.kind)))
+      if (!isSound(core::readProfile(folder.write(format.file, {data, data + size}), format.kind)))
       {
         std::abort();
       }

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: BSD-3-Clause
-import contextlib
-import io
 import math
 import subprocess
 import sys
@@ -15,18 +13,12 @@ from wheel_rail_contact.geometry.command_line import main
 from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from commands import no_file_larger_than, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 CONE = 0.05  # slope of the conical wheels [-]
 
-
-def run(*arguments):
-    """Runs the command. @return exit status, standard output, standard error"""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        status = main([str(argument) for argument in arguments])
-    return status, out.getvalue(), err.getvalue()
+run = running(main)
 
 
 def read(path):

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-import contextlib
-import io
 import os
 import shutil
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -11,15 +10,12 @@ from unittest import mock
 from wheel_rail_contact.half_space import results
 from wheel_rail_contact.half_space.command_line import main
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
+from commands import running  # noqa: E402  (in the folder of other tests)
+
 HAVE_PROGRAMS = shutil.which("gmsh") is not None and shutil.which("ccx") is not None
 
-
-def run(*arguments):
-    """Runs the command. @return exit status, standard output and standard error"""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        status = main(list(arguments))
-    return status, out.getvalue(), err.getvalue()
+run = running(main)
 
 
 @unittest.skipUnless(HAVE_PROGRAMS, "gmsh or ccx is not installed")

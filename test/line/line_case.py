@@ -1,27 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Test case with a temporary folder, and functions that run a command and read the table of a line."""
-import contextlib
-import io
+"""Tests of commands, and the table of a line."""
 import pathlib
-import tempfile
-import unittest
+import sys
 
 import numpy as np
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from commands import FolderCase  # noqa: E402  (in the folder of other tests)
 
-class LineCase(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
 
-    def run_command(self, main, *arguments, status=0):
-        """Runs the main function of a command. Returns what it prints."""
-        printed = io.StringIO()
-        with contextlib.redirect_stderr(printed), contextlib.redirect_stdout(printed):
-            result = main([str(argument) for argument in arguments])
-        self.assertEqual(result, status, printed.getvalue())
-        return printed.getvalue()
+class LineCase(FolderCase):
+    """Tests of the commands for lines."""
 
 
 def columns_of(path):

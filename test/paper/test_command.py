@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-import contextlib
 import dataclasses
-import io
 import subprocess
 import sys
 import tempfile
@@ -15,7 +13,7 @@ from wheel_rail_contact.paper.command_line import main
 from wheel_rail_contact.paper.scan import Scan
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from commands import no_file_larger_than, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 PICTURES = ("figure_3.png", "scan.png", "forces.png", "stress.png")
@@ -26,13 +24,7 @@ FEW = dataclasses.replace(COARSE, positions=COARSE.positions + NEAR_FLANGE.posit
                           free_inclinations=NEAR_FLANGE.free_inclinations, free_positions=(0.0, 3.6e-3),
                           free_turns=(0.0, 14e-3))
 
-
-def run(*arguments):
-    """Runs the command. @return exit status, standard output and standard error"""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        status = main(list(arguments))
-    return status, out.getvalue(), err.getvalue()
+run = running(main)
 
 
 class Command(unittest.TestCase):

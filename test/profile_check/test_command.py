@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """check_profile: report, picture and clean table of profile files, and refusals."""
-import contextlib
-import io
 import math
 import os
 import subprocess
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 
 import numpy as np
@@ -15,18 +11,12 @@ import numpy as np
 from wheel_rail_contact.profile_check.command_line import main
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from commands import FolderCase, no_file_larger_than, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 TITLES = "y_mm,z_mm"
 
-
-def run(*arguments):
-    """Runs the command. @return exit status, standard output, standard error"""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        status = main([str(argument) for argument in arguments])
-    return status, out.getvalue(), err.getvalue()
+run = running(main)
 
 
 def read_table(path):
@@ -50,12 +40,7 @@ def wheel_points():
     return np.column_stack([y, np.where(y > -30, y / 20, z)])
 
 
-class Command(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Command(FolderCase):
     def run_check(self, *arguments):
         return run(*arguments, "--out", self.folder / "pictures")
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-import contextlib
-import io
 import os
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -12,16 +11,10 @@ from rails import HAVE_PROGRAMS, needs_programs
 
 from wheel_rail_contact.rail_fe.command_line import main
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
+from commands import running  # noqa: E402  (in the folder of other tests)
 
-def run(*arguments):
-    """Runs the command. @return exit status, standard output and standard error"""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        try:
-            status = main(list(arguments))
-        except SystemExit as exit_:
-            status = exit_.code
-    return status, out.getvalue(), err.getvalue()
+run = running(main)
 
 
 class Misuse(unittest.TestCase):

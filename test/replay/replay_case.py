@@ -5,11 +5,10 @@ import math
 import os
 import pathlib
 import subprocess
-import tempfile
-import unittest
 
 import genpy
 import rosbag
+from commands import FolderCase
 from geometry_msgs.msg import PoseStamped, WrenchStamped
 
 PROGRAM = os.environ["CONTACT_REPLAY"]
@@ -49,14 +48,7 @@ def write_pairs(bag, count, inputs="/wheelset"):
         bag.write(inputs + "/load", load(i), stamp(i))
 
 
-class ReplayCase(unittest.TestCase):
-    """A test with a temporary folder."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class ReplayCase(FolderCase):
     def make_bag(self, count, name="in.bag", **options):
         path = self.folder / name
         with rosbag.Bag(str(path), "w", **options) as bag:

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "../pairs_bag.h"
+#include "../temporary_folder.h"
 #include "replay/replay.h"
 
 using namespace wheel_rail_contact;
@@ -28,22 +27,18 @@ std::string contentOf(const std::string& path)
 class ReplayInterrupted : public testing::Test
 {
  protected:
-  void SetUp() override
+  ReplayInterrupted()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "replay_interrupted.XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    writePairs(folder_ + "/in.bag", pairs, [](int i) { return 4e-6 * i; });
+    writePairs(folder_.path("in.bag"), pairs, [](int i) { return 4e-6 * i; });
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// Runs a replay. @return number of results in the output after the run
   std::uint64_t run(bool resume, bool interrupted) const
   {
     ReplayOptions options;
-    options.input = folder_ + "/in.bag";
-    options.output = folder_ + "/out.bag";
-    options.csv = folder_ + "/out.csv";
+    options.input = folder_.path("in.bag");
+    options.output = folder_.path("out.bag");
+    options.csv = folder_.path("out.csv");
     options.threads = 2;
     options.resume = resume;
     Replay replay(options);
@@ -51,7 +46,7 @@ class ReplayInterrupted : public testing::Test
     return replay.results();
   }
 
-  std::string folder_;
+  const Folder folder_;
 };
 }  // namespace
 
@@ -59,19 +54,19 @@ class ReplayInterrupted : public testing::Test
 TEST_F(ReplayInterrupted, ResumedRunInterruptedAtOnceLosesNothing)
 {
   EXPECT_EQ(run(false, false), pairs);
-  const std::string bag = contentOf(folder_ + "/out.bag"), table = contentOf(folder_ + "/out.csv");
+  const std::string bag = contentOf(folder_.path("out.bag")), table = contentOf(folder_.path("out.csv"));
   ASSERT_GT(bag.size(), BagWriter::full_chunk);
 
   const std::uint64_t kept = run(true, true);
   EXPECT_GT(kept, 0U);
   EXPECT_LT(kept, pairs);
-  const BagFile file(folder_ + "/out.bag");
+  const BagFile file(folder_.path("out.bag"));
   const BagContents contents = readContents(file, [](const std::string&) { return true; });
   EXPECT_EQ(contents.fault, "");
   ASSERT_EQ(contents.connections.size(), 1U);
   EXPECT_EQ(contents.messages, (std::map<std::uint32_t, std::uint64_t>{{0, kept}}));
 
   EXPECT_EQ(run(true, false), pairs);
-  EXPECT_TRUE(contentOf(folder_ + "/out.bag") == bag);
-  EXPECT_TRUE(contentOf(folder_ + "/out.csv") == table);
+  EXPECT_TRUE(contentOf(folder_.path("out.bag")) == bag);
+  EXPECT_TRUE(contentOf(folder_.path("out.csv")) == table);
 }

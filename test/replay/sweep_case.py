@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of commands that read results: replays of the shipped sweep, and runs of a command."""
 
-import contextlib
-import io
 import os
 import pathlib
 import subprocess
 import tempfile
-import unittest
+
+from commands import CommandCase
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
 
 
-class SweepCase(unittest.TestCase):
+class SweepCase(CommandCase):
     """Tests of one command, with a temporary folder for all of them."""
 
     @classmethod
@@ -29,10 +28,3 @@ class SweepCase(unittest.TestCase):
         out = cls.folder / name
         subprocess.run([os.environ["CONTACT_REPLAY"], bag, out, "--config", config], check=True, capture_output=True)
         return out
-
-    def run_command(self, main, *arguments, status=0):
-        """Calls the main function of a command. @return its output"""
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-            self.assertEqual(main([str(a) for a in arguments]), status, printed.getvalue())
-        return printed.getvalue()

@@ -3,7 +3,7 @@
 
 import subprocess
 
-from full_disk import no_file_larger_than
+from commands import no_file_larger_than
 from replay_case import PROGRAM, ReplayCase
 
 PAIRS = 1500

@@ -20,7 +20,7 @@ from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.results import per_result, read, read_full
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from commands import no_file_larger_than  # noqa: E402  (in the folder of other tests)
 from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"

@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
+#include "../temporary_folder.h"
 #include "examples/simulate_wheelset/contact_ways.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
@@ -16,26 +14,13 @@ namespace simulate_wheelset
 {
 namespace
 {
-/// A folder that is removed at the end.
+/// A file in a folder that is removed at the end.
 class Scratch : public testing::Test
 {
- public:
-  ~Scratch() override { std::filesystem::remove_all(folder_); }
-
  protected:
-  Scratch()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "simulation_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  std::string file(const std::string& text) const
-  {
-    std::string name = (folder_ / "file.yaml").string();
-    std::ofstream(name) << text;
-    return name;
-  }
+  std::string file(const std::string& text) const { return folder_.write("file.yaml", text); }
 
-  std::filesystem::path folder_;
+  const wheel_rail_contact::Folder folder_;
 };
 
 template <typename Function>

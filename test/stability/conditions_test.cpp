@@ -7,26 +7,13 @@
 #include "../core/balance/wheelset_scene.h"
 #include "result_check.h"
 #include "scene.h"
-#include "wheel_rail_contact/core/profile_reader.h"
+#include "standard_wheelset.h"
 
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::stability;
 
 namespace
 {
-ContactModelConfig flangeOnCompliantRail(double tolerance)
-{
-  ContactModelConfig config;
-  config.wheel_profile = std::make_shared<Profile>(s1002Wheel());
-  config.rail_profile = std::make_shared<Profile>(rail60E1());
-  config.track.rail_inclination = 0.05;
-  config.contact.method = NormalMethod::automatic;
-  config.contact.tolerance = tolerance;
-  config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = softPads();
-  return config;
-}
-
 /// The flange touches the gauge corner of a compliant rail. While the rail is deflected outward, the wheel moves down,
 /// and the contact moves along surfaces whose normals turn by up to one radian. Pressures, pose and rail deflection of
 /// a result must be consistent: the bodies, placed and deformed according to the result, touch where there is pressure
@@ -35,7 +22,9 @@ ContactModelConfig flangeOnCompliantRail(double tolerance)
 TEST(ContactConditions, HoldForAFlangeOnACompliantRail)
 {
   constexpr double tolerance = 0.004;
-  const ContactModelConfig config = flangeOnCompliantRail(tolerance);
+  ContactModelConfig config = standardOn(softPads());
+  config.track.rail_inclination = 0.05;
+  config.contact.tolerance = tolerance;
   WheelsetContact contact(config);
   ResultCheck check(contact.config());
   for (double y = 6e-3; y < 9.5e-3; y += 50e-6)
@@ -57,8 +46,7 @@ TEST(ContactConditions, HoldForAWheelOnTwoPartsOfARail)
   constexpr double tolerance = 0.004;
   ContactModelConfig config = crossing_scene::scene();
   config.contact.tolerance = tolerance;
-  config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = softPads();
+  bend(config, softPads());
   WheelsetContact contact(config);
   ResultCheck check(contact.config());
   int on_both = 0;

@@ -14,11 +14,10 @@
 // of both wheels and all stiffnesses count. "effort" is the work with six more products for each solution, for all else
 // that belongs to it; it is nearly proportional to the time. Time is processor time of the search without the results
 // of the patches; in sweeps the smallest of all runs. Ratios are to the median of the sweep with rigid rails,
-// wheel_loads and no yaw, for the same rail and load. "solver": share of solutions and error estimates in the time.
+// wheel_loads and no yaw, for the same rail and load. "solver": share of the normal solutions in the time.
 //
 // Exit status: 1 if a state is refused, 2 for wrong arguments.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -26,163 +25,21 @@
 #include <stdexcept>
 
 #include "../core/normal/gap_scenes.h"
-#include "../thread_time.h"
+#include "../manchester_scene.h"
 #include "config/compliance_table_file.h"
-#include "core/balance/wheelset_balance.h"
 #include "core/text/formatted.h"
+#include "measured_balance.h"
 #include "random_scene.h"
 
 namespace
 {
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::stability;
-using wheel_rail_contact::threadTime;
 
 /// A wheelset and its state in words: the arguments of `state`.
 using Words = std::vector<std::string>;
 constexpr std::size_t wheel = 0, rail = 1, table = 2, balance = 3, tolerance = 4, y = 5, yaw = 6, load_left = 7,
                       load_right = 8, wheel_right = 9, rail_right = 10, words_of_state = 11;
-
-/// Cells of a grid, and time of a product on it over that on 12 x 24 cells, both symmetric. Measured on 8 x 16, 12 x
-/// 24, 16 x 32, 16 x 48, 24 x 64, 32 x 96, 48 x 128 and 64 x 192 cells, smallest of 40 runs. Without symmetry it is
-/// twice as much, within 8 %.
-constexpr std::array<std::array<double, 2>, 8> product_costs{
-    {{128, 0.42}, {288, 1}, {512, 1.54}, {768, 2.66}, {1536, 6.6}, {3072, 17.5}, {6144, 36}, {12288, 91}}};
-
-/// The rest of a solution - placing the wheel, grids, gap, pressure and area - takes as long as about this number of
-/// its products: 8 on 12 x 24 cells, 4 to 7 on 24 x 64, by least squares over the times of 20 000 states.
-constexpr double products_per_solution = 6;
-
-/// Work of one product on all patches of a problem. Normals that are turned take two.
-double workOfProduct(const CurvedProblem& problem)
-{
-  double work = 0;
-  for (const PatchGap& patch : problem.patches)
-  {
-    const double cells = static_cast<double>(patch.grid.nx) * patch.grid.ny;
-    const auto size = std::find_if(product_costs.begin(), product_costs.end() - 1,
-                                   [&](const std::array<double, 2>& cost) { return cells <= cost[0]; });
-    work += (patch.grid.symmetric ? 1 : 2) * (*size)[1] * cells / (*size)[0];
-  }
-  const bool turned = std::any_of(problem.normals.begin(), problem.normals.end(),
-                                  [](const ColumnNormals& normals) { return normals.areTurned(); });
-  return (turned ? 2 : 1) * work;
-}
-
-/// Numbers of one search.
-struct Measurement
-{
-  double y = 0;                                ///< [m]
-  double refused = 0, beside = 0, above = 0;   ///< 1 if it is so; `above`: error estimate above the tolerance
-  double solutions = 0, work = 0, effort = 0;  ///< of both wheels
-  double seconds = 0, in_solver = 0;           ///< time [s]
-};
-
-/// Measurements of several states.
-struct Measurements : std::vector<Measurement>
-{
-  using Number = double Measurement::*;
-
-  double sum(Number number) const
-  {
-    double sum = 0;
-    std::for_each(begin(), end(), [&](const Measurement& one) { sum += one.*number; });
-    return sum;
-  }
-  double quantile(Number number, double share = 0.5) const
-  {
-    std::vector<double> numbers;
-    std::transform(begin(), end(), std::back_inserter(numbers), [&](const Measurement& one) { return one.*number; });
-    std::sort(numbers.begin(), numbers.end());
-    return numbers[static_cast<std::size_t>(share * static_cast<double>(size() - 1))];
-  }
-};
-
-/// A balance whose work is measured.
-class MeasuredBalance
-{
- public:
-  explicit MeasuredBalance(const ContactModelConfig& config);
-
-  Measurement solve(const WheelsetState& state);
-  WheelsetBalance& balance() { return balance_; }
-
- private:
-  /// The solver, with a count of its solutions.
-  struct Counter : ConjugateGradients
-  {
-    Counter(NormalSolver& solver, MeasuredBalance& balance)
-        : ConjugateGradients(std::move(dynamic_cast<ConjugateGradients&>(solver))), owner(balance)
-    {
-    }
-    void solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution) override;
-    void estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
-                        std::vector<ErrorEstimate>& errors) const override;
-    MeasuredBalance& owner;
-  };
-  void addStiffness();
-
-  ContactModelConfig config_;
-  GridLevels levels_;
-  WheelsetBalance balance_;
-  Measurement now_;
-  Sides<int> products_{};            ///< for stiffnesses, that are counted
-  Sides<double> work_of_product_{};  ///< in the last problem of a wheel
-};
-
-MeasuredBalance::MeasuredBalance(const ContactModelConfig& config)
-    : config_(config),
-      levels_(config_,
-              [this](std::unique_ptr<NormalSolver> solver) { return std::make_unique<Counter>(*solver, *this); }),
-      balance_(config_, levels_)
-{
-}
-
-void MeasuredBalance::Counter::solveCurved(const CurvedProblem& problem, bool warm, NormalSolution& solution)
-{
-  owner.addStiffness();
-  const double begin = threadTime();
-  ConjugateGradients::solveCurved(problem, warm, solution);
-  owner.now_.in_solver += threadTime() - begin;
-  const bool is_left = &problem == &owner.balance_.wheel(Side::left).contact().problem();
-  const double work = owner.work_of_product_[is_left ? Side::left : Side::right] = workOfProduct(problem);
-  owner.now_.work += solution.iterations * work;
-  owner.now_.effort += products_per_solution * work;
-  owner.now_.solutions += 1;
-}
-
-void MeasuredBalance::Counter::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
-                                              std::vector<ErrorEstimate>& errors) const
-{
-  const double begin = threadTime();
-  ConjugateGradients::estimateErrors(problem, solution, errors);
-  owner.now_.in_solver += threadTime() - begin;
-}
-
-/// Adds the stiffnesses since the last call, which are those of the last problem of each wheel.
-void MeasuredBalance::addStiffness()
-{
-  for (const Side side : sides)
-  {
-    const int products = balance_.wheel(side).contact().stiffnessProducts();
-    now_.work += (products - products_[side]) * work_of_product_[side];
-    products_[side] = products;
-  }
-}
-
-Measurement MeasuredBalance::solve(const WheelsetState& state)
-{
-  now_ = {state.y};
-  const double begin = threadTime();
-  const bool usable = isUsable(balance_.solve(state));
-  now_.seconds = threadTime() - begin;
-  addStiffness();
-  now_.effort += now_.work;
-  const double error = std::max(balance_.wheelError(Side::left), balance_.wheelError(Side::right));
-  now_.refused = usable ? 0 : 1;
-  now_.above = usable && error > config_.contact.tolerance ? 1 : 0;
-  return now_;
-}
 
 /// Standard profiles, and those of measured points.
 std::vector<SceneProfile> profilesOf(ProfileKind kind)
@@ -197,21 +54,6 @@ std::vector<SceneProfile> profilesOf(ProfileKind kind)
   return profiles;
 }
 
-/// Profiles and names of tables.
-struct Pool
-{
-  std::vector<SceneProfile> wheels = profilesOf(ProfileKind::wheel), rails = profilesOf(ProfileKind::rail);
-  Words tables{"rigid"};
-
-  Pool()
-  {
-    for (const NamedTable& table : readScenePool().tables)
-    {
-      tables.push_back(table.file);
-    }
-  }
-};
-
 std::shared_ptr<const Profile> named(const std::string& name, const std::vector<SceneProfile>& profiles)
 {
   const auto found =
@@ -219,7 +61,7 @@ std::shared_ptr<const Profile> named(const std::string& name, const std::vector<
   return found != profiles.end() ? found->profile : throw std::invalid_argument("no profile '" + name + "'");
 }
 
-ContactModelConfig configOf(const Words& words, const Pool& pool)
+ContactModelConfig configOf(const Words& words, const ScenePool& pool)
 {
   ContactModelConfig config;
   config.wheel_profile = {named(words[wheel], pool.wheels), named(words[wheel_right], pool.wheels)};
@@ -231,8 +73,7 @@ ContactModelConfig configOf(const Words& words, const Pool& pool)
   }
   if (words[table] != "rigid")
   {
-    config.rail_bending.model = RailBendingConfig::Model::compliance;
-    config.rail_bending.table = wheel_rail_contact::readComplianceTable(RAIL_TABLES "/" + words[table] + ".yaml").table;
+    bend(config, wheel_rail_contact::readComplianceTable(RAIL_TABLES "/" + words[table] + ".yaml").table);
   }
   return config;
 }
@@ -274,7 +115,7 @@ Measurement solveCold(MeasuredBalance& measured, const Words& words)
   return found;
 }
 
-int runRandom(const Pool& pool, std::size_t states, unsigned long seed)
+double runRandom(const ScenePool& pool, std::size_t states, unsigned long seed)
 {
   constexpr int states_per_setup = 50;
   std::printf("seed %lu\n", seed);
@@ -294,14 +135,13 @@ int runRandom(const Pool& pool, std::size_t states, unsigned long seed)
       words[wheel_right] = profile(pool.wheels);
       words[rail_right] = profile(pool.rails);
     }
-    words[table] = pool.tables[random() % pool.tables.size()];
+    words[table] = pool.tables[random() % pool.tables.size()].file;
     words[balance] = scenes::oneIn(random, 2) ? "moments" : "wheel_loads";
     words[tolerance] = scenes::oneIn(random, 2) ? "0.1" : "0.01";
-    const bool measured = (words[wheel] + words[rail]).find(".csv") != std::string::npos;
-    Measurements& counted = classes[words[balance] + " " + words[table] + " " + words[tolerance] +
-                                    (unequal    ? " unequal"
-                                     : measured ? " measured"
-                                                : " standard")];
+    const char* kind = unequal                                                          ? " unequal"
+                       : (words[wheel] + words[rail]).find(".csv") != std::string::npos ? " measured"
+                                                                                        : " standard";
+    Measurements& counted = classes[words[balance] + " " + words[table] + " " + words[tolerance] + kind];
     MeasuredBalance search(configOf(words, pool));
     for (int k = 0; k < states_per_setup; ++k)
     {
@@ -322,7 +162,7 @@ int runRandom(const Pool& pool, std::size_t states, unsigned long seed)
                 all.quantile(&Measurement::work, 0.999), all.quantile(&Measurement::work, 1),
                 all.quantile(&Measurement::solutions, 0.999), all.quantile(&Measurement::solutions, 1));
   }
-  return classes["~ all"].sum(&Measurement::refused) > 0 ? 1 : 0;
+  return classes["~ all"].sum(&Measurement::refused);
 }
 
 /// Solves a path of `steps` from the lateral displacement `from` [m] to a state. @return number of refused states
@@ -338,16 +178,16 @@ double runPath(const char* name, const ContactModelConfig& config, WheelsetState
   }
   WheelsetBalance& balance = measured.balance();
   const RailResult left = balance.wheel(Side::left).rail(), right = balance.wheel(Side::right).rail();
-  std::printf("%-7s %3.0f solutions, work %.1f, %.3f ms, ", name, all.back().solutions, all.back().work,
-              1e3 * all.back().seconds);
+  const Measurement& last = all.back();
+  std::printf("%-7s %3.0f solutions, work %.1f, %.3f ms, ", name, last.solutions, last.work, 1e3 * last.seconds);
   std::printf("y %.9g m, Q %.8g, %.8g N, Y %.8g, %.8g N, z %.9g m, roll %.9g rad; %s; %.0f of %d refused\n", to,
               left.vertical_force, right.vertical_force, left.lateral_force, right.lateral_force, balance.height(),
-              balance.roll(), all.back().refused > 0 ? std::string(balance.reason()).c_str() : "ok",
+              balance.roll(), last.refused > 0 ? std::string(balance.reason()).c_str() : "ok",
               all.sum(&Measurement::refused), steps + 1);
   return all.sum(&Measurement::refused);
 }
 
-int runState(const Pool& pool, Words words)
+double runState(const ScenePool& pool, Words words)
 {
   if (words.size() == wheel_right)
   {
@@ -356,11 +196,9 @@ int runState(const Pool& pool, Words words)
   const ContactModelConfig config = configOf(words, pool);
   const WheelsetState state = stateOf(words);
   const double beyond = state.y + std::copysign(1e-3, state.y);
-  return runPath("cold", config, state, 0, 0) + runPath("outward", config, state, 0, 200) +
-                     runPath("inward", config, state, beyond, 200) >
-                 0
-             ? 1
-             : 0;
+  double refused = runPath("cold", config, state, 0, 0);
+  refused += runPath("outward", config, state, 0, 200);
+  return refused + runPath("inward", config, state, beyond, 200);
 }
 
 using Values = std::map<std::string, double>;
@@ -373,6 +211,8 @@ Measurements sweep(const ContactModelConfig& config, WheelsetState state, const 
   for (int run = 0; run < values.at("runs"); ++run)
   {
     MeasuredBalance measured(config);
+    state.y = begin;
+    measured.solve(state);  // cold, not counted
     for (std::size_t k = 0; k < best.size(); ++k)
     {
       state.y = begin + range * static_cast<double>(k) / static_cast<double>(best.size() - 1);
@@ -405,7 +245,7 @@ void printSweep(const std::string& name, const Measurements& all, const Measurem
   std::fflush(stdout);
 }
 
-int runSweeps(const Pool& pool, const Words& arguments)
+double runSweeps(const ScenePool& pool, const Words& arguments)
 {
   Values values{{"states", 10001}, {"tolerance", 0.01}, {"begin", -8e-3}, {"end", 8e-3}, {"runs", 2}};
   Words chosen;
@@ -422,13 +262,10 @@ int runSweeps(const Pool& pool, const Words& arguments)
       chosen.push_back(" " + argument + " ");
     }
   }
-  std::printf("%-52s", "");
-  for (const char* number : {"work", "effort", "ms"})
-  {
-    std::printf("%9s %8s %8s %8s %6s %s", number, "99 %", "99.9 %", "largest", "ratio",
-                number[0] == 'w' ? " y [mm] sol." : "");
-  }
-  std::printf(" solver   above refused\n");
+  std::puts(
+      "                                                         work     99 %   99.9 %  largest  ratio  y ["
+      "mm] sol.   effort     99 %   99.9 %  largest  ratio        ms     99 %   99.9 %  largest  ratio  sol"
+      "ver   above refused");
   std::map<std::string, Measurements> references;  // by rail and load
   double refused = 0;
   const std::size_t count = 16 * pool.tables.size();
@@ -440,42 +277,46 @@ int runSweeps(const Pool& pool, const Words& arguments)
     words[load_left] = words[load_right] = k % 2 == 0 ? "20e3" : "100e3";
     words[balance] = k / 2 % 2 == 0 ? "wheel_loads" : "moments";
     words[yaw] = k / 4 % 2 == 0 ? "0" : "0.01";
-    words[table] = pool.tables[k / 8 % pool.tables.size()];
+    words[table] = pool.tables[k / 8 % pool.tables.size()].file;
     words[y] = "0";
     words[tolerance] = std::to_string(values.at("tolerance"));
     const std::string name = joined({words[rail], words[table], words[balance], "yaw=" + words[yaw], words[load_left]});
     const bool is_chosen = std::all_of(chosen.begin(), chosen.end(),
                                        [&](const std::string& word) { return name.find(word) != std::string::npos; });
     Measurements& reference = references[words[rail] + words[load_left]];
-    if (is_chosen || reference.empty())
+    if (!is_chosen && !reference.empty())
     {
-      const Measurements all = sweep(configOf(words, pool), stateOf(words), values);
-      reference = reference.empty() ? all : reference;
-      if (is_chosen)
-      {
-        printSweep(name, all, reference);
-        refused += all.sum(&Measurement::refused);
-      }
+      continue;
+    }
+    const Measurements all = sweep(configOf(words, pool), stateOf(words), values);
+    reference = reference.empty() ? all : reference;
+    if (is_chosen)
+    {
+      printSweep(name, all, reference);
+      refused += all.sum(&Measurement::refused);
     }
   }
-  return refused > 0 ? 1 : 0;
+  return refused;
 }
 
-int run(const Words& arguments)
+/// Number of refused states.
+double run(const Words& arguments)
 {
   const std::string mode = arguments.empty() ? "" : arguments[0];
+  ScenePool pool{profilesOf(ProfileKind::wheel), profilesOf(ProfileKind::rail), readScenePool().tables};
+  pool.tables.insert(pool.tables.begin(), {"", "rigid", {}});
   const Words others(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
   if (mode == "random" && (others.size() == 1 || others.size() == 2))
   {
-    return runRandom(Pool(), std::stoul(others[0]), others.size() == 2 ? std::stoul(others[1]) : 1);
+    return runRandom(pool, std::stoul(others[0]), others.size() == 2 ? std::stoul(others[1]) : 1);
   }
   if (mode == "state" && (others.size() == wheel_right || others.size() == words_of_state))
   {
-    return runState(Pool(), others);
+    return runState(pool, others);
   }
   if (mode == "sweep")
   {
-    return runSweeps(Pool(), others);
+    return runSweeps(pool, others);
   }
   throw std::invalid_argument("usage: random N [SEED] | sweep [NAME=VALUE|WORD...] | state WHEEL RAIL TABLE|rigid ...");
 }
@@ -485,7 +326,7 @@ int main(int argc, char** argv)
 {
   try
   {
-    return run({argv + 1, argv + argc});
+    return run({argv + 1, argv + argc}) > 0 ? 1 : 0;
   }
   catch (const std::exception& error)
   {

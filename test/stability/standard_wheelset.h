@@ -17,8 +17,7 @@ inline ContactModelConfig standard()
 inline ContactModelConfig standardOn(const ComplianceTable& table)
 {
   ContactModelConfig config = standard();
-  config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = table;
+  bend(config, table);
   return config;
 }
 }  // namespace wheel_rail_contact::core::stability

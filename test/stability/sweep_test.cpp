@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "../core/balance/wheelset_scene.h"
+#include "../temporary_folder.h"
 #include "random_scene.h"
 #include "result_check.h"
 #include "scene_file.h"
@@ -26,29 +23,9 @@ std::string textOf(const Scene& scene)
   return text.str();
 }
 
-/// Temporary file, removed by the destructor.
-class TemporaryFile
-{
- public:
-  explicit TemporaryFile(const std::string& text)
-      : path_((std::filesystem::temp_directory_path() / "scene_file_test.XXXXXX").string())
-  {
-    close(mkstemp(path_.data()));
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 Scene read(const std::string& text)
 {
-  return readScene(TemporaryFile(text).path());
+  return readScene(Folder().write("scene.yaml", text));
 }
 
 void expectRefusal(const std::string& text, const std::string& message)

@@ -1,28 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Test case with a temporary folder, and functions that convert tables with contact_states."""
-import contextlib
-import io
 import pathlib
-import tempfile
-import unittest
+import sys
 
 from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import read_bag
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from commands import FolderCase  # noqa: E402  (in the folder of other tests)
 
-class StatesCase(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
 
+class StatesCase(FolderCase):
     def run_states(self, source, target, *options, status=0):
         """Runs contact_states. Returns what it prints."""
-        printed = io.StringIO()
-        with contextlib.redirect_stderr(printed), contextlib.redirect_stdout(printed):
-            result = main([str(self.folder / source), str(self.folder / target), *map(str, options)])
-        self.assertEqual(result, status, printed.getvalue())
-        return printed.getvalue()
+        return self.run_command(main, self.folder / source, self.folder / target, *options, status=status)
 
     def write(self, table):
         """Writes the table in.csv: a text (UTF-8, its line ends unchanged) or bytes."""
@@ -49,9 +40,6 @@ class StatesCase(unittest.TestCase):
     def misuse_of(self, *options):
         """What contact_states prints when it refuses its options, as it must."""
         self.write("time [s],y [mm]\n1,0\n")
-        printed = io.StringIO()
-        with contextlib.redirect_stderr(printed), self.assertRaises(SystemExit) as stopped:
-            main([str(self.folder / "in.csv"), str(self.folder / "out.bag"), *map(str, options)])
-        self.assertEqual(stopped.exception.code, 2)
+        printed = self.run_states("in.csv", "out.bag", *options, status=2)
         self.assertFalse((self.folder / "out.bag").exists())
-        return printed.getvalue()
+        return printed

@@ -5,22 +5,18 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
-import unittest
 
 import rosbag
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PACKAGE / "test" / "replay"))
+from commands import FolderCase  # noqa: E402  (in the folder of other tests)
+
 SHIPPED = PACKAGE / "bags" / "paper.bag"
 CONFIG = PACKAGE / "config" / "paper.yaml"
 
 
-class PaperBag(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class PaperBag(FolderCase):
     def first_left_patch(self, name, *configs):
         out = self.folder / name
         options = [word for config in configs for word in ("--config", config)]

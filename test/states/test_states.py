@@ -17,7 +17,7 @@ from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import State, read_bag, stamp_of, write_bag
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from full_disk import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from commands import no_file_larger_than  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 

@@ -27,12 +27,21 @@ constexpr unsigned long scene_count = 72;  ///< of thirty states each
 
 using Number = std::function<void(const char* name, double value)>;
 
-void visit(const StressPeak& peak, const Number& number)
+/// Visits numbers of one kind.
+template <typename... Values>
+void add(const Number& number, const char* name, Values... values)
 {
-  number("value", peak.value);
-  number("x", peak.x);
-  number("y", peak.y);
-  number("depth", peak.depth);
+  (number(name, static_cast<double>(values)), ...);
+}
+
+void add(const Number& number, const char* name, const StressPeak& peak)
+{
+  add(number, name, peak.value, peak.x, peak.y, peak.depth);
+}
+
+void add(const Number& number, const char* name, const RailDeflection& deflection)
+{
+  add(number, name, deflection.lateral, deflection.vertical, deflection.roll);
 }
 
 void visit(const Eigen::ArrayXXd& array, const char* name, const Number& number)
@@ -45,10 +54,9 @@ void visit(const Eigen::ArrayXXd& array, const char* name, const Number& number)
 
 void visit(const PatchStress& stress, const Number& number)
 {
-  visit(stress.von_mises, number);
-  visit(stress.shear, number);
-  number("load_factor", stress.load_factor);
-  number("shakedown_limit", stress.shakedown_limit);
+  add(number, "von_mises", stress.von_mises);
+  add(number, "shear", stress.shear);
+  add(number, "load_factor, shakedown_limit", stress.load_factor, stress.shakedown_limit);
   for (const StressLayer& layer : stress.field)
   {
     number("layer", layer.depth);
@@ -61,75 +69,42 @@ void visit(const PatchStress& stress, const Number& number)
 
 void visit(const PatchResult& patch, const Number& number)
 {
-  number("side", static_cast<double>(patch.side));
-  number("pose.x", patch.pose.x);
-  number("pose.y", patch.pose.y);
-  number("pose.z", patch.pose.z);
-  number("pose.angle", patch.pose.angle);
-  number("contact_angle", patch.contact_angle);
-  number("normal_force", patch.normal_force);
-  number("approach", patch.approach);
-  number("area", patch.area);
-  number("max_pressure", patch.max_pressure);
-  number("error_estimate", patch.error_estimate);
-  number("iterations", patch.iterations);
-  number("residual", patch.residual);
-  number("half_space_ratio", patch.half_space_ratio);
-  number("model_error", patch.model_error);
-  number("vertical_force", patch.vertical_force);
-  number("lateral_force", patch.lateral_force);
-  number("semi_axis_along", patch.semi_axis_along);
-  number("semi_axis_across", patch.semi_axis_across);
-  number("rolling_radius", patch.rolling_radius);
-  number("wheel_s", patch.wheel_s);
-  number("rail_s", patch.rail_s);
-  number("wheel_angle", patch.wheel_angle);
-  number("curvature_along", patch.curvature_along);
-  number("curvature_across", patch.curvature_across);
-  number("normal_stiffness", patch.normal_stiffness);
+  add(number, "side", patch.side);
+  add(number, "pose: x, y, z, angle", patch.pose.x, patch.pose.y, patch.pose.z, patch.pose.angle);
+  add(number, "contact_angle, normal_force, approach", patch.contact_angle, patch.normal_force, patch.approach);
+  add(number, "area, max_pressure, error_estimate", patch.area, patch.max_pressure, patch.error_estimate);
+  add(number, "iterations, residual", patch.iterations, patch.residual);
+  add(number, "half_space_ratio, model_error", patch.half_space_ratio, patch.model_error);
+  add(number, "vertical_force, lateral_force", patch.vertical_force, patch.lateral_force);
+  add(number, "semi_axis_along, semi_axis_across", patch.semi_axis_along, patch.semi_axis_across);
+  add(number, "rolling_radius, wheel_s, rail_s", patch.rolling_radius, patch.wheel_s, patch.rail_s);
+  add(number, "wheel_angle", patch.wheel_angle);
+  add(number, "curvature_along, curvature_across", patch.curvature_along, patch.curvature_across);
+  add(number, "normal_stiffness", patch.normal_stiffness);
   visit(patch.wheel_stress, number);
   visit(patch.rail_stress, number);
-  number("nx", patch.grid.nx);
-  number("ny", patch.grid.ny);
-  number("dx", patch.grid.dx);
-  number("dy", patch.grid.dy);
-  number("x0", patch.grid.x0);
-  number("y0", patch.grid.y0);
+  const PatchGrid& grid = patch.grid;
+  add(number, "grid: nx, ny, dx, dy, x0, y0", grid.nx, grid.ny, grid.dx, grid.dy, grid.x0, grid.y0);
   visit(patch.pressure, "pressure", number);
-}
-
-void visit(const RailDeflection& deflection, const Number& number)
-{
-  number("lateral", deflection.lateral);
-  number("vertical", deflection.vertical);
-  number("roll", deflection.roll);
 }
 
 void visit(const WheelsetResult& result, const Number& number)
 {
-  number("status", static_cast<double>(result.status));
-  number("above_tolerance", result.above_tolerance);
-  number("points_missing", result.points_missing);
-  number("implausible_force", result.implausible_force);
-  number("y", result.y);
-  number("z", result.z);
-  number("yaw", result.yaw);
-  number("roll", result.roll);
+  add(number, "status", result.status);
+  add(number, "above_tolerance, points_missing", result.above_tolerance, result.points_missing);
+  add(number, "implausible_force", result.implausible_force);
+  add(number, "y, z, yaw, roll", result.y, result.z, result.yaw, result.roll);
   for (int i = 0; i < 3; ++i)
   {
-    number("wrench.force", result.rail_wrench.force(i));
-    number("wrench.moment", result.rail_wrench.moment(i));
+    add(number, "wrench: force, moment", result.rail_wrench.force(i), result.rail_wrench.moment(i));
   }
   for (const Side side : sides)
   {
     const RailResult& rail = result.rail[side];
-    visit(rail.deflection, number);
-    visit(rail.given, number);
-    number("rail.lateral_force", rail.lateral_force);
-    number("rail.vertical_force", rail.vertical_force);
-    number("rail.moment", rail.moment);
-    number("wheel.vertical", result.wheel[side].vertical);
-    number("wheel.lateral", result.wheel[side].lateral);
+    add(number, "rail.deflection", rail.deflection);
+    add(number, "rail.given", rail.given);
+    add(number, "rail: lateral_force, vertical_force, moment", rail.lateral_force, rail.vertical_force, rail.moment);
+    add(number, "wheel: vertical, lateral", result.wheel[side].vertical, result.wheel[side].lateral);
   }
   for (const PatchResult& patch : result.patches)
   {

@@ -168,8 +168,7 @@ TEST(CheckRail, IsFollowedOnRailsThatBend)
   for (const double yaw : {0.0, 5e-3})
   {
     ContactModelConfig config = withCheckRail(Side::left);
-    config.rail_bending.model = RailBendingConfig::Model::compliance;
-    config.rail_bending.table = softPads();
+    bend(config, softPads());
     WheelsetContact contact(config);
     double before = 0;
     for (double y = -2.0e-3; y > -5e-3; y -= 1e-4)

@@ -17,14 +17,6 @@ using namespace wheel_rail_contact::core;
 
 namespace
 {
-ContactModelConfig onPads(const ComplianceTable& table)
-{
-  ContactModelConfig config = manchesterScene();
-  config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = table;
-  return config;
-}
-
 /// Lateral deflections [m] of the simple iteration: the contact is solved on a fixed rail, the rail is moved to the
 /// deflection that the forces cause, and again. One wheel, `y` outward, without roll.
 std::vector<double> simpleIteration(double y, int steps)

@@ -92,8 +92,7 @@ TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)
 TEST(HotPath, BendingRailsAllocateNothing)
 {
   ContactModelConfig config = onOneGrid();
-  config.rail_bending.model = RailBendingConfig::Model::compliance;
-  config.rail_bending.table = softPads();
+  bend(config, softPads());
   EXPECT_EQ(allocationsOnThirdSweep(config), 0);
 }
 }  // namespace

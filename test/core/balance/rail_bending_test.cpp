@@ -36,8 +36,7 @@ class RailBendingTest : public testing::Test
  protected:
   void useTable(RailBendingConfig::LateralForce source)
   {
-    scene_.rail_bending.model = RailBendingConfig::Model::compliance;
-    scene_.rail_bending.table = softPads();
+    bend(scene_, softPads());
     scene_.rail_bending.lateral_force = source;
   }
 

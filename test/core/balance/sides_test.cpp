@@ -142,9 +142,7 @@ TEST_F(SidesTest, OneValueForBothSidesIsTheValueOfEachSide)
 // With the given height and roll of the axle, the wheels do not affect one another: the other wheel keeps every bit.
 TEST_F(SidesTest, AnOptionOfOneSideChangesTheContactOfThatSideOnly)
 {
-  ContactModelConfig equal = manchesterScene();
-  equal.rail_bending.model = RailBendingConfig::Model::compliance;
-  equal.rail_bending.table = softPads();
+  ContactModelConfig equal = onPads(softPads());
   equal.wheelset.solve_height_and_roll = false;
   WheelsetState state = stateAt(1e-3, 0);
   WheelsetContact before(equal);

@@ -261,9 +261,7 @@ TEST(ResetTest, AfterAResetResultsEqualThoseOfANewObject)
 // At y = 95 mm a wheel is beside its rail.
 TEST(ResetTest, AFailureWithGivenHeightOnBendingRailsHasNoLastingEffect)
 {
-  ContactModelConfig scene = manchesterScene();
-  scene.rail_bending.model = RailBendingConfig::Model::compliance;
-  scene.rail_bending.table = softPads();
+  ContactModelConfig scene = onPads(softPads());
   WheelsetContact by_load(scene);
   WheelsetState given = stateAt(2e-3, 1e5);
   const WheelsetResult& found = by_load.evaluate(given);

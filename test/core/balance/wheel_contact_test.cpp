@@ -82,13 +82,6 @@ class WheelContactTest : public testing::Test
     ASSERT_EQ(contact_.solveAt(pose), WheelStatus::solved);
   }
 
-  static ContactModelConfig fineScene()
-  {
-    ContactModelConfig config = manchesterScene();
-    config.contact.tolerance = 0.003;
-    return config;
-  }
-
   ContactModelConfig config_ = fineScene();
   WheelsetContact wheelset_{config_};
   PlacedRail straight_ = restingRail(config_, Side::left);

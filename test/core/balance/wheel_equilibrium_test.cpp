@@ -22,14 +22,6 @@ constexpr double strict = 1e-5;
 class WheelEquilibriumTest : public testing::Test
 {
  protected:
-  static ContactModelConfig onPads(const ComplianceTable& table)
-  {
-    ContactModelConfig config = manchesterScene();
-    config.rail_bending.model = RailBendingConfig::Model::compliance;
-    config.rail_bending.table = table;
-    return config;
-  }
-
   /// Coordinates of the deflection of the rail, and the forces on it.
   static Eigen::Vector3d coordinates(const WheelEquilibrium& wheel) { return toCoordinates(wheel.rail().deflection); }
   static Eigen::Vector3d forces(const RailResult& rail)

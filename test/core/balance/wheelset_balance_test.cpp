@@ -237,13 +237,6 @@ namespace
 class RigidRailsTest : public testing::Test
 {
  protected:
-  static ContactModelConfig fineScene()
-  {
-    ContactModelConfig config = manchesterScene();
-    config.contact.tolerance = 0.003;
-    return config;
-  }
-
   ContactModelConfig config_ = fineScene();
   GridLevels levels_{config_};
   WheelsetBalance wheelset_{config_, levels_};

@@ -9,6 +9,14 @@ namespace wheel_rail_contact::core
 {
 constexpr double wheel_load = 1e5;  ///< usual load of a wheel [N]
 
+/// The model with a tolerance of 0.3 %.
+inline ContactModelConfig fineScene()
+{
+  ContactModelConfig config = manchesterScene();
+  config.contact.tolerance = 0.003;
+  return config;
+}
+
 /// State at `y` [m] with the same load on each wheel [N].
 inline WheelsetState stateAt(double y, double load, double yaw = 0)
 {

@@ -1,53 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iomanip>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "../../temporary_folder.h"
 #include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact::core
 {
 constexpr double mm = 1e-3;  ///< [m]
-
-/// Temporary folder for the files of a test. It is removed with the object.
-class Folder
-{
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("wheel_rail_contact_profiles_" + std::to_string(getpid())))
-  {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  /// Writes a file and returns its path.
-  std::string write(const std::string& name, const std::string& content) const
-  {
-    std::ofstream stream(path_ / name, std::ios::binary);
-    stream << content;
-    return (path_ / name).string();
-  }
-  /// Path of a file in the folder.
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Parameter at which a curve with increasing y reaches `y` [m].
 inline double parameterAt(const Profile& profile, double y)

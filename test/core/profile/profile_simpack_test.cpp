@@ -60,6 +60,12 @@ class SimpackProfile : public testing::Test
         ProfileKind::rail);
   }
 
+  /// Expects that the edits reverse the change.
+  void expectRail(const std::function<Point(const Point&)>& change, const Edits& edits)
+  {
+    EXPECT_LT(deviation(read(change, edits), rail_), 1e-12) << edits.begin()->first;
+  }
+
   void expectRejected(const std::string& text, const std::string& reason, bool in_a_line,
                       ProfileKind kind = ProfileKind::rail)
   {
@@ -100,56 +106,29 @@ TEST_F(SimpackProfile, MirrorAndInversionOfTheBenchmarkWheelAreApplied)
 
 TEST_F(SimpackProfile, EveryEditIsApplied)
 {
-  const double c = std::cos(0.02);
-  const double s = std::sin(0.02);
-  EXPECT_LT(deviation(read(
-                          [](const Point& p) {
-                            return Point{p.y - 5.0, p.z + 3.0};
-                          },
-                          {{"shift.y", "5"}, {"shift.z", "-3"}}),
-                      rail_),
-            1e-12);
+  const double c = std::cos(0.02), s = std::sin(0.02);
   // The rotation about x turns y towards z.
-  EXPECT_LT(deviation(read(
-                          [&](const Point& p) {
-                            return Point{c * p.y + s * p.z, -s * p.y + c * p.z};
-                          },
-                          {{"rotate", "0.02"}}),
-                      rail_),
-            1e-12);
-  EXPECT_LT(deviation(read(
-                          [&](const Point& p) {
-                            return Point{c * p.y + s * p.z, -s * p.y + c * p.z};
-                          },
-                          {{"rotate", "1.1459155902616465"}, {"units.ang.f", "57.29577951308232"}}),
-                      rail_),
-            1e-12);
-  EXPECT_LT(deviation(read([](const Point& p) { return Point{-p.y, p.z}; }, {{"mirror.y", "1"}}), rail_), 1e-12);
-  EXPECT_LT(deviation(read([](const Point& p) { return Point{p.y, -p.z}; }, {{"mirror.z", "1"}}), rail_), 1e-12);
-  EXPECT_LT(deviation(read([](const Point& p) { return p; }, {{"inversion", "1"}}), rail_), 1e-12);
-  EXPECT_LT(deviation(read(
-                          [](const Point& p) {
-                            return Point{p.y * 1e-3, p.z * 1e-3};
-                          },
-                          {{"units.len.f", "1"}}),
-                      rail_),
-            1e-12);
+  const auto turned = [&](const Point& p) { return Point{c * p.y + s * p.z, -s * p.y + c * p.z}; };
+  expectRail([](const Point& p) { return Point{p.y - 5.0, p.z + 3.0}; }, {{"shift.y", "5"}, {"shift.z", "-3"}});
+  expectRail(turned, {{"rotate", "0.02"}});
+  expectRail(turned, {{"rotate", "1.1459155902616465"}, {"units.ang.f", "57.29577951308232"}});
+  expectRail([](const Point& p) { return Point{-p.y, p.z}; }, {{"mirror.y", "1"}});
+  expectRail([](const Point& p) { return Point{p.y, -p.z}; }, {{"mirror.z", "1"}});
+  expectRail([](const Point& p) { return p; }, {{"inversion", "1"}});
+  expectRail([](const Point& p) { return Point{p.y * 1e-3, p.z * 1e-3}; }, {{"units.len.f", "1"}});
 }
 
 TEST_F(SimpackProfile, EditsAreAppliedInTheOrderOfSimpack)
 {
   // The file applies shift, rotation and mirror, in this order. They are reversed here in the opposite order.
-  const double c = std::cos(-0.3);
-  const double s = std::sin(-0.3);
+  const double c = std::cos(-0.3), s = std::sin(-0.3);
   const auto undone = [&](const Point& p)
   {
     const Point unmirrored{-p.y, p.z};
     const Point unturned{c * unmirrored.y + s * unmirrored.z, -s * unmirrored.y + c * unmirrored.z};
     return Point{unturned.y - 10.0, unturned.z + 20.0};
   };
-  EXPECT_LT(
-      deviation(read(undone, {{"shift.y", "10"}, {"shift.z", "-20"}, {"rotate", "-0.3"}, {"mirror.y", "1"}}), rail_),
-      1e-12);
+  expectRail(undone, {{"shift.y", "10"}, {"shift.z", "-20"}, {"rotate", "-0.3"}, {"mirror.y", "1"}});
 
   // Bounds apply after the rotation and before the mirror, in the unit of the file.
   const Profile cut = read(
