@@ -162,7 +162,8 @@ struct PatchResult
   double curvature_along = 0;
   double curvature_across = 0;  ///< combined curvature of both profiles [1/m], convex positive
   /// Change of normal_force per approach along the normal, with the rail held and the other contacts unloaded [N/m]:
-  /// that of a flat punch with the shape of the ellipse above (Barber 2003).
+  /// that of a flat punch with the shape of the contact (Barber 2003). NaN where half_space_ratio is above 0.4 rad: the
+  /// bodies do not approach along one normal there.
   double normal_stiffness = 0;
   PatchStress wheel_stress;  ///< in the wheel; all zero without StressConfig::depths
   PatchStress rail_stress;   ///< the same in the rail

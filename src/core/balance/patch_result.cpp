@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/balance/tuning.h"
+#include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"
 #include "core/track/gap.h"
 #include "wheel_rail_contact/core/sides.h"
@@ -53,6 +55,16 @@ Force forceOf(const Grid& grid, const Eigen::ArrayXXd& pressure, const std::vect
     force.down += share * columns[begin + static_cast<std::size_t>(j)].perUp();
   }
   return force;
+}
+
+/// Change of the normal force per approach [N/m]. The stiffness of a flat punch with the shape of the contact is at
+/// least the squared force over the work [J] of any pressure (Thomson's principle). The pressure of a contact on an
+/// ellipse falls short by 1.2; so does about that of a contact on a surface that turns, which is no ellipse.
+double normalStiffness(const PatchResult& patch, double work, double of_ellipse)
+{
+  constexpr double largest_turn = 0.4, over_bound = 1.2;
+  const double bound = over_bound * patch.normal_force * patch.normal_force / work;
+  return patch.half_space_ratio > largest_turn ? NAN : std::max(of_ellipse, bound);
 }
 
 /// Copies the whole pressure field of a patch, in track axes, from the centre of pressure.
@@ -172,7 +184,6 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   const SemiAxes ellipse = equalEllipse(pressure);
   out.semi_axis_along = ellipse.along;
   out.semi_axis_across = ellipse.across;
-  out.normal_stiffness = punchStiffness(ellipse, islands.problem().modulus);
   out.max_pressure = pressure.max_pressure;
   out.error_estimate =
       std::hypot(balance.errors(side)[island].largest(),
@@ -181,8 +192,16 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.residual = solution.residual;
   out.half_space_ratio = contact.halfSpaceRatio(of.patch, of.first, of.last);
   out.left_out = contact.leftOut();
-  const bool is_turned = out.left_out.empty() && contact.problem().normals[of.patch].areTurned();
+  const bool turns = 2 * out.half_space_ratio > tuning::plane_turn, is_complete = out.left_out.empty();
+  const double work = force.down * solution.approach - gap.grid.cellArea() * (pressure.pressure * gap.gap).sum();
+  out.normal_stiffness =
+      normalStiffness(out, turns && is_complete ? work : infinity, punchStiffness(ellipse, islands.problem().modulus));
+  const bool is_turned = is_complete && contact.problem().normals[of.patch].areTurned();
   out.model_error = modelError(out.half_space_ratio, is_turned);
+  if (is_complete && !turns)  // normals may be parallel or not, depending on the grid
+  {
+    out.error_estimate += parallel_factor * out.half_space_ratio * out.half_space_ratio;
+  }
   copyPressure(side, gap.grid, centre, pressure.pressure, out);
 }
 

@@ -85,13 +85,13 @@ bool findContact(const RailSearch& search, const PlacedWheel& wheel, const Overl
     return false;
   }
   const double separation = interval.contact.separation, depth = lower - separation;
-  const ContactShare share =
+  const double share =
       contactShare(halfLength(wheel, interval.contact, depth), 0.5 * (interval.u_end - interval.u_begin));
   const double widened = tuning::contact_margin * tuning::contact_margin;
   OverlapInterval contact = interval;
-  search.moveEnds(separation + std::min(widened * share.across, 1.0) * depth, contact);
+  search.moveEnds(separation + std::min(widened * (1 - share), 1.0) * depth, contact);
   Extent extent;
-  addExtent(wheel, contact, std::min(widened * share.along, 1.0) * depth, extent);
+  addExtent(wheel, contact, std::min(widened * share, 1.0) * depth, extent);
   part = {extent.least, extent.most, contact.u_begin, contact.u_end};
   return true;
 }

@@ -10,9 +10,10 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double part_width = 0.5;   ///< width of joined or divided columns, over the distance of the forces along them
-constexpr double near_columns = 2;   ///< reach of the columns without thinning, in distances of the forces
-constexpr double far_spacing = 0.4;  ///< distance of the forces of a column, over its distance from the nearest point
+constexpr double part_width = 0.5;  ///< width of joined or divided columns, over the distance of the forces along them
+constexpr double near_columns = 2;  ///< reach of the columns without thinning, in distances of the forces
+constexpr double cell_spacing = 0.08;  ///< distance of the forces of a cell, over its distance from the point
+constexpr double far_spacing = 0.4;    ///< distance of the forces of a column, over its distance from the nearest point
 
 Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double poisson)
 {
@@ -95,6 +96,31 @@ void PointSources::addLine(const Line& line, double spacing)
     x_.push_back(static_cast<float>(line.centre + line.half * std::cos(angle)));
     y_.push_back(static_cast<float>(line.y));
     force_.push_back(static_cast<float>(line.force / pi * sine * sine / (count + 1)));  // 1/(2 pi) times the weight
+  }
+}
+
+void PointSources::setCells(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit,
+                            const Eigen::Vector3d& place)
+{
+  x_.clear();
+  y_.clear();
+  force_.clear();
+  const double dx = grid.dx / unit, dy = grid.dy / unit;
+  for (int j = 0; j < grid.ny; ++j)
+  {
+    for (int i = 0; i < grid.nx; ++i)
+    {
+      const double x = grid.x(i) / unit, y = grid.y(j) / unit;
+      const double distance = (Eigen::Vector3d(x, y, 0) - place).norm();
+      const int along = static_cast<int>(std::ceil(dx / (cell_spacing * distance)));
+      const int across = static_cast<int>(std::ceil(dy / (cell_spacing * distance)));
+      for (int k = 0; pressure(i, j) > 0 && k < along * across; ++k)
+      {
+        x_.push_back(static_cast<float>(x + dx * ((k % along + 0.5) / along - 0.5)));
+        y_.push_back(static_cast<float>(y + dy * ((k / along + 0.5) / across - 0.5)));
+        force_.push_back(static_cast<float>(pressure(i, j) * dx * dy / (2 * pi * along * across)));
+      }
+    }
   }
 }
 

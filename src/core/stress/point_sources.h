@@ -45,6 +45,9 @@ class PointSources
   void set(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, double spacing,
            const std::vector<double>& places);
 
+  /// Takes the pressure of the cells themselves, for stresses close to one place, in the unit. Near cells are divided.
+  void setCells(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double unit, const Eigen::Vector3d& place);
+
   /// Stress [Pa] at the places.
   std::array<Stress, point_batch> at(const Places& places, double poisson) const;
 

@@ -9,12 +9,12 @@ namespace wheel_rail_contact::core
 namespace
 {
 // Lengths in units of the shorter semi-axis, except steps along the logarithm of the depth.
-constexpr double rough_spacing = 0.55;     ///< of the forces of the first search
-constexpr double fine_spacing = 0.25;      ///< of the forces for the maxima; halved for maxima close to the surface
-constexpr double near_depth = 1.3;         ///< the spacing is halved for a maximum at less than so many spacings
-constexpr double least_depth = 1;          ///< least depth of the search, in spacings
-constexpr double column_spacing = 0.6;     ///< longest distance of the columns of the first search
-constexpr Eigen::Index column_count = 10;  ///< of the first search, at least, if so many are loaded
+constexpr double rough_spacing = 0.55;          ///< of the forces of the first search
+constexpr double fine_spacing = 0.25;           ///< of the forces for the maxima
+constexpr double near_depth = 1.3;              ///< forces are too coarse for a maximum at less than so many spacings
+constexpr double least_depth = 1;               ///< least depth of the search, in spacings
+constexpr double column_spacing = 0.6;          ///< longest distance of the columns of the first search
+constexpr Eigen::Index column_count = 10;       ///< of the first search, at least, if so many are loaded
 constexpr std::size_t below = point_batch / 2;  ///< points below the centre of a column; the others are for |xz|
 /// Depths of the first search. Von Mises and shear stress have their maxima at 0.45 to 0.8 below ellipses, deeper below
 /// a flat pressure, and less deep below a part of the patch; |xz| at 0.35 to 0.7.
@@ -22,9 +22,10 @@ constexpr std::array<double, below> first_depths{0.38, 0.46, 0.57, 0.72, 0.9, 1.
 constexpr std::array<double, below / 2> orthogonal_depths{0.3, 0.42, 0.58, 0.8};
 constexpr double orthogonal_x = 0.85;  ///< where |xz| is first searched for, in units of the half length of a column
 constexpr double other_peak = 0.85;    ///< a local maximum of the first search is refined if it is so near the highest
-constexpr double near_peak = 0.95;     ///< the same for forces at a smaller distance
 constexpr double first_step = 0.2;     ///< of the parabolas along x and y, in units of the semi-axes
 constexpr double depth_step = 0.2;     ///< of the parabolas in the logarithm of the depth
+constexpr double last_step = 0.1;      ///< the same for the cells, in both
+constexpr double most_moved = 0.3;     ///< distance over the depth from the place for which cells are divided
 constexpr int most_rounds = 6;         ///< of parabolas
 constexpr double least_gain = 0.003;   ///< the search ends where the top of the parabolas is hardly higher [-]
 
@@ -92,23 +93,36 @@ HighestStresses StressSearch::find(double poisson)
   tops_.clear();
   addTops(&Column::von_mises, vonMises);
   addTops(&Column::alternating, alternating);
-  const double least_spacing = 0.5 * std::min(grid_->dx, grid_->dy) / unit_;
-  bool selected = selectTops(0, true);
-  for (double spacing = fine_spacing; selected; spacing *= 0.5)
+  open_places_.clear();
+  for (Top& top : tops_)
   {
-    fine_.set(*grid_, *pressure_, unit_, spacing, open_places_);
-    for (std::size_t k = 0; k < open_.size(); k += 2)
-    {
-      refine(open_.data() + k, std::min<std::size_t>(2, open_.size() - k), spacing, poisson);
-    }
-    selected = 0.5 * spacing > least_spacing && selectTops(spacing, false);
+    open_places_.push_back(top.centre.y());
+    top.begin(first_step, depth_step, longer_x_, longer_y_);
+  }
+  fine_.set(*grid_, *pressure_, unit_, fine_spacing, open_places_);
+  for (std::size_t k = 0; k < tops_.size(); k += 2)
+  {
+    refine(&tops_[k], std::min<std::size_t>(2, tops_.size() - k), fine_spacing, poisson);
   }
   HighestStresses highest;
-  for (const Top& top : tops_)
+  for (const Measure measure : {&vonMises, &alternating})
   {
-    StressPeak& peak = top.measure == vonMises ? highest.von_mises : highest.orthogonal;
-    peak = top.peak.value > peak.value ? top.peak : peak;
-    highest.shear = top.shear.value > highest.shear.value ? top.shear : highest.shear;
+    // Where the contact has few cells along the track, |xz| by forces is closer to that of a smooth pressure.
+    const Top* best = nullptr;
+    for (Top& top : tops_)
+    {
+      if (top.measure == measure && (measure == vonMises || top.peak.depth < near_depth * fine_spacing))
+      {
+        settle(top, poisson);
+      }
+      best = top.measure == measure && (best == nullptr || top.peak.value > best->peak.value) ? &top : best;
+    }
+    if (best == nullptr)
+    {
+      continue;
+    }
+    (measure == vonMises ? highest.von_mises : highest.orthogonal) = best->peak;
+    highest.shear = measure == vonMises ? best->shear : highest.shear;
   }
   return {scaled(highest.von_mises), scaled(highest.shear), scaled(highest.orthogonal)};
 }
@@ -157,57 +171,50 @@ void StressSearch::addTops(StressPeak Column::*of, Measure measure)
   }
 }
 
-/// Selects the maxima that are refined: all of them, or those that may be the highest and are too close to the surface
-/// for the last distance of the forces.
-/// @return false if there are none
-bool StressSearch::selectTops(double spacing, bool all)
-{
-  open_.clear();
-  open_places_.clear();
-  for (Top& top : tops_)
-  {
-    // At the least depth the stress may still rise towards the surface, whatever it is there.
-    const bool is_cut = top.peak.depth < 1.02 * least_depth * spacing;
-    const auto exceeds = [&top](const Top& other)
-    { return other.measure == top.measure && near_peak * other.peak.value > top.peak.value; };
-    const bool is_high = std::none_of(tops_.begin(), tops_.end(), exceeds);
-    if (all || is_cut || (is_high && top.peak.depth < near_depth * spacing))
-    {
-      open_.push_back(&top);
-      open_places_.push_back(top.centre.y());
-    }
-  }
-  for (Top* top : open_)
-  {
-    top->peak = {};
-    top->steps = {std::min(first_step * longer_x_, top->centre.z()), std::min(first_step * longer_y_, top->centre.z()),
-                  depth_step};
-  }
-  return !open_.empty();
-}
-
 /// Moves up to two places to the tops of parabolas. Half of the points belong to each place.
-void StressSearch::refine(Top* const* tops, std::size_t count, double spacing, double poisson) const
+void StressSearch::refine(Top* tops, std::size_t count, double spacing, double poisson) const
 {
   for (int round = 0; round < most_rounds; ++round)
   {
     PointSources::Places places;
     for (std::size_t k = 0; k < point_batch; ++k)
     {
-      const Eigen::Vector3d place = tops[std::min(k / star_size, count - 1)]->place(k % star_size);
+      const Eigen::Vector3d place = tops[std::min(k / star_size, count - 1)].place(k % star_size);
       setPlace(places, k, place.x(), place.y(), std::max(place.z(), least_depth * spacing));
     }
     const std::array<Stress, point_batch> stresses = fine_.at(places, poisson);
     bool ends = true;
     for (std::size_t k = 0; k < count; ++k)
     {
-      ends = tops[k]->advance(stresses.data() + k * star_size, least_depth * spacing) && ends;
+      ends = tops[k].advance(stresses.data() + k * star_size, least_depth * spacing) && ends;
     }
     if (ends)
     {
       return;
     }
   }
+}
+
+/// Moves a maximum to that of the pressure on the cells, which the forces only approximate.
+void StressSearch::settle(Top& top, double poisson)
+{
+  bool is_near = false;
+  for (int round = 0; round < most_rounds && !is_near; ++round)
+  {
+    const Eigen::Vector3d start(top.peak.x, top.peak.y, top.peak.depth);
+    top.centre = start;
+    top.begin(last_step, last_step, longer_x_, longer_y_);
+    fine_.setCells(*grid_, *pressure_, unit_, start);
+    refine(&top, 1, (1 - most_moved) / least_depth * start.z(), poisson);
+    is_near = (Eigen::Vector3d(top.peak.x, top.peak.y, top.peak.depth) - start).norm() < most_moved * start.z();
+  }
+}
+
+/// Starts the search for a maximum at the centre, with steps along the surface in units of the semi-axes.
+void StressSearch::Top::begin(double along_surface, double along_depth, double longer_x, double longer_y)
+{
+  peak = {};
+  steps = {std::min(along_surface * longer_x, centre.z()), std::min(along_surface * longer_y, centre.z()), along_depth};
 }
 
 /// Point of the star of a place: 0 and 7 are its centre, then two points along x, along y, and along the depth.

@@ -64,6 +64,7 @@ class StressSearch
     StressPeak peak;   ///< highest value so far
     StressPeak shear;  ///< highest shear stress close to a maximum of the von Mises stress
 
+    void begin(double along_surface, double along_depth, double longer_x, double longer_y);
     Eigen::Vector3d place(std::size_t number) const;
     Eigen::Vector3d moved(const Eigen::Vector3d& offset) const;
     bool advance(const Stress* star, double least);
@@ -72,8 +73,8 @@ class StressSearch
   void addColumn(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, Eigen::Index column);
   void searchBelow(Column& column, double poisson) const;
   void addTops(StressPeak Column::*of, Measure measure);
-  bool selectTops(double spacing, bool all);
-  void refine(Top* const* tops, std::size_t count, double spacing, double poisson) const;
+  void refine(Top* tops, std::size_t count, double spacing, double poisson) const;
+  void settle(Top& top, double poisson);
   static Parabolas parabolas(const Stress* star, Measure measure);
   StressPeak scaled(const StressPeak& peak) const;
 
@@ -83,7 +84,6 @@ class StressSearch
   std::vector<Column> columns_;
   std::size_t pressed_ = 0;  ///< the column with the highest pressure
   std::vector<Top> tops_;
-  std::vector<Top*> open_;           ///< those that are refined
   std::vector<double> open_places_;  ///< their places across the track
   const PatchGrid* grid_ = nullptr;
   const Eigen::ArrayXXd* pressure_ = nullptr;

@@ -204,7 +204,7 @@ double shareAlong(const Grid& grid, const Eigen::ArrayXXd& gap, const std::vecto
     {
       across += std::max(column.overlap - share * depth, 0.0) * grid.dy;
     }
-    share = contactShare(along * std::pow(share, -1.5), across * std::pow(1 - share, -1.5)).along;
+    share = contactShare(along * std::pow(share, -1.5), across * std::pow(1 - share, -1.5));
   }
   return share;
 }
@@ -228,15 +228,8 @@ void setMeanSlopes(const Grid& grid, const Eigen::ArrayXXd& gap, const Eigen::Ar
     const double end = column.overlap - per_overlap * std::max(column.overlap - share * depth, 0.0);
     const auto pressure = (-gap.col(j) - end).max(0.0).sqrt();
     const double sum = pressure.sum();
-    if (sum > 0)
-    {
-      column.mean_slope = (pressure * slope.col(j)).sum() / sum;
-    }
-    else
-    {
-      gap.col(j).minCoeff(&row);
-      column.mean_slope = slope(row, j);
-    }
+    gap.col(j).minCoeff(&row);
+    column.mean_slope = sum > 0 ? (pressure * slope.col(j)).sum() / sum : slope(row, j);
   }
 }
 }  // namespace
@@ -255,12 +248,12 @@ double arcLength(const Profile& profile, double from, double to)
   return length;
 }
 
-ContactShare contactShare(double overlap_length, double overlap_width)
+double contactShare(double overlap_length, double overlap_width)
 {
   const double ratio = std::min(overlap_length, overlap_width) / std::max(overlap_length, overlap_width);
   const Elliptic integrals = elliptic(std::pow(ratio, 4 / pi));
   const double longer = integrals.d / integrals.k;
-  return overlap_length > overlap_width ? ContactShare{longer, 1 - longer} : ContactShare{1 - longer, longer};
+  return overlap_length > overlap_width ? longer : 1 - longer;
 }
 
 bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid,

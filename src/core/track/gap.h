@@ -47,16 +47,10 @@ struct SurfaceColumn
 
 constexpr double no_body_gap = 0.1;  ///< gap in columns in which wheel or rail has no point [m]
 
-/// Squares of the ratios of a contact's semi-axes to those of the overlap [-]; their sum is 1.
-struct ContactShare
-{
-  double along = 0, across = 0;
-};
-
-/// Those of a Hertzian contact: D / K for the longer axis and 1 - D / K for the shorter one, with the complete elliptic
-/// integrals K and D of its aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
-/// @param overlap_length  along the track, in the unit of `overlap_width`
-ContactShare contactShare(double overlap_length, double overlap_width);
+/// Square of the ratio of a contact's semi-axis along the track to that of the overlap [-]; that across is the rest
+/// to 1. Of a Hertzian contact: D / K if it is the longer axis, with the complete elliptic integrals K and D of its
+/// aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
+double contactShare(double overlap_length, double overlap_width);
 
 /// Length of a profile between two parameters [m], negative if `to` is less than `from`.
 double arcLength(const Profile& profile, double from, double to);

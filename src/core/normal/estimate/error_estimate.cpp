@@ -44,8 +44,8 @@ constexpr double few_cells_error = 6;
 /// 56 cells and by 0.96 of its value on 20 × 48 cells.
 constexpr double lobe_growth = 1;
 
-/// Weight of a patch below which its surface is steep: a contact angle of 37 degrees [-].
-constexpr double steep_weight = 0.8;
+/// Factor of the errors of a patch whose weight is less: a contact angle of 37 degrees, for yaw in the root [-].
+constexpr double steep_factor = 1.5, steep_weight = 0.8;
 
 /// Limit for the jumps at a peak. The estimate is then above 100 %.
 constexpr double largest_jump = 4;
@@ -240,15 +240,6 @@ double largestApproach(const NormalProblem& problem, const NormalSolution& solut
   return largest;
 }
 
-/// Errors on a steep surface. Each column has one weight, although the surface of the wheel tilts along it. Set by hand
-/// on 3 400 patches of 800 random wheelsets (S1002 on 60E1 and UIC60, y to 8.5 mm, yaw to 20 mrad, 5 to 150 kN), of
-/// which a tenth is on the flange: there the estimate holds in 60 to 91 % without this, in 88 to 97 % with it.
-ErrorEstimate onSteepSurface(const ErrorEstimate& plane)
-{
-  constexpr double factor = 1.5, more = 1e-3;
-  return {factor * plane.max_pressure + more, factor * plane.area + more, factor * plane.approach + more};
-}
-
 /// Errors of a patch as if it carried its load alone.
 ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& solution, std::size_t patch,
                           double largest_approach)
@@ -260,8 +251,9 @@ ErrorEstimate errorsAlone(const NormalProblem& problem, const NormalSolution& so
   }
   const double residual = solution.residual * largest_approach / own;
   const ErrorTerms terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
-  const ErrorEstimate errors = weighted(gridErrorWeights(), terms);
-  return problem.patches[patch].weight < steep_weight ? onSteepSurface(errors) : errors;
+  const ErrorEstimate plane = weighted(gridErrorWeights(), terms);
+  const double factor = problem.patches[patch].weight < steep_weight ? steep_factor : 1;
+  return {factor * plane.max_pressure, factor * plane.area, factor * plane.approach};
 }
 }  // namespace
 
@@ -311,9 +303,10 @@ const ErrorWeights& gridErrorWeights()
   // * pressure, fourth: test/stability/conditions_test.cpp passes.
   // * area, all but the first: one and a half times to twice as much, for narrow ends and for curvature discontinuities
   //   of wheelsets.
+  // * approach, first: a quarter more, for yawed contacts and long cells.
   // * residual (the last weight of each): set by hand. On 150 wheelsets the errors of pressure and area that it caused
   //   were at most the residual in nine of ten cases, and at most three times the residual in 99 of 100.
-  static constexpr ErrorWeights weights{{0.0035, 0.025, 0.0055, 0.1, 1.7}, {0.095, 0.2, 0.5, 0.1, 1.5}, {0.17, 0.3}};
+  static constexpr ErrorWeights weights{{0.0035, 0.025, 0.0055, 0.1, 1.7}, {0.095, 0.2, 0.5, 0.1, 1.5}, {0.22, 0.3}};
   return weights;
 }
 
