@@ -34,8 +34,10 @@ constexpr double rough_residual = 0.03;
 
 // Steps.
 
-/// Number of solutions, or of passes over both wheels, of one search. Bisection alone needs fewer.
+/// Number of solutions of one wheel in one search. Bisection alone needs fewer.
 constexpr int most_solutions = 80;
+/// Number of passes over both wheels of one search. A longer one does not end.
+constexpr int most_passes = 25;
 /// Solutions after which a search is taken to be slow: it then keeps its grids and computes its own slopes.
 constexpr int early_solutions = 3;
 /// Largest movement of wheel or rail at the contact in one step [m]. Profiles are nearly straight over it.
@@ -44,7 +46,7 @@ constexpr double longest_step = 1e-3;
 constexpr double shortest_share = 0.02;
 /// Limit of the slope of the height difference over the roll [m/rad]. Without flange contact it is about -1.4; beyond
 /// zero the wheelset is unstable.
-constexpr double flattest_slope = -0.1;
+constexpr double flattest_slope = -0.01;
 /// A step is accepted if the slope of the energy falls below this part of it [-].
 constexpr double smaller_slope = 0.9;
 

@@ -120,9 +120,13 @@ WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
   }
 }
 
+double WheelContact::typicalOverlap(double load)
+{
+  return typical_overlap * std::cbrt(load * load);
+}
+
 WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
 {
-  const double lowering = typical_overlap * std::cbrt(load * load);
   pose_ = pose;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
@@ -131,7 +135,7 @@ WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
       case OverlapGrids::Overlap::beside:
         return none(WheelStatus::beside_rail);
       case OverlapGrids::Overlap::none:
-        pose_.z -= grids_.touch().separation + lowering;
+        pose_.z -= grids_.touch().separation + typicalOverlap(load);
         break;
       default:
         return solve(NormalProblem::Control::load, load);

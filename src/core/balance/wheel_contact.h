@@ -74,6 +74,8 @@ class WheelContact
   /// Solves the contact under a load [N], > 0, with the gap of a pose. If the bodies do not overlap, the pose is first
   /// lowered.
   WheelStatus solveLoad(const WheelsetPose& pose, double load);
+  /// Overlap of a wheel on a rail under a load [N], approximately [m].
+  static double typicalOverlap(double load);
   /// Finds the position of first touch at a pose, without load; height() is the height of the axle centre there.
   WheelStatus touch(const WheelsetPose& pose);
 

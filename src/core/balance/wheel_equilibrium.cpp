@@ -34,7 +34,8 @@ WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, 
     : config_(config),
       rail_(config, side),
       contact_(config, side, rail_.atRest(), solver, rail_.longest()),
-      own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact)
+      own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact),
+      balances_moments_(config.wheelset.balance == WheelsetConfig::Balance::moments)
 {
   setRail(0, RailDeflection());
 }
@@ -101,51 +102,69 @@ void WheelEquilibrium::respond()
     return;
   }
   responded_ = has_response_ = true;
-  // Without a usable stiffness: as before the call.
-  height_per_roll_ = contact_.heightPer(wheel_roll);
-  height_per_lateral_ = -contact_.heightPer(rail_lateral);
-  if (!rail_.bends())
+  rates_.setZero();
+  height_per_force_.setZero();
+  response_.setZero();
+  approximateRates();
+  if (!rail_.bends() && !balances_moments_)
   {
     const MotionVector vertical = contact_.verticalStiffness();
     if (vertical.allFinite() && vertical[wheel_up] > 0)
     {
-      height_per_roll_ = -vertical[wheel_roll] / vertical[wheel_up];
-      height_per_lateral_ = vertical[rail_lateral] / vertical[wheel_up];
+      rates_.row(height_rate) << -vertical[wheel_roll], vertical[rail_lateral], -1;
+      rates_.row(height_rate) /= vertical[wheel_up];
+      rates_(moment_rate, by_load) = vertical[wheel_roll] / vertical[wheel_up];
     }
     return;
   }
-  // Changes of the forces on the rail and of the height: by its own movement, by the roll of the wheel, and by a
-  // lateral movement of the wheel, which opens the gap as that of the rail in the other direction does.
   const MotionMatrix stiffness = contact_.stiffness();
-  if (!stiffness.allFinite() || !(stiffness(wheel_up, wheel_up) > 0))
+  if (stiffness.allFinite() && stiffness(wheel_up, wheel_up) > 0)
   {
-    response_.setZero();
-    height_per_force_.setZero();
-    force_per_roll_.setZero();
-    force_per_lateral_.setZero();
-    return;
+    setRates(stiffness);
   }
-  Eigen::Matrix<double, 3, 5> forces;
-  forces << -stiffness.bottomRightCorner<3, 3>(), -stiffness.col(wheel_roll).tail<3>(),
-      stiffness.col(rail_lateral).tail<3>();
-  Eigen::Matrix<double, 1, 5> height = Eigen::Matrix<double, 1, 5>::Zero();
+}
+
+/// Sets the rates of height and moment for a constant distribution of the pressure, constant forces on the rail, and an
+/// overlap as of paraboloids.
+void WheelEquilibrium::approximateRates()
+{
+  const double load = contact_.forces()[wheel_up];
+  rates_.row(moment_rate).setZero();
+  rates_.row(height_rate) << contact_.heightPer(wheel_roll), -contact_.heightPer(rail_lateral),
+      -overlap_per_load * contact_.overlap() / load;
+  rates_(moment_rate, by_load) = moment() / load;
+}
+
+/// Sets the rates from the stiffness of the contact and the compliance of the rail. A lateral movement of the wheel
+/// opens the gap as that of the rail in the other direction does.
+void WheelEquilibrium::setRates(const MotionMatrix& stiffness)
+{
+  // Columns: the three coordinates of the rail, then the inputs. Rows: moment and forces on the rail.
+  Eigen::Matrix<double, motions, 6> force;
+  force << -stiffness.rightCols<3>(), -stiffness.col(wheel_roll), stiffness.col(rail_lateral), MotionVector::Zero();
+  Eigen::Matrix<double, 1, 6> height = Eigen::Matrix<double, 1, 6>::Zero();
   if (under_load_)
   {
-    height << -stiffness.row(wheel_up).tail<3>(), -stiffness(wheel_up, wheel_roll), stiffness(wheel_up, rail_lateral);
-    height /= stiffness(wheel_up, wheel_up);
-    forces -= stiffness.col(wheel_up).tail<3>() * height;
+    force(wheel_up, 5) = -1;  // the contact carries more by as much as the load grows
+    height = force.row(wheel_up) / stiffness(wheel_up, wheel_up);
+    force(wheel_up, 5) = 0;
+    force -= stiffness.col(wheel_up) * height;
   }
+  Eigen::Matrix<double, 4, 6> of_rail = force.bottomRows<4>();
   if (!own_force_)
   {
-    forces.row(2) -= contact_.heightOverReference() * forces.row(0);
-    forces.row(0).setZero();
+    of_rail.row(3) -= contact_.heightOverReference() * of_rail.row(1);
+    of_rail.row(1).setZero();
   }
-  response_ = forces.leftCols<3>() * rail_.compliance();
+  response_ = of_rail.bottomLeftCorner<3, 3>() * rail_.compliance();
   height_per_force_ = rail_.compliance() * height.head<3>().transpose();
-  force_per_roll_ = step(forces.col(3));
-  force_per_lateral_ = step(forces.col(4));
-  height_per_roll_ = height[3] + height_per_force_.dot(force_per_roll_);
-  height_per_lateral_ = height[4] + height_per_force_.dot(force_per_lateral_);
+  for (int input = 0; input < inputs; ++input)
+  {
+    const Eigen::Vector3d change = step(of_rail.col(3 + input).tail<3>());
+    rates_(height_rate, input) = height[3 + input] + height_per_force_.dot(change);
+    rates_(moment_rate, input) = of_rail(0, 3 + input) + of_rail.row(0).head<3>().dot(rail_.compliance() * change);
+    rates_.col(input).tail<3>() = change;
+  }
 }
 
 /// Step of the forces that closes the difference `open` between the forces of the contact and those on the rail.
@@ -197,6 +216,10 @@ WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const Wheel
   const WheelStatus status = under_load_ ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
   loaded_ = status == WheelStatus::solved;
   responded_ = responded_ && keep_response_;
+  if (loaded_ && !responded_)
+  {
+    approximateRates();
+  }
   trial.forces = forces;
   trial.height = height_ = contact_.height();
   trial.open = (loaded_ ? target() : restForces()) - forces;
@@ -355,35 +378,39 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
   return after > 0 && before < 0 ? std::clamp(share, 0.1, 0.9) : 0.5;
 }
 
-double WheelEquilibrium::heightPerRoll() const
+double WheelEquilibrium::rate(Output output, Input input) const
 {
-  return !loaded_ ? touch_slope_ : responded_ ? height_per_roll_ : contact_.heightPer(wheel_roll);
+  if (!loaded_)
+  {
+    return output != height_rate ? 0
+           : input == by_roll    ? touch_slope_
+           : input == by_lateral ? contact_.grids().touch().slope
+                                 : 0;
+  }
+  return rates_(output, input);
 }
 
-double WheelEquilibrium::heightPerLateral() const
-{
-  return !loaded_     ? contact_.grids().touch().slope
-         : responded_ ? height_per_lateral_
-                      : -contact_.heightPer(rail_lateral);
-}
-
-void WheelEquilibrium::predict(double lateral, double roll)
+void WheelEquilibrium::predict(double lateral, double roll, double load)
 {
   if (loaded_ && rail_.bends() && has_response_)
   {
-    forces_ += roll * force_per_roll_ + lateral * force_per_lateral_;
+    forces_ += rates_.bottomRows<3>() * Eigen::Vector3d(roll, lateral, load);
   }
 }
 
-double WheelEquilibrium::openingPerRoll() const
+double WheelEquilibrium::opening(double roll, double load) const
 {
+  if (!loaded_)
+  {
+    return 0;
+  }
   MotionVector move = MotionVector::Zero();
-  move[wheel_roll] = 1;
+  move[wheel_roll] = roll;
   if (rail_.bends() && responded_)
   {
-    move.tail<3>() = rail_.compliance() * force_per_roll_;
+    move.tail<3>() = rail_.compliance() * (rates_.bottomRows<3>() * Eigen::Vector3d(roll, 0, load));
   }
-  return loaded_ ? contact_.opening(move) : 0;
+  return contact_.opening(move) / contact_.overlap();
 }
 
 RailResult WheelEquilibrium::rail() const

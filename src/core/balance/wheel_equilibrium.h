@@ -44,24 +44,40 @@ class WheelEquilibrium
 
   /// Height of the axle centre in the last solution [m].
   double height() const { return height_; }
-  /// Computes the derivatives of height and deflection by roll and lateral position, which takes a few products with
-  /// the influence matrix. Before this call, the next functions are for a constant distribution of the pressure and
-  /// constant forces on the rail.
+  /// Computes the derivatives of height, moment and deflection, which takes a few products with the influence matrix.
+  /// Before this call, rate() is for a constant distribution of the pressure and constant forces on the rail.
   void respond();
   /// True: respond() is not called again after the next solutions. The response hardly differs on another grid.
   void keepResponse(bool keep) { keep_response_ = keep; }
   bool responded() const { return responded_ || !loaded_; }
-  /// Change of the height by roll, with the load kept [m/rad].
-  double heightPerRoll() const;
-  /// Change of the height by a movement of the wheel outward, with the load kept [-].
-  double heightPerLateral() const;
+  /// What changes in equilibrium.
+  enum Output
+  {
+    height_rate,   ///< height of the axle centre [m]
+    moment_rate,   ///< moment() [N m]; of the roll and the lateral position only with moments in balance
+    lateral_rate,  ///< forces on the rail along its coordinates, the first of three [N], [N m]
+    outputs = lateral_rate + 3
+  };
+  /// By what it changes.
+  enum Input
+  {
+    by_roll,     ///< roll of the wheel, with the load kept [rad]
+    by_lateral,  ///< movement of the wheel outward, with the load kept [m]
+    by_load,     ///< load [N]
+    inputs
+  };
+  /// Change of height or moment per unit of an input.
+  double rate(Output output, Input input) const;
   /// Change of the height by a roll of the rail about its reference point, outward positive [m/rad].
   double heightPerRailRoll() const { return loaded_ ? contact_.heightPer(rail_roll) : 0; }
-  /// The largest opening of the gap by a roll [m/rad]: see WheelContact::opening().
-  double openingPerRoll() const;
-  /// Prepares the next solution for a movement of the wheel outward [m] and a roll [rad]: its start is the deflection
-  /// that follows.
-  void predict(double lateral, double roll);
+  /// Relative change of the overlap per one of the load, of paraboloids (Hertz 1882) [-].
+  static constexpr double overlap_per_load = 2.0 / 3;
+  /// Largest opening of the gap by a roll [rad] and by the deflection under a change of the load [N], over the overlap
+  /// [-]: see WheelContact::opening().
+  double opening(double roll, double load) const;
+  /// Prepares the next solution for a movement of the wheel outward [m], a roll [rad] and a change of the load [N]: its
+  /// start is the deflection that follows.
+  void predict(double lateral, double roll, double load);
   /// True if the wheel carries load.
   bool loaded() const { return loaded_; }
   /// Forces and deflection of the rail.
@@ -90,11 +106,13 @@ class WheelEquilibrium
   Eigen::Vector3d target() const;
   Eigen::Vector3d step(const Eigen::Vector3d& open) const;
   static MotionVector railMove(const Eigen::Vector3d& move);
+  void approximateRates();
+  void setRates(const MotionMatrix& stiffness);
 
   const ContactModelConfig& config_;
   SupportedRail rail_;
   WheelContact contact_;
-  bool own_force_ = true;
+  bool own_force_ = true, balances_moments_ = false;
   double given_lateral_ = 0;
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
   std::optional<Eigen::Vector3d> placed_;             ///< coordinates at which the rail lies, since moveTo()
@@ -102,9 +120,8 @@ class WheelEquilibrium
   bool loaded_ = false, responded_ = false, under_load_ = true;
   bool keep_response_ = false;
   bool has_response_ = false;  ///< the next values are those of this or an earlier solution
-  double height_per_roll_ = 0, height_per_lateral_ = 0;
-  Eigen::Vector3d height_per_force_;  ///< change of the height by forces on the rail, through its deflection [m/N]
-  Eigen::Vector3d force_per_roll_, force_per_lateral_;  ///< of the rail, in equilibrium [N/rad], [N/m]
-  Eigen::Matrix3d response_;                            ///< change of the forces by forces [-], negative
+  Eigen::Matrix<double, outputs, inputs> rates_ = Eigen::Matrix<double, outputs, inputs>::Zero();
+  Eigen::Vector3d height_per_force_ = Eigen::Vector3d::Zero();  ///< by forces on the rail, through its deflection [m/N]
+  Eigen::Matrix3d response_;                                    ///< change of the forces by forces [-], negative
 };
 }  // namespace wheel_rail_contact::core

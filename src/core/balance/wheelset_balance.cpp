@@ -12,31 +12,23 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double deepest_height = 0.01;  ///< of a given height below that of first touch [m]
+constexpr double long_step = 0.05;  ///< of the way from the centre to a state without a result from a cold start [-]
 }  // namespace
 
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
-    : config_(config),
-      levels_(levels),
-      accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
-      balances_moments_(config.wheelset.balance == WheelsetConfig::Balance::moments),
-      greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
-      wheels_([&](Side side) { return WheelEquilibrium(config, side, levels.solver()); })
+    : config_(config), levels_(levels), search_(config, levels.solver())
 {
 }
 
 void WheelsetBalance::reset(double roll)
 {
-  start_roll_ = roll;
   warm_ = false;
-  for (const Side side : sides)
-  {
-    wheels_[side].reset();
-  }
+  search_.reset(roll);
 }
 
 int WheelsetBalance::count() const
 {
-  return wheels_.left.contact().solutions() + wheels_.right.contact().solutions();
+  return wheel(Side::left).contact().solutions() + wheel(Side::right).contact().solutions();
 }
 
 ContactStatus WheelsetBalance::fail(WheelStatus status)
@@ -44,7 +36,7 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
   SolveStatus normal_status = SolveStatus::stalled;
   for (const Side side : sides)
   {
-    if (const SolveStatus of_wheel = wheels_[side].contact().solution().status; !isUsable(of_wheel))
+    if (const SolveStatus of_wheel = wheel(side).contact().solution().status; !isUsable(of_wheel))
     {
       normal_status = of_wheel;
       break;
@@ -73,98 +65,103 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   {
     status = solveOnce(state);
   }
+  if (status == ContactStatus::not_converged)
+  {
+    status = solveAlongPath(state);
+  }
   solutions_ = count() - solved_before;
   return status;
 }
 
+/// Solves states on the way from the centre of the track to this one, each from the result of the one before. Where no
+/// result was found in long steps, short ones on a finer grid follow.
+ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
+{
+  double reached = 0;  // share of the way
+  ContactStatus status = ContactStatus::not_converged;
+  for (const double short_step : {long_step, 0.1 * long_step})
+  {
+    for (double share = 0; share < 1 + 0.5 * short_step; share += share < reached ? long_step : short_step)
+    {
+      WheelsetState there = state;
+      there.y = std::min(share, 1.0) * state.y;
+      status = solveOnce(there, short_step == long_step ? 0 : std::min<std::size_t>(1, levels_.count() - 1));
+      if (status == ContactStatus::not_converged && short_step == long_step)
+      {
+        break;
+      }
+      reached = std::max(reached, share - 0.5 * long_step);
+    }
+    if (status != ContactStatus::not_converged)
+    {
+      break;
+    }
+  }
+  return status;
+}
+
 /// Solves from the last result. After a failure, the next call starts cold.
-ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state)
+ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t first_level)
 {
   const bool given = !config_.wheelset.solve_height_and_roll;
-  const WheelsetState before = state_;
-  state_ = state;
-  placeOnLine();
-  z_ = given ? state.z : warm_ ? z_ : config_.wheelset.meanRadius();
-  roll_ = given ? state.roll : warm_ ? roll_ : start_roll_ + tilt(state_);
   reason_ = {};
-  own_grids_required_ = false;
-  heights_ = z_;
-  if (warm_ && !given)
-  {
-    predict(before);
-  }
-  for (const Side side : sides)
-  {
-    setLevel(side, 0);
-    wheels_[side].setRail(state.rail_lateral_force[side], state_.rail_displacement[side]);
-  }
-  beginTransfer();
+  search_.begin(placeOnLine(state));
+  setLevel(Side::left, first_level);
+  setLevel(Side::right, first_level);
   WheelStatus status = WheelStatus::solved;
   do
   {
-    status = given ? solveAtGivenHeight() : balanceLoads();
+    status = given ? search_.solveAtGivenHeight() : search_.solve(own_grids_required_);
   } while (isUsable(status) && (requireOwnGrids() || refine()));
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
-  depth_ = given ? depthOfHeight(status) : 0;
+  depth_ = given ? search_.depthOfHeight(status) : 0;
   if (depth_ > deepest_height)
   {
-    reset();
-    return ContactStatus::too_deep;
+    return discard(ContactStatus::too_deep, reason_);
   }
   if (failed != ContactStatus::ok)
   {
-    reset();
-    return failed;
+    return discard(failed, reason_);
   }
-  if (wheels_.left.contact().reachesEnd() || wheels_.right.contact().reachesEnd())
+  const WheelEquilibrium &left = wheel(Side::left), &right = wheel(Side::right);
+  if (left.contact().reachesEnd() || right.contact().reachesEnd())
   {
-    reset();
-    reason_ = "contact lies beyond the end of a profile";
-    return ContactStatus::off_profile;
+    return discard(ContactStatus::off_profile, "contact lies beyond the end of a profile");
   }
   warm_ = true;
-  return wheels_.left.loaded() && wheels_.right.loaded() ? ContactStatus::ok : ContactStatus::lift_off;
+  return left.loaded() && right.loaded() ? ContactStatus::ok : ContactStatus::lift_off;
+}
+
+/// The result is not a start for the next call.
+ContactStatus WheelsetBalance::discard(ContactStatus status, std::string_view reason)
+{
+  reset();
+  reason_ = reason;
+  return status;
 }
 
 /// Moves both rails to the place of the state on the line. Adds the displacement by the line to that of the state.
-void WheelsetBalance::placeOnLine()
+WheelsetState WheelsetBalance::placeOnLine(WheelsetState state)
 {
   for (const Side side : sides)
   {
-    wheels_[side].moveTo(state_.distance);
+    wheel(side).moveTo(state.distance);
   }
   if (const TrackLine* line = config_.track.line.get())
   {
-    const Sides<RailDeflection> displaced =
-        displacementsAt(line->at(state_.distance),
-                        {wheels_.left.restingRail().referencePoint(), wheels_.right.restingRail().referencePoint()});
-    state_.rail_displacement.left += displaced.left;
-    state_.rail_displacement.right += displaced.right;
+    const Sides<RailDeflection> displaced = displacementsAt(
+        line->at(state.distance),
+        {wheel(Side::left).restingRail().referencePoint(), wheel(Side::right).restingRail().referencePoint()});
+    state.rail_displacement.left += displaced.left;
+    state.rail_displacement.right += displaced.right;
   }
-}
-
-/// Predicts heights and roll from the last contacts, after the movements of wheelset and rails since the state
-/// `before`.
-void WheelsetBalance::predict(const WheelsetState& before)
-{
-  for (const Side side : sides)
-  {
-    const RailDeflection &rail = state_.rail_displacement[side], &rail_before = before.rail_displacement[side];
-    const double outward = sideSign(side) * (state_.y - before.y) - (rail.lateral - rail_before.lateral);
-    heights_[side] += wheels_[side].heightPerLateral() * outward + rail.vertical - rail_before.vertical +
-                      wheels_[side].heightPerRailRoll() * (rail.roll - rail_before.roll);
-    wheels_[side].predict(outward, 0);
-  }
-  updateSlopes();
-  turn(roll_ + tilt(state_) - tilt(before));
-  const double step = -(heights_.left - heights_.right) / updateSlopes();
-  turn(roll_ + std::clamp(step, -greatest_turn_, greatest_turn_));
+  return state;
 }
 
 /// Estimates the errors of a wheel. Returns the error that the tolerance limits.
 double WheelsetBalance::estimate(Side side)
 {
-  const WheelContact& contact = wheels_[side].contact();
+  const WheelContact& contact = wheel(side).contact();
   islands_[side].find(contact.problem(), contact.solution());
   const NormalSolution& solution = islands_[side].solution();
   levels_.solver().estimateErrors(islands_[side].problem(), solution, errors_[side]);
@@ -190,15 +187,20 @@ bool WheelsetBalance::refine()
   bool refined = false;
   for (const Side side : sides)
   {
-    if (unestimated_[side])
+    const int solutions = wheel(side).contact().solutions();
+    if (!wheel(side).loaded())
     {
-      wheel_errors_[side] = wheels_[side].loaded() ? estimate(side) : 0;
-      unestimated_[side] = false;
+      wheel_errors_[side] = 0;
+    }
+    else if (solutions != estimated_[side])
+    {
+      wheel_errors_[side] = estimate(side);
+      estimated_[side] = solutions;
     }
     const std::size_t level = levels_.finer(level_[side], wheel_errors_[side]);
     if (level != level_[side])
     {
-      wheels_[side].respond();
+      wheel(side).respond();
       setLevel(side, level);
       refined = true;
     }
@@ -218,9 +220,11 @@ bool WheelsetBalance::requireOwnGrids()
   bool any = false;
   for (const Side side : sides)
   {
-    const bool others = wheels_[side].loaded() && !wheels_[side].contact().hasOwnGrids();
-    solved_[side] = solved_[side] && !others;
-    any = any || others;
+    if (wheel(side).loaded() && !wheel(side).contact().hasOwnGrids())
+    {
+      search_.renew(side);
+      any = true;
+    }
   }
   own_grids_required_ = true;
   return any;
@@ -229,9 +233,9 @@ bool WheelsetBalance::requireOwnGrids()
 void WheelsetBalance::setLevel(Side side, std::size_t level)
 {
   level_[side] = level;
-  wheels_[side].keepResponse(level > 0);
+  wheel(side).keepResponse(level > 0);
   own_grids_required_ = false;
-  solved_[side] = false;
-  wheels_[side].contact().setGrid(level, levels_.at(level));
+  search_.renew(side);
+  wheel(side).contact().setGrid(level, levels_.at(level));
 }
 }  // namespace wheel_rail_contact::core

@@ -1,128 +1,447 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Search of WheelsetBalance for loads, roll and height.
+#include "core/balance/wheelset_search.h"
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/balance/root_bracket.h"
 #include "core/balance/tuning.h"
-#include "core/balance/wheelset_balance.h"
 #include "core/constants.h"
-#include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double finest_bracket = 1e-9;       ///< width at which a bracket without a zero ends the search [rad]
-constexpr double roll_limit = 0.2;            ///< [rad]
-constexpr double least_load = 0.1;            ///< smaller wheel loads are taken as zero: no overlap resolves them [N]
-constexpr double unloaded_accuracy = 1e-7;    ///< of the height of a wheel without load [m]
-constexpr double overlap_per_load = 2.0 / 3;  ///< relative change of the overlap per one of the load, Hertz [-]
-constexpr double least_share = 1e-3;          ///< loads below this part of the whole load count as it [-]
+using Input = WheelEquilibrium::Input;
+using Output = WheelEquilibrium::Output;
+
+constexpr double finest_bracket = 1e-9;     ///< width at which a bracket without a zero ends the search [rad]
+constexpr double roll_limit = 0.2;          ///< [rad]
+constexpr double least_load = 0.1;          ///< smaller wheel loads are taken as zero: no overlap resolves them [N]
+constexpr double unloaded_accuracy = 1e-7;  ///< of the height of a wheel without load [m]
+/// Changes of loads below this part of the whole load count as of it: the residual of the solutions causes as much [-].
+constexpr double least_share =
+    tuning::residual_per_tolerance / tuning::opening_per_tolerance * WheelEquilibrium::overlap_per_load;
+constexpr int most_retreats = 10;  ///< halvings of a step that leads off a rail or to no solution
+constexpr int most_returns = 10;   ///< of a lifted wheel to its rail
 }  // namespace
 
-/// Sets the loads of both wheels. With WheelsetConfig::Balance::moments, these are the first ones of a search: those
-/// that balance the moments at the lever arms of the last result.
-void WheelsetBalance::beginTransfer()
+WheelsetSearch::WheelsetSearch(const ContactModelConfig& config, NormalSolver& solver)
+    : config_(config),
+      accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
+      greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
+      wheels_([&](Side side) { return WheelEquilibrium(config, side, solver); })
 {
-  const double base = 2 * config_.wheelset.halfBase(), load = std::max(-state_.force_z, 0.0);
-  if (balances_moments_)
+}
+
+void WheelsetSearch::reset(double roll)
+{
+  start_roll_ = roll;
+  warm_ = false;
+  for (const Side side : sides)
   {
-    const double left = warm_ ? leverOf(Side::left) : 0.5 * base, right = warm_ ? leverOf(Side::right) : 0.5 * base;
-    transfer_.begin(load, state_.torque_x, left + right, left - right);
-    distribute(load, transfer_.transfer());
+    wheels_[side].reset();
+  }
+}
+
+void WheelsetSearch::begin(const WheelsetState& state)
+{
+  const WheelsetState before = state_;
+  const double tilt = tiltOf(state.rail_displacement, config_.wheelset.halfBase());
+  state_ = state;
+  for (const Side side : sides)
+  {
+    wheels_[side].setRail(state.rail_lateral_force[side], state.rail_displacement[side]);
+  }
+  solved_ = false;
+  open_ = 0;
+  if (!config_.wheelset.solve_height_and_roll)
+  {
+    z_ = state.z;
+    place_.roll = state.roll;
     return;
   }
-  distribute(-state_.force_z, state_.torque_x / base);
+  if (warm_)
+  {
+    place_.heights = z_;
+    follow(before);
+    return;
+  }
+  warm_ = true;
+  z_ = config_.wheelset.meanRadius();
+  place_.heights = z_;
+  place_.roll = start_roll_ + tilt;
+  place_.loads = loadsFor(state.torque_x / (2 * config_.wheelset.halfBase()));
+}
+
+/// True if the moments determine the loads.
+bool WheelsetSearch::balances() const
+{
+  return config_.wheelset.balance == WheelsetConfig::Balance::moments && -state_.force_z > least_load;
+}
+
+/// Loads of both wheels: half of the sum, of which `transfer` [N] moves from the left to the right wheel.
+Sides<double> WheelsetSearch::loadsFor(double transfer) const
+{
+  const double half_load = -0.5 * state_.force_z;
+  const double most =
+      config_.wheelset.balance == WheelsetConfig::Balance::moments ? std::max(half_load, 0.0) : infinity;
+  return Sides<double>(
+      [&](Side side)
+      {
+        const double load = half_load - sideSign(side) * std::clamp(transfer, -most, most);
+        return load > least_load ? load : 0;
+      });
+}
+
+/// Follows the movements of wheelset and rails and the change of the loads since the state `before`.
+void WheelsetSearch::follow(const WheelsetState& before)
+{
+  const double half_base = config_.wheelset.halfBase();
+  double transfer = state_.torque_x / (2 * half_base);
+  if (balances())
+  {
+    const double left = leverOf(Side::left), right = leverOf(Side::right), half_load = -0.5 * state_.force_z;
+    transfer = (state_.torque_x + (left - right) * half_load) / (left + right);
+  }
+  Step step;
+  step.loads = loadsFor(transfer);
+  step.roll = tiltOf(state_.rail_displacement, half_base) - tiltOf(before.rail_displacement, half_base);
+  Sides<double> outward;
+  for (const Side side : sides)
+  {
+    WheelEquilibrium& wheel = wheels_[side];
+    const RailDeflection &rail = state_.rail_displacement[side], &rail_before = before.rail_displacement[side];
+    outward[side] = sideSign(side) * (state_.y - before.y) - (rail.lateral - rail_before.lateral);
+    place_.heights[side] += wheel.rate(Output::height_rate, Input::by_lateral) * outward[side] + rail.vertical -
+                            rail_before.vertical + wheel.heightPerRailRoll() * (rail.roll - rail_before.roll);
+    wheel.predict(outward[side], 0, 0);
+  }
+  move(step);
+  // The moments are balanced at the lever arms of the last result. What the lateral movement changes is left.
+  double open = 0;
+  for (const Side side : sides)
+  {
+    open += sideSign(side) * wheels_[side].rate(Output::moment_rate, Input::by_lateral) * outward[side];
+  }
+  move(stepFrom(heightDifference(), open));
 }
 
 /// Lever arm of a wheel: the moment of its contact, positive if it lifts the wheel, over its load [m].
-double WheelsetBalance::leverOf(Side side) const
+double WheelsetSearch::leverOf(Side side) const
 {
   const WheelEquilibrium& wheel = wheels_[side];
-  const bool known = wheel.loaded() && loads_[side] > 0;
-  return known ? wheel.moment() / loads_[side] : config_.wheelset.halfBase();
+  return wheel.loaded() ? wheel.moment() / wheel.contact().forces()[wheel_up] : config_.wheelset.halfBase();
 }
 
-/// Sets the wheel loads: half of the sum [N], of which `transfer` [N] moves from the left to the right wheel.
-void WheelsetBalance::distribute(double sum, double transfer)
+double WheelsetSearch::sumOfRates(Output output, Input input) const
+{
+  return wheels_.left.rate(output, input) + wheels_.right.rate(output, input);
+}
+
+/// The Newton step from a difference of the heights [m] and an open moment [N m].
+WheelsetSearch::Step WheelsetSearch::stepFrom(double difference, double moment) const
+{
+  const double per_roll = sumOfRates(Output::height_rate, Input::by_roll);
+  Step step;
+  step.difference = difference;
+  step.slope = per_roll;
+  if (isCoupled())
+  {
+    // The loads that close the heights change the moment. Written as a height, at the usual lever arms.
+    const double base = 2 * config_.wheelset.halfBase();
+    const double height = -sumOfRates(Output::height_rate, Input::by_load) / base;
+    const double lever = sumOfRates(Output::moment_rate, Input::by_load) / base;
+    step.difference = lever * difference + height * moment;
+    step.slope = lever * per_roll + height * sumOfRates(Output::moment_rate, Input::by_roll);
+  }
+  step.slope = std::min(step.slope, tuning::flattest_slope);
+  step.roll = std::clamp(-step.difference / step.slope, -greatest_turn_, greatest_turn_);
+  step.loads = loadsAfter(difference + per_roll * step.roll);
+  return step;
+}
+
+/// The Newton step from the last solutions.
+WheelsetSearch::Step WheelsetSearch::newton() const
+{
+  return stepFrom(heightDifference(), openMoment());
+}
+
+/// True if the loads change to balance the moments.
+bool WheelsetSearch::isCoupled() const
+{
+  return balances() && place_.loads.left > 0 && place_.loads.right > 0;
+}
+
+/// True if the moments lift a wheel.
+bool WheelsetSearch::isLifted() const
+{
+  return balances() && !isCoupled();
+}
+
+/// Loads that close a difference of the heights [m], if the moments determine them. The overlap of the lighter wheel
+/// grows with load^(2/3).
+Sides<double> WheelsetSearch::loadsAfter(double difference) const
+{
+  if (!isCoupled())
+  {
+    return place_.loads;
+  }
+  const double transfer = difference / sumOfRates(Output::height_rate, Input::by_load);
+  const Side lighter = place_.loads.left < place_.loads.right ? Side::left : Side::right;
+  const double overlap = 1 - sideSign(lighter) * WheelEquilibrium::overlap_per_load * transfer / place_.loads[lighter];
+  const double load =
+      overlap > 0
+          ? std::min(place_.loads[lighter] * std::pow(overlap, 1 / WheelEquilibrium::overlap_per_load), -state_.force_z)
+          : 0;
+  return loadsFor(sideSign(lighter) * (-0.5 * state_.force_z - load));
+}
+
+/// Changes roll and loads, and heights and deflections as they follow.
+void WheelsetSearch::move(const Step& step)
 {
   for (const Side side : sides)
   {
-    const double load = 0.5 * sum - sideSign(side) * transfer;
-    loads_[side] = load > least_load ? load : 0;
-    solved_[side] = false;
+    WheelEquilibrium& wheel = wheels_[side];
+    const double roll = sideSign(side) * step.roll, load = place_.loads[side];
+    place_.heights[side] += wheel.rate(Output::height_rate, Input::by_roll) * roll;
+    if (load > 0 && wheel.loaded())
+    {
+      const double overlap = std::pow(step.loads[side] / load, WheelEquilibrium::overlap_per_load) - 1;
+      place_.heights[side] +=
+          wheel.rate(Output::height_rate, Input::by_load) * load * overlap / WheelEquilibrium::overlap_per_load;
+    }
+    place_.moments[side] += wheel.rate(Output::moment_rate, Input::by_roll) * roll +
+                            wheel.rate(Output::moment_rate, Input::by_load) * (step.loads[side] - load);
+    wheel.predict(0, roll, step.loads[side] - load);
   }
+  place_.loads = step.loads;
+  place_.roll += step.roll;
+  z_ = 0.5 * (place_.heights.left + place_.heights.right);
 }
 
-/// Finds height and roll under the loads, and with WheelsetConfig::Balance::moments also the loads.
-WheelStatus WheelsetBalance::balanceLoads()
+/// Largest opening of the gap of a wheel by a roll [rad] and a load [N] other than those of its last solution, over its
+/// overlap [-].
+double WheelsetSearch::openingAt(Side side, double roll, double load) const
 {
-  const double sum = -state_.force_z;
-  if (!balances_moments_ || !(sum > least_load))
+  const WheelEquilibrium& wheel = wheels_[side];
+  if (!wheel.loaded())
   {
-    return search();
+    return 0;
   }
-  transfer_.widen();
-  double roll = roll_;
-  Sides<double> heights = heights_;
-  for (int i = 0; i < tuning::most_solutions; ++i)
+  const double change = load - solved_load_[side];
+  return wheel.opening(sideSign(side) * (roll - solved_roll_[side]), change) +
+         WheelEquilibrium::overlap_per_load * std::abs(change) /
+             std::max(solved_load_[side], -least_share * state_.force_z);
+}
+
+/// Solves the wheels at the roll under the loads, as far as they are not.
+/// @param any  set to true if a wheel was solved
+WheelStatus WheelsetSearch::solveWheels(bool keep_grids, bool& any)
+{
+  for (const Side side : sides)
   {
-    const WheelStatus status = search();
-    LoadTransfer::Step step = LoadTransfer::Step::failed;
-    if (isUsable(status))
+    WheelEquilibrium& wheel = wheels_[side];
+    // Both loads add up to that of the wheelset only if both wheels are solved for the same ones.
+    if (solved_[side] && wheel.loaded() && place_.loads[side] == solved_load_[side] &&
+        openingAt(side, place_.roll, place_.loads[side]) <= accuracy_)
     {
-      roll = roll_;
-      heights = heights_;
-      step = advanceTransfer(sum);
+      continue;
     }
-    else
+    const WheelStatus status =
+        wheel.solveUnderLoad(toSide(side, {state_.y, place_.heights[side], state_.yaw, place_.roll}),
+                             place_.loads[side], accuracy_, keep_grids && solved_[side]);
+    if (!isUsable(status))
     {
-      roll_ = roll;
-      heights_ = heights;
-      step = transfer_.retreat();
+      return status;
     }
-    if (step != LoadTransfer::Step::moved)
+    place_.heights[side] = wheel.height();
+    place_.moments[side] = wheel.moment();
+    solved_[side] = any = true;
+    solved_roll_[side] = place_.roll;
+    solved_load_[side] = place_.loads[side];
+  }
+  return WheelStatus::solved;
+}
+
+/// Open moment about the axle centre [N m].
+double WheelsetSearch::openMoment() const
+{
+  return state_.torque_x + (place_.moments.left - place_.moments.right);
+}
+
+/// True if a step hardly changes the contacts, and no wheel lifts in it. Takes it then.
+bool WheelsetSearch::closes(const Step& step, double share)
+{
+  lifts_ = isLifted();
+  bool closed = std::abs(step.difference / step.slope) <= greatest_turn_;
+  for (const Side side : sides)
+  {
+    open_[side] = openingAt(side, place_.roll + step.roll, step.loads[side]);
+    closed = closed && open_[side] <= share * accuracy_ && (step.loads[side] > 0) == (place_.loads[side] > 0);
+  }
+  const bool at_rest = !wheels_.left.loaded() && !wheels_.right.loaded();
+  if (!closed || (at_rest && std::abs(heightDifference()) > unloaded_accuracy))
+  {
+    return false;
+  }
+  move(step);
+  return true;
+}
+
+/// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
+bool WheelsetSearch::isNarrow(double range) const
+{
+  return range < finest_bracket ||
+         std::all_of(sides.begin(), sides.end(),
+                     [&](Side side) { return wheels_[side].loaded() && wheels_[side].opening(range, 0) < accuracy_; });
+}
+
+/// Uncertainty of the difference of the heights by the solutions, and by the loads that would close it: the step is
+/// linear, and the overlaps are not [m].
+double WheelsetSearch::uncertainty() const
+{
+  double sum = 0;
+  for (const Side side : sides)
+  {
+    sum += wheels_[side].loaded() ? tuning::noise * wheels_[side].contact().overlap() : unloaded_accuracy;
+  }
+  if (isCoupled())
+  {
+    const double transfer = heightDifference() / sumOfRates(Output::height_rate, Input::by_load);
+    sum += std::abs(heightDifference() * transfer) / std::min(place_.loads.left, place_.loads.right);
+  }
+  return sum;
+}
+
+/// True if a wheel carries no load, and the moments return it to its rail.
+bool WheelsetSearch::returnsWheel() const
+{
+  const double lifted = place_.loads.left > 0 ? -1 : 1;  // sign of the transfer
+  return isLifted() && lifted * openMoment() < -least_load * config_.wheelset.halfBase();
+}
+
+/// Loads with which a wheel that returns to its rail closes the moments.
+Sides<double> WheelsetSearch::loadsOfReturn() const
+{
+  const double half_load = -0.5 * state_.force_z, back = std::abs(openMoment()) / (2 * config_.wheelset.halfBase());
+  return loadsFor((place_.loads.left > 0 ? -1 : 1) * (half_load - back));
+}
+
+/// Goes half of the way back to an earlier place.
+void WheelsetSearch::retreat(const Place& earlier)
+{
+  place_.roll = 0.5 * (place_.roll + earlier.roll);
+  for (const Side side : sides)
+  {
+    place_.loads[side] = 0.5 * (place_.loads[side] + earlier.loads[side]);
+  }
+  place_.heights = earlier.heights;
+}
+
+WheelStatus WheelsetSearch::solve(bool near)
+{
+  RootBracket bracket;
+  std::optional<Place> last;
+  int retreats = 0, returns = 0;
+  for (int i = 0; i < tuning::most_passes; ++i)
+  {
+    if (i >= tuning::early_solutions)
     {
-      return step == LoadTransfer::Step::closed || !isUsable(status) ? status : WheelStatus::unbalanced;
+      wheels_.left.keepResponse(false);
+      wheels_.right.keepResponse(false);
     }
-    distribute(sum, transfer_.transfer());
+    const bool coupled = isCoupled();
+    bool any_solved = false;
+    if (const WheelStatus status = solveWheels(i >= tuning::early_solutions, any_solved); !isUsable(status))
+    {
+      if (!last || ++retreats > most_retreats)
+      {
+        return status;
+      }
+      retreat(*last);
+      continue;
+    }
+    last = place_;
+    const bool known = wheels_.left.responded() && wheels_.right.responded();
+    Step step = newton();
+    const bool returning = returns < most_returns && returnsWheel();
+    if (returning)
+    {
+      const Sides<double> loads = loadsOfReturn();
+      if (std::abs(heightDifference()) <= WheelContact::typicalOverlap(std::min(loads.left, loads.right)))
+      {
+        step.loads = loads;
+        move(step);
+        bracket = {};
+        ++returns;
+        continue;
+      }
+    }
+    // Other grids at the same place: the heights differ by the errors of the grids.
+    if (!returning && closes(step, near ? tuning::jump_share : known ? 1 : tuning::unknown_share))
+    {
+      return WheelStatus::solved;
+    }
+    if (!known)
+    {
+      wheels_.left.respond();
+      wheels_.right.respond();
+      step = newton();
+      if (!returning && closes(step, 1))
+      {
+        return WheelStatus::solved;
+      }
+    }
+    if (std::abs(step.difference) > uncertainty())
+    {
+      bracket.add(place_.roll, step.difference);
+    }
+    if ((std::isfinite(bracket.width()) && isNarrow(bracket.width())) || !any_solved)
+    {
+      return !returning && closes(step, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
+    }
+    step.roll = bracket.next(place_.roll, step.roll) - place_.roll;
+    step.loads = loadsAfter(heightDifference() + sumOfRates(Output::height_rate, Input::by_roll) * step.roll);
+    move(step);
+    if (isCoupled() != coupled)
+    {
+      bracket = {};
+    }
+    if (!(std::abs(place_.roll) < roll_limit))
+    {
+      return WheelStatus::unbalanced;
+    }
   }
   return WheelStatus::unbalanced;
 }
 
-/// Takes the last solution under the sum of the loads [N], and chooses the next transfer. Where the forces jump because
-/// the grid changes, the moment stays open by as much.
-LoadTransfer::Step WheelsetBalance::advanceTransfer(double sum)
+/// Difference of the heights, left minus right [m].
+double WheelsetSearch::heightDifference() const
 {
-  const double open = state_.torque_x + (wheels_.left.moment() - wheels_.right.moment());
-  const double smaller = std::max(std::min(loads_.left, loads_.right), least_share * sum);
-  const double accuracy = accuracy_ * smaller / overlap_per_load;
-  return transfer_.advance(open, leverOf(Side::left) + leverOf(Side::right), accuracy,
-                           2 * config_.wheelset.halfBase() * tuning::jump_share * accuracy);
+  return place_.heights.left - place_.heights.right;
 }
 
-WheelStatus WheelsetBalance::solveAtGivenHeight()
+WheelStatus WheelsetSearch::solveAtGivenHeight()
 {
-  open_ = 0;
   for (const Side side : sides)
   {
     if (solved_[side])
     {
       continue;
     }
-    const WheelStatus status = wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, roll_}), accuracy_);
+    const WheelStatus status =
+        wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, place_.roll}), accuracy_);
     if (!isUsable(status))
     {
       return status;
     }
-    solved_[side] = unestimated_[side] = true;
+    solved_[side] = true;
   }
   return WheelStatus::solved;
 }
 
-/// Depth of the given height below that of first touch, of the wheel that is less deep [m]. A wrong lateral position
-/// lets only one wheel overlap its rail. After a failure, the positions of first touch replace the last solutions.
-double WheelsetBalance::depthOfHeight(WheelStatus status)
+double WheelsetSearch::depthOfHeight(WheelStatus status)
 {
   double depth = infinity;
   for (const Side side : sides)
@@ -140,150 +459,5 @@ double WheelsetBalance::depthOfHeight(WheelStatus status)
     }
   }
   return depth;
-}
-
-/// True if a wheel must be solved again because the roll has changed its contact.
-bool WheelsetBalance::isMoved(Side side) const
-{
-  const double turned = roll_ - solved_roll_[side];
-  return !solved_[side] || !wheels_[side].loaded() || openedBy(side, turned) > accuracy_;
-}
-
-/// Largest opening of the gap of a wheel by a roll [rad] under the same load, over its overlap [-].
-double WheelsetBalance::openedBy(Side side, double roll) const
-{
-  const WheelEquilibrium& wheel = wheels_[side];
-  return wheel.loaded() ? wheel.openingPerRoll() * std::abs(roll) / wheel.contact().overlap() : 0;
-}
-
-/// Solves the wheels at the roll, as far as they are not.
-WheelStatus WheelsetBalance::solveMovedWheels(bool keep_grids)
-{
-  any_solved_ = false;
-  for (const Side side : sides)
-  {
-    if (!isMoved(side))
-    {
-      continue;
-    }
-    const WheelStatus status = wheels_[side].solveUnderLoad(toSide(side, {state_.y, heights_[side], state_.yaw, roll_}),
-                                                            loads_[side], accuracy_, keep_grids && solved_[side]);
-    if (!isUsable(status))
-    {
-      return status;
-    }
-    heights_[side] = wheels_[side].height();
-    solved_[side] = unestimated_[side] = any_solved_ = true;
-    solved_roll_[side] = roll_;
-  }
-  return WheelStatus::solved;
-}
-
-/// Slope of the difference of the heights over the roll [m/rad].
-double WheelsetBalance::updateSlopes()
-{
-  for (const Side side : sides)
-  {
-    slopes_[side] = sideSign(side) * wheels_[side].heightPerRoll();
-  }
-  return std::min(slopes_.left - slopes_.right, tuning::flattest_slope);
-}
-
-/// Changes the roll, and heights and deflections as they follow.
-void WheelsetBalance::turn(double roll)
-{
-  for (const Side side : sides)
-  {
-    heights_[side] += slopes_[side] * (roll - roll_);
-    wheels_[side].predict(0, sideSign(side) * (roll - roll_));
-  }
-  roll_ = roll;
-  z_ = 0.5 * (heights_.left + heights_.right);
-}
-
-/// True if the roll that closes the difference of the heights [m] hardly changes the contacts. Turns the wheelset to
-/// it.
-bool WheelsetBalance::closeDifference(double difference, double share)
-{
-  const double closed = roll_ - difference / updateSlopes();
-  const double limit = share * accuracy_;
-  for (const Side side : sides)
-  {
-    open_[side] = openedBy(side, closed - solved_roll_[side]);
-  }
-  const bool at_rest = !wheels_.left.loaded() && !wheels_.right.loaded() && std::abs(difference) > unloaded_accuracy;
-  if (at_rest || !(std::max(open_.left, open_.right) <= limit) || !(std::abs(closed - roll_) <= greatest_turn_))
-  {
-    return false;
-  }
-  turn(closed);
-  return true;
-}
-
-/// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
-bool WheelsetBalance::isNarrow(double range) const
-{
-  return std::all_of(sides.begin(), sides.end(),
-                     [&](Side side)
-                     {
-                       const WheelEquilibrium& wheel = wheels_[side];
-                       return range < finest_bracket || (wheel.loaded() && wheel.openingPerRoll() * range <
-                                                                               accuracy_ * wheel.contact().overlap());
-                     });
-}
-
-WheelStatus WheelsetBalance::search()
-{
-  double least = -infinity, most = infinity;
-  for (int i = 0; i < tuning::most_solutions; ++i)
-  {
-    if (i >= tuning::early_solutions)
-    {
-      wheels_.left.keepResponse(false);
-      wheels_.right.keepResponse(false);
-    }
-    if (const WheelStatus status = solveMovedWheels(i >= tuning::early_solutions); !isUsable(status))
-    {
-      return status;
-    }
-    const double difference = heights_.left - heights_.right;
-    const bool known = wheels_.left.responded() && wheels_.right.responded();
-    // Other grids at the same place: the heights differ by the errors of the grids.
-    if (closeDifference(difference, own_grids_required_ ? tuning::jump_share : known ? 1 : tuning::unknown_share))
-    {
-      return WheelStatus::solved;
-    }
-    wheels_.left.respond();
-    wheels_.right.respond();
-    if (!known && closeDifference(difference, 1))
-    {
-      return WheelStatus::solved;
-    }
-    double uncertain = 0;
-    for (const Side side : sides)
-    {
-      uncertain += wheels_[side].loaded() ? tuning::noise * wheels_[side].contact().overlap() : unloaded_accuracy;
-    }
-    if (std::abs(difference) > uncertain)
-    {
-      (difference > 0 ? least : most) = roll_;
-    }
-    double next = roll_ + std::clamp(-difference / updateSlopes(), -greatest_turn_, greatest_turn_);
-    if (!(next > least && next < most))
-    {
-      const bool bracketed = std::isfinite(least) && std::isfinite(most);
-      next = 0.5 * (bracketed ? least + most : roll_ + (next > least ? most : least));
-    }
-    if (isNarrow(most - least) || !any_solved_)
-    {
-      return closeDifference(difference, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
-    }
-    turn(next);
-    if (!(std::abs(roll_) < roll_limit))
-    {
-      return WheelStatus::unbalanced;
-    }
-  }
-  return WheelStatus::unbalanced;
 }
 }  // namespace wheel_rail_contact::core

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/balance/load_transfer.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
@@ -132,48 +131,6 @@ TEST(MomentsTest, AWheelsetWithoutLoadCarriesNothing)
     EXPECT_EQ(result.reason, "neither wheel carries a load");
     EXPECT_EQ(result.rail_wrench.force.z(), 0);
   }
-}
-
-TEST(LoadTransferTest, FindsTheRootOfAMomentThatJumps)
-{
-  LoadTransfer search;
-  search.begin(1e5, 0, 1.5, 0);
-  const auto moment = [](double transfer) { return transfer < 1.2e4 ? 3e4 - transfer : -1e3 - transfer; };
-  LoadTransfer::Step step = LoadTransfer::Step::moved;
-  int steps = 0;
-  for (; step == LoadTransfer::Step::moved && steps < 80; ++steps)
-  {
-    step = search.advance(moment(search.transfer()), 1.5, 10, 2e4);
-  }
-  EXPECT_EQ(step, LoadTransfer::Step::closed);
-  EXPECT_LT(steps, 40);
-  EXPECT_NEAR(search.transfer(), 1.2e4, 20);
-}
-
-// The first moment has the wrong sign. The bracket then excludes the root.
-TEST(LoadTransferTest, RecoversFromAMomentOfWrongSign)
-{
-  LoadTransfer search;
-  search.begin(1e5, 0, 1.5, 0);
-  int steps = 0;
-  for (LoadTransfer::Step step = LoadTransfer::Step::moved; step == LoadTransfer::Step::moved && steps < 80; ++steps)
-  {
-    const double moment = steps == 0 ? -1723 : 1.5 * (9e3 - search.transfer());
-    step = search.advance(moment, 1.5, 10, 100);
-  }
-  EXPECT_LT(steps, 40);
-  EXPECT_NEAR(search.transfer(), 9e3, 20);
-}
-
-TEST(LoadTransferTest, ReturnsTowardsTheLastTransferThatHadASolution)
-{
-  LoadTransfer search;
-  search.begin(1e5, 0, 1.5, 0);
-  EXPECT_EQ(search.retreat(), LoadTransfer::Step::failed);
-  EXPECT_EQ(search.advance(3e4, 1.5, 10, 100), LoadTransfer::Step::moved);
-  const double far = search.transfer();
-  EXPECT_EQ(search.retreat(), LoadTransfer::Step::moved);
-  EXPECT_EQ(search.transfer(), 0.5 * far);
 }
 
 namespace

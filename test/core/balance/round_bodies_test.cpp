@@ -87,11 +87,11 @@ TEST(RoundBodies, AutoMeetsTheToleranceAtTheCurvatureDiscontinuity)
 }
 
 // The start of the search changes the result by at most a tenth of the tolerance of 1 %, except where another start
-// leads to a grid of the next size: in one of 60 states, by less than the tolerance.
+// leads to a grid of the next size: in one of 60 states on average, by less than the tolerance.
 TEST(RoundBodies, WarmAndColdResultsAgreeAfterJumps)
 {
   constexpr unsigned long seed = 41;
-  std::cout << "seed " << seed << ", 60 states\n";
+  std::cout << "seed " << seed << ", 300 states\n";
   std::mt19937_64 random(seed);
   const auto uniform = [&](double low, double high)
   { return std::uniform_real_distribution<double>(low, high)(random); };
@@ -99,7 +99,7 @@ TEST(RoundBodies, WarmAndColdResultsAgreeAfterJumps)
   scene.wheel_profile = std::make_shared<Profile>(hollowWheel());
   WheelsetContact warm(scene), cold(scene);
   int other_grids = 0;
-  for (int i = 0; i < 60; ++i)
+  for (int i = 0; i < 300; ++i)
   {
     const double y = uniform(-6e-3, 6e-3);  // one statement each: compilers evaluate arguments in different orders
     const double wheel_load = uniform(5e3, 150e3);
@@ -117,6 +117,6 @@ TEST(RoundBodies, WarmAndColdResultsAgreeAfterJumps)
       other_grids += difference < 1e-3 ? 0 : 1;
     }
   }
-  EXPECT_LE(other_grids, 2);
+  EXPECT_LE(other_grids, 5);
 }
 }  // namespace

@@ -126,7 +126,7 @@ TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
     const double slope = (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4;
     heightAt(0);
     wheel.respond();
-    EXPECT_NEAR(wheel.heightPerRoll() / slope, 1, 0.01) << "y " << y;
+    EXPECT_NEAR(wheel.rate(WheelEquilibrium::height_rate, WheelEquilibrium::by_roll) / slope, 1, 0.01) << "y " << y;
   }
 }
 

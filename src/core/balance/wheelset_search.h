@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "core/balance/root_bracket.h"
+#include "core/balance/wheel_equilibrium.h"
+#include "core/track/rail_along.h"
+#include "wheel_rail_contact/core/config.h"
+#include "wheel_rail_contact/core/sides.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
+
+namespace wheel_rail_contact::core
+{
+/// Search of the height and the roll at which both wheels are in equilibrium on given grids.
+///
+/// At a given roll, each wheel has one height under its load (WheelEquilibrium). The roll is the one for which both
+/// heights are equal. On rigid rails their difference falls as the roll grows while tan(left contact angle) + tan(right
+/// contact angle) < distance of the contacts / rolling radius. Beyond that, several rolls may be in equilibrium; the
+/// result is then one at which the difference falls.
+///
+/// With WheelsetConfig::Balance::moments, the transfer is unknown too: half the load of the right wheel minus that of
+/// the left one. It is the one at which the moments about the axle centre are in balance: T + M_l - M_r = 0; T is the
+/// moment of the vehicle, M those of the contacts, positive if they lift their own wheel. If a wheel carries no load
+/// and the moment stays open, the wheelset lifts it.
+///
+/// One Newton step closes heights and moments together. What the height difference would be after the moments are
+/// closed is a falling function of the roll, which RootBracket brackets.
+class WheelsetSearch
+{
+ public:
+  /// Keeps references to `config` and `solver`, which must outlive this.
+  WheelsetSearch(const ContactModelConfig& config, NormalSolver& solver);
+
+  /// Forgets the last solutions. The next search starts at a roll [rad].
+  void reset(double roll);
+  /// Begins the search for a state: at the last roll and heights, moved as the state has, or cold after reset(). The
+  /// wheels must be at their place on the line.
+  void begin(const WheelsetState& state);
+  /// Has a wheel solved again, on other grids.
+  void renew(Side side) { solved_[side] = false; }
+  /// Finds height and roll. @param near  the start is the solution on other grids: the forces jump by the errors of
+  /// both
+  WheelStatus solve(bool near);
+  /// Solves at the height and the roll of the state.
+  WheelStatus solveAtGivenHeight();
+  /// Depth of the given height below that of first touch, of the wheel that is less deep [m]. A wrong lateral position
+  /// lets only one wheel overlap its rail. After a failure, the positions of first touch replace the last solutions.
+  double depthOfHeight(WheelStatus status);
+
+  WheelEquilibrium& wheel(Side side) { return wheels_[side]; }
+  const WheelEquilibrium& wheel(Side side) const { return wheels_[side]; }
+  double height() const { return z_; }         ///< height of the axle centre, track frame [m]
+  double roll() const { return place_.roll; }  ///< roll, track frame [rad]
+  const WheelsetState& state() const { return state_; }
+  /// Largest opening of the gap of a wheel, over its overlap, by what is left of the balance [-].
+  double open(Side side) const { return open_[side]; }
+  /// True if the moments stay open, because the wheelset lifts a wheel.
+  bool lifts() const { return lifts_; }
+
+ private:
+  /// A step of roll and loads.
+  struct Step
+  {
+    double roll = 0;        ///< [rad]
+    Sides<double> loads;    ///< at its end [N]
+    double difference = 0;  ///< of the heights, were the moments closed [m]
+    double slope = 0;       ///< of the difference over the roll [m/rad], < 0
+  };
+  /// Where the search is.
+  struct Place
+  {
+    double roll = 0;        ///< [rad]
+    Sides<double> loads;    ///< vertical wheel loads [N]
+    Sides<double> heights;  ///< of the axle centre for each wheel [m]
+    Sides<double> moments;  ///< of the contacts about the axle centre, positive if they lift their wheel [N m]
+  };
+
+  bool balances() const;
+  double heightDifference() const;
+  bool returnsWheel() const;
+  Sides<double> loadsOfReturn() const;
+  bool isCoupled() const;
+  bool isLifted() const;
+  Sides<double> loadsFor(double transfer) const;
+  Sides<double> loadsAfter(double difference) const;
+  void follow(const WheelsetState& before);
+  double leverOf(Side side) const;
+  double sumOfRates(WheelEquilibrium::Output output, WheelEquilibrium::Input input) const;
+  Step stepFrom(double difference, double moment) const;
+  void move(const Step& step);
+  double openingAt(Side side, double roll, double load) const;
+  WheelStatus solveWheels(bool keep_grids, bool& any);
+  double openMoment() const;
+  bool closes(const Step& step, double share);
+  bool isNarrow(double range) const;
+  double uncertainty() const;
+  Step newton() const;
+  void retreat(const Place& earlier);
+
+  const ContactModelConfig& config_;
+  double accuracy_;       ///< largest opening by what is left of the balance, over the overlap [-]
+  double greatest_turn_;  ///< of the roll in one step [rad]
+  Sides<WheelEquilibrium> wheels_;
+  WheelsetState state_;
+  bool warm_ = false;
+  double start_roll_ = 0;
+  double z_ = 0;
+  Place place_;
+  Sides<double> solved_roll_{}, solved_load_{};  ///< of the last solutions [rad], [N]
+  Sides<bool> solved_{};                         ///< for this state
+  Sides<double> open_{};
+  bool lifts_ = false;
+};
+}  // namespace wheel_rail_contact::core
