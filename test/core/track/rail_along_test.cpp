@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../../manchester_scene.h"
+#include "../../temporary_folder.h"
 #include "../profile/profile_helpers.h"
 #include "../profile/section_scenes.h"
 #include "core/track/rail_along.h"
@@ -284,7 +285,7 @@ class RailOnLineTest : public testing::Test
     return {std::istream_iterator<std::string>(stream), {}};
   }
 
-  const Folder folder_;
+  const wheel_rail_contact::Folder folder_;
   ContactModelConfig scene_ = manchesterScene();
   Sides<RailDeflection> displaced_{};  ///< of each Side
   Sides<RailMeasure> rail_{};          ///< of each Side

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "../../temporary_folder.h"
 #include "../profile/profile_helpers.h"
 #include "wheel_rail_contact/core/track.h"
 
@@ -266,7 +267,7 @@ class LineFileTest : public testing::Test
     return "accepted";
   }
 
-  const Folder folder_;
+  const wheel_rail_contact::Folder folder_;
 };
 
 void expectSame(const LineStation& a, const LineStation& b)
