@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/core/contact_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -44,19 +45,58 @@ class WheelTouch
   /// Keeps a reference to `config`, which must outlive the object.
   /// @param distance  place on the line, for rails with sections [m]
   /// @throw std::invalid_argument if the rail has several parts there, or its sections do not contain this place.
-  WheelTouch(const ContactModelConfig& config, Side side, double distance);
+  WheelTouch(const ContactModelConfig& config, Side side, double distance)
+      : wheel_(*config.wheel_profile[side]),
+        wheelset_(config.wheelset),
+        side_(side),
+        rail_(runningRail(config, side, distance)),
+        search_(wheel_, rail_.profile())
+  {
+    search_.setRail(rail_);
+  }
 
   /// Finds the touch at y [m] and roll [rad] of the axle, track axes.
-  GeometryStatus find(double y, double roll);
+  GeometryStatus find(double y, double roll)
+  {
+    search_.setWheel({wheel_, wheelset_, side_, toSide(side_, {y, 0, 0, roll})});
+    if (!search_.nearest(touch_))
+    {
+      return GeometryStatus::beside_rail;
+    }
+    return isAtEnd() ? GeometryStatus::off_profile : GeometryStatus::ok;
+  }
+
   /// Height of the axle centre in the touch that was found [m].
   double height() const { return -touch_.separation; }
+
   /// True if points of the wheel or the rail are missing at the touch that was found.
-  bool isOnMissingPoints() const;
+  bool isOnMissingPoints() const
+  {
+    return wheel_.errorAt(touch_.wheel_u).missing || rail_.profile().errorAt(touch_.rail_u).missing;
+  }
+
   /// Point of the touch that was found.
-  TouchPoint point() const;
+  TouchPoint point() const
+  {
+    const CurvePoint wheel = wheel_.at(touch_.wheel_u);
+    const CurvePoint rail = rail_.profile().at(touch_.rail_u);
+    const PlanePoint place = rail_.place(rail);
+    return {sideSign(side_) * place.y,
+            place.z,
+            wheel.y,
+            rail.y,
+            std::atan(touch_.slope),
+            wheelset_.rolling_radius[side_] - wheel.z};
+  }
 
  private:
-  bool isAtEnd() const;
+  /// True if the touch is at the end of a profile, where the bodies are cut off.
+  bool isAtEnd() const
+  {
+    const auto is_end = [](double u, const Profile& profile)
+    { return std::min(u, profile.length() - u) < ContactSearch::spacing; };
+    return is_end(touch_.wheel_u, wheel_) || is_end(touch_.rail_u, rail_.profile());
+  }
 
   const Profile& wheel_;
   const WheelsetConfig& wheelset_;
@@ -71,16 +111,75 @@ class WheelsetTouch
 {
  public:
   /// As WheelTouch.
-  WheelsetTouch(const ContactModelConfig& config, double distance);
+  WheelsetTouch(const ContactModelConfig& config, double distance)
+      : wheels_{{config, Side::left, distance}, {config, Side::right, distance}}, base_(2 * config.wheelset.halfBase())
+  {
+  }
 
   /// Contact geometry at y [m].
   /// @param roll  as in ContactGeometryOptions
-  GeometryPoint at(double y, bool roll);
+  GeometryPoint at(double y, bool roll)
+  {
+    GeometryPoint point;
+    point.y = y;
+    point.status = roll ? findRoll(y, point.roll) : find(y, 0);
+    // Only now: the search of the roll may pass over missing points.
+    if (point.status == GeometryStatus::ok && (wheels_.left.isOnMissingPoints() || wheels_.right.isOnMissingPoints()))
+    {
+      point.status = GeometryStatus::points_missing;
+    }
+    if (point.status == GeometryStatus::ok)
+    {
+      point.z = 0.5 * (wheels_.left.height() + wheels_.right.height());
+      point.touch = {wheels_.left.point(), wheels_.right.point()};
+    }
+    return point;
+  }
 
  private:
-  GeometryStatus find(double y, double roll);
+  GeometryStatus find(double y, double roll)
+  {
+    const GeometryStatus left = wheels_.left.find(y, roll);
+    return left == GeometryStatus::ok ? wheels_.right.find(y, roll) : left;
+  }
+
   double heightDifference() const { return wheels_.left.height() - wheels_.right.height(); }
-  GeometryStatus findRoll(double y, double& roll);
+
+  /// Finds the roll at which both wheels touch at the same height of the axle, the one next to zero.
+  ///
+  /// A roll to the left raises the left wheel: the height at which it touches falls. On a flange it may fall slowly, or
+  /// rise, because the roll also moves the wheel across the track.
+  GeometryStatus findRoll(double y, double& roll)
+  {
+    roll = 0;
+    GeometryStatus status = find(y, roll);
+    double difference = heightDifference();
+    double step = 0;
+    while (status == GeometryStatus::ok && difference != 0)
+    {
+      const double before = difference, roll_before = roll;
+      step = std::max({std::abs(difference) / base_, 2 * step, least_step});
+      roll += std::copysign(step, difference);
+      if (std::abs(roll) > most_roll)
+      {
+        return GeometryStatus::no_roll;
+      }
+      status = find(y, roll);
+      difference = heightDifference();
+      if (status == GeometryStatus::ok && (difference > 0) != (before > 0))
+      {
+        const auto difference_at = [&](double trial)
+        {
+          const GeometryStatus found = find(y, trial);
+          status = found == GeometryStatus::ok ? status : found;
+          return heightDifference();
+        };
+        roll = bracketedRoot(difference_at, roll_before, before, roll, difference, roll_tolerance);
+        return status == GeometryStatus::ok ? find(y, roll) : status;
+      }
+    }
+    return status;
+  }
 
   struct Wheels
   {
@@ -89,117 +188,6 @@ class WheelsetTouch
   Wheels wheels_;
   double base_;  ///< distance of the running circles [m]
 };
-
-WheelTouch::WheelTouch(const ContactModelConfig& config, Side side, double distance)
-    : wheel_(*config.wheel_profile[side]),
-      wheelset_(config.wheelset),
-      side_(side),
-      rail_(runningRail(config, side, distance)),
-      search_(wheel_, rail_.profile())
-{
-  search_.setRail(rail_);
-}
-
-GeometryStatus WheelTouch::find(double y, double roll)
-{
-  search_.setWheel({wheel_, wheelset_, side_, toSide(side_, {y, 0, 0, roll})});
-  if (!search_.nearest(touch_))
-  {
-    return GeometryStatus::beside_rail;
-  }
-  return isAtEnd() ? GeometryStatus::off_profile : GeometryStatus::ok;
-}
-
-/// True if the touch is at the end of a profile, where the bodies are cut off.
-bool WheelTouch::isAtEnd() const
-{
-  const auto is_end = [](double u, const Profile& profile)
-  { return std::min(u, profile.length() - u) < ContactSearch::spacing; };
-  return is_end(touch_.wheel_u, wheel_) || is_end(touch_.rail_u, rail_.profile());
-}
-
-bool WheelTouch::isOnMissingPoints() const
-{
-  return wheel_.errorAt(touch_.wheel_u).missing || rail_.profile().errorAt(touch_.rail_u).missing;
-}
-
-TouchPoint WheelTouch::point() const
-{
-  const CurvePoint wheel = wheel_.at(touch_.wheel_u);
-  const CurvePoint rail = rail_.profile().at(touch_.rail_u);
-  const PlanePoint place = rail_.place(rail);
-  return {sideSign(side_) * place.y,
-          place.z,
-          wheel.y,
-          rail.y,
-          std::atan(touch_.slope),
-          wheelset_.rolling_radius[side_] - wheel.z};
-}
-
-WheelsetTouch::WheelsetTouch(const ContactModelConfig& config, double distance)
-    : wheels_{{config, Side::left, distance}, {config, Side::right, distance}}, base_(2 * config.wheelset.halfBase())
-{
-}
-
-GeometryStatus WheelsetTouch::find(double y, double roll)
-{
-  const GeometryStatus left = wheels_.left.find(y, roll);
-  return left == GeometryStatus::ok ? wheels_.right.find(y, roll) : left;
-}
-
-/// Finds the roll at which both wheels touch at the same height of the axle, the one next to zero.
-///
-/// A roll to the left raises the left wheel: the height at which it touches falls. On a flange it may fall slowly, or
-/// rise, because the roll also moves the wheel across the track.
-GeometryStatus WheelsetTouch::findRoll(double y, double& roll)
-{
-  roll = 0;
-  GeometryStatus status = find(y, roll);
-  double difference = heightDifference();
-  double step = 0;
-  while (status == GeometryStatus::ok && difference != 0)
-  {
-    const double before = difference, roll_before = roll;
-    step = std::max({std::abs(difference) / base_, 2 * step, least_step});
-    roll += std::copysign(step, difference);
-    if (std::abs(roll) > most_roll)
-    {
-      return GeometryStatus::no_roll;
-    }
-    status = find(y, roll);
-    difference = heightDifference();
-    if (status == GeometryStatus::ok && (difference > 0) != (before > 0))
-    {
-      const auto difference_at = [&](double trial)
-      {
-        const GeometryStatus found = find(y, trial);
-        status = found == GeometryStatus::ok ? status : found;
-        return heightDifference();
-      };
-      roll = bracketedRoot(difference_at, roll_before, before, roll, difference, roll_tolerance);
-      return status == GeometryStatus::ok ? find(y, roll) : status;
-    }
-  }
-  return status;
-}
-
-GeometryPoint WheelsetTouch::at(double y, bool roll)
-{
-  GeometryPoint point;
-  point.y = y;
-  point.status = roll ? findRoll(y, point.roll) : find(y, 0);
-  // Only now: the search of the roll may pass over missing points.
-  if (point.status == GeometryStatus::ok && (wheels_.left.isOnMissingPoints() || wheels_.right.isOnMissingPoints()))
-  {
-    point.status = GeometryStatus::points_missing;
-  }
-  if (point.status == GeometryStatus::ok)
-  {
-    point.z = 0.5 * (wheels_.left.height() + wheels_.right.height());
-    point.touch = {wheels_.left.point(), wheels_.right.point()};
-  }
-  return point;
-}
 
 constexpr double farthest_y = 0.1;        ///< from the track centre, as WheelsetState::y [m]
 constexpr double most_steps = 20000;      ///< of the lateral displacement
@@ -310,20 +298,8 @@ class CurveRefinement
 
 const char* toString(GeometryStatus status)
 {
-  switch (status)
-  {
-    case GeometryStatus::beside_rail:
-      return "beside_rail";
-    case GeometryStatus::off_profile:
-      return "off_profile";
-    case GeometryStatus::no_roll:
-      return "no_roll";
-    case GeometryStatus::points_missing:
-      return "points_missing";
-    case GeometryStatus::ok:
-      break;
-  }
-  return "ok";
+  constexpr std::array names{"ok", "beside_rail", "off_profile", "no_roll", "points_missing"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 ContactGeometry contactGeometry(const ContactModelConfig& config, const ContactGeometryOptions& options)

@@ -25,11 +25,7 @@ void requireFinite(const char* name, double value)
 void requireNonNegative(const char* name, double value)
 {
   requireFinite(name, value);
-  if (value < 0)
-  {
-    throw std::invalid_argument(std::string("rail_bending/table: ") + name + " = " + std::to_string(value) +
-                                " must not be negative");
-  }
+  require(value >= 0, std::string("rail_bending/table: ") + name, value, "must not be negative");
 }
 
 [[noreturn]] void refuse(const std::vector<RailInfluence>& listed, double distance)

@@ -235,13 +235,6 @@ bool ContactSearch::setWidthByCurvature(double separation, OverlapInterval& inte
   return interval.u_end > interval.u_begin;
 }
 
-std::size_t ContactSearch::lowestStation(std::size_t first, std::size_t end) const
-{
-  const auto begin = separation_.begin();
-  return static_cast<std::size_t>(std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(end)) -
-                                  begin);
-}
-
 /// True if the rail outline shows the same part at both stations.
 bool ContactSearch::areOnePart(std::size_t k, std::size_t other) const
 {
@@ -289,7 +282,9 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
       const auto [first, last] = belowAround(minimum, separation);
       end = last + 1;
       interval = intervalBetween(first, last, separation);
-      interval.contact = refined(lowestStation(first, end));
+      const auto begin = separation_.begin();
+      const auto lowest = std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(end));
+      interval.contact = refined(static_cast<std::size_t>(lowest - begin));
       const auto next = std::upper_bound(minima_.begin(), minima_.end(), minimum);
       interval.has_one_minimum = next == minima_.end() || *next >= end;
       if (end - first >= fine_stations)

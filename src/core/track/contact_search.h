@@ -111,7 +111,6 @@ class ContactSearch
   void findMinima(std::size_t first, std::size_t last);
   std::size_t nearestStation(double y) const;
   double depthBelowStation(std::size_t k) const;
-  std::size_t lowestStation(std::size_t first, std::size_t end) const;
   bool areOnePart(std::size_t k, std::size_t other) const;
   std::pair<std::size_t, std::size_t> neighbours(std::size_t k) const;
   std::pair<std::size_t, std::size_t> belowAround(std::size_t k, double separation) const;

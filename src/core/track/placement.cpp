@@ -85,21 +85,6 @@ PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
   return moved;
 }
 
-PlanePoint PlacedRail::at(double u) const
-{
-  return place(profile_->at(u));
-}
-
-double PlacedRail::angle() const
-{
-  return std::atan2(frame_.sine, frame_.cosine);
-}
-
-PlanePoint PlacedRail::referencePoint() const
-{
-  return place({0, -ComplianceTable::reference_depth, 1, 0, 0, 0});
-}
-
 void PlacedRail::turn(double angle)
 {
   frame_.cosine = std::cos(angle);

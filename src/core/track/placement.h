@@ -74,15 +74,15 @@ class PlacedRail
   /// Profile of the rail, in the profile frame.
   const Profile& profile() const { return *profile_; }
   /// Point at the parameter u [m] of the profile, in side axes.
-  PlanePoint at(double u) const;
+  PlanePoint at(double u) const { return place(profile_->at(u)); }
   /// Converts a point from the profile frame to side axes. The point need not be on the profile.
   PlanePoint place(const CurvePoint& point) const { return frame_.at(point); }
   /// Position of the profile in side axes.
   const RailFrame& frame() const { return frame_; }
   /// Angle of the rail relative to the side axes [rad]: inclination minus outward roll.
-  double angle() const;
+  double angle() const { return std::atan2(frame_.sine, frame_.cosine); }
   /// Reference point of the head, ComplianceTable::reference_depth below the crown [m].
-  PlanePoint referencePoint() const;
+  PlanePoint referencePoint() const { return place({0, -ComplianceTable::reference_depth, 1, 0, 0, 0}); }
 
  private:
   void turn(double angle);

@@ -13,6 +13,7 @@
 #include "core/option_check.h"
 #include "core/profile/curve/monotone_cubic.h"
 #include "core/text/text_table.h"
+#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
@@ -61,28 +62,33 @@ enum Quantity
   columns
 };
 
-struct ColumnRule
-{
-  const char* name;
-  bool is_angle;
-  double railway_sign;  ///< -1: its sign changes in railway axes
-};
+constexpr std::array<const char*, columns> names{"x",
+                                                 "gauge",
+                                                 "alignment",
+                                                 "alignment_left",
+                                                 "alignment_right",
+                                                 "level",
+                                                 "level_left",
+                                                 "level_right",
+                                                 "cross_level",
+                                                 "rail_lateral_left",
+                                                 "rail_vertical_left",
+                                                 "rail_roll_left",
+                                                 "rail_lateral_right",
+                                                 "rail_vertical_right",
+                                                 "rail_roll_right"};
 
-constexpr std::array<ColumnRule, columns> rules{{{"x", false, 1},
-                                                 {"gauge", false, 1},
-                                                 {"alignment", false, -1},
-                                                 {"alignment_left", false, -1},
-                                                 {"alignment_right", false, -1},
-                                                 {"level", false, -1},
-                                                 {"level_left", false, -1},
-                                                 {"level_right", false, -1},
-                                                 {"cross_level", false, 1},
-                                                 {"rail_lateral_left", false, 1},
-                                                 {"rail_vertical_left", false, -1},
-                                                 {"rail_roll_left", true, 1},
-                                                 {"rail_lateral_right", false, 1},
-                                                 {"rail_vertical_right", false, -1},
-                                                 {"rail_roll_right", true, 1}}};
+bool isAngle(std::size_t column)
+{
+  return column == rail_roll_left || column == rail_roll_right;
+}
+
+/// True for positions to the left and heights: their signs change in railway axes.
+bool isReversed(std::size_t column)
+{
+  const bool of_track = column >= alignment && column <= level_right;
+  return of_track || column == rail_vertical_left || column == rail_vertical_right;
+}
 
 /// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
 using Row = std::array<std::optional<double>, columns>;
@@ -113,7 +119,7 @@ class LineFile
     }
     for (std::size_t i = 0; i < fields_.size(); ++i)
     {
-      row[column_[i]] = file_.numberIn(fields_[i], rules[column_[i]].name) * factor_[i];
+      row[column_[i]] = file_.numberIn(fields_[i], names[column_[i]]) * factor_[i];
     }
     return true;
   }
@@ -123,21 +129,20 @@ class LineFile
  private:
   static bool areTitles(const std::vector<TableTitle>& titles)
   {
-    return std::any_of(titles.begin(), titles.end(),
-                       [](const TableTitle& title) { return title.name == rules[x].name; });
+    return std::any_of(titles.begin(), titles.end(), [](const TableTitle& title) { return title.name == names[x]; });
   }
 
   [[noreturn]] void refuseTitles(const std::string& reason) const { file_.refuse(table_.titleLine(), reason); }
 
   void addColumn(const TableTitle& title)
   {
-    const auto rule =
-        std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return title.name == r.name; });
-    if (rule == rules.end())
+    const auto name = std::find(names.begin(), names.end(), title.name);
+    if (name == names.end())
     {
-      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + validNames());
+      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + joined(names, ", "));
     }
-    const auto column = static_cast<std::size_t>(rule - rules.begin());
+    const auto column = static_cast<std::size_t>(name - names.begin());
+    const bool is_angle = isAngle(column);
     if (has(column))
     {
       refuseTitles("column '" + title.name + "' is given twice");
@@ -145,16 +150,16 @@ class LineFile
     if (title.unit.empty())
     {
       refuseTitles("column '" + title.name + "': must have a unit, for example '" + title.name +
-                   (rule->is_angle ? " [mrad]'" : " [mm]'"));
+                   (is_angle ? " [mrad]'" : " [mm]'"));
     }
-    const std::optional<double> unit = unitNamed(rule->is_angle ? angleUnits() : lengthUnits(), title.unit);
+    const std::optional<double> unit = unitNamed(is_angle ? angleUnits() : lengthUnits(), title.unit);
     if (!unit)
     {
       refuseTitles("column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
-                   (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
+                   (is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
     }
     column_.push_back(column);
-    factor_.push_back(*unit * (axes_ == LineAxes::railway ? rule->railway_sign : 1));
+    factor_.push_back(*unit * (axes_ == LineAxes::railway && isReversed(column) ? -1 : 1));
   }
 
   bool has(std::size_t column) const { return std::count(column_.begin(), column_.end(), column) > 0; }
@@ -169,7 +174,7 @@ class LineFile
     {
       if (has(one) && has(other))
       {
-        refuseTitles(std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
+        refuseTitles(std::string("give either '") + names[one] + "' or '" + names[other] + "'");
       }
     };
     both(alignment, alignment_left);
@@ -183,16 +188,6 @@ class LineFile
         both(track, rail);
       }
     }
-  }
-
-  static std::string validNames()
-  {
-    std::string names;
-    for (const ColumnRule& rule : rules)
-    {
-      names += (names.empty() ? "" : ", ") + std::string(rule.name);
-    }
-    return names;
   }
 
   TextFile file_;

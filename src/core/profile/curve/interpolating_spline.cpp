@@ -77,7 +77,7 @@ std::vector<double> polygonLength(const std::vector<SampledPoint>& points)
     checkPoint(points[i], i);
     if (i > 0)
     {
-      length[i] = length[i - 1] + std::hypot(points[i].y - points[i - 1].y, points[i].z - points[i - 1].z);
+      length[i] = length[i - 1] + distance(points[i - 1], points[i]);
       if (!(length[i] > length[i - 1]))
       {
         refuse("points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are equal");

@@ -58,29 +58,7 @@ CurveExpansion evaluate(const CubicSection& law, double t)
           6.0 * z[3]};
 }
 
-/// Lines and cubics need no check: any finite numbers define them.
-template <typename Law>
-void checkLaw(const Law&)
-{
-}
-
-void checkLaw(const ArcSection& arc)
-{
-  if (!(arc.radius > 0.0))
-  {
-    throw std::invalid_argument("profile: arc radius is " + std::to_string(arc.radius) + " m, must be positive");
-  }
-}
-
-void checkLaw(const PolynomialSection& law)
-{
-  if (law.count > PolynomialSection::max_coefficients)
-  {
-    throw std::invalid_argument("profile: polynomial has " + std::to_string(law.count) + " coefficients, at most " +
-                                std::to_string(PolynomialSection::max_coefficients) + " are allowed");
-  }
-}
-
+/// Lines and cubics need no further check: any finite numbers define them.
 void checkSection(const ProfileSection& section)
 {
   if (!(section.length > 0.0) || !std::isfinite(section.length))
@@ -88,7 +66,17 @@ void checkSection(const ProfileSection& section)
     throw std::invalid_argument("profile: section length is " + std::to_string(section.length) +
                                 " m, must be positive and finite");
   }
-  std::visit([](const auto& law) { checkLaw(law); }, section.law);
+  const auto* arc = std::get_if<ArcSection>(&section.law);
+  if (arc != nullptr && !(arc->radius > 0.0))
+  {
+    throw std::invalid_argument("profile: arc radius is " + std::to_string(arc->radius) + " m, must be positive");
+  }
+  const auto* law = std::get_if<PolynomialSection>(&section.law);
+  if (law != nullptr && law->count > PolynomialSection::max_coefficients)
+  {
+    throw std::invalid_argument("profile: polynomial has " + std::to_string(law->count) + " coefficients, at most " +
+                                std::to_string(PolynomialSection::max_coefficients) + " are allowed");
+  }
 }
 
 constexpr double origin_accuracy = 1e-9;  ///< of ParameterRange::origin [m]

@@ -38,14 +38,93 @@ std::array<double, cover> basis(double t)
 class PenalisedFit
 {
  public:
-  explicit PenalisedFit(const std::vector<SampledPoint>& points);
+  explicit PenalisedFit(const std::vector<SampledPoint>& points)
+  {
+    const Column u = polygonLength(points);
+    intervals_ = static_cast<std::size_t>(std::ceil(u.back() / knot_distance)) + 1;
+    step_ = u.back() / static_cast<double>(intervals_);
+    const std::size_t size = intervals_ + cover - 1;
+    normal_.assign(size, {});
+    right_y_.assign(size, 0.0);
+    right_z_.assign(size, 0.0);
+    relaxation_.assign(intervals_ - 1, 1.0);
+    double weights = 0;
+    for (const SampledPoint& point : points)
+    {
+      weights += point.weight;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      Sample sample{std::min(static_cast<std::size_t>(u[i] / step_), intervals_ - 1), {}, points[i]};
+      sample.basis = basis(u[i] / step_ - static_cast<double>(sample.interval));
+      sample.point.weight *= static_cast<double>(points.size()) / weights;
+      for (std::size_t a = 0; a < cover; ++a)
+      {
+        const std::size_t row = sample.interval + a;
+        const double share = sample.point.weight * sample.basis[a];
+        right_y_[row] += share * sample.point.y;
+        right_z_[row] += share * sample.point.z;
+        for (std::size_t b = a; b < cover; ++b)
+        {
+          normal_[row][b - a] += share * sample.basis[b];
+        }
+      }
+      samples_.push_back(sample);
+    }
+  }
 
   /// Fits with the strongest penalty for which the weighted mean square deviation is at most `target` [m²].
-  void fitTo(double target);
+  void fitTo(double target)
+  {
+    // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
+    double low = -15.0;
+    double high = 25.0;
+    for (int halving = 0; halving < 30; ++halving)
+    {
+      const double middle = 0.5 * (low + high);
+      fit(std::exp(middle));
+      (meanSquare() < target ? low : high) = middle;
+    }
+    fit(std::exp(low));
+  }
+
   /// Adapts the penalty to the curvature of the present fit.
-  void relaxAtCorners();
+  void relaxAtCorners()
+  {
+    const std::size_t last = y_.size() - 2;
+    const auto reach = static_cast<std::size_t>(std::ceil(corner_reach / step_));
+    for (std::size_t row = 0; row < relaxation_.size(); ++row)
+    {
+      const std::size_t middle = row + 1;
+      double sharpest = least_curvature;
+      for (std::size_t i = middle > reach ? middle - reach : 1; i <= std::min(middle + 1 + reach, last); ++i)
+      {
+        sharpest = std::max(sharpest, std::abs(curvature(i)));
+      }
+      relaxation_[row] = (reference_curvature / sharpest) * (reference_curvature / sharpest);
+    }
+  }
+
   /// @param noise  standard deviation of the points [m], for the error of the curve
-  std::vector<ProfileSection> sections(double noise) const;
+  std::vector<ProfileSection> sections(double noise) const
+  {
+    std::vector<ProfileSection> sections;
+    for (std::size_t i = 0; i < intervals_; ++i)
+    {
+      CubicSection cubic{};
+      const auto fill = [this, i](const Column& q, double* c)
+      {
+        c[0] = (q[i] + 4.0 * q[i + 1] + q[i + 2]) / 6.0;
+        c[1] = (q[i + 2] - q[i]) / (2.0 * step_);
+        c[2] = (q[i] - 2.0 * q[i + 1] + q[i + 2]) / (2.0 * step_ * step_);
+        c[3] = (-q[i] + 3.0 * q[i + 1] - 3.0 * q[i + 2] + q[i + 3]) / (6.0 * step_ * step_ * step_);
+      };
+      fill(y_, cubic.y);
+      fill(z_, cubic.z);
+      sections.push_back({cubic, step_, errorOf(i, noise)});
+    }
+    return sections;
+  }
 
  private:
   /// Lower triangle of a symmetric band matrix with three diagonals below the main one, by columns.
@@ -58,13 +137,123 @@ class PenalisedFit
     SampledPoint point;  ///< weights scaled to the mean 1
   };
 
-  void fit(double penalty);
-  double deviationOf(const std::array<double, cover>& combination, std::size_t interval) const;
-  ShapeError errorOf(std::size_t interval, double noise) const;
-  double meanSquare() const;
-  double curvature(std::size_t i) const;
-  static void factorise(Band& band);
-  static Column solve(const Band& factors, Column x);
+  void fit(double penalty)
+  {
+    Band band = normal_;
+    for (std::size_t i = 0; i < relaxation_.size(); ++i)
+    {
+      for (std::size_t a = 0; a < cover; ++a)
+      {
+        for (std::size_t b = a; b < cover; ++b)
+        {
+          band[i + a][b - a] += penalty * relaxation_[i] * third_difference[a] * third_difference[b];
+        }
+      }
+    }
+    factorise(band);
+    y_ = solve(band, right_y_);
+    z_ = solve(band, right_z_);
+    factors_ = std::move(band);
+  }
+
+  /// Standard deviation of a linear combination of the coefficients of an interval, for noise of 1. The covariance is
+  /// that of Wahba (Bayesian confidence intervals for the cross-validated smoothing spline, J. R. Statist. Soc. B 45,
+  /// 1983): the inverse of the equations. It contains the bias of the smoothing.
+  double deviationOf(const std::array<double, cover>& combination, std::size_t interval) const
+  {
+    Column right(y_.size(), 0.0);
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      right[interval + a] = combination[a];
+    }
+    const Column x = solve(factors_, right);
+    double variance = 0;
+    for (std::size_t a = 0; a < cover; ++a)
+    {
+      variance += combination[a] * x[interval + a];
+    }
+    return std::sqrt(std::max(variance, 0.0));
+  }
+
+  /// Error of the curve in the middle of an interval: by noise, and by the smoothing of a change of curvature. The
+  /// latter is taken as half the change over a quarter of the wavelength on either side that has both deviations: that
+  /// is how far the smoothing reaches.
+  ShapeError errorOf(std::size_t interval, double noise) const
+  {
+    constexpr double middle = 0.5;
+    constexpr std::array<double, cover> second_derivative = {0.5, -0.5, -0.5, 0.5};  // there, times step²
+    const double position = noise * deviationOf(basis(middle), interval);
+    const double by_noise = noise * deviationOf(second_derivative, interval) / (step_ * step_);
+    const double quarter = by_noise > 0 ? 0.5 * pi * std::sqrt(position / by_noise) : 0;
+    const std::size_t last = y_.size() - 2, here = interval + 1;
+    const auto reach = static_cast<std::size_t>(std::ceil(std::min(quarter / step_, static_cast<double>(last))));
+    const double change = curvature(std::min(here + 1 + reach, last)) - curvature(here > reach ? here - reach : 1);
+    return {position, std::hypot(by_noise, 0.5 * change), false};
+  }
+
+  double meanSquare() const
+  {
+    double sum = 0;
+    for (const Sample& sample : samples_)
+    {
+      double dy = -sample.point.y;
+      double dz = -sample.point.z;
+      for (std::size_t a = 0; a < cover; ++a)
+      {
+        dy += sample.basis[a] * y_[sample.interval + a];
+        dz += sample.basis[a] * z_[sample.interval + a];
+      }
+      sum += sample.point.weight * (dy * dy + dz * dz);
+    }
+    return sum / static_cast<double>(samples_.size());
+  }
+
+  /// Curvature at the middle of B-spline i [1/m], with i from 1 to the second-last.
+  double curvature(std::size_t i) const
+  {
+    const double dy = 0.5 * (y_[i + 1] - y_[i - 1]);
+    const double dz = 0.5 * (z_[i + 1] - z_[i - 1]);
+    const double bend = dy * (z_[i + 1] - 2.0 * z_[i] + z_[i - 1]) - dz * (y_[i + 1] - 2.0 * y_[i] + y_[i - 1]);
+    return bend / std::pow(dy * dy + dz * dz, 1.5);
+  }
+
+  static void factorise(Band& band)
+  {
+    for (std::size_t i = 0; i < band.size(); ++i)
+    {
+      const std::size_t below = std::min(cover, band.size() - i);
+      std::array<double, cover> column = band[i];
+      for (std::size_t a = 1; a < below; ++a)
+      {
+        band[i][a] = column[a] / column[0];
+        for (std::size_t b = 1; b <= a; ++b)
+        {
+          band[i + b][a - b] -= band[i][a] * column[b];
+        }
+      }
+    }
+  }
+
+  static Column solve(const Band& factors, Column x)
+  {
+    const auto below = [&](std::size_t i) { return std::min(cover, x.size() - i); };
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      for (std::size_t a = 1; a < below(i); ++a)
+      {
+        x[i + a] -= factors[i][a] * x[i];
+      }
+    }
+    for (std::size_t i = x.size(); i-- > 0;)
+    {
+      x[i] /= factors[i][0];
+      for (std::size_t a = 1; a < below(i); ++a)
+      {
+        x[i] -= factors[i][a] * x[i + a];
+      }
+    }
+    return x;
+  }
 
   std::vector<Sample> samples_;
   std::size_t intervals_ = 0;
@@ -75,209 +264,6 @@ class PenalisedFit
   Column y_, z_;       ///< coefficients [m]
   Band factors_;       ///< of the equations of the last fit
 };
-
-PenalisedFit::PenalisedFit(const std::vector<SampledPoint>& points)
-{
-  const Column u = polygonLength(points);
-  intervals_ = static_cast<std::size_t>(std::ceil(u.back() / knot_distance)) + 1;
-  step_ = u.back() / static_cast<double>(intervals_);
-  const std::size_t size = intervals_ + cover - 1;
-  normal_.assign(size, {});
-  right_y_.assign(size, 0.0);
-  right_z_.assign(size, 0.0);
-  relaxation_.assign(intervals_ - 1, 1.0);
-  double weights = 0;
-  for (const SampledPoint& point : points)
-  {
-    weights += point.weight;
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    Sample sample{std::min(static_cast<std::size_t>(u[i] / step_), intervals_ - 1), {}, points[i]};
-    sample.basis = basis(u[i] / step_ - static_cast<double>(sample.interval));
-    sample.point.weight *= static_cast<double>(points.size()) / weights;
-    for (std::size_t a = 0; a < cover; ++a)
-    {
-      const std::size_t row = sample.interval + a;
-      const double share = sample.point.weight * sample.basis[a];
-      right_y_[row] += share * sample.point.y;
-      right_z_[row] += share * sample.point.z;
-      for (std::size_t b = a; b < cover; ++b)
-      {
-        normal_[row][b - a] += share * sample.basis[b];
-      }
-    }
-    samples_.push_back(sample);
-  }
-}
-
-void PenalisedFit::factorise(Band& band)
-{
-  for (std::size_t i = 0; i < band.size(); ++i)
-  {
-    const std::size_t below = std::min(cover, band.size() - i);
-    std::array<double, cover> column = band[i];
-    for (std::size_t a = 1; a < below; ++a)
-    {
-      band[i][a] = column[a] / column[0];
-      for (std::size_t b = 1; b <= a; ++b)
-      {
-        band[i + b][a - b] -= band[i][a] * column[b];
-      }
-    }
-  }
-}
-
-Column PenalisedFit::solve(const Band& factors, Column x)
-{
-  const auto below = [&](std::size_t i) { return std::min(cover, x.size() - i); };
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    for (std::size_t a = 1; a < below(i); ++a)
-    {
-      x[i + a] -= factors[i][a] * x[i];
-    }
-  }
-  for (std::size_t i = x.size(); i-- > 0;)
-  {
-    x[i] /= factors[i][0];
-    for (std::size_t a = 1; a < below(i); ++a)
-    {
-      x[i] -= factors[i][a] * x[i + a];
-    }
-  }
-  return x;
-}
-
-void PenalisedFit::fit(double penalty)
-{
-  Band band = normal_;
-  for (std::size_t i = 0; i < relaxation_.size(); ++i)
-  {
-    for (std::size_t a = 0; a < cover; ++a)
-    {
-      for (std::size_t b = a; b < cover; ++b)
-      {
-        band[i + a][b - a] += penalty * relaxation_[i] * third_difference[a] * third_difference[b];
-      }
-    }
-  }
-  factorise(band);
-  y_ = solve(band, right_y_);
-  z_ = solve(band, right_z_);
-  factors_ = std::move(band);
-}
-
-double PenalisedFit::meanSquare() const
-{
-  double sum = 0;
-  for (const Sample& sample : samples_)
-  {
-    double dy = -sample.point.y;
-    double dz = -sample.point.z;
-    for (std::size_t a = 0; a < cover; ++a)
-    {
-      dy += sample.basis[a] * y_[sample.interval + a];
-      dz += sample.basis[a] * z_[sample.interval + a];
-    }
-    sum += sample.point.weight * (dy * dy + dz * dz);
-  }
-  return sum / static_cast<double>(samples_.size());
-}
-
-void PenalisedFit::fitTo(double target)
-{
-  // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
-  double low = -15.0;
-  double high = 25.0;
-  for (int halving = 0; halving < 30; ++halving)
-  {
-    const double middle = 0.5 * (low + high);
-    fit(std::exp(middle));
-    (meanSquare() < target ? low : high) = middle;
-  }
-  fit(std::exp(low));
-}
-
-/// Curvature at the middle of B-spline i [1/m], with i from 1 to the second-last.
-double PenalisedFit::curvature(std::size_t i) const
-{
-  const double dy = 0.5 * (y_[i + 1] - y_[i - 1]);
-  const double dz = 0.5 * (z_[i + 1] - z_[i - 1]);
-  const double bend = dy * (z_[i + 1] - 2.0 * z_[i] + z_[i - 1]) - dz * (y_[i + 1] - 2.0 * y_[i] + y_[i - 1]);
-  return bend / std::pow(dy * dy + dz * dz, 1.5);
-}
-
-void PenalisedFit::relaxAtCorners()
-{
-  const std::size_t last = y_.size() - 2;
-  const auto reach = static_cast<std::size_t>(std::ceil(corner_reach / step_));
-  for (std::size_t row = 0; row < relaxation_.size(); ++row)
-  {
-    const std::size_t middle = row + 1;
-    double sharpest = least_curvature;
-    for (std::size_t i = middle > reach ? middle - reach : 1; i <= std::min(middle + 1 + reach, last); ++i)
-    {
-      sharpest = std::max(sharpest, std::abs(curvature(i)));
-    }
-    relaxation_[row] = (reference_curvature / sharpest) * (reference_curvature / sharpest);
-  }
-}
-
-/// Standard deviation of a linear combination of the coefficients of an interval, for noise of 1. The covariance is
-/// that of Wahba (Bayesian confidence intervals for the cross-validated smoothing spline, J. R. Statist. Soc. B 45,
-/// 1983): the inverse of the equations. It contains the bias of the smoothing.
-double PenalisedFit::deviationOf(const std::array<double, cover>& combination, std::size_t interval) const
-{
-  Column right(y_.size(), 0.0);
-  for (std::size_t a = 0; a < cover; ++a)
-  {
-    right[interval + a] = combination[a];
-  }
-  const Column x = solve(factors_, right);
-  double variance = 0;
-  for (std::size_t a = 0; a < cover; ++a)
-  {
-    variance += combination[a] * x[interval + a];
-  }
-  return std::sqrt(std::max(variance, 0.0));
-}
-
-/// Error of the curve in the middle of an interval: by noise, and by the smoothing of a change of curvature. The latter
-/// is taken as half the change over a quarter of the wavelength on either side that has both deviations: that is how
-/// far the smoothing reaches.
-ShapeError PenalisedFit::errorOf(std::size_t interval, double noise) const
-{
-  constexpr double middle = 0.5;
-  constexpr std::array<double, cover> second_derivative = {0.5, -0.5, -0.5, 0.5};  // there, times step²
-  const double position = noise * deviationOf(basis(middle), interval);
-  const double by_noise = noise * deviationOf(second_derivative, interval) / (step_ * step_);
-  const double quarter = by_noise > 0 ? 0.5 * pi * std::sqrt(position / by_noise) : 0;
-  const std::size_t last = y_.size() - 2, here = interval + 1;
-  const auto reach = static_cast<std::size_t>(std::ceil(std::min(quarter / step_, static_cast<double>(last))));
-  const double change = curvature(std::min(here + 1 + reach, last)) - curvature(here > reach ? here - reach : 1);
-  return {position, std::hypot(by_noise, 0.5 * change), false};
-}
-
-std::vector<ProfileSection> PenalisedFit::sections(double noise) const
-{
-  std::vector<ProfileSection> sections;
-  for (std::size_t i = 0; i < intervals_; ++i)
-  {
-    CubicSection cubic{};
-    const auto fill = [this, i](const Column& q, double* c)
-    {
-      c[0] = (q[i] + 4.0 * q[i + 1] + q[i + 2]) / 6.0;
-      c[1] = (q[i + 2] - q[i]) / (2.0 * step_);
-      c[2] = (q[i] - 2.0 * q[i + 1] + q[i + 2]) / (2.0 * step_ * step_);
-      c[3] = (-q[i] + 3.0 * q[i + 1] - 3.0 * q[i + 2] + q[i + 3]) / (6.0 * step_ * step_ * step_);
-    };
-    fill(y_, cubic.y);
-    fill(z_, cubic.z);
-    sections.push_back({cubic, step_, errorOf(i, noise)});
-  }
-  return sections;
-}
 
 /// Largest distance of the curve from the polygon through the points, at the points and in the middle between them,
 /// over what is plausible there: a share of the distance of the points.
@@ -305,7 +291,7 @@ std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
   {
     SampledPoint sum{0, 0, 0};
     const SampledPoint& first = points[i];
-    for (; i < points.size() && std::hypot(points[i].y - first.y, points[i].z - first.z) < group_length; ++i)
+    for (; i < points.size() && distance(first, points[i]) < group_length; ++i)
     {
       sum.y += points[i].weight * points[i].y;
       sum.z += points[i].weight * points[i].z;

@@ -50,16 +50,6 @@ bool isProfile(const TextFile& file, const FileProfile& content, ProfileKind kin
   }
 }
 
-const char* nameOf(Y y)
-{
-  return y == Y::outward ? "outward" : "inward";
-}
-
-const char* nameOf(Z z)
-{
-  return z == Z::up ? "up" : "down";
-}
-
 /// Values of the options by which the points are a profile.
 struct Fitting
 {
@@ -82,8 +72,8 @@ Fitting fittingWith(const TextFile& file, const FileProfile& content, ProfileKin
         if (is_free && isProfile(file, content, kind, {known.unit.value_or(named.value), y, z}, reading))
         {
           fitting.units.insert(named.name);
-          fitting.y.insert(nameOf(y));
-          fitting.z.insert(nameOf(z));
+          fitting.y.insert(y == Y::outward ? "outward" : "inward");
+          fitting.z.insert(z == Z::up ? "up" : "down");
         }
       }
     }

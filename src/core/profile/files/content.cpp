@@ -2,6 +2,7 @@
 #include "core/profile/files/content.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "core/text/words.h"
@@ -100,5 +101,27 @@ void addPoint(const TextFile& file, FileProfile& content, SampledPoint point, co
   point.line = file.number();
   content.points.push_back(point);
   content.decimals = std::max(content.decimals.value_or(decimalPlaces(z_text)), decimalPlaces(z_text));
+}
+
+std::vector<SampledPoint> thinnedOut(const std::vector<SampledPoint>& points, double least)
+{
+  std::vector<SampledPoint> kept;
+  for (const SampledPoint& p : points)
+  {
+    if (kept.empty() || distance(kept.back(), p) >= least)
+    {
+      kept.push_back(p);
+    }
+  }
+  return kept;
+}
+
+void rotate(double angle, std::vector<SampledPoint>& points)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (SampledPoint& p : points)
+  {
+    p = {c * p.y - s * p.z, s * p.y + c * p.z, p.weight, p.line};
+  }
 }
 }  // namespace wheel_rail_contact::core

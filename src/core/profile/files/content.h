@@ -45,6 +45,10 @@ FileProfile readContent(TextFile& file, ProfileKind kind);
 /// @param z_text  its z as written
 /// @throw FileError if the file has too many points.
 void addPoint(const TextFile& file, FileProfile& content, SampledPoint point, const std::string& z_text);
+/// Points without those closer to the preceding kept one than a distance.
+std::vector<SampledPoint> thinnedOut(const std::vector<SampledPoint>& points, double least);
+/// Rotates points about the origin, from y towards z [rad].
+void rotate(double angle, std::vector<SampledPoint>& points);
 /// True if the first line of a file is that of an old MiniProf file, whose header is free text.
 bool beginsOldMiniProf(const std::string& line);
 /// True if a line contains the titles of a table with columns of y and z.

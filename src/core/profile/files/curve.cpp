@@ -14,17 +14,12 @@ namespace
 /// Noise below which points are not smoothed [m]. The curvature is then known well enough.
 constexpr double least_noise = 5e-8;
 
-/// Standard deviation of the rounding of heights with a number of decimal places in a unit [m] (uniform distribution).
-double roundingOf(int decimals, double unit)
-{
-  return unit * std::pow(10.0, -decimals) / std::sqrt(12.0);
-}
-
 /// Noise of the points: as estimated, but not less than their rounding. Nothing if it is not known.
 std::optional<NoiseEstimate> noiseOf(const FileProfile& content, double unit, const std::vector<SampledPoint>& points)
 {
   const std::optional<NoiseEstimate> estimate = estimatedNoise(points);
-  const double rounding = roundingOf(content.decimals.value_or(0), unit);
+  // Standard deviation of a uniform distribution.
+  const double rounding = unit * std::pow(10.0, -content.decimals.value_or(0)) / std::sqrt(12.0);
   if (!estimate && rounding < least_noise)
   {
     return std::nullopt;

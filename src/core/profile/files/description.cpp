@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -112,10 +110,10 @@ void checkReading(const ProfileReading& reading)
 std::vector<FittedPoint> fittedPoints(const std::vector<SampledPoint>& points)
 {
   std::vector<FittedPoint> fitted;
-  std::transform(points.begin(), points.end(), std::back_inserter(fitted),
-                 [](const SampledPoint& p) {
-                   return FittedPoint{p.y, p.z};
-                 });
+  for (const SampledPoint& p : points)
+  {
+    fitted.push_back({p.y, p.z});
+  }
   return fitted;
 }
 }  // namespace

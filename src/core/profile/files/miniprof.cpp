@@ -63,14 +63,110 @@ class MiniProfReader
  public:
   MiniProfReader(TextFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
 
-  FileProfile read();
+  FileProfile read()
+  {
+    const std::size_t first = firstPoint(file_);
+    while (file_.next())
+    {
+      if (first > 0 && file_.number() >= first)
+      {
+        const std::vector<std::string> words = pointWords(file_.line());
+        if (!words.empty())
+        {
+          readPoint(words);
+        }
+        continue;
+      }
+      free_header_ = free_header_ || (file_.number() == 1 && beginsOldMiniProf(file_.line()));
+      readHeader(file_.line());
+    }
+    if (static_cast<double>(content_.points.size()) < stated_points_)
+    {
+      file_.refuse("file ends after " + std::to_string(content_.points.size()) + " of " +
+                   std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
+    }
+    const bool is_wheel = kind_ == ProfileKind::wheel;
+    content_.format = "MiniProf";
+    content_.unit = mm;
+    content_.y = is_wheel ? ProfileReading::Y::outward : ProfileReading::Y::inward;
+    content_.z = is_wheel ? ProfileReading::Z::down : ProfileReading::Z::up;
+    content_.running_circle = is_wheel ? tape_circle_ * mm : 0;
+    return content_;
+  }
 
  private:
-  void readHeader(std::string line);
+  void readHeader(std::string line)
+  {
+    const bool is_remark = pointText(line).empty();
+    line.erase(std::remove(line.begin(), line.end(), '"'), line.end());
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos && (is_remark || free_header_))
+    {
+      return;
+    }
+    if (equals == std::string::npos)
+    {
+      file_.refuse("line is neither key=value nor a point: not a MiniProf profile");
+    }
+    const std::string key = lowerCase(trim(line.substr(0, equals)));
+    const std::string value = trim(line.substr(equals + 1));
+    if (key == "columndef")
+    {
+      readColumns(value);
+    }
+    else if (key == "xoffset" || key == "yoffset" || key == "xypoints")
+    {
+      (key == "xoffset" ? x_offset_ : key == "yoffset" ? y_offset_ : stated_points_) = number(key, value);
+    }
+    else if (key == "wheeldiametertaperline" && number(key, value) > 0.0)
+    {
+      tape_circle_ = number(key, value);
+    }
+    else if (key == "tilt" && number(key, value) != 0.0)
+    {
+      file_.refuse("Tilt is not 0: the rotation must be applied before the profile is stored");
+    }
+  }
+
   /// Number in the header; 0 if the value is empty.
-  double number(const std::string& key, const std::string& value) const;
-  void readColumns(const std::string& definition);
-  void readPoint(const std::vector<std::string>& words);
+  double number(const std::string& key, const std::string& value) const
+  {
+    const std::optional<double> parsed = value.empty() ? 0.0 : parseNumber(value);
+    if (!parsed || std::abs(*parsed) > 1e6)
+    {
+      file_.refuse("value of '" + key + "' is not a plausible number");
+    }
+    return *parsed;
+  }
+
+  void readColumns(const std::string& definition)
+  {
+    const std::vector<std::string> names = splitCells(lowerCase(definition), ',');
+    const auto column_of = [&](const char* name)
+    {
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end())
+      {
+        file_.refuse(std::string("ColumnDef has no ") + (name[0] == 'x' ? "X" : "Y"));
+      }
+      return static_cast<std::size_t>(found - names.begin());
+    };
+    columns_ = names.size();
+    x_column_ = column_of("x");
+    y_column_ = column_of("y");
+  }
+
+  void readPoint(const std::vector<std::string>& words)
+  {
+    if (words.size() < 2 || (columns_ > 0 && words.size() != columns_))
+    {
+      file_.refuse(
+          "number of columns is " + std::to_string(words.size()) +
+          (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) : ", at least X and Y are required"));
+    }
+    const double x = file_.numberIn(words[x_column_]), y = file_.numberIn(words[y_column_]);
+    addPoint(file_, content_, {x + x_offset_, y + y_offset_}, words[y_column_]);
+  }
 
   TextFile& file_;
   ProfileKind kind_;
@@ -85,107 +181,6 @@ class MiniProfReader
   FileProfile content_;
 };
 
-FileProfile MiniProfReader::read()
-{
-  const std::size_t first = firstPoint(file_);
-  while (file_.next())
-  {
-    if (first > 0 && file_.number() >= first)
-    {
-      const std::vector<std::string> words = pointWords(file_.line());
-      if (!words.empty())
-      {
-        readPoint(words);
-      }
-      continue;
-    }
-    free_header_ = free_header_ || (file_.number() == 1 && beginsOldMiniProf(file_.line()));
-    readHeader(file_.line());
-  }
-  if (static_cast<double>(content_.points.size()) < stated_points_)
-  {
-    file_.refuse("file ends after " + std::to_string(content_.points.size()) + " of " +
-                 std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
-  }
-  const bool is_wheel = kind_ == ProfileKind::wheel;
-  content_.format = "MiniProf";
-  content_.unit = mm;
-  content_.y = is_wheel ? ProfileReading::Y::outward : ProfileReading::Y::inward;
-  content_.z = is_wheel ? ProfileReading::Z::down : ProfileReading::Z::up;
-  content_.running_circle = is_wheel ? tape_circle_ * mm : 0;
-  return content_;
-}
-
-void MiniProfReader::readHeader(std::string line)
-{
-  const bool is_remark = pointText(line).empty();
-  line.erase(std::remove(line.begin(), line.end(), '"'), line.end());
-  const std::size_t equals = line.find('=');
-  if (equals == std::string::npos && (is_remark || free_header_))
-  {
-    return;
-  }
-  if (equals == std::string::npos)
-  {
-    file_.refuse("line is neither key=value nor a point: not a MiniProf profile");
-  }
-  const std::string key = lowerCase(trim(line.substr(0, equals)));
-  const std::string value = trim(line.substr(equals + 1));
-  if (key == "columndef")
-  {
-    readColumns(value);
-  }
-  else if (key == "xoffset" || key == "yoffset" || key == "xypoints")
-  {
-    (key == "xoffset" ? x_offset_ : key == "yoffset" ? y_offset_ : stated_points_) = number(key, value);
-  }
-  else if (key == "wheeldiametertaperline" && number(key, value) > 0.0)
-  {
-    tape_circle_ = number(key, value);
-  }
-  else if (key == "tilt" && number(key, value) != 0.0)
-  {
-    file_.refuse("Tilt is not 0: the rotation must be applied before the profile is stored");
-  }
-}
-
-double MiniProfReader::number(const std::string& key, const std::string& value) const
-{
-  const std::optional<double> parsed = value.empty() ? 0.0 : parseNumber(value);
-  if (!parsed || std::abs(*parsed) > 1e6)
-  {
-    file_.refuse("value of '" + key + "' is not a plausible number");
-  }
-  return *parsed;
-}
-
-void MiniProfReader::readColumns(const std::string& definition)
-{
-  const std::vector<std::string> names = splitCells(lowerCase(definition), ',');
-  const auto column_of = [&](const char* name)
-  {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-    {
-      file_.refuse(std::string("ColumnDef has no ") + (name[0] == 'x' ? "X" : "Y"));
-    }
-    return static_cast<std::size_t>(found - names.begin());
-  };
-  columns_ = names.size();
-  x_column_ = column_of("x");
-  y_column_ = column_of("y");
-}
-
-void MiniProfReader::readPoint(const std::vector<std::string>& words)
-{
-  if (words.size() < 2 || (columns_ > 0 && words.size() != columns_))
-  {
-    file_.refuse("number of columns is " + std::to_string(words.size()) +
-                 (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) : ", at least X and Y are required"));
-  }
-  const double x = file_.numberIn(words[x_column_]), y = file_.numberIn(words[y_column_]);
-  addPoint(file_, content_, {x + x_offset_, y + y_offset_}, words[y_column_]);
-}
 }  // namespace
 
 FileProfile readMiniProf(TextFile& file, ProfileKind kind)

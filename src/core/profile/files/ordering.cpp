@@ -24,14 +24,7 @@ constexpr double most_left_out = 0.05;
 /// one.
 Points withoutNearPoints(const Points& points)
 {
-  Points kept{points.front()};
-  for (const SampledPoint& p : points)
-  {
-    if (distance(kept.back(), p) >= least_distance)
-    {
-      kept.push_back(p);
-    }
-  }
+  Points kept = thinnedOut(points, least_distance);
   if (kept.size() > 1)
   {
     kept.back() = points.back();

@@ -25,19 +25,9 @@ constexpr double least_side_depth = 0.001;
 constexpr double whole_height = 0.120, head_depth = 0.040;
 constexpr double foot_ratio = 1.3;  ///< least ratio of the widths of foot and head
 
-bool isHigher(const SampledPoint& a, const SampledPoint& b)
-{
-  return a.z < b.z;
-}
-
-bool isFartherOutward(const SampledPoint& a, const SampledPoint& b)
-{
-  return a.y < b.y;
-}
-
 double topOf(const Points& points)
 {
-  return std::max_element(points.begin(), points.end(), isHigher)->z;
+  return std::max_element(points.begin(), points.end(), isLower)->z;
 }
 
 /// Range of y of the points at most `depth` below the top.
@@ -88,7 +78,7 @@ void move(double y, double z, PlacedPoints& placed)
 /// True if points are the outline of a rail with its foot.
 bool isWholeRail(const Points& points)
 {
-  const auto [bottom, top] = std::minmax_element(points.begin(), points.end(), isHigher);
+  const auto [bottom, top] = std::minmax_element(points.begin(), points.end(), isLower);
   const auto width = [&points](double depth)
   {
     const auto [left, right] = widthAt(points, depth);
@@ -101,14 +91,14 @@ bool isWholeRail(const Points& points)
 /// Keeps the head of the whole outline of a rail: from the top down to where both sides are widest.
 void cutToHead(Points& points)
 {
-  const auto bottom = std::min_element(points.begin(), points.end(), isHigher);
+  const auto bottom = std::min_element(points.begin(), points.end(), isLower);
   std::rotate(points.begin(), bottom, points.end());
-  const auto highest = std::max_element(points.begin(), points.end(), isHigher);
+  const auto highest = std::max_element(points.begin(), points.end(), isLower);
   const double least = highest->z - head_depth;
   const auto is_below = [least](const SampledPoint& p) { return p.z < least; };
   const auto last = std::find_if(highest, points.end(), is_below);
   const auto first = std::find_if(std::make_reverse_iterator(highest), points.rend(), is_below).base();
-  const auto [left, right] = std::minmax_element(first, last, isFartherOutward);
+  const auto [left, right] = std::minmax_element(first, last, isFartherInward);
   points = Points(std::min(left, right), std::max(left, right) + 1);
 }
 
@@ -144,7 +134,7 @@ double cubicBetween(const Points& points, std::size_t before)
 /// @throw FileError if the points do not extend across the running circle that the file states.
 void checkStatedCircle(const TextFile& file, const Points& points, double distance)
 {
-  const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherOutward);
+  const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherInward);
   if (!points.empty() && (left->y > distance || right->y < distance))
   {
     file.refuse(0, "points from X = " + millimetres(left->y) + " to " + millimetres(right->y) +
@@ -204,19 +194,6 @@ void placeRail(const TextFile& file, std::optional<Origin> origin, PlacedPoints&
   if (middle && (origin || std::abs(*middle) > farthest_middle))
   {
     move(-*middle, 0, placed);
-  }
-}
-
-void rotate(double angle, Points& points)
-{
-  if (angle == 0)
-  {
-    return;
-  }
-  const double c = std::cos(angle), s = std::sin(angle);
-  for (SampledPoint& p : points)
-  {
-    p = {c * p.y - s * p.z, s * p.y + c * p.z, p.weight, p.line};
   }
 }
 }  // namespace

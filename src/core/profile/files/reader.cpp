@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile_reader.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <stdexcept>
 #include <tuple>
 
@@ -32,14 +30,6 @@ constexpr StandardProfile standard_profiles[] = {{"S1002", ProfileKind::wheel, s
                                                  {"60E1", ProfileKind::rail, rail60E1},
                                                  {"60E2", ProfileKind::rail, rail60E2},
                                                  {"UIC60_manchester", ProfileKind::rail, railUic60Manchester}};
-
-/// Standard profile with exactly this name, or nullptr.
-const StandardProfile* findStandardProfile(const std::string& name)
-{
-  const StandardProfile* found = std::find_if(std::begin(standard_profiles), std::end(standard_profiles),
-                                              [&](const StandardProfile& standard) { return name == standard.name; });
-  return found == std::end(standard_profiles) ? nullptr : found;
-}
 
 bool fits(ProfileKind standard, ProfileKind kind)
 {
@@ -99,9 +89,12 @@ bool operator==(const ProfileReading& a, const ProfileReading& b)
 
 DescribedProfile describedProfile(const std::string& name_or_path, ProfileKind kind, const ProfileReading& reading)
 {
-  if (const StandardProfile* standard = findStandardProfile(name_or_path))
+  for (const StandardProfile& standard : standard_profiles)
   {
-    return describedStandard(*standard, kind, reading);
+    if (name_or_path == standard.name)
+    {
+      return describedStandard(standard, kind, reading);
+    }
   }
   if (!std::filesystem::exists(name_or_path))
   {

@@ -37,10 +37,8 @@ struct Box
 {
   explicit Box(const Points& points)
   {
-    const auto [left, right] =
-        std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
-    const auto [bottom, top] =
-        std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+    const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherInward);
+    const auto [bottom, top] = std::minmax_element(points.begin(), points.end(), isLower);
     y_min = left->y;
     y_max = right->y;
     lowest = *bottom;
@@ -117,6 +115,12 @@ void checkRunningCircle(const TextFile& file, const Points& points)
                        millimetres(first_front) + " to " + millimetres(last_front) +
                        ": the origin is not the running circle; a shift of y moves it");
   }
+  // A wheel that is rotated by 180 degrees has its tread as before, but its flange points up, on the field side.
+  if (Box(points).lowest.z > -least_flange_height)
+  {
+    file.refuse(0, "no flange reaches " + millimetres(least_flange_height) +
+                       " below the running circle: not a wheel, or both axes are reversed");
+  }
 }
 
 /// Length of the parts of a curve that are flat and deep below its top [m].
@@ -170,8 +174,7 @@ void checkSection(const TextFile& file, const Points& points)
 bool flangeOnFieldSide(const Points& points)
 {
   const auto field = std::find_if(points.begin(), points.end(), [](const SampledPoint& p) { return p.y > 0; });
-  const auto tip =
-      std::min_element(field, points.end(), [](const SampledPoint& a, const SampledPoint& b) { return a.z < b.z; });
+  const auto tip = std::min_element(field, points.end(), isLower);
   return tip != points.end() && tip->z < heightOfTread(points) - least_flange_height &&
          points.back().z - tip->z > least_back_rise;
 }
@@ -182,8 +185,7 @@ bool flangePointsUp(const Points& points)
 {
   const double least = heightOfTread(points) + highest_tread;
   const auto field = std::find_if(points.begin(), points.end(), [](const SampledPoint& p) { return p.y > 0; });
-  const auto tip =
-      std::max_element(field, points.end(), [](const SampledPoint& a, const SampledPoint& b) { return a.z < b.z; });
+  const auto tip = std::max_element(field, points.end(), isLower);
   const auto high = std::find_if(field, points.end(), [least](const SampledPoint& p) { return p.z > least; });
   return high != points.end() && (tip->z - points.back().z > least_back_rise || high->y < nearest_rim);
 }
@@ -216,17 +218,6 @@ void checkFlange(const TextFile& file, const Points& points)
     file.refuse(0, "no flange of at least " + millimetres(least_flange_height) + " on the gauge side: not a wheel");
   }
 }
-
-/// Detects a wheel profile that is rotated by 180 degrees: its tread is as before, but its flange points up, on the
-/// field side.
-void checkFlangeReachesDown(const TextFile& file, const Points& points)
-{
-  if (Box(points).lowest.z > -least_flange_height)
-  {
-    file.refuse(0, "no flange reaches " + millimetres(least_flange_height) +
-                       " below the running circle: not a wheel, or both axes are reversed");
-  }
-}
 }  // namespace
 
 void checkSize(const TextFile& file, const Points& points)
@@ -235,13 +226,6 @@ void checkSize(const TextFile& file, const Points& points)
   {
     file.refuse(0, "number of points is " + std::to_string(points.size()) + ", must be at least " +
                        std::to_string(fewest_points));
-  }
-  for (const SampledPoint& p : points)
-  {
-    if (!std::isfinite(p.y) || !std::isfinite(p.z))
-    {
-      file.refuse(p.line, "coordinate of the point is too large");
-    }
   }
   const Box box(points);
   const double height = box.highest.z - box.lowest.z;
@@ -265,7 +249,6 @@ void checkShape(const TextFile& file, const std::vector<SampledPoint>& points, P
     case ProfileKind::wheel:
       checkFlange(file, points);
       checkRunningCircle(file, points);
-      checkFlangeReachesDown(file, points);
       break;
     case ProfileKind::rail:
       checkRail(file, points);

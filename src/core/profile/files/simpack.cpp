@@ -17,33 +17,16 @@ namespace
 using SimpackSettings = std::map<std::string, double>;
 using Points = std::vector<SampledPoint>;
 
-/// 1: omits points too close to the preceding one.
-void thinOut(double least, Points& points)
-{
-  Points kept;
-  for (const SampledPoint& p : points)
-  {
-    if (kept.empty() || std::hypot(p.y - kept.back().y, p.z - kept.back().z) >= least)
-    {
-      kept.push_back(p);
-    }
-  }
-  points = kept;
-}
-
 /// 2 and 3: shift, then rotation about x, from y towards z.
 void shiftAndRotate(const SimpackSettings& settings, Points& points)
 {
   const double angle = settings.at("rotate") / settings.at("units.ang.f");
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
   for (SampledPoint& p : points)
   {
-    const double y = p.y + settings.at("shift.y");
-    const double z = p.z + settings.at("shift.z");
-    p.y = c * y - s * z;
-    p.z = s * y + c * z;
+    p.y += settings.at("shift.y");
+    p.z += settings.at("shift.z");
   }
+  rotate(angle, points);
 }
 
 /// 4: omits points outside the bounds. A lower bound above the upper bound switches the bounds off.
@@ -74,10 +57,11 @@ void mirrorAndInvert(const SimpackSettings& settings, Points& points)
   }
 }
 
-/// Applies the edits in Simpack's own order to the points as listed in the file (z down), in the unit of the file.
+/// Applies the edits in Simpack's own order to the points as listed in the file (z down), in the unit of the file. 1:
+/// omits points too close to the preceding one.
 void applyEdits(const SimpackSettings& settings, Points& points)
 {
-  thinOut(settings.at("point.dist.min"), points);
+  points = thinnedOut(points, settings.at("point.dist.min"));
   shiftAndRotate(settings, points);
   cutToBounds(settings, points);
   mirrorAndInvert(settings, points);
@@ -119,7 +103,38 @@ class SimpackReader
  public:
   SimpackReader(TextFile& file, ProfileKind kind) : file_(file), kind_(kind) {}
 
-  FileProfile read();
+  FileProfile read()
+  {
+    while (file_.next())
+    {
+      const std::string line = withoutRemark(file_.line());
+      if (line.empty() || changeBlock(line))
+      {
+        continue;
+      }
+      if (block_ == Block::points)
+      {
+        readPoint(line);
+      }
+      else
+      {
+        readSetting(line);
+      }
+    }
+    checkComplete();
+    checkSettings();
+    applyEdits(settings_, content_.points);
+    content_.format = "Simpack";
+    content_.unit = 1 / setting("units.len.f");
+    content_.unit_in_file = true;
+    content_.y = ProfileReading::Y::outward;
+    content_.z = ProfileReading::Z::down;
+    if (setting("approx.smooth") > 0)
+    {
+      content_.smoothing = setting("approx.smooth") * *content_.unit;
+    }
+    return content_;
+  }
 
  private:
   enum class Block
@@ -131,13 +146,151 @@ class SimpackReader
   };
 
   /// Processes a line that opens or closes a block. Returns false for other lines.
-  bool changeBlock(const std::string& line);
-  void move(Block from, Block to);
-  void readSetting(const std::string& line);
-  void readHeader(const std::string& key, double value);
-  void readPoint(const std::string& line);
-  void checkComplete() const;
-  void checkSettings() const;
+  bool changeBlock(const std::string& line)
+  {
+    static const std::map<std::string, std::pair<Block, Block>> changes{
+        {"header.begin", {Block::outside, Block::header}}, {"header.end", {Block::header, Block::outside}},
+        {"spline.begin", {Block::outside, Block::spline}}, {"spline.end", {Block::spline, Block::outside}},
+        {"point.begin", {Block::spline, Block::points}},   {"point.end", {Block::points, Block::spline}}};
+    const auto change = changes.find(line);
+    if (change == changes.end())
+    {
+      return false;
+    }
+    const auto [from, to] = change->second;
+    if (block_ != from)
+    {
+      file_.refuse("'" + line + "' is out of place: not a Simpack profile, or damaged");
+    }
+    if (to == Block::points && points_ended_)
+    {
+      file_.refuse("second block of points");
+    }
+    block_ = to;
+    points_ended_ = points_ended_ || from == Block::points;
+    spline_ended_ = spline_ended_ || (from == Block::spline && to == Block::outside);
+    return true;
+  }
+
+  void readSetting(const std::string& line)
+  {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos || block_ == Block::outside)
+    {
+      file_.refuse("line is neither a comment nor a block nor a keyword: not a Simpack profile");
+    }
+    const std::string key = trim(line.substr(0, equals));
+    if (block_ == Block::spline && isRemark(key))
+    {
+      return;
+    }
+    const std::optional<double> value = parseNumber(trim(line.substr(equals + 1)));
+    if (!value)
+    {
+      file_.refuse("value of '" + key + "' is not a number");
+    }
+    if (block_ == Block::header)
+    {
+      readHeader(key, *value);
+      return;
+    }
+    const auto known = settings_.find(key);
+    if (known == settings_.end())
+    {
+      file_.refuse("unknown keyword '" + key + "'; delete the line if it does not change the profile");
+    }
+    known->second = *value;
+  }
+
+  void readHeader(const std::string& key, double value)
+  {
+    if (key == "version")
+    {
+      if (value != 1.0)
+      {
+        file_.refuse("format version is not 1");
+      }
+      return;
+    }
+    if (key != "type")
+    {
+      file_.refuse("unknown keyword '" + key + "'");
+    }
+    if (value != 0.0 && value != 1.0)
+    {
+      file_.refuse("type is neither 0 (rail) nor 1 (wheel)");
+    }
+    if ((value == 1.0) != (kind_ == ProfileKind::wheel))
+    {
+      file_.refuse(value == 1.0 ? "wheel profile; a rail profile is required"
+                                : "rail profile; a wheel profile is required");
+    }
+    type_known_ = true;
+  }
+
+  void readPoint(const std::string& line)
+  {
+    const std::vector<std::string> words = splitWords(line);
+    if (words.size() < 2 || words.size() > 3)
+    {
+      file_.refuse("not a point: two coordinates and an optional weight are required");
+    }
+    double values[3] = {0.0, 0.0, 1.0};
+    for (std::size_t i = 0; i < words.size(); ++i)
+    {
+      values[i] = file_.numberIn(words[i]);
+    }
+    if (values[2] < 0.0)
+    {
+      file_.refuse("weight is negative");
+    }
+    if (values[2] > 0.0)
+    {
+      addPoint(file_, content_, {values[0], values[1], values[2]}, words[1]);
+    }
+  }
+
+  void checkComplete() const
+  {
+    if (!type_known_)
+    {
+      file_.refuse(0, "no header with a type: not a Simpack profile");
+    }
+    if (!points_ended_)
+    {
+      file_.refuse("file ends before point.end: truncated");
+    }
+    if (!spline_ended_)
+    {
+      file_.refuse("file ends before spline.end: truncated");
+    }
+  }
+
+  void checkSettings() const
+  {
+    for (const char* key : {"mirror.y", "mirror.z", "inversion"})
+    {
+      if (setting(key) != 0.0 && setting(key) != 1.0)
+      {
+        file_.refuse(0, std::string(key) + " is neither 0 nor 1");
+      }
+    }
+    for (const char* key : {"approx.smooth", "point.dist.min"})
+    {
+      if (setting(key) < 0.0)
+      {
+        file_.refuse(0, std::string(key) + " is negative");
+      }
+    }
+    for (const char* key : {"units.len.f", "units.ang.f"})
+    {
+      if (!(setting(key) > 0.0))
+      {
+        file_.refuse(0, std::string(key) + " is not positive");
+      }
+    }
+  }
+
   double setting(const std::string& key) const { return settings_.at(key); }
 
   TextFile& file_;
@@ -150,188 +303,6 @@ class SimpackReader
   FileProfile content_;
 };
 
-FileProfile SimpackReader::read()
-{
-  while (file_.next())
-  {
-    const std::string line = withoutRemark(file_.line());
-    if (line.empty() || changeBlock(line))
-    {
-      continue;
-    }
-    if (block_ == Block::points)
-    {
-      readPoint(line);
-    }
-    else
-    {
-      readSetting(line);
-    }
-  }
-  checkComplete();
-  checkSettings();
-  applyEdits(settings_, content_.points);
-  content_.format = "Simpack";
-  content_.unit = 1 / setting("units.len.f");
-  content_.unit_in_file = true;
-  content_.y = ProfileReading::Y::outward;
-  content_.z = ProfileReading::Z::down;
-  if (setting("approx.smooth") > 0)
-  {
-    content_.smoothing = setting("approx.smooth") * *content_.unit;
-  }
-  return content_;
-}
-
-bool SimpackReader::changeBlock(const std::string& line)
-{
-  static const std::map<std::string, std::pair<Block, Block>> changes{
-      {"header.begin", {Block::outside, Block::header}}, {"header.end", {Block::header, Block::outside}},
-      {"spline.begin", {Block::outside, Block::spline}}, {"spline.end", {Block::spline, Block::outside}},
-      {"point.begin", {Block::spline, Block::points}},   {"point.end", {Block::points, Block::spline}}};
-  const auto change = changes.find(line);
-  if (change == changes.end())
-  {
-    return false;
-  }
-  const auto [from, to] = change->second;
-  move(from, to);
-  points_ended_ = points_ended_ || from == Block::points;
-  spline_ended_ = spline_ended_ || (from == Block::spline && to == Block::outside);
-  return true;
-}
-
-void SimpackReader::move(Block from, Block to)
-{
-  if (block_ != from)
-  {
-    file_.refuse("'" + withoutRemark(file_.line()) + "' is out of place: not a Simpack profile, or damaged");
-  }
-  if (to == Block::points && points_ended_)
-  {
-    file_.refuse("second block of points");
-  }
-  block_ = to;
-}
-
-void SimpackReader::readSetting(const std::string& line)
-{
-  const std::size_t equals = line.find('=');
-  if (equals == std::string::npos || block_ == Block::outside)
-  {
-    file_.refuse("line is neither a comment nor a block nor a keyword: not a Simpack profile");
-  }
-  const std::string key = trim(line.substr(0, equals));
-  if (block_ == Block::spline && isRemark(key))
-  {
-    return;
-  }
-  const std::optional<double> value = parseNumber(trim(line.substr(equals + 1)));
-  if (!value)
-  {
-    file_.refuse("value of '" + key + "' is not a number");
-  }
-  if (block_ == Block::header)
-  {
-    readHeader(key, *value);
-    return;
-  }
-  const auto known = settings_.find(key);
-  if (known == settings_.end())
-  {
-    file_.refuse("unknown keyword '" + key + "'; delete the line if it does not change the profile");
-  }
-  known->second = *value;
-}
-
-void SimpackReader::readHeader(const std::string& key, double value)
-{
-  if (key == "version")
-  {
-    if (value != 1.0)
-    {
-      file_.refuse("format version is not 1");
-    }
-    return;
-  }
-  if (key != "type")
-  {
-    file_.refuse("unknown keyword '" + key + "'");
-  }
-  if (value != 0.0 && value != 1.0)
-  {
-    file_.refuse("type is neither 0 (rail) nor 1 (wheel)");
-  }
-  if ((value == 1.0) != (kind_ == ProfileKind::wheel))
-  {
-    file_.refuse(value == 1.0 ? "wheel profile; a rail profile is required"
-                              : "rail profile; a wheel profile is required");
-  }
-  type_known_ = true;
-}
-
-void SimpackReader::readPoint(const std::string& line)
-{
-  const std::vector<std::string> words = splitWords(line);
-  if (words.size() < 2 || words.size() > 3)
-  {
-    file_.refuse("not a point: two coordinates and an optional weight are required");
-  }
-  double values[3] = {0.0, 0.0, 1.0};
-  for (std::size_t i = 0; i < words.size(); ++i)
-  {
-    values[i] = file_.numberIn(words[i]);
-  }
-  if (values[2] < 0.0)
-  {
-    file_.refuse("weight is negative");
-  }
-  if (values[2] > 0.0)
-  {
-    addPoint(file_, content_, {values[0], values[1], values[2]}, words[1]);
-  }
-}
-
-void SimpackReader::checkComplete() const
-{
-  if (!type_known_)
-  {
-    file_.refuse(0, "no header with a type: not a Simpack profile");
-  }
-  if (!points_ended_)
-  {
-    file_.refuse("file ends before point.end: truncated");
-  }
-  if (!spline_ended_)
-  {
-    file_.refuse("file ends before spline.end: truncated");
-  }
-}
-
-void SimpackReader::checkSettings() const
-{
-  for (const char* key : {"mirror.y", "mirror.z", "inversion"})
-  {
-    if (setting(key) != 0.0 && setting(key) != 1.0)
-    {
-      file_.refuse(0, std::string(key) + " is neither 0 nor 1");
-    }
-  }
-  for (const char* key : {"approx.smooth", "point.dist.min"})
-  {
-    if (setting(key) < 0.0)
-    {
-      file_.refuse(0, std::string(key) + " is negative");
-    }
-  }
-  for (const char* key : {"units.len.f", "units.ang.f"})
-  {
-    if (!(setting(key) > 0.0))
-    {
-      file_.refuse(0, std::string(key) + " is not positive");
-    }
-  }
-}
 }  // namespace
 
 FileProfile readSimpack(TextFile& file, ProfileKind kind)

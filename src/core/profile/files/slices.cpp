@@ -84,9 +84,7 @@ FileSlice readSlice(const std::string& path, const ProfileReading& reading)
   constexpr ProfileKind kind = ProfileKind::rail_section;
   TextFile file(path);
   FileProfile content = readContent(file, kind);
-  const auto [left, right] =
-      std::minmax_element(content.points.begin(), content.points.end(),
-                          [](const SampledPoint& a, const SampledPoint& b) { return a.y < b.y; });
+  const auto [left, right] = std::minmax_element(content.points.begin(), content.points.end(), isFartherInward);
   if (content.points.empty())
   {
     file.refuse(0, "has no points");
@@ -206,18 +204,6 @@ RailSeries seriesOf(std::vector<Slice>& slices, const std::string& path, const P
   }
   return series;
 }
-
-/// Skips the part numbers of kinks and accelerations, which are not used.
-void skipParts(SlicesFile& file, const std::vector<std::string>& counts)
-{
-  for (std::size_t kind = 1; kind <= 2; ++kind)
-  {
-    if (const std::size_t count = file.count(counts[kind]); count > 0)
-    {
-      file.words(count, "part numbers");
-    }
-  }
-}
 }  // namespace
 
 RailSeries readRailSlices(const std::string& path, const ProfileReading& reading)
@@ -248,7 +234,13 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
   const std::size_t features = file.count(counts[0]);
   file.words(1, "the method of interpolation");
   std::vector<Slice> slices = slicesOf(file, count, scale);
-  skipParts(file, counts);
+  for (std::size_t kind = 1; kind <= 2; ++kind)  // kinks and accelerations, which are not used
+  {
+    if (const std::size_t parts = file.count(counts[kind]); parts > 0)
+    {
+      file.words(parts, "part numbers");
+    }
+  }
   RailSeries series = seriesOf(slices, path, reading, notes);
   for (std::size_t i = 0; i < count && features > 0; ++i)
   {

@@ -24,6 +24,18 @@ struct PlacedPoints
   double moved_y = 0, moved_z = 0;  ///< distances by which the origin was moved outward and up [m]
 };
 
+/// Orders points by their height.
+inline bool isLower(const SampledPoint& a, const SampledPoint& b)
+{
+  return a.z < b.z;
+}
+
+/// Orders points from the gauge side to the field side.
+inline bool isFartherInward(const SampledPoint& a, const SampledPoint& b)
+{
+  return a.y < b.y;
+}
+
 /// Height of a curve at y = 0 [m], the nearest to 0 if there are several; infinite if it does not cross y = 0.
 double heightAtOrigin(const std::vector<SampledPoint>& points);
 /// Brings the points to the profile frame: unit, axes, origin, shift, rotation and mirror, in this order.

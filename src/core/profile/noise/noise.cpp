@@ -25,10 +25,15 @@ class CurveWindows
   static constexpr double least_spacing = 0.25e-3, longest = 12e-3;  ///< [m]
 
   /// @param points  in order along the curve
-  explicit CurveWindows(const std::vector<SampledPoint>& points);
+  explicit CurveWindows(const std::vector<SampledPoint>& points) : points_(points), length_{0}
+  {
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      length_.push_back(length_.back() + distance(points[i - 1], points[i]));
+    }
+  }
 
-  /// Distance of the points `first` to `last` across the curve from the cubic through two neighbours before and two
-  /// after them, and its standard deviation for noise of 1.
+  /// Distance of points across the curve from a cubic, and its standard deviation for noise of 1.
   struct Residual
   {
     double across;     ///< of the point that is farthest from the cubic [m], positive to the left of the curve
@@ -38,64 +43,45 @@ class CurveWindows
     double length;     ///< distance of the two nearest neighbours [m]
     double turn;       ///< angle between the chords of the neighbours on either side [rad]
   };
+  /// Residual of the points `first` to `last` from the cubic through two neighbours before and two after them, which
+  /// are none of the points `skip_first` to `skip_last`.
   /// @return nothing if the curve has no such neighbours
-  std::optional<Residual> residual(std::size_t first, std::size_t last) const;
-  /// The same of one point, without the neighbours `first` to `last`.
-  std::optional<Residual> residualWithout(std::size_t point, std::size_t first, std::size_t last) const;
+  std::optional<Residual> residual(std::size_t first, std::size_t last, std::size_t skip_first = nowhere,
+                                   std::size_t skip_last = nowhere) const;
 
  private:
-  std::size_t before(std::size_t point, std::size_t first, std::size_t last) const;
-  std::size_t after(std::size_t point, std::size_t first, std::size_t last) const;
-  std::optional<Residual> residual(std::size_t first, std::size_t last, std::size_t skip_first,
-                                   std::size_t skip_last) const;
-
   const std::vector<SampledPoint>& points_;
   std::vector<double> length_;
 };
 
-CurveWindows::CurveWindows(const std::vector<SampledPoint>& points) : points_(points), length_{0}
+/// Angle between two directions [rad].
+double angleBetween(double y1, double z1, double y2, double z2)
 {
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    length_.push_back(length_.back() + std::hypot(points[i].y - points[i - 1].y, points[i].z - points[i - 1].z));
-  }
-}
-
-/// Nearest point at least the spacing before a point, outside of the range; nowhere if the curve begins later.
-std::size_t CurveWindows::before(std::size_t point, std::size_t first, std::size_t last) const
-{
-  for (std::size_t i = point; i-- > 0;)
-  {
-    if (length_[point] - length_[i] >= least_spacing && !(i >= first && i <= last))
-    {
-      return i;
-    }
-  }
-  return nowhere;
-}
-
-/// Nearest point at least the spacing after a point, outside of the range; nowhere if the curve ends earlier.
-std::size_t CurveWindows::after(std::size_t point, std::size_t first, std::size_t last) const
-{
-  for (std::size_t i = point + 1; i < length_.size(); ++i)
-  {
-    if (length_[i] - length_[point] >= least_spacing && !(i >= first && i <= last))
-    {
-      return i;
-    }
-  }
-  return nowhere;
+  return std::abs(std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2));
 }
 
 std::optional<CurveWindows::Residual> CurveWindows::residual(std::size_t first, std::size_t last,
                                                              std::size_t skip_first, std::size_t skip_last) const
 {
-  const std::size_t left = before(first, skip_first, skip_last), right = after(last, skip_first, skip_last);
+  // The nearest point at least the spacing before (step -1) or after a point; nowhere beyond the end of the curve.
+  const auto next = [&](std::size_t point, std::ptrdiff_t step)
+  {
+    for (std::size_t i = point + static_cast<std::size_t>(step); i < length_.size();
+         i += static_cast<std::size_t>(step))
+    {
+      if (std::abs(length_[point] - length_[i]) >= least_spacing && !(i >= skip_first && i <= skip_last))
+      {
+        return i;
+      }
+    }
+    return nowhere;
+  };
+  const std::size_t left = next(first, -1), right = next(last, 1);
   if (left == nowhere || right == nowhere)
   {
     return std::nullopt;
   }
-  const std::size_t far_left = before(left, skip_first, skip_last), far_right = after(right, skip_first, skip_last);
+  const std::size_t far_left = next(left, -1), far_right = next(right, 1);
   if (far_left == nowhere || far_right == nowhere || length_[far_right] - length_[far_left] > longest)
   {
     return std::nullopt;
@@ -104,10 +90,9 @@ std::optional<CurveWindows::Residual> CurveWindows::residual(std::size_t first, 
   const SampledPoint &begin = points_[left], &end = points_[right];
   const double dy = end.y - begin.y, dz = end.z - begin.z, chord = std::hypot(dy, dz);
   const SampledPoint &first_of_all = points_[far_left], &last_of_all = points_[far_right];
-  const double y1 = begin.y - first_of_all.y, z1 = begin.z - first_of_all.z;
-  const double y2 = last_of_all.y - end.y, z2 = last_of_all.z - end.z;
-  Residual result{
-      0, 0, 1, std::abs(dy) >= std::abs(dz), chord, std::abs(std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2))};
+  const double turn =
+      angleBetween(begin.y - first_of_all.y, begin.z - first_of_all.z, last_of_all.y - end.y, last_of_all.z - end.z);
+  Residual result{0, 0, 1, std::abs(dy) >= std::abs(dz), chord, turn};
   for (std::size_t i = first; i <= last; ++i)
   {
     double y = points_[i].y, z = points_[i].z, squares = 1;
@@ -131,17 +116,6 @@ std::optional<CurveWindows::Residual> CurveWindows::residual(std::size_t first, 
     }
   }
   return result;
-}
-
-std::optional<CurveWindows::Residual> CurveWindows::residual(std::size_t first, std::size_t last) const
-{
-  return residual(first, last, nowhere, nowhere);
-}
-
-std::optional<CurveWindows::Residual> CurveWindows::residualWithout(std::size_t point, std::size_t first,
-                                                                    std::size_t last) const
-{
-  return residual(point, point, first, last);
 }
 
 constexpr std::size_t least_residuals = 11;
@@ -185,7 +159,7 @@ bool isSmoothWithout(const CurveWindows& windows, std::size_t first, std::size_t
 {
   const auto is_smooth = [&](std::size_t point)
   {
-    const auto residual = windows.residualWithout(point, first, last);
+    const auto residual = windows.residual(point, point, first, last);
     return !residual || std::abs(residual->across) <= most;
   };
   return (first == 0 || is_smooth(first - 1)) && (last + 1 >= size || is_smooth(last + 1));
@@ -244,8 +218,7 @@ constexpr double straight = 1e-3;  ///< angle below which three points are on a 
 double turnAt(const std::vector<SampledPoint>& points, std::size_t i)
 {
   const SampledPoint &a = points[i - 1], &b = points[i], &c = points[i + 1];
-  const double y1 = b.y - a.y, z1 = b.z - a.z, y2 = c.y - b.y, z2 = c.z - b.z;
-  return std::abs(std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2));
+  return angleBetween(b.y - a.y, b.z - a.z, c.y - b.y, c.z - b.z);
 }
 
 bool isSteep(const std::vector<SampledPoint>& points, std::size_t i)

@@ -75,12 +75,14 @@ struct Flank
 /// Flank of 70 degrees in EN 13715, section E, for a flange height of 28 mm.
 constexpr Flank en13715_flank{-39.764473993, 93.576667419, 2.747477419};
 
-/// Sections H, G and F of EN 13715, from the flange back to the flank, for a flange height of 28 mm.
-std::vector<ProfileSection> en13715Flange()
+/// Sections H, G, F and E of EN 13715, from the flange back to the end of the flank, for a flange height of 28 mm.
+std::vector<ProfileSection> en13715Flange(double flank_end)
 {
+  const Flank& flank = en13715_flank;
   return {arc(Half::lower, -49.5, -9.519259302, 20.5, -70.0, -62.764705882),
           arc(Half::lower, -55.0, -16.0, 12.0, -62.764705882, -49.662510381),
-          arc(Half::lower, -58.558326413, -8.834924130, 20.0, -49.662510381, en13715_flank.y_start)};
+          arc(Half::lower, -58.558326413, -8.834924130, 20.0, -49.662510381, flank.y_start),
+          line(flank.y_start, flank.at(flank.y_start), flank_end, flank.at(flank_end))};
 }
 }  // namespace
 
@@ -98,10 +100,8 @@ Profile s1002Wheel()
   constexpr std::array<double, 8> c = {-4.320221063e3,  -1.038384026e3,  -1.065501873e2,  -6.051367875,
                                        -2.054332446e-1, -4.169739389e-3, -4.687195829e-5, -2.252755540e-7};
   constexpr double flank_end = -38.426669071;
-  const Flank& flank = en13715_flank;
   const auto tread = [](double y) { return -1.364323640 + 0.066666667 * y; };
-  std::vector<ProfileSection> sections = en13715Flange();
-  sections.push_back(line(flank.y_start, flank.at(flank.y_start), flank_end, flank.at(flank_end)));
+  std::vector<ProfileSection> sections = en13715Flange(flank_end);
   sections.push_back(arc(Half::upper, -26.210665, -16.446, 13.0, flank_end, -35.0));
   sections.push_back(polynomial(c, -35.0, -26.0));
   sections.push_back(polynomial(b, -26.0, 32.15796));
@@ -124,8 +124,7 @@ Profile coneWheel(double slope)
   const Circle root{yc, slope * yc - root_radius * to_tread, root_radius};
   const double flank_end = root.yc - root_radius * flank.slope / to_flank;
   const double tread_start = root.yc - root_radius * slope / to_tread;
-  std::vector<ProfileSection> sections = en13715Flange();
-  sections.push_back(line(flank.y_start, flank.at(flank.y_start), flank_end, flank.at(flank_end)));
+  std::vector<ProfileSection> sections = en13715Flange(flank_end);
   sections.push_back(arcOf(Half::upper, root, flank_end, tread_start));
   sections.push_back(line(tread_start, slope * tread_start, field_end, slope * field_end));
   return {"cone_1_" + std::to_string(std::lround(1.0 / slope)), sections};
