@@ -112,7 +112,8 @@ class WheelsetTouch
  public:
   /// As WheelTouch.
   WheelsetTouch(const ContactModelConfig& config, double distance)
-      : wheels_{{config, Side::left, distance}, {config, Side::right, distance}}, base_(2 * config.wheelset.halfBase())
+      : wheels_(WheelTouch(config, Side::left, distance), WheelTouch(config, Side::right, distance)),
+        base_(2 * config.wheelset.halfBase())
   {
   }
 
@@ -181,11 +182,7 @@ class WheelsetTouch
     return status;
   }
 
-  struct Wheels
-  {
-    WheelTouch left, right;
-  };
-  Wheels wheels_;
+  Sides<WheelTouch> wheels_;
   double base_;  ///< distance of the running circles [m]
 };
 

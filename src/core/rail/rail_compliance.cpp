@@ -28,21 +28,6 @@ void requireNonNegative(const char* name, double value)
   require(value >= 0, std::string("rail_bending/table: ") + name, value, "must not be negative");
 }
 
-[[noreturn]] void refuse(const std::vector<RailInfluence>& listed, double distance)
-{
-  std::ostringstream text;
-  text << "rail_bending/neighbours/distance = " << distance << " m must be within the distances of the table: ";
-  if (listed.empty())
-  {
-    text << "the table has none";
-  }
-  else
-  {
-    text << listed.front().distance << " m to " << listed.back().distance << " m";
-  }
-  throw std::invalid_argument(text.str());
-}
-
 /// Linear interpolation from `a` (share 0) to `b` (share 1).
 ComplianceTable between(const ComplianceTable& a, const ComplianceTable& b, double share)
 {
@@ -106,7 +91,17 @@ ComplianceTable influenceAt(const std::vector<RailInfluence>& listed, double dis
                                   [distance](const RailInfluence& entry) { return entry.distance >= distance; });
   if (after == listed.end() || (after == listed.begin() && after->distance != distance))
   {
-    refuse(listed, distance);
+    std::ostringstream text;
+    text << "rail_bending/neighbours/distance = " << distance << " m must be within the distances of the table: ";
+    if (listed.empty())
+    {
+      text << "the table has none";
+    }
+    else
+    {
+      text << listed.front().distance << " m to " << listed.back().distance << " m";
+    }
+    throw std::invalid_argument(text.str());
   }
   if (after->distance == distance)
   {

@@ -62,21 +62,21 @@ enum Quantity
   columns
 };
 
-constexpr std::array<const char*, columns> names{"x",
-                                                 "gauge",
-                                                 "alignment",
-                                                 "alignment_left",
-                                                 "alignment_right",
-                                                 "level",
-                                                 "level_left",
-                                                 "level_right",
-                                                 "cross_level",
-                                                 "rail_lateral_left",
-                                                 "rail_vertical_left",
-                                                 "rail_roll_left",
-                                                 "rail_lateral_right",
-                                                 "rail_vertical_right",
-                                                 "rail_roll_right"};
+constexpr std::array<const char*, columns> quantity_names{"x",
+                                                          "gauge",
+                                                          "alignment",
+                                                          "alignment_left",
+                                                          "alignment_right",
+                                                          "level",
+                                                          "level_left",
+                                                          "level_right",
+                                                          "cross_level",
+                                                          "rail_lateral_left",
+                                                          "rail_vertical_left",
+                                                          "rail_roll_left",
+                                                          "rail_lateral_right",
+                                                          "rail_vertical_right",
+                                                          "rail_roll_right"};
 
 bool isAngle(std::size_t column)
 {
@@ -119,7 +119,7 @@ class LineFile
     }
     for (std::size_t i = 0; i < fields_.size(); ++i)
     {
-      row[column_[i]] = file_.numberIn(fields_[i], names[column_[i]]) * factor_[i];
+      row[column_[i]] = file_.numberIn(fields_[i], quantity_names[column_[i]]) * factor_[i];
     }
     return true;
   }
@@ -129,19 +129,20 @@ class LineFile
  private:
   static bool areTitles(const std::vector<TableTitle>& titles)
   {
-    return std::any_of(titles.begin(), titles.end(), [](const TableTitle& title) { return title.name == names[x]; });
+    return std::any_of(titles.begin(), titles.end(),
+                       [](const TableTitle& title) { return title.name == quantity_names[x]; });
   }
 
   [[noreturn]] void refuseTitles(const std::string& reason) const { file_.refuse(table_.titleLine(), reason); }
 
   void addColumn(const TableTitle& title)
   {
-    const auto name = std::find(names.begin(), names.end(), title.name);
-    if (name == names.end())
+    const auto name = std::find(quantity_names.begin(), quantity_names.end(), title.name);
+    if (name == quantity_names.end())
     {
-      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + joined(names, ", "));
+      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + joined(quantity_names, ", "));
     }
-    const auto column = static_cast<std::size_t>(name - names.begin());
+    const auto column = static_cast<std::size_t>(name - quantity_names.begin());
     const bool is_angle = isAngle(column);
     if (has(column))
     {
@@ -174,7 +175,7 @@ class LineFile
     {
       if (has(one) && has(other))
       {
-        refuseTitles(std::string("give either '") + names[one] + "' or '" + names[other] + "'");
+        refuseTitles(std::string("give either '") + quantity_names[one] + "' or '" + quantity_names[other] + "'");
       }
     };
     both(alignment, alignment_left);

@@ -19,18 +19,6 @@ constexpr double longest_polygon = 10.0;  ///< [m]; limits the memory of a splin
   throw std::invalid_argument("profile spline: " + reason);
 }
 
-void checkPoint(const SampledPoint& point, std::size_t i)
-{
-  if (!std::isfinite(point.y) || !std::isfinite(point.z))
-  {
-    refuse("point " + std::to_string(i) + " is not finite");
-  }
-  if (!(point.weight > 0.0) || !std::isfinite(point.weight))
-  {
-    refuse("weight of point " + std::to_string(i) + " is " + std::to_string(point.weight) + ", must be positive");
-  }
-}
-
 /// Second derivatives of the natural cubic spline with values f at knots u (Thomas algorithm).
 Column secondDerivatives(const Column& u, const Column& f)
 {
@@ -74,7 +62,15 @@ std::vector<double> polygonLength(const std::vector<SampledPoint>& points)
   std::vector<double> length(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    checkPoint(points[i], i);
+    const SampledPoint& point = points[i];
+    if (!std::isfinite(point.y) || !std::isfinite(point.z))
+    {
+      refuse("point " + std::to_string(i) + " is not finite");
+    }
+    if (!(point.weight > 0.0) || !std::isfinite(point.weight))
+    {
+      refuse("weight of point " + std::to_string(i) + " is " + std::to_string(point.weight) + ", must be positive");
+    }
     if (i > 0)
     {
       length[i] = length[i - 1] + distance(points[i - 1], points[i]);

@@ -71,14 +71,6 @@ Curve interpolated(const std::vector<SampledPoint>& points, double noise)
   return curve;
 }
 
-Curve smoothed(const std::vector<SampledPoint>& points, double smoothing)
-{
-  Curve curve{{}, groupedPoints(points)};
-  const double share = static_cast<double>(curve.points.size()) / static_cast<double>(points.size());
-  curve.sections = smoothingSpline(curve.points, smoothing * std::sqrt(share));
-  return curve;
-}
-
 /// Curve of the points. If an estimated noise is not that of a smooth curve, the curve passes through all points.
 /// @param noise  typical noise of the points [m]
 /// @param stated  the smoothing is that of the file or of an option
@@ -92,7 +84,10 @@ Curve curveOf(const TextFile& file, const std::vector<SampledPoint>& points, dou
   }
   try
   {
-    return smoothed(points, report.smoothing);
+    Curve curve{{}, groupedPoints(points)};
+    const double share = static_cast<double>(curve.points.size()) / static_cast<double>(points.size());
+    curve.sections = smoothingSpline(curve.points, report.smoothing * std::sqrt(share));
+    return curve;
   }
   catch (const std::invalid_argument& error)
   {

@@ -106,16 +106,6 @@ void checkReading(const ProfileReading& reading)
   require(std::abs(reading.shift_y) <= farthest && std::abs(reading.shift_z) <= farthest, "shift must be at most 1 m");
   require(std::isfinite(reading.rotate), "rotate must be finite");
 }
-
-std::vector<FittedPoint> fittedPoints(const std::vector<SampledPoint>& points)
-{
-  std::vector<FittedPoint> fitted;
-  for (const SampledPoint& p : points)
-  {
-    fitted.push_back({p.y, p.z});
-  }
-  return fitted;
-}
 }  // namespace
 
 DescribedProfile profileOf(const TextFile& file, const FileProfile& content, ProfileKind kind,
@@ -137,6 +127,11 @@ DescribedProfile profileOf(const TextFile& file, const FileProfile& content, Pro
   report.moved_z = framed.placed.moved_z;
   Profile profile(std::filesystem::path(file.path()).filename().string(), sections);
   report.text = reportText(profile, report);
-  return {std::move(profile), std::move(report), fittedPoints(points)};
+  std::vector<FittedPoint> fitted;
+  for (const SampledPoint& p : points)
+  {
+    fitted.push_back({p.y, p.z});
+  }
+  return {std::move(profile), std::move(report), fitted};
 }
 }  // namespace wheel_rail_contact::core

@@ -132,24 +132,16 @@ double cubicBetween(const Points& points, std::size_t before)
 }
 
 /// @throw FileError if the points do not extend across the running circle that the file states.
-void checkStatedCircle(const TextFile& file, const Points& points, double distance)
-{
-  const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherInward);
-  if (!points.empty() && (left->y > distance || right->y < distance))
-  {
-    file.refuse(0, "points from X = " + millimetres(left->y) + " to " + millimetres(right->y) +
-                       " do not extend across the running circle, X = " + millimetres(distance) +
-                       " (WheelDiameterTaperline): X must be counted from the flange back to the field side");
-  }
-}
-
 void placeWheel(const TextFile& file, const FileProfile& content, std::optional<Origin> origin, PlacedPoints& placed)
 {
   const double stated = content.running_circle;
   const bool from_back = origin ? *origin == Origin::flange_back : stated != 0;
-  if (from_back && stated != 0)
+  const auto [left, right] = std::minmax_element(placed.points.begin(), placed.points.end(), isFartherInward);
+  if (from_back && stated != 0 && !placed.points.empty() && (left->y > stated || right->y < stated))
   {
-    checkStatedCircle(file, placed.points, stated);
+    file.refuse(0, "points from X = " + millimetres(left->y) + " to " + millimetres(right->y) +
+                       " do not extend across the running circle, X = " + millimetres(stated) +
+                       " (WheelDiameterTaperline): X must be counted from the flange back to the field side");
   }
   if (from_back)
   {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,22 +66,6 @@ void applyEdits(const SimpackSettings& settings, Points& points)
   shiftAndRotate(settings, points);
   cutToBounds(settings, points);
   mirrorAndInvert(settings, points);
-}
-
-/// Settings that apply if they are not stated in a file.
-SimpackSettings defaultSettings()
-{
-  return {{"approx.smooth", 0.0}, {"point.dist.min", 0.0}, {"shift.y", 0.0},     {"shift.z", 0.0},
-          {"rotate", 0.0},        {"bound.y.min", 1.0},    {"bound.y.max", 0.0}, {"bound.z.min", 1.0},
-          {"bound.z.max", 0.0},   {"mirror.y", 0.0},       {"mirror.z", 0.0},    {"inversion", 0.0},
-          {"units.len.f", 1.0},   {"units.ang.f", 1.0}};
-}
-
-/// True for keywords without influence on the profile.
-bool isRemark(const std::string& key)
-{
-  const std::vector<std::string> remarks = {"file", "file.mtime", "comment", "type", "units.len", "units.ang"};
-  return std::find(remarks.begin(), remarks.end(), key) != remarks.end();
 }
 
 /// Line up to the first comment sign (! or %) outside quotes.
@@ -180,7 +165,9 @@ class SimpackReader
       file_.refuse("line is neither a comment nor a block nor a keyword: not a Simpack profile");
     }
     const std::string key = trim(line.substr(0, equals));
-    if (block_ == Block::spline && isRemark(key))
+    // Keywords without influence on the profile.
+    static const std::set<std::string> remarks{"file", "file.mtime", "comment", "type", "units.len", "units.ang"};
+    if (block_ == Block::spline && remarks.count(key) > 0)
     {
       return;
     }
@@ -295,7 +282,12 @@ class SimpackReader
 
   TextFile& file_;
   ProfileKind kind_;
-  SimpackSettings settings_ = defaultSettings();
+  SimpackSettings
+      settings_{
+          {"approx.smooth", 0.0}, {"point.dist.min", 0.0}, {"shift.y", 0.0},     {"shift.z", 0.0},
+          {"rotate", 0.0},        {"bound.y.min", 1.0},    {"bound.y.max", 0.0}, {"bound.z.min", 1.0},
+          {"bound.z.max", 0.0},   {"mirror.y", 0.0},       {"mirror.z", 0.0},    {"inversion", 0.0},
+          {"units.len.f", 1.0},   {"units.ang.f", 1.0}};  ///< with the values that apply if a file does not state them
   Block block_ = Block::outside;
   bool type_known_ = false;
   bool points_ended_ = false;

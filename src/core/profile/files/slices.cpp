@@ -55,17 +55,6 @@ class SlicesFile : public TextFile
 
   /// Current line without its comment.
   std::string text() const { return line().substr(0, line().find('%')); }
-  /// @throw FileError if another line has words.
-  void requireEnd()
-  {
-    while (next())
-    {
-      if (!splitWords(text()).empty())
-      {
-        refuse("more lines than the stated numbers of slices and features");
-      }
-    }
-  }
 };
 
 /// Slice of a rail from a file.
@@ -246,7 +235,13 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
   {
     series[i].places = featuresOf(file, features, scale, slices[i], series[i].profile->length());
   }
-  file.requireEnd();
+  while (file.next())
+  {
+    if (!splitWords(file.text()).empty())
+    {
+      file.refuse("more lines than the stated numbers of slices and features");
+    }
+  }
   return series;
 }
 }  // namespace wheel_rail_contact::core

@@ -292,8 +292,7 @@ void markMissing(const std::vector<SampledPoint>& points, bool exact, std::vecto
     distance.push_back(length[i + 1] - length[i]);
   }
   std::vector<double> sorted = distance;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-  const double least = std::min(sure_gap, std::max(least_gap, gap_factor * sorted[sorted.size() / 2]));
+  const double least = std::min(sure_gap, std::max(least_gap, gap_factor * medianOf(sorted.begin(), sorted.end())));
   double begin = 0;
   std::size_t i = 0;
   for (ProfileSection& section : sections)
