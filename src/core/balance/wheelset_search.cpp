@@ -98,40 +98,22 @@ Sides<double> WheelsetSearch::loadsFor(double transfer) const
 void WheelsetSearch::follow(const WheelsetState& before)
 {
   const double half_base = config_.wheelset.halfBase();
-  double transfer = state_.torque_x / (2 * half_base);
-  if (balances())
-  {
-    const double left = leverOf(Side::left), right = leverOf(Side::right), half_load = -0.5 * state_.force_z;
-    transfer = (state_.torque_x + (left - right) * half_load) / (left + right);
-  }
   Step step;
-  step.loads = loadsFor(transfer);
+  step.loads =
+      loadsFor(balances() ? 0.5 * (place_.loads.right - place_.loads.left) : state_.torque_x / (2 * half_base));
   step.roll = tiltOf(state_.rail_displacement, half_base) - tiltOf(before.rail_displacement, half_base);
-  Sides<double> outward;
   for (const Side side : sides)
   {
     WheelEquilibrium& wheel = wheels_[side];
     const RailDeflection &rail = state_.rail_displacement[side], &rail_before = before.rail_displacement[side];
-    outward[side] = sideSign(side) * (state_.y - before.y) - (rail.lateral - rail_before.lateral);
-    place_.heights[side] += wheel.rate(Output::height_rate, Input::by_lateral) * outward[side] + rail.vertical -
+    const double outward = sideSign(side) * (state_.y - before.y) - (rail.lateral - rail_before.lateral);
+    place_.heights[side] += wheel.rate(Output::height_rate, Input::by_lateral) * outward + rail.vertical -
                             rail_before.vertical + wheel.heightPerRailRoll() * (rail.roll - rail_before.roll);
-    wheel.predict(outward[side], 0, 0);
+    place_.moments[side] += wheel.rate(Output::moment_rate, Input::by_lateral) * outward;
+    wheel.predict(outward, 0, 0);
   }
   move(step);
-  // The moments are balanced at the lever arms of the last result. What the lateral movement changes is left.
-  double open = 0;
-  for (const Side side : sides)
-  {
-    open += sideSign(side) * wheels_[side].rate(Output::moment_rate, Input::by_lateral) * outward[side];
-  }
-  move(stepFrom(heightDifference(), open));
-}
-
-/// Lever arm of a wheel: the moment of its contact, positive if it lifts the wheel, over its load [m].
-double WheelsetSearch::leverOf(Side side) const
-{
-  const WheelEquilibrium& wheel = wheels_[side];
-  return wheel.loaded() ? wheel.moment() / wheel.contact().forces()[wheel_up] : config_.wheelset.halfBase();
+  move(newton());
 }
 
 double WheelsetSearch::sumOfRates(Output output, Input input) const
@@ -139,12 +121,12 @@ double WheelsetSearch::sumOfRates(Output output, Input input) const
   return wheels_.left.rate(output, input) + wheels_.right.rate(output, input);
 }
 
-/// The Newton step from a difference of the heights [m] and an open moment [N m].
-WheelsetSearch::Step WheelsetSearch::stepFrom(double difference, double moment) const
+/// The Newton step that closes heights and moments.
+WheelsetSearch::Step WheelsetSearch::newton() const
 {
   const double per_roll = sumOfRates(Output::height_rate, Input::by_roll);
   Step step;
-  step.difference = difference;
+  step.difference = heightDifference();
   step.slope = per_roll;
   if (isCoupled())
   {
@@ -152,19 +134,13 @@ WheelsetSearch::Step WheelsetSearch::stepFrom(double difference, double moment) 
     const double base = 2 * config_.wheelset.halfBase();
     const double height = -sumOfRates(Output::height_rate, Input::by_load) / base;
     const double lever = sumOfRates(Output::moment_rate, Input::by_load) / base;
-    step.difference = lever * difference + height * moment;
+    step.difference = lever * heightDifference() + height * openMoment();
     step.slope = lever * per_roll + height * sumOfRates(Output::moment_rate, Input::by_roll);
   }
   step.slope = std::min(step.slope, tuning::flattest_slope);
   step.roll = std::clamp(-step.difference / step.slope, -greatest_turn_, greatest_turn_);
-  step.loads = loadsAfter(difference + per_roll * step.roll);
+  step.loads = loadsAfter(step.roll);
   return step;
-}
-
-/// The Newton step from the last solutions.
-WheelsetSearch::Step WheelsetSearch::newton() const
-{
-  return stepFrom(heightDifference(), openMoment());
 }
 
 /// True if the loads change to balance the moments.
@@ -179,14 +155,15 @@ bool WheelsetSearch::isLifted() const
   return balances() && !isCoupled();
 }
 
-/// Loads that close a difference of the heights [m], if the moments determine them. The overlap of the lighter wheel
+/// Loads that close the heights after a roll [rad], if the moments determine them. The overlap of the lighter wheel
 /// grows with load^(2/3).
-Sides<double> WheelsetSearch::loadsAfter(double difference) const
+Sides<double> WheelsetSearch::loadsAfter(double roll) const
 {
   if (!isCoupled())
   {
     return place_.loads;
   }
+  const double difference = heightDifference() + sumOfRates(Output::height_rate, Input::by_roll) * roll;
   const double transfer = difference / sumOfRates(Output::height_rate, Input::by_load);
   const Side lighter = place_.loads.left < place_.loads.right ? Side::left : Side::right;
   const double overlap = 1 - sideSign(lighter) * WheelEquilibrium::overlap_per_load * transfer / place_.loads[lighter];
@@ -274,7 +251,10 @@ double WheelsetSearch::openMoment() const
 bool WheelsetSearch::closes(const Step& step, double share)
 {
   lifts_ = isLifted();
-  bool closed = std::abs(step.difference / step.slope) <= greatest_turn_;
+  const double smaller = std::max(std::min(place_.loads.left, place_.loads.right), -least_share * state_.force_z);
+  const double acceptable = tuning::jump_share * accuracy_ * smaller / WheelEquilibrium::overlap_per_load;
+  bool closed = std::abs(step.difference / step.slope) <= greatest_turn_ &&
+                (!isCoupled() || std::abs(openMoment()) <= 2 * config_.wheelset.halfBase() * acceptable);
   for (const Side side : sides)
   {
     open_[side] = openingAt(side, place_.roll + step.roll, step.loads[side]);
@@ -402,7 +382,7 @@ WheelStatus WheelsetSearch::solve(bool near)
       return !returning && closes(step, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
     }
     step.roll = bracket.next(place_.roll, step.roll) - place_.roll;
-    step.loads = loadsAfter(heightDifference() + sumOfRates(Output::height_rate, Input::by_roll) * step.roll);
+    step.loads = loadsAfter(step.roll);
     move(step);
     if (isCoupled() != coupled)
     {

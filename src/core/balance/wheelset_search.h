@@ -83,11 +83,9 @@ class WheelsetSearch
   bool isCoupled() const;
   bool isLifted() const;
   Sides<double> loadsFor(double transfer) const;
-  Sides<double> loadsAfter(double difference) const;
+  Sides<double> loadsAfter(double roll) const;
   void follow(const WheelsetState& before);
-  double leverOf(Side side) const;
   double sumOfRates(WheelEquilibrium::Output output, WheelEquilibrium::Input input) const;
-  Step stepFrom(double difference, double moment) const;
   void move(const Step& step);
   double openingAt(Side side, double roll, double load) const;
   WheelStatus solveWheels(bool keep_grids, bool& any);
