@@ -43,7 +43,7 @@ WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, 
 void WheelEquilibrium::reset()
 {
   forces_.setZero();
-  has_response_ = false;
+  rates_.setZero();
   contact_.forget();
 }
 
@@ -101,7 +101,7 @@ void WheelEquilibrium::respond()
   {
     return;
   }
-  responded_ = has_response_ = true;
+  responded_ = true;
   rates_.setZero();
   height_per_force_.setZero();
   response_.setZero();
@@ -392,7 +392,7 @@ double WheelEquilibrium::rate(Output output, Input input) const
 
 void WheelEquilibrium::predict(double lateral, double roll, double load)
 {
-  if (loaded_ && rail_.bends() && has_response_)
+  if (loaded_ && rail_.bends())
   {
     forces_ += rates_.bottomRows<3>() * Eigen::Vector3d(roll, lateral, load);
   }

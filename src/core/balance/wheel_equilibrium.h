@@ -119,7 +119,7 @@ class WheelEquilibrium
   double height_ = 0, touch_slope_ = 0;
   bool loaded_ = false, responded_ = false, under_load_ = true;
   bool keep_response_ = false;
-  bool has_response_ = false;  ///< the next values are those of this or an earlier solution
+  /// Those of forces on the rail may be of an earlier solution.
   Eigen::Matrix<double, outputs, inputs> rates_ = Eigen::Matrix<double, outputs, inputs>::Zero();
   Eigen::Vector3d height_per_force_ = Eigen::Vector3d::Zero();  ///< by forces on the rail, through its deflection [m/N]
   Eigen::Matrix3d response_;                                    ///< change of the forces by forces [-], negative
