@@ -12,6 +12,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double deepest_height = 0.01;  ///< of a given height below that of first touch [m]
+constexpr std::string_view no_balance = "no balance of height, roll and rail deflection was found";
 constexpr double long_step = 0.05;  ///< of the way from the centre to a state without a result from a cold start [-]
 }  // namespace
 
@@ -51,7 +52,7 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
       reason_ = toString(normal_status);
       return ContactStatus::not_converged;
     default:
-      reason_ = "no balance of height, roll and rail deflection was found";
+      reason_ = no_balance;
       return ContactStatus::not_converged;
   }
 }
@@ -65,7 +66,9 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   {
     status = solveOnce(state);
   }
-  if (status == ContactStatus::not_converged)
+  const NormalMethod method = config_.contact.method;
+  const bool continuous = method == NormalMethod::automatic || method == NormalMethod::conjugate_gradient;
+  if (continuous && config_.wheelset.solve_height_and_roll && reason_ == no_balance)
   {
     status = solveAlongPath(state);
   }
