@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints how often the error estimate of the left wheel holds, by class and at 10, 1 and 0.3 %, against 128 × 256
-// cells.
+// Prints how often the error estimate of the left wheel holds, by class, at 10, 1 and 0.3 %, against 128 x 256 cells.
 #include "../core/balance/crossing_scene.h"
 #include "../core/normal/gap_scenes.h"
 #include "../stability/scene.h"
@@ -33,9 +32,8 @@ int main()
     const std::string& name = names[c];
     scenes::Random random(77);
     ContactModelConfig config = name == "crossing" ? crossing_scene::scene() : manchesterScene();
-    config.wheel_profile.left = wheels[name == "worn" ? 3 : name == "measured" ? 2 : 0].profile;
-    config.wheel_profile.left =
-        name == "cones" ? std::make_shared<Profile>(coneWheel(0.05)) : config.wheel_profile.left;
+    const auto& wheel = wheels[name == "worn" ? 3 : name == "measured" ? 2 : 0].profile;
+    config.wheel_profile.left = name == "cones" ? std::make_shared<const Profile>(coneWheel(0.05)) : wheel;
     config.rail_profile.left = rails[name == "worn" ? 4 : name == "measured" ? 3 : 0].profile;
     config.rail_bending.table = softPads();
     config.rail_bending.model = RailBendingConfig::Model(name == "soft" ? 2 : 0);

@@ -152,6 +152,8 @@ def _too_many(kind, allowed, results):
 
 def _outside(quantity, is_inside, low, high, results, prefix):
     patches = [(getattr(p, quantity), r, p) for r in results if not r.held for p in r.patches]
+    if quantity == "normal_stiffness":  # not a number where no such stiffness exists, see ContactPatch
+        patches = [entry for entry in patches if not math.isnan(entry[0])]
     outside = [entry for entry in patches if not is_inside(entry[0])]
     if not outside:
         return ""

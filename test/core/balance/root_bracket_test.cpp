@@ -9,8 +9,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Number of evaluations after which the bracket around the zero of a function is narrower than 1e-9; the Newton steps
-/// are those of a slope.
+/// Number of evaluations until the zero of a function is known to 1e-9; the Newton steps are those of a slope.
 template <typename Function>
 int evaluations(double x, double slope, double zero, const Function& function)
 {
