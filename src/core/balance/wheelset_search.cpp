@@ -319,6 +319,39 @@ void WheelsetSearch::retreat(const Place& earlier)
   place_.heights = earlier.heights;
 }
 
+/// Loads a wheel that returns to its rail, if it is near it.
+bool WheelsetSearch::takesLoad()
+{
+  Step step = newton();
+  step.loads = loadsOfReturn();
+  if (std::abs(heightDifference()) > WheelContact::typicalOverlap(std::min(step.loads.left, step.loads.right)))
+  {
+    return false;
+  }
+  move(step);
+  return true;
+}
+
+/// True if the Newton step ends the search, which it does not while a wheel returns to its rail. Computes the stiffness
+/// if it is required for the step.
+bool WheelsetSearch::ends(Step& step, bool near, bool returning)
+{
+  const bool known = wheels_.left.responded() && wheels_.right.responded();
+  // Other grids at the same place: the heights differ by the errors of the grids.
+  if (!returning && closes(step, near ? tuning::jump_share : known ? 1 : tuning::unknown_share))
+  {
+    return true;
+  }
+  if (known)
+  {
+    return false;
+  }
+  wheels_.left.respond();
+  wheels_.right.respond();
+  step = newton();
+  return !returning && closes(step, 1);
+}
+
 WheelStatus WheelsetSearch::solve(bool near)
 {
   RootBracket bracket;
@@ -343,35 +376,17 @@ WheelStatus WheelsetSearch::solve(bool near)
       continue;
     }
     last = place_;
-    const bool known = wheels_.left.responded() && wheels_.right.responded();
-    Step step = newton();
     const bool returning = returns < most_returns && returnsWheel();
-    if (returning)
+    if (returning && takesLoad())
     {
-      const Sides<double> loads = loadsOfReturn();
-      if (std::abs(heightDifference()) <= WheelContact::typicalOverlap(std::min(loads.left, loads.right)))
-      {
-        step.loads = loads;
-        move(step);
-        bracket = {};
-        ++returns;
-        continue;
-      }
+      bracket = {};
+      ++returns;
+      continue;
     }
-    // Other grids at the same place: the heights differ by the errors of the grids.
-    if (!returning && closes(step, near ? tuning::jump_share : known ? 1 : tuning::unknown_share))
+    Step step = newton();
+    if (ends(step, near, returning))
     {
       return WheelStatus::solved;
-    }
-    if (!known)
-    {
-      wheels_.left.respond();
-      wheels_.right.respond();
-      step = newton();
-      if (!returning && closes(step, 1))
-      {
-        return WheelStatus::solved;
-      }
     }
     if (std::abs(step.difference) > uncertainty())
     {

@@ -79,6 +79,8 @@ class WheelsetSearch
   bool balances() const;
   double heightDifference() const;
   bool returnsWheel() const;
+  bool takesLoad();
+  bool ends(Step& step, bool near, bool returning);
   Sides<double> loadsOfReturn() const;
   bool isCoupled() const;
   bool isLifted() const;

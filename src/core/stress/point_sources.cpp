@@ -116,8 +116,9 @@ void PointSources::setCells(const PatchGrid& grid, const Eigen::ArrayXXd& pressu
       const int across = static_cast<int>(std::ceil(dy / (cell_spacing * distance)));
       for (int k = 0; pressure(i, j) > 0 && k < along * across; ++k)
       {
-        x_.push_back(static_cast<float>(x + dx * ((k % along + 0.5) / along - 0.5)));
-        y_.push_back(static_cast<float>(y + dy * ((k / along + 0.5) / across - 0.5)));
+        const int row = k % along, column = k / along;
+        x_.push_back(static_cast<float>(x + dx * ((row + 0.5) / along - 0.5)));
+        y_.push_back(static_cast<float>(y + dy * ((column + 0.5) / across - 0.5)));
         force_.push_back(static_cast<float>(pressure(i, j) * dx * dy / (2 * pi * along * across)));
       }
     }

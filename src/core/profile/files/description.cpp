@@ -128,6 +128,7 @@ DescribedProfile profileOf(const TextFile& file, const FileProfile& content, Pro
   Profile profile(std::filesystem::path(file.path()).filename().string(), sections);
   report.text = reportText(profile, report);
   std::vector<FittedPoint> fitted;
+  fitted.reserve(points.size());
   for (const SampledPoint& p : points)
   {
     fitted.push_back({p.y, p.z});
