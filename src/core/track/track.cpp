@@ -13,7 +13,6 @@
 #include "core/option_check.h"
 #include "core/profile/curve/monotone_cubic.h"
 #include "core/text/text_table.h"
-#include "core/text/words.h"
 
 namespace wheel_rail_contact::core
 {
@@ -62,33 +61,28 @@ enum Quantity
   columns
 };
 
-constexpr std::array<const char*, columns> quantity_names{"x",
-                                                          "gauge",
-                                                          "alignment",
-                                                          "alignment_left",
-                                                          "alignment_right",
-                                                          "level",
-                                                          "level_left",
-                                                          "level_right",
-                                                          "cross_level",
-                                                          "rail_lateral_left",
-                                                          "rail_vertical_left",
-                                                          "rail_roll_left",
-                                                          "rail_lateral_right",
-                                                          "rail_vertical_right",
-                                                          "rail_roll_right"};
-
-bool isAngle(std::size_t column)
+struct ColumnRule
 {
-  return column == rail_roll_left || column == rail_roll_right;
-}
+  const char* name;
+  bool is_angle;
+  double railway_sign;  ///< -1: its sign changes in railway axes
+};
 
-/// True for positions to the left and heights: their signs change in railway axes.
-bool isReversed(std::size_t column)
-{
-  const bool of_track = column >= alignment && column <= level_right;
-  return of_track || column == rail_vertical_left || column == rail_vertical_right;
-}
+constexpr std::array<ColumnRule, columns> rules{{{"x", false, 1},
+                                                 {"gauge", false, 1},
+                                                 {"alignment", false, -1},
+                                                 {"alignment_left", false, -1},
+                                                 {"alignment_right", false, -1},
+                                                 {"level", false, -1},
+                                                 {"level_left", false, -1},
+                                                 {"level_right", false, -1},
+                                                 {"cross_level", false, 1},
+                                                 {"rail_lateral_left", false, 1},
+                                                 {"rail_vertical_left", false, -1},
+                                                 {"rail_roll_left", true, 1},
+                                                 {"rail_lateral_right", false, 1},
+                                                 {"rail_vertical_right", false, -1},
+                                                 {"rail_roll_right", true, 1}}};
 
 /// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
 using Row = std::array<std::optional<double>, columns>;
@@ -119,7 +113,7 @@ class LineFile
     }
     for (std::size_t i = 0; i < fields_.size(); ++i)
     {
-      row[column_[i]] = file_.numberIn(fields_[i], quantity_names[column_[i]]) * factor_[i];
+      row[column_[i]] = file_.numberIn(fields_[i], rules[column_[i]].name) * factor_[i];
     }
     return true;
   }
@@ -130,20 +124,20 @@ class LineFile
   static bool areTitles(const std::vector<TableTitle>& titles)
   {
     return std::any_of(titles.begin(), titles.end(),
-                       [](const TableTitle& title) { return title.name == quantity_names[x]; });
+                       [](const TableTitle& title) { return title.name == rules[x].name; });
   }
 
   [[noreturn]] void refuseTitles(const std::string& reason) const { file_.refuse(table_.titleLine(), reason); }
 
   void addColumn(const TableTitle& title)
   {
-    const auto name = std::find(quantity_names.begin(), quantity_names.end(), title.name);
-    if (name == quantity_names.end())
+    const auto rule =
+        std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return title.name == r.name; });
+    if (rule == rules.end())
     {
-      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + joined(quantity_names, ", "));
+      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + validNames());
     }
-    const auto column = static_cast<std::size_t>(name - quantity_names.begin());
-    const bool is_angle = isAngle(column);
+    const auto column = static_cast<std::size_t>(rule - rules.begin());
     if (has(column))
     {
       refuseTitles("column '" + title.name + "' is given twice");
@@ -151,16 +145,16 @@ class LineFile
     if (title.unit.empty())
     {
       refuseTitles("column '" + title.name + "': must have a unit, for example '" + title.name +
-                   (is_angle ? " [mrad]'" : " [mm]'"));
+                   (rule->is_angle ? " [mrad]'" : " [mm]'"));
     }
-    const std::optional<double> unit = unitNamed(is_angle ? angleUnits() : lengthUnits(), title.unit);
+    const std::optional<double> unit = unitNamed(rule->is_angle ? angleUnits() : lengthUnits(), title.unit);
     if (!unit)
     {
       refuseTitles("column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
-                   (is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
+                   (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
     }
     column_.push_back(column);
-    factor_.push_back(*unit * (axes_ == LineAxes::railway && isReversed(column) ? -1 : 1));
+    factor_.push_back(*unit * (axes_ == LineAxes::railway ? rule->railway_sign : 1));
   }
 
   bool has(std::size_t column) const { return std::count(column_.begin(), column_.end(), column) > 0; }
@@ -175,7 +169,7 @@ class LineFile
     {
       if (has(one) && has(other))
       {
-        refuseTitles(std::string("give either '") + quantity_names[one] + "' or '" + quantity_names[other] + "'");
+        refuseTitles(std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
       }
     };
     both(alignment, alignment_left);
@@ -189,6 +183,16 @@ class LineFile
         both(track, rail);
       }
     }
+  }
+
+  static std::string validNames()
+  {
+    std::string names;
+    for (const ColumnRule& rule : rules)
+    {
+      names += (names.empty() ? "" : ", ") + std::string(rule.name);
+    }
+    return names;
   }
 
   TextFile file_;
