@@ -186,10 +186,8 @@ class WheelsetContact::Calculation
   /// Lateral position of the track centre between the displaced rails, track frame [m].
   double trackCentre(const WheelsetState& state) const
   {
-    const auto middle = [](const Sides<RailDeflection>& rail)
-    { return 0.5 * (rail.left.lateral - rail.right.lateral); };
     const TrackLine* line = config_.track.line.get();
-    return middle(state.rail_displacement) + (line != nullptr ? middle(line->at(state.distance).rail) : 0);
+    return middleOf(state.rail_displacement) + (line != nullptr ? middleOf(line->at(state.distance).rail) : 0);
   }
 
   /// The range that a place [m] is outside of; empty if it is on the line.

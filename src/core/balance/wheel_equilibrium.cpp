@@ -34,8 +34,7 @@ WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, 
     : config_(config),
       rail_(config, side),
       contact_(config, side, rail_.atRest(), solver, rail_.longest()),
-      own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact),
-      balances_moments_(config.wheelset.balance == WheelsetConfig::Balance::moments)
+      own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact)
 {
   setRail(0, RailDeflection());
 }
@@ -106,7 +105,7 @@ void WheelEquilibrium::respond()
   height_per_force_.setZero();
   response_.setZero();
   approximateRates();
-  if (!rail_.bends() && !balances_moments_)
+  if (!rail_.bends() && config_.wheelset.balance != WheelsetConfig::Balance::moments)
   {
     const MotionVector vertical = contact_.verticalStiffness();
     if (vertical.allFinite() && vertical[wheel_up] > 0)
@@ -129,10 +128,9 @@ void WheelEquilibrium::respond()
 void WheelEquilibrium::approximateRates()
 {
   const double load = contact_.forces()[wheel_up];
-  rates_.row(moment_rate).setZero();
   rates_.row(height_rate) << contact_.heightPer(wheel_roll), -contact_.heightPer(rail_lateral),
       -overlap_per_load * contact_.overlap() / load;
-  rates_(moment_rate, by_load) = moment() / load;
+  rates_.row(moment_rate) << 0, 0, moment() / load;
 }
 
 /// Sets the rates from the stiffness of the contact and the compliance of the rail. A lateral movement of the wheel
@@ -145,9 +143,8 @@ void WheelEquilibrium::setRates(const MotionMatrix& stiffness)
   Eigen::Matrix<double, 1, 6> height = Eigen::Matrix<double, 1, 6>::Zero();
   if (under_load_)
   {
-    force(wheel_up, 5) = -1;  // the contact carries more by as much as the load grows
     height = force.row(wheel_up) / stiffness(wheel_up, wheel_up);
-    force(wheel_up, 5) = 0;
+    height[5] = -1 / stiffness(wheel_up, wheel_up);  // the contact carries more by as much as the load grows
     force -= stiffness.col(wheel_up) * height;
   }
   Eigen::Matrix<double, 4, 6> of_rail = force.bottomRows<4>();

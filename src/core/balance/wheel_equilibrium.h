@@ -112,7 +112,7 @@ class WheelEquilibrium
   const ContactModelConfig& config_;
   SupportedRail rail_;
   WheelContact contact_;
-  bool own_force_ = true, balances_moments_ = false;
+  bool own_force_ = true;
   double given_lateral_ = 0;
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
   std::optional<Eigen::Vector3d> placed_;             ///< coordinates at which the rail lies, since moveTo()

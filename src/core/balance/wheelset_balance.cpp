@@ -23,7 +23,6 @@ WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLev
 
 void WheelsetBalance::reset(double roll)
 {
-  warm_ = false;
   search_.reset(roll);
 }
 
@@ -60,7 +59,7 @@ ContactStatus WheelsetBalance::fail(WheelStatus status)
 ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 {
   const int solved_before = count();
-  const bool was_warm = warm_;
+  const bool was_warm = search_.isWarm();
   ContactStatus status = solveOnce(state);
   if (status == ContactStatus::not_converged && was_warm)
   {
@@ -76,31 +75,32 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   return status;
 }
 
-/// Solves states on the way from the centre of the track to this one, each from the result of the one before. Where no
-/// result was found in long steps, short ones on a finer grid follow.
+/// Solves a state from the centre of the track: in long steps, or if a state on the way has no result, in short ones
+/// from the last result on, on a finer grid.
 ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
-  double reached = 0;  // share of the way
-  ContactStatus status = ContactStatus::not_converged;
-  for (const double short_step : {long_step, 0.1 * long_step})
+  double reached = 0;
+  const ContactStatus status = walk(state, 0, long_step, reached);
+  const std::size_t finer = std::min<std::size_t>(1, levels_.count() - 1);
+  return status == ContactStatus::not_converged ? walk(state, finer, 0.1 * long_step, reached) : status;
+}
+
+/// Solves states on the way from the centre of the track, each from the result of the one before, until one has none.
+/// @param step     share of the way from one state to the next beyond `reached`; up to there it is long
+/// @param reached  set to the share of the way up to the last result
+ContactStatus WheelsetBalance::walk(const WheelsetState& state, std::size_t first_level, double step, double& reached)
+{
+  const double centre = middleOf(placeOnLine(state).rail_displacement);
+  ContactStatus status = ContactStatus::ok;
+  for (double share = 0; share < 1 && status != ContactStatus::not_converged;
+       share += share < reached - 0.5 * long_step ? long_step : step)
   {
-    for (double share = 0; share < 1 + 0.5 * short_step; share += share < reached ? long_step : short_step)
-    {
-      WheelsetState there = state;
-      there.y = std::min(share, 1.0) * state.y;
-      status = solveOnce(there, short_step == long_step ? 0 : std::min<std::size_t>(1, levels_.count() - 1));
-      if (status == ContactStatus::not_converged && short_step == long_step)
-      {
-        break;
-      }
-      reached = std::max(reached, share - 0.5 * long_step);
-    }
-    if (status != ContactStatus::not_converged)
-    {
-      break;
-    }
+    WheelsetState there = state;
+    there.y = centre + share * (state.y - centre);
+    status = solveOnce(there, first_level);
+    reached = status == ContactStatus::not_converged ? reached : std::max(reached, share);
   }
-  return status;
+  return status == ContactStatus::not_converged ? status : solveOnce(state, first_level);
 }
 
 /// Solves from the last result. After a failure, the next call starts cold.
@@ -118,20 +118,15 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
   } while (isUsable(status) && (requireOwnGrids() || refine()));
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
   depth_ = given ? search_.depthOfHeight(status) : 0;
-  if (depth_ > deepest_height)
+  if (depth_ > deepest_height || failed != ContactStatus::ok)
   {
-    return discard(ContactStatus::too_deep, reason_);
-  }
-  if (failed != ContactStatus::ok)
-  {
-    return discard(failed, reason_);
+    return discard(depth_ > deepest_height ? ContactStatus::too_deep : failed, reason_);
   }
   const WheelEquilibrium &left = wheel(Side::left), &right = wheel(Side::right);
   if (left.contact().reachesEnd() || right.contact().reachesEnd())
   {
     return discard(ContactStatus::off_profile, "contact lies beyond the end of a profile");
   }
-  warm_ = true;
   return left.loaded() && right.loaded() ? ContactStatus::ok : ContactStatus::lift_off;
 }
 

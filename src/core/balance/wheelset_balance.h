@@ -56,6 +56,7 @@ class WheelsetBalance
  private:
   ContactStatus solveOnce(const WheelsetState& state, std::size_t first_level = 0);
   ContactStatus solveAlongPath(const WheelsetState& state);
+  ContactStatus walk(const WheelsetState& state, std::size_t first_level, double step, double& reached);
   WheelsetState placeOnLine(WheelsetState state);
   bool refine();
   bool requireOwnGrids();
@@ -68,7 +69,6 @@ class WheelsetBalance
   const ContactModelConfig& config_;
   const GridLevels& levels_;
   WheelsetSearch search_;
-  bool warm_ = false;
   Sides<std::size_t> level_{};
   Sides<int> estimated_{};  ///< number of solutions whose errors were estimated
   Sides<Islands> islands_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/balance/root_bracket.h"
 #include "core/balance/tuning.h"
@@ -55,19 +56,19 @@ void WheelsetSearch::begin(const WheelsetState& state)
   }
   solved_ = false;
   open_ = 0;
+  const bool warm = std::exchange(warm_, true);
   if (!config_.wheelset.solve_height_and_roll)
   {
     z_ = state.z;
     place_.roll = state.roll;
     return;
   }
-  if (warm_)
+  if (warm)
   {
     place_.heights = z_;
     follow(before);
     return;
   }
-  warm_ = true;
   z_ = config_.wheelset.meanRadius();
   place_.heights = z_;
   place_.roll = start_roll_ + tilt;
@@ -241,6 +242,12 @@ WheelStatus WheelsetSearch::solveWheels(bool keep_grids, bool& any)
   return WheelStatus::solved;
 }
 
+/// Difference of the heights, left minus right [m].
+double WheelsetSearch::heightDifference() const
+{
+  return place_.heights.left - place_.heights.right;
+}
+
 /// Open moment about the axle centre [N m].
 double WheelsetSearch::openMoment() const
 {
@@ -301,14 +308,7 @@ bool WheelsetSearch::returnsWheel() const
   return isLifted() && lifted * openMoment() < -least_load * config_.wheelset.halfBase();
 }
 
-/// Loads with which a wheel that returns to its rail closes the moments.
-Sides<double> WheelsetSearch::loadsOfReturn() const
-{
-  const double half_load = -0.5 * state_.force_z, back = std::abs(openMoment()) / (2 * config_.wheelset.halfBase());
-  return loadsFor((place_.loads.left > 0 ? -1 : 1) * (half_load - back));
-}
-
-/// Goes half of the way back to an earlier place.
+/// Goes half of the way back to an earlier place. Both wheels are solved again: their heights are those of that place.
 void WheelsetSearch::retreat(const Place& earlier)
 {
   place_.roll = 0.5 * (place_.roll + earlier.roll);
@@ -317,13 +317,15 @@ void WheelsetSearch::retreat(const Place& earlier)
     place_.loads[side] = 0.5 * (place_.loads[side] + earlier.loads[side]);
   }
   place_.heights = earlier.heights;
+  solved_ = false;
 }
 
-/// Loads a wheel that returns to its rail, if it is near it.
+/// Loads a wheel that returns to its rail as the open moment requires, if it is near its rail.
 bool WheelsetSearch::takesLoad()
 {
+  const double load = std::abs(openMoment()) / (2 * config_.wheelset.halfBase());
   Step step = newton();
-  step.loads = loadsOfReturn();
+  step.loads = loadsFor((place_.loads.left > 0 ? -1 : 1) * (-0.5 * state_.force_z - load));
   if (std::abs(heightDifference()) > WheelContact::typicalOverlap(std::min(step.loads.left, step.loads.right)))
   {
     return false;
@@ -409,12 +411,6 @@ WheelStatus WheelsetSearch::solve(bool near)
     }
   }
   return WheelStatus::unbalanced;
-}
-
-/// Difference of the heights, left minus right [m].
-double WheelsetSearch::heightDifference() const
-{
-  return place_.heights.left - place_.heights.right;
 }
 
 WheelStatus WheelsetSearch::solveAtGivenHeight()

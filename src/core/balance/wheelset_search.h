@@ -37,6 +37,8 @@ class WheelsetSearch
   /// Begins the search for a state: at the last roll and heights, moved as the state has, or cold after reset(). The
   /// wheels must be at their place on the line.
   void begin(const WheelsetState& state);
+  /// False until the first begin() after a reset().
+  bool isWarm() const { return warm_; }
   /// Has a wheel solved again, on other grids.
   void renew(Side side) { solved_[side] = false; }
   /// Finds height and roll. @param near  the start is the solution on other grids: the forces jump by the errors of
@@ -81,7 +83,6 @@ class WheelsetSearch
   bool returnsWheel() const;
   bool takesLoad();
   bool ends(Step& step, bool near, bool returning);
-  Sides<double> loadsOfReturn() const;
   bool isCoupled() const;
   bool isLifted() const;
   Sides<double> loadsFor(double transfer) const;

@@ -86,6 +86,11 @@ Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<Pl
   return displaced;
 }
 
+double middleOf(const Sides<RailDeflection>& displaced)
+{
+  return 0.5 * (displaced.left.lateral - displaced.right.lateral);
+}
+
 double tiltOf(const Sides<RailDeflection>& displaced, double half_base)
 {
   return std::atan(0.5 * (displaced.left.vertical - displaced.right.vertical) / half_base);

@@ -45,6 +45,9 @@ PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side s
 /// @param at_rest  reference points of the rails in the ideal track, side axes
 Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest);
 
+/// Lateral position of the centre between displaced rails, left positive [m].
+double middleOf(const Sides<RailDeflection>& displaced);
+
 /// Angle by which displaced rails turn the track, left up positive [rad].
 /// @param half_base  half the distance of the running circles [m]
 double tiltOf(const Sides<RailDeflection>& displaced, double half_base);
