@@ -42,47 +42,31 @@ double emptyCorner(double a, double b)
   return 1 - 0.5 * (1 - a) * (1 - b);
 }
 
-/// Loaded share of a square. Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
-double loadedShare(unsigned corners, const EdgeSides& s)
-{
-  switch (corners)
-  {
-    case 0:
-      return 0;
-    case 1:
-      return triangle(s.lower, s.left);
-    case 2:
-      return triangle(s.lower, s.right);
-    case 4:
-      return triangle(s.upper, s.left);
-    case 8:
-      return triangle(s.upper, s.right);
-    case 1 + 8:
-      return triangle(s.lower, s.left) + triangle(s.upper, s.right);
-    case 2 + 4:
-      return triangle(s.lower, s.right) + triangle(s.upper, s.left);
-    case 1 + 2:
-    case 4 + 8:
-      return 0.5 * (s.left + s.right);
-    case 1 + 4:
-    case 2 + 8:
-      return 0.5 * (s.lower + s.upper);
-    case 15 - 1:
-      return emptyCorner(s.lower, s.left);
-    case 15 - 2:
-      return emptyCorner(s.lower, s.right);
-    case 15 - 4:
-      return emptyCorner(s.upper, s.left);
-    case 15 - 8:
-      return emptyCorner(s.upper, s.right);
-    default:
-      return 1;
-  }
-}
-
 /// Quarter turns of the edge in a square with these loaded corners. An island has four in total, a hole in an island -4
 /// (Gray 1971, for cells that are neighbours by their sides).
 constexpr std::array<int, 16> quarter_turns{0, 1, 1, 0, 1, 0, 2, -1, 1, 2, 0, -1, 0, -1, -1, 0};
+
+/// Loaded share of a square. Bits of `corners`: 1 first row and column, 2 second row, 4 second column, 8 both second.
+double loadedShare(unsigned corners, const EdgeSides& s)
+{
+  const int turns = quarter_turns[corners];
+  if (turns == 0)
+  {
+    const double ends = corners == 1 + 2 || corners == 4 + 8 ? s.left + s.right : s.lower + s.upper;
+    return corners == 0 ? 0 : corners == 15 ? 1 : 0.5 * ends;
+  }
+  double share = 0;
+  for (unsigned corner = 0; corner < 4; ++corner)
+  {
+    const double along = corner < 2 ? s.lower : s.upper, across = corner % 2 == 0 ? s.left : s.right;
+    const bool loaded = (corners >> corner & 1U) != 0;
+    if (loaded == (turns > 0))
+    {
+      share += loaded ? triangle(along, across) : emptyCorner(along, across);
+    }
+  }
+  return share;
+}
 
 /// Distance of the edge from the loaded cell of a crossing [cells], at most 1.
 double reach(const EdgeCrossing& crossing)

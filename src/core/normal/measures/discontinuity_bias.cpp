@@ -13,6 +13,17 @@ namespace
 {
 using Eigen::Index;
 
+/// Inputs for curvature discontinuities near an edge crossing: steps of the SecondDifference of the gap, over the
+/// pressure that scales EdgeInputs, in the row of the crossing. The first is the step between the columns three and two
+/// inward of the loaded cell; the last is the step from the loaded cell to the next column outward. Outward is away
+/// from the pressure; on a line along x, towards the line with less pressure. The steps are limited to ±3 and zero
+/// where a body ends.
+constexpr int edge_steps = 4;
+using EdgeSteps = Eigen::Array<float, edge_steps, 1>;
+
+/// The networks. Their output is the correction of the area [cells].
+using Network = ReluNetwork<edge_inputs + edge_steps, 8>;
+
 /// Limit for the steps, which are relative to the pressures at the crossing. These pressures vanish at the tips.
 constexpr float step_limit = 3;
 
@@ -30,9 +41,9 @@ int outwardAcross(const EdgeCrossing& crossing)
   return left == right ? 0 : right < left ? 1 : -1;
 }
 
-/// Output of test/calibration/fit_discontinuity_bias.cpp in revision e6707df: along, across.
+/// Output of test/calibration/fit_discontinuity_bias.cpp in revision e6707df: for lines of cells along x, and along y.
 // clang-format off
-constexpr std::array<double, DiscontinuityBias::numbers> fitted_step{
+constexpr std::array<double, 2 * Network::numbers> fitted_step{
     0.3342, -0.01587, 0.2171, -0.02907, -0.7441, 0.07427, 0.8776, 1.414, 0.1392, -0.6416, -0.6746, 0.3144,
     -0.3803, 0.1383, 0.6822, -0.07073, -0.618, -0.09891, -0.5699, -0.1954, -0.4894, -0.09663, -0.04966, 0.1357,
     0.1213, 0.627, -0.6049, 0.4348, -0.1586, 0.3757, 0.2341, 0.2465, -0.0574, 0.7248, 0.05744, 0.2,
@@ -62,29 +73,36 @@ constexpr std::array<double, DiscontinuityBias::numbers> fitted_step{
     0.08502, 0.08771, -0.01356, -0.1184, -0.4964, -0.213, 0.07002, 0.05594, 0.1732, -0.0808,
 };
 // clang-format on
-}  // namespace
 
-DiscontinuityColumns::DiscontinuityColumns(const EdgeOf& edge) : first(edge.gap.gap.cols())
+/// Columns near which the curvature of the gap may jump, determined from the middle row. None if `first` exceeds
+/// `last`.
+struct DiscontinuityColumns
 {
-  // Under yaw, the discontinuities of other rows are slightly displaced, and their steps may be larger.
-  constexpr Index aside = 1;
-  constexpr double smooth = 0.5 * smooth_step;
-  const SecondDifference second(edge.gap, edge.modulus, edge.max_pressure);
-  const Index row = edge.gap.grid.symmetric ? 0 : edge.gap.gap.rows() / 2;
-  double before = NAN;
-  for (Index j = 1; j + 1 < edge.gap.gap.cols(); ++j)
-  {
-    const double here = second.at(row, j);
-    if (std::abs(here - before) > smooth)
-    {
-      // Range of the loaded cells whose crossings have this step among their inputs.
-      first = std::min(first, j + 1 - edge_steps - aside);
-      last = j + edge_steps - 2 + aside;
-    }
-    before = here;
-  }
-}
+  Index first, last = -1;
 
+  explicit DiscontinuityColumns(const EdgeOf& edge) : first(edge.gap.gap.cols())
+  {
+    // Under yaw, the discontinuities of other rows are slightly displaced, and their steps may be larger.
+    constexpr Index aside = 1;
+    constexpr double smooth = 0.5 * smooth_step;
+    const SecondDifference second(edge.gap, edge.modulus, edge.max_pressure);
+    const Index row = edge.gap.grid.symmetric ? 0 : edge.gap.gap.rows() / 2;
+    double before = NAN;
+    for (Index j = 1; j + 1 < edge.gap.gap.cols(); ++j)
+    {
+      const double here = second.at(row, j);
+      if (std::abs(here - before) > smooth)
+      {
+        // Range of the loaded cells whose crossings have this step among their inputs.
+        first = std::min(first, j + 1 - edge_steps - aside);
+        last = j + edge_steps - 2 + aside;
+      }
+      before = here;
+    }
+  }
+};
+
+/// Finds the steps at a crossing. False if all of them are smooth, or if neither side is outward.
 bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeInputs& inputs, EdgeSteps& steps)
 {
   const int outward = outwardAcross(crossing);
@@ -108,48 +126,39 @@ bool findEdgeSteps(const EdgeOf& edge, const EdgeCrossing& crossing, const EdgeI
   return any;
 }
 
-float DiscontinuityBias::at(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps) const
+/// Bias at a crossing [cells]: the output of the network minus that with all steps zero.
+float biasAt(const EdgeCrossing& crossing, const EdgeInputs& shown, const EdgeSteps& steps)
 {
-  using Units = Eigen::Array<float, units, 1>;
-  const Crossing& sum = crossing.along ? along : across;
-  const auto slopes = sum.slopes();
-  Units without = slopes.col(0) * shown[0];
-  for (int k = 1; k < edge_inputs; ++k)
-  {
-    without += slopes.col(k) * shown[k];
-  }
-  Units with = without;
+  static const Network along(fitted_step.data()), across(fitted_step.data() + Network::numbers);
+  const Network& network = crossing.along ? along : across;
+  const Network::Sums without = network.hidden(shown);
+  Network::Sums with = without;
   for (int k = 0; k < edge_steps; ++k)
   {
-    with += slopes.col(edge_inputs + k) * steps[k];
+    with += network.slopes().col(edge_inputs + k) * steps[k];
   }
-  return (sum.linear().tail<edge_steps>() * steps).sum() + (sum.heights() * (with.max(0.0F) - without.max(0.0F))).sum();
+  return (network.linear().tail<edge_steps>() * steps).sum() +
+         (network.heights() * (with.max(0.0F) - without.max(0.0F))).sum();
 }
+}  // namespace
 
 DiscontinuitySums sumAtDiscontinuities(const EdgeOf& edge)
 {
-  const DiscontinuityBias& known = discontinuityBias();
+  const DiscontinuityColumns columns(edge);
   DiscontinuitySums sums;
-  visitEdgeDiscontinuities(edge,
-                           [&](const EdgeCrossing& crossing, const EdgeInputs& inputs, const EdgeSteps& steps)
-                           {
-                             const auto bias = static_cast<double>(known.at(crossing, inputs, steps));
-                             sums.bias += bias;
-                             sums.sizes += std::abs(bias);
-                           });
-  return sums;
-}
-
-const DiscontinuityBias& discontinuityBias()
-{
-  static const DiscontinuityBias bias = []
+  EdgeSteps steps;
+  for (std::size_t k = 0; k < edge.polygon.crossings().size() && columns.first <= columns.last; ++k)
   {
-    const Eigen::Map<const Eigen::Array<double, DiscontinuityBias::numbers, 1>> numbers(fitted_step.data());
-    DiscontinuityBias unpacked;
-    unpacked.along.all = numbers.head<DiscontinuityBias::Crossing::numbers>().cast<float>();
-    unpacked.across.all = numbers.tail<DiscontinuityBias::Crossing::numbers>().cast<float>();
-    return unpacked;
-  }();
-  return bias;
+    const EdgeCrossing& crossing = edge.polygon.crossings()[k];
+    const EdgeInputs& inputs = edge.polygon.inputs()[k];
+    const Index column = edge.polygon.loadedCell(crossing).column;
+    if (column >= columns.first && column <= columns.last && findEdgeSteps(edge, crossing, inputs, steps))
+    {
+      const auto bias = static_cast<double>(biasAt(crossing, inputs, steps));
+      sums.bias += bias;
+      sums.sizes += std::abs(bias);
+    }
+  }
+  return sums;
 }
 }  // namespace wheel_rail_contact::core

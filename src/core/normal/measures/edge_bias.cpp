@@ -94,15 +94,9 @@ double EdgeBias::of(double polygon, int islands) const
 
 const EdgeBias& edgeBias()
 {
-  static const EdgeBias bias = []
-  {
-    const Eigen::Map<const Eigen::Array<double, EdgeBias::numbers, 1>> numbers(fitted_edge.data());
-    EdgeBias unpacked;
-    unpacked.crossing.all = numbers.head<EdgeBias::Crossing::numbers>().cast<float>();
-    unpacked.island = static_cast<float>(fitted_edge[fitted_edge.size() - 2]);
-    unpacked.few_cells = static_cast<float>(fitted_edge.back());
-    return unpacked;
-  }();
+  static const EdgeBias bias{EdgeBias::Crossing(fitted_edge.data()),
+                             static_cast<float>(fitted_edge[fitted_edge.size() - 2]),
+                             static_cast<float>(fitted_edge.back())};
   return bias;
 }
 }  // namespace wheel_rail_contact::core

@@ -11,24 +11,36 @@ namespace wheel_rail_contact::core
 template <int Inputs, int Units>
 struct ReluNetwork
 {
-  using Input = Eigen::Array<float, Inputs, 1>;
+  using Sums = Eigen::Array<float, Units, 1>;
   static constexpr int numbers = Units * (Inputs + 1) + Inputs;
 
   /// Weights of the hidden units by input, output weights of the units, weights of the linear function.
   Eigen::Array<float, numbers, 1> all;
 
+  explicit ReluNetwork(const double* weights)
+      : all(Eigen::Map<const Eigen::Array<double, numbers, 1>>(weights).template cast<float>())
+  {
+  }
+
   auto slopes() const { return Eigen::Map<const Eigen::Array<float, Units, Inputs>>(all.data()); }
   auto heights() const { return all.template segment<Units>(Units * Inputs); }
   auto linear() const { return all.template tail<Inputs>(); }
 
-  float operator()(const Input& input) const
+  /// Sums of the hidden units over the first inputs.
+  template <int Count>
+  Sums hidden(const Eigen::Array<float, Count, 1>& first) const
   {
-    Eigen::Array<float, Units, 1> unit = slopes().col(0) * input[0];
-    for (int k = 1; k < Inputs; ++k)
+    Sums sums = slopes().col(0) * first[0];
+    for (int k = 1; k < Count; ++k)
     {
-      unit += slopes().col(k) * input[k];
+      sums += slopes().col(k) * first[k];
     }
-    return (linear() * input).sum() + (heights() * unit.max(0.0F)).sum();
+    return sums;
+  }
+
+  float operator()(const Eigen::Array<float, Inputs, 1>& input) const
+  {
+    return (linear() * input).sum() + (heights() * hidden(input).max(0.0F)).sum();
   }
 };
 

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/normal/measures/edge_bias.h"
+#include "core/normal/measures/gap_steps.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -13,7 +16,13 @@ namespace
 /// two rows of cells 0.07.
 constexpr double most_of_bend = 0.1;
 
+constexpr int peak_reach = 4;       ///< columns considered on either side of a peak
+constexpr double largest_step = 2;  ///< limit of the GapSteps
+constexpr int side_inputs = 19;
+
 using Eigen::Index;
+using TipNetwork = ReluNetwork<edge_inputs, 8>;
+using SideNetwork = ReluNetwork<side_inputs, 16>;
 
 /// Network inputs at the end of the line along the track through the peak, in the `outward` direction (+1 or -1).
 EdgeInputs tipInputs(const CellsAround& peak, Index outward, double longer)
@@ -32,9 +41,14 @@ EdgeInputs tipInputs(const CellsAround& peak, Index outward, double longer)
   return edgeInputs({cells.data() + line + 1, -1, line, true}, longer);
 }
 
-PeakInputs::Side sideInputs(const CellsAround& peak, const GapSteps& steps, int direction)
+/// Network inputs of the row of the peak, in the `direction` +1, or -1 with opposite sign of the steps:
+/// * deficits of the pressures of peak_reach columns before and after the peak, relative to the peak (at least zero);
+/// * GapSteps between these columns;
+/// * deficit of the mean of the cells before and after the peak along the track, and half of their difference;
+/// * root of the sum of the squared steps.
+Eigen::Array<float, side_inputs, 1> sideInputs(const CellsAround& peak, const GapSteps& steps, int direction)
 {
-  PeakInputs::Side inputs;
+  Eigen::Array<float, side_inputs, 1> inputs;
   Index k = 0;
   for (int offset = -peak_reach; offset <= peak_reach; ++offset)
   {
@@ -60,7 +74,7 @@ PeakInputs::Side sideInputs(const CellsAround& peak, const GapSteps& steps, int 
 
 /// Output of test/calibration/fit_peak_bias.cpp in revision e6707df: tip, side.
 // clang-format off
-constexpr std::array<double, PeakBias::numbers> fitted_peak{
+constexpr std::array<double, TipNetwork::numbers + SideNetwork::numbers> fitted_peak{
     0.3848, 0.005758, -0.3478, -0.3372, -0.02053, -0.1462, 0.9373, 0.0719, 0.1971, -0.1463, -0.2607, 0.08396,
     -0.3971, -0.005732, 0.0643, -0.4704, -1.114, -0.01716, 0.2995, -0.6817, -1.051, -0.4116, -0.2241, -0.1639,
     0.8123, 0.1703, -1.038, -0.8112, -4.166, 0.008834, -0.4412, -0.3924, -0.09922, 0.6794, -0.4751, 0.1046,
@@ -102,6 +116,17 @@ constexpr std::array<double, PeakBias::numbers> fitted_peak{
     -0.00964, 0.01202, 0.001864, -0.002989, -0.003969, 0.03077, 0.01294, -0.0005231,
 };
 // clang-format on
+
+/// Bias of the maximum of the parabolas over the true pressure [-]. `longer`: logarithm of the cell length along x over
+/// the cell width.
+double biasOf(const CellsAround& peak, const GapSteps& steps, double longer)
+{
+  static const TipNetwork tip(fitted_peak.data());
+  static const SideNetwork side(fitted_peak.data() + TipNetwork::numbers);
+  const float from_tips = tip(tipInputs(peak, -1, longer)) + tip(tipInputs(peak, 1, longer));
+  const float from_sides = side(sideInputs(peak, steps, 1)) + side(sideInputs(peak, steps, -1));
+  return peak.bendAlong() * static_cast<double>(from_tips) + static_cast<double>(from_sides);
+}
 }  // namespace
 
 double peakPressure(const PatchGap& gap, double modulus, const CellsAround& peak)
@@ -111,44 +136,12 @@ double peakPressure(const PatchGap& gap, double modulus, const CellsAround& peak
     return peak.top();
   }
   const GapSteps steps = gapSteps(peak, gap, modulus);
-  if (!showsBias(peak, steps))
+  if (areWaves(steps) || peak.isCutAlong())
   {
     return peak.parabolas();
   }
   const double most = most_of_bend * peak.bend();
-  const double bias = peakBias().of(PeakInputs(peak, steps, std::log(gap.grid.dx / gap.grid.dy)));
+  const double bias = biasOf(peak, steps, std::log(gap.grid.dx / gap.grid.dy));
   return peak.parabolas() / (1 + std::clamp(bias, -most, most));
-}
-
-PeakInputs::PeakInputs(const CellsAround& peak, const GapSteps& steps, double longer)
-    : tips{tipInputs(peak, -1, longer), tipInputs(peak, 1, longer)},
-      sides{sideInputs(peak, steps, 1), sideInputs(peak, steps, -1)},
-      along(peak.bendAlong())
-{
-}
-
-bool showsBias(const CellsAround& peak, const GapSteps& steps)
-{
-  return peak.isInside() && !areWaves(steps) && !peak.isCutAlong();
-}
-
-double PeakBias::of(const PeakInputs& inputs) const
-{
-  const float from_tips = tip(inputs.tips[0]) + tip(inputs.tips[1]);
-  return inputs.along * static_cast<double>(from_tips) +
-         static_cast<double>(side(inputs.sides[0]) + side(inputs.sides[1]));
-}
-
-const PeakBias& peakBias()
-{
-  static const PeakBias bias = []
-  {
-    const Eigen::Map<const Eigen::Array<double, PeakBias::numbers, 1>> numbers(fitted_peak.data());
-    PeakBias unpacked;
-    unpacked.tip.all = numbers.head<PeakBias::Tip::numbers>().cast<float>();
-    unpacked.side.all = numbers.tail<PeakBias::Side::numbers>().cast<float>();
-    return unpacked;
-  }();
-  return bias;
 }
 }  // namespace wheel_rail_contact::core
