@@ -82,69 +82,10 @@ constexpr double parallel_factor = 0.5;  ///< normals that turn are taken to be 
 constexpr double largest_ratio = 0.55;   ///< of the contacts that were compared, approximately [rad]
 constexpr double not_known = 1;          ///< [-]
 
-constexpr int most_steps = 20;         ///< of the search for the opposite point
-constexpr double longest_step = 5e-3;  ///< a longer one leads to another place of the profile [m]
-constexpr double accuracy = 1e-9;      ///< [m]
-
 /// Arc length from the origin of a profile to the parameter u [m].
 double arcFromOrigin(const Profile& profile, double u)
 {
   return arcLength(profile, profile.partAt(u).origin, u);
-}
-
-/// Parameter of the wheel profile whose point, in the section at x [m], lies on the normal of the rail at `origin` [m].
-/// Newton's method from `u`: a wheel turns little over the distance.
-double opposite(const PlacedWheel& wheel, const PlanePoint& origin, double x, double u)
-{
-  for (int i = 0; i < most_steps; ++i)
-  {
-    PlanePoint point{};
-    if (!wheel.section(wheel.profile().at(u), x, point))
-    {
-      break;
-    }
-    const double step = ((origin.y - point.y) * origin.dy + (origin.z - point.z) * origin.dz) /
-                        (point.dy * origin.dy + point.dz * origin.dz);
-    if (!(std::abs(step) < longest_step))
-    {
-      break;
-    }
-    u += step;
-    if (std::abs(step) < accuracy)
-    {
-      break;
-    }
-  }
-  return u;
-}
-
-/// Largest overlap of the undeformed bodies along a normal of the rail [m], at most `reach` [m] from a place of both
-/// profiles. Newton's method, or bisection, for the place at which the tangents are parallel.
-double deepestNear(ProfilePlaces at, double reach, const PlacedWheel& wheel, const PlacedRail& rail)
-{
-  double low = at.rail_u - reach, high = at.rail_u + reach, depth = 0, step = reach;
-  SpacePoint locus{};
-  PlanePoint on_wheel{};
-  for (int i = 0; i < most_steps && std::abs(step) > 0.01 * reach && wheel.locus(wheel.profile().at(at.wheel_u), locus);
-       ++i)
-  {
-    const PlanePoint on_rail = rail.at(at.rail_u);
-    at.wheel_u = opposite(wheel, on_rail, locus.x, at.wheel_u);
-    const CurvePoint profile = wheel.profile().at(at.wheel_u);
-    if (!wheel.section(profile, locus.x, on_wheel))
-    {
-      break;
-    }
-    const Eigen::Vector2d tangent = Eigen::Vector2d(on_rail.dy, on_rail.dz).normalized();
-    const Eigen::Vector2d normal(-tangent.y(), tangent.x()), direction(on_wheel.dy, on_wheel.dz);
-    depth = std::max(depth, -normal.dot(Eigen::Vector2d(on_wheel.y - on_rail.y, on_wheel.z - on_rail.z)));
-    const double slope = normal.dot(direction) / tangent.dot(direction);
-    (slope > 0 ? high : low) = at.rail_u;
-    step = -slope / (profile.curvature() - rail.profile().at(at.rail_u).curvature());
-    step = at.rail_u + step > low && at.rail_u + step < high ? step : 0.5 * (low + high) - at.rail_u;
-    at.rail_u += step;
-  }
-  return depth;
 }
 }  // namespace
 
@@ -179,7 +120,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   Eigen::Index row = 0, deepest = 0;
   gap.gap.minCoeff(&row, &deepest);
   const SurfaceColumn& column = columns[begin + static_cast<std::size_t>(deepest)];
-  out.approach = deepestNear({column.wheel_u, column.rail_u}, gap.grid.dy, contact.wheel(), contact.rail());
+  out.approach = overlapAlongNormal(contact.wheel(), contact.rail(), column.wheel_u, column.rail_u, gap.grid.dy);
   out.area = pressure.area;
   const SemiAxes ellipse = equalEllipse(pressure);
   out.semi_axis_along = ellipse.along;
@@ -273,7 +214,7 @@ void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, c
 
   const Profile& wheel = *config.wheel_profile[patch.side];
   const PlacedWheel placed(wheel, config.wheelset, patch.side, toSide(patch.side, axle));
-  const double wheel_u = opposite(placed, rail.at(places.rail_u), patch.pose.x, places.wheel_u);
+  const double wheel_u = placed.opposite(rail.at(places.rail_u), patch.pose.x, places.wheel_u);
   const CurvePoint on_wheel = wheel.at(wheel_u);
   patch.rolling_radius = config.wheelset.rolling_radius[patch.side] - on_wheel.z;
   patch.wheel_s = arcFromOrigin(wheel, wheel_u);

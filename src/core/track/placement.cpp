@@ -28,7 +28,10 @@ namespace
 {
 /// Spacing of the points at which a rail profile is searched for its highest point and its gauge point [m].
 constexpr double scan_spacing = 1e-4;
-constexpr double root_tolerance = 1e-12;  ///< [m]
+constexpr int most_steps = 20;              ///< to the opposite point of a wheel
+constexpr double longest_step = 5e-3;       ///< a longer one leads to another place of the profile [m]
+constexpr double opposite_accuracy = 1e-9;  ///< [m]
+constexpr double root_tolerance = 1e-12;    ///< [m]
 }  // namespace
 
 PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig& track, Side side)
@@ -158,6 +161,53 @@ double PlacedWheel::lateralBound() const
 {
   constexpr double highest_flange = 2;  // no wheel circle has more than twice the rolling radius
   return highest_flange * sections_.radius * (std::abs(sections_.y.down) + std::abs(sections_.y.forward));
+}
+
+double PlacedWheel::opposite(const PlanePoint& origin, double x, double u) const
+{
+  PlanePoint point{};
+  for (int i = 0; i < most_steps && section(profile().at(u), x, point); ++i)
+  {
+    const double step = ((origin.y - point.y) * origin.dy + (origin.z - point.z) * origin.dz) /
+                        (point.dy * origin.dy + point.dz * origin.dz);
+    if (!(std::abs(step) < longest_step))
+    {
+      break;
+    }
+    u += step;
+    if (std::abs(step) < opposite_accuracy)
+    {
+      break;
+    }
+  }
+  return u;
+}
+
+double overlapAlongNormal(const PlacedWheel& wheel, const PlacedRail& rail, double wheel_u, double rail_u, double reach)
+{
+  double low = rail_u - reach, high = rail_u + reach, depth = 0, step = reach;
+  SpacePoint locus{};
+  PlanePoint on_wheel{};
+  for (int i = 0; i < most_steps && std::abs(step) > 0.01 * reach && wheel.locus(wheel.profile().at(wheel_u), locus);
+       ++i)
+  {
+    const PlanePoint on_rail = rail.at(rail_u);
+    wheel_u = wheel.opposite(on_rail, locus.x, wheel_u);
+    const CurvePoint profile = wheel.profile().at(wheel_u);
+    if (!wheel.section(profile, locus.x, on_wheel))
+    {
+      break;
+    }
+    const Eigen::Vector2d tangent = Eigen::Vector2d(on_rail.dy, on_rail.dz).normalized();
+    const Eigen::Vector2d normal(-tangent.y(), tangent.x()), direction(on_wheel.dy, on_wheel.dz);
+    depth = std::max(depth, -normal.dot(Eigen::Vector2d(on_wheel.y - on_rail.y, on_wheel.z - on_rail.z)));
+    const double slope = normal.dot(direction) / tangent.dot(direction);
+    (slope > 0 ? high : low) = rail_u;
+    step = -slope / (profile.curvature() - rail.profile().at(rail_u).curvature());
+    step = rail_u + step > low && rail_u + step < high ? step : 0.5 * (low + high) - rail_u;
+    rail_u += step;
+  }
+  return depth;
 }
 
 bool WheelSections::at(const CurvePoint& p, double x, PlanePoint& out) const

@@ -181,6 +181,10 @@ class PlacedWheel
   /// profile at constant x. @return false if x is outside the circle.
   bool section(const CurvePoint& p, double x, PlanePoint& out) const { return sections_.at(p, x, out); }
 
+  /// Parameter of the profile whose point, in the section at x [m], lies on the normal of the rail at `origin` [m].
+  /// Newton's method from `u`: a wheel turns little over the distance.
+  double opposite(const PlanePoint& origin, double x, double u) const;
+
   /// Sections of the wheel, in side axes.
   const WheelSections& sections() const { return sections_; }
 
@@ -195,6 +199,11 @@ class PlacedWheel
   WheelSections sections_;
   double forward_x_;  ///< x component of the forward direction [-]
 };
+
+/// Largest overlap of the undeformed bodies along a normal of the rail [m], at most `reach` [m] from a place of both
+/// profiles. Newton's method, or bisection, for the place at which the tangents are parallel.
+double overlapAlongNormal(const PlacedWheel& wheel, const PlacedRail& rail, double wheel_u, double rail_u,
+                          double reach);
 
 template <typename Number, typename Point, typename Coordinate>
 SectionPoint<Number> WheelSections::at(const Point& p, double x, const Coordinate& first,
