@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "core/balance/islands.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
+#include "core/normal/estimate/islands.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/seidel.h"
 #include "core/stress/stress_search.h"

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "core/balance/grid_levels.h"
-#include "core/balance/islands.h"
 #include "core/balance/wheelset_balance.h"
+#include "core/normal/estimate/islands.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 

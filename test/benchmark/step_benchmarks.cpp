@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks.h"
-#include "core/balance/islands.h"
 #include "core/balance/patch_result.h"
+#include "core/normal/estimate/islands.h"
 #include "core/stress/stress_search.h"
 
 namespace wheel_rail_contact

@@ -337,26 +337,19 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
 /// Appends a patch, with the memory of a removed one if there is any.
 void OverlapGrids::appendPatch(CurvedProblem& problem)
 {
-  if (spare_patches_.empty())
+  if (spares_.empty())
   {
-    problem.patches.emplace_back();
-    problem.normals.emplace_back();
-    columns_.emplace_back();
-    return;
+    spares_.emplace_back();
   }
-  problem.patches.push_back(std::move(spare_patches_.back()));
-  problem.normals.push_back(std::move(spare_normals_.back()));
-  columns_.push_back(std::move(spare_columns_.back()));
-  spare_patches_.pop_back();
-  spare_normals_.pop_back();
-  spare_columns_.pop_back();
+  problem.patches.push_back(std::move(spares_.back().patch));
+  problem.normals.push_back(std::move(spares_.back().normals));
+  columns_.push_back(std::move(spares_.back().columns));
+  spares_.pop_back();
 }
 
 void OverlapGrids::removeLast(CurvedProblem& problem)
 {
-  spare_patches_.push_back(std::move(problem.patches.back()));
-  spare_normals_.push_back(std::move(problem.normals.back()));
-  spare_columns_.push_back(std::move(columns_.back()));
+  spares_.push_back({std::move(problem.patches.back()), std::move(problem.normals.back()), std::move(columns_.back())});
   problem.patches.pop_back();
   problem.normals.pop_back();
   columns_.pop_back();

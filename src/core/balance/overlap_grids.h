@@ -97,6 +97,14 @@ class OverlapGrids
     bool has_patch = true;  ///< there are columns that overlap
   };
 
+  /// Memory of a removed patch.
+  struct Spare
+  {
+    PatchGap patch;
+    ColumnNormals normals;
+    std::vector<SurfaceColumn> columns;
+  };
+
   bool isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const;
   bool fitIntervals(double lower);
   bool findPressed(double u_begin, double u_end, RailRegion& all) const;
@@ -126,9 +134,7 @@ class OverlapGrids
   OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;
-  Eigen::ArrayXXd slope_;                ///< of the cells of a grid, see buildSurfaceGap()
-  std::vector<PatchGap> spare_patches_;  ///< memory of removed patches
-  std::vector<ColumnNormals> spare_normals_;
-  std::vector<std::vector<SurfaceColumn>> spare_columns_;
+  Eigen::ArrayXXd slope_;  ///< of the cells of a grid, see buildSurfaceGap()
+  std::vector<Spare> spares_;
 };
 }  // namespace wheel_rail_contact::core

@@ -42,7 +42,7 @@ WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, 
 void WheelEquilibrium::reset()
 {
   forces_.setZero();
-  rates_.setZero();
+  response_.rates.setZero();
   contact_.forget();
 }
 
@@ -100,19 +100,17 @@ void WheelEquilibrium::respond()
   {
     return;
   }
-  responded_ = true;
-  rates_.setZero();
-  height_per_force_.setZero();
-  response_.setZero();
+  response_ = {};
+  response_.is_exact = true;
   approximateRates();
   if (!rail_.bends() && config_.wheelset.balance != WheelsetConfig::Balance::moments)
   {
     const MotionVector vertical = contact_.verticalStiffness();
     if (vertical.allFinite() && vertical[wheel_up] > 0)
     {
-      rates_.row(height_rate) << -vertical[wheel_roll], vertical[rail_lateral], -1;
-      rates_.row(height_rate) /= vertical[wheel_up];
-      rates_(moment_rate, by_load) = vertical[wheel_roll] / vertical[wheel_up];
+      response_.rates.row(height_rate) << -vertical[wheel_roll], vertical[rail_lateral], -1;
+      response_.rates.row(height_rate) /= vertical[wheel_up];
+      response_.rates(moment_rate, by_load) = vertical[wheel_roll] / vertical[wheel_up];
     }
     return;
   }
@@ -128,9 +126,9 @@ void WheelEquilibrium::respond()
 void WheelEquilibrium::approximateRates()
 {
   const double load = contact_.forces()[wheel_up];
-  rates_.row(height_rate) << contact_.heightPer(wheel_roll), -contact_.heightPer(rail_lateral),
+  response_.rates.row(height_rate) << contact_.heightPer(wheel_roll), -contact_.heightPer(rail_lateral),
       -overlap_per_load * contact_.overlap() / load;
-  rates_.row(moment_rate) << 0, 0, moment() / load;
+  response_.rates.row(moment_rate) << 0, 0, moment() / load;
 }
 
 /// Sets the rates from the stiffness of the contact and the compliance of the rail. A lateral movement of the wheel
@@ -141,7 +139,7 @@ void WheelEquilibrium::setRates(const MotionMatrix& stiffness)
   Eigen::Matrix<double, motions, 6> force;
   force << -stiffness.rightCols<3>(), -stiffness.col(wheel_roll), stiffness.col(rail_lateral), MotionVector::Zero();
   Eigen::Matrix<double, 1, 6> height = Eigen::Matrix<double, 1, 6>::Zero();
-  if (under_load_)
+  if (isUnderLoad())
   {
     height = force.row(wheel_up) / stiffness(wheel_up, wheel_up);
     height[5] = -1 / stiffness(wheel_up, wheel_up);  // the contact carries more by as much as the load grows
@@ -153,36 +151,34 @@ void WheelEquilibrium::setRates(const MotionMatrix& stiffness)
     of_rail.row(3) -= contact_.heightOverReference() * of_rail.row(1);
     of_rail.row(1).setZero();
   }
-  response_ = of_rail.bottomLeftCorner<3, 3>() * rail_.compliance();
-  height_per_force_ = rail_.compliance() * height.head<3>().transpose();
+  response_.per_force = of_rail.bottomLeftCorner<3, 3>() * rail_.compliance();
+  response_.height_per_force = rail_.compliance() * height.head<3>().transpose();
   for (int input = 0; input < inputs; ++input)
   {
     const Eigen::Vector3d change = step(of_rail.col(3 + input).tail<3>());
-    rates_(height_rate, input) = height[3 + input] + height_per_force_.dot(change);
-    rates_(moment_rate, input) = of_rail(0, 3 + input) + of_rail.row(0).head<3>().dot(rail_.compliance() * change);
-    rates_.col(input).tail<3>() = change;
+    response_.rates(height_rate, input) = height[3 + input] + response_.height_per_force.dot(change);
+    response_.rates(moment_rate, input) =
+        of_rail(0, 3 + input) + of_rail.row(0).head<3>().dot(rail_.compliance() * change);
+    response_.rates.col(input).tail<3>() = change;
   }
 }
 
 /// Step of the forces that closes the difference `open` between the forces of the contact and those on the rail.
 Eigen::Vector3d WheelEquilibrium::step(const Eigen::Vector3d& open) const
 {
-  const Eigen::Vector3d step = (Eigen::Matrix3d::Identity() - response_).partialPivLu().solve(open);
+  const Eigen::Vector3d step = (Eigen::Matrix3d::Identity() - response_.per_force).partialPivLu().solve(open);
   return step.allFinite() ? step : open;
 }
 
-WheelStatus WheelEquilibrium::solveUnderLoad(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
+WheelStatus WheelEquilibrium::solveUnderLoad(const WheelsetPose& pose, double load, double accuracy,
+                                             const KeptResult& kept)
 {
-  under_load_ = true;
-  return !(load > 0)     ? touchAtRest(pose)
-         : rail_.bends() ? search(pose, load, accuracy, keep_grids)
-                         : searchHeight(pose, load, keep_grids);
+  return load > 0 ? search(pose, load, accuracy, kept) : touchAtRest(pose);
 }
 
 WheelStatus WheelEquilibrium::solveAtPose(const WheelsetPose& pose, double accuracy)
 {
-  under_load_ = false;
-  return rail_.bends() ? search(pose, 0, accuracy, false) : searchHeight(pose, 0, false);
+  return search(pose, 0, accuracy, {});
 }
 
 /// Position of first touch without load.
@@ -205,25 +201,23 @@ Eigen::Vector3d WheelEquilibrium::restForces() const
   return own_force_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(given_lateral_, 0, 0);
 }
 
-/// Solves the contact on the rail as these forces deflect it.
+/// Solves the contact on the rail as these forces deflect it; without a load, at the height of the pose.
 WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load,
                                       Trial& trial)
 {
   place(forces);
-  const WheelStatus status = under_load_ ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
+  const WheelStatus status = load > 0 ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
   loaded_ = status == WheelStatus::solved;
-  responded_ = responded_ && keep_response_;
-  if (loaded_ && !responded_)
+  if (loaded_ && !response_.is_exact)
   {
     approximateRates();
   }
   trial.forces = forces;
   trial.height = height_ = contact_.height();
   trial.open = (loaded_ ? target() : restForces()) - forces;
-  if (own_force_)
+  if (own_force_ && rail_.bends())
   {
-    trial.merit = contact_.energy() + 0.5 * forces.dot(rail_.compliance() * forces) +
-                  (under_load_ ? load * contact_.height() : 0);
+    trial.merit = contact_.energy() + 0.5 * forces.dot(rail_.compliance() * forces) + load * contact_.height();
     trial.noise =
         !loaded_ ? 0 : (tuning::noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) * contact_.energy();
   }
@@ -242,12 +236,16 @@ bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen:
   {
     return lengthOf(rail_.compliance() * trial.open) <= least_move;
   }
-  const bool deep = !under_load_ || contact_.isDeepEnough();
+  const bool deep = !isUnderLoad() || contact_.isDeepEnough();
   const auto even = [&](const Eigen::Vector3d& change)
   { return contact_.opening(railMove(rail_.compliance() * change)) <= accuracy * contact_.overlap(); };
   if (deep && even(trial.open))
   {
     return true;
+  }
+  if (!rail_.bends())
+  {
+    return false;
   }
   respond();
   step = this->step(trial.open);
@@ -258,46 +256,22 @@ bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen:
   return deep && even(step) && isNearlyClosed(trial);
 }
 
-/// The grids of a solution of a search.
-OverlapGrids::Choice WheelEquilibrium::gridsOf(int solution, bool keep_grids)
-{
-  return keep_grids || solution > 0 ? OverlapGrids::Choice::kept : OverlapGrids::Choice::own;
-}
-
-/// Search on a rail that does not bend: only the height is unknown.
-WheelStatus WheelEquilibrium::searchHeight(const WheelsetPose& pose, double load, bool keep_grids)
-{
-  WheelsetPose at = pose;
-  Trial trial;
-  for (int i = 0; i < tuning::most_solutions; ++i)
-  {
-    contact_.choose(gridsOf(i, keep_grids));
-    const WheelStatus status = solveOn(Eigen::Vector3d::Zero(), at, load, trial);
-    if (!loaded_ || contact_.isDeepEnough())
-    {
-      return accept(trial, Eigen::Vector3d::Zero(), status);
-    }
-    at.z = height_;
-  }
-  return WheelStatus::unbalanced;
-}
-
-WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids)
+WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, double accuracy, const KeptResult& kept)
 {
   WheelsetPose at = pose;
   Eigen::Vector3d forces = forces_, step = Eigen::Vector3d::Zero(), rise_per_force = Eigen::Vector3d::Zero();
-  forces[1] = under_load_ ? -load : forces[1];
+  forces[1] = load > 0 ? -load : forces[1];
   forces[0] = own_force_ ? forces[0] : given_lateral_;
   Trial best, trial;
   double share = 1;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    contact_.choose(gridsOf(i, keep_grids));
-    keep_response_ = keep_response_ && i < tuning::early_solutions;
+    contact_.choose(kept.grids || i > 0 ? OverlapGrids::Choice::kept : OverlapGrids::Choice::own);
+    response_.is_exact = response_.is_exact && kept.response && i < tuning::early_solutions;
     const WheelStatus status = solveOn(forces, at, load, trial);
     const bool usable = loaded_ || status == WheelStatus::no_contact;
     const bool first = !std::isfinite(best.merit);
-    if (!usable && first)
+    if (!usable && (first || !rail_.bends()))
     {
       return status;
     }
@@ -320,10 +294,10 @@ WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, doub
       }
       const double far = lengthOf(rail_.compliance() * step);
       step *= far > tuning::longest_step ? tuning::longest_step / far : 1;
-      rise_per_force = under_load_ && responded_ ? height_per_force_ : Eigen::Vector3d::Zero();
+      rise_per_force = load > 0 && response_.is_exact ? response_.height_per_force : Eigen::Vector3d::Zero();
     }
     forces = best.forces + share * step;
-    at.z = under_load_ ? best.height + rise_per_force.dot(share * step) : at.z;
+    at.z = load > 0 ? best.height + rise_per_force.dot(share * step) : at.z;
   }
   return WheelStatus::unbalanced;
 }
@@ -346,7 +320,7 @@ bool WheelEquilibrium::isNear(double accuracy, const Eigen::Vector3d& step) cons
 WheelStatus WheelEquilibrium::accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status)
 {
   forces_ = rail_.bends() ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.forces().tail<3>());
-  if (under_load_ && loaded_ && rail_.bends())
+  if (isUnderLoad() && loaded_ && rail_.bends())
   {
     const Eigen::Vector3d move = rail_.compliance() * step;
     height_ += contact_.heightPer(rail_lateral) * move[0] + contact_.heightPer(rail_up) * move[1] +
@@ -384,14 +358,14 @@ double WheelEquilibrium::rate(Output output, Input input) const
            : input == by_lateral ? contact_.grids().touch().slope
                                  : 0;
   }
-  return rates_(output, input);
+  return response_.rates(output, input);
 }
 
 void WheelEquilibrium::predict(double lateral, double roll, double load)
 {
   if (loaded_ && rail_.bends())
   {
-    forces_ += rates_.bottomRows<3>() * Eigen::Vector3d(roll, lateral, load);
+    forces_ += response_.rates.bottomRows<3>() * Eigen::Vector3d(roll, lateral, load);
   }
 }
 
@@ -403,9 +377,9 @@ double WheelEquilibrium::opening(double roll, double load) const
   }
   MotionVector move = MotionVector::Zero();
   move[wheel_roll] = roll;
-  if (rail_.bends() && responded_)
+  if (rail_.bends() && response_.is_exact)
   {
-    move.tail<3>() = rail_.compliance() * (rates_.bottomRows<3>() * Eigen::Vector3d(roll, 0, load));
+    move.tail<3>() = rail_.compliance() * (response_.rates.bottomRows<3>() * Eigen::Vector3d(roll, 0, load));
   }
   return contact_.opening(move) / contact_.overlap();
 }

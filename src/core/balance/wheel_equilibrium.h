@@ -9,6 +9,14 @@
 
 namespace wheel_rail_contact::core
 {
+/// What the search of a wheel keeps of its last solution.
+struct KeptResult
+{
+  bool grids = false;  ///< it starts on the same grids, see OverlapGrids::Choice
+  bool response =
+      false;  ///< derivatives, which hardly differ on another grid: WheelEquilibrium::respond() does nothing
+};
+
 /// One wheel on its rail, which bends. Side axes.
 ///
 /// Unknown are the forces on the rail, whose deflection is compliance * forces, and under a load the height. Where the
@@ -37,8 +45,7 @@ class WheelEquilibrium
   /// load, the height of first touch.
   /// @param accuracy    largest opening by the remaining deflection of the rail, over the overlap [-], see
   ///                    WheelContact::opening()
-  /// @param keep_grids  starts on the grids of the last solution, see OverlapGrids::Choice
-  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
+  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, double accuracy, const KeptResult& kept = {});
   /// Finds the deflection at a given pose.
   WheelStatus solveAtPose(const WheelsetPose& pose, double accuracy);
 
@@ -47,9 +54,8 @@ class WheelEquilibrium
   /// Computes the derivatives of height, moment and deflection, which takes a few products with the influence matrix.
   /// Before this call, rate() is for a constant distribution of the pressure and constant forces on the rail.
   void respond();
-  /// True: respond() is not called again after the next solutions. The response hardly differs on another grid.
-  void keepResponse(bool keep) { keep_response_ = keep; }
-  bool responded() const { return responded_ || !loaded_; }
+  /// True if rate() needs no respond().
+  bool responded() const { return response_.is_exact || !loaded_; }
   /// What changes in equilibrium.
   enum Output
   {
@@ -91,9 +97,19 @@ class WheelEquilibrium
  private:
   struct Trial;
 
-  static OverlapGrids::Choice gridsOf(int solution, bool keep_grids);
-  WheelStatus searchHeight(const WheelsetPose& pose, double load, bool keep_grids);
-  WheelStatus search(const WheelsetPose& pose, double load, double accuracy, bool keep_grids);
+  /// Derivatives of the solution.
+  struct Response
+  {
+    bool is_exact = false;  ///< of the stiffness of a contact on the same rail; otherwise of a constant distribution
+    /// Those of forces on the rail may be of an earlier solution.
+    Eigen::Matrix<double, outputs, inputs> rates = Eigen::Matrix<double, outputs, inputs>::Zero();
+    /// Of the height by forces on the rail, through its deflection [m/N].
+    Eigen::Vector3d height_per_force = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d per_force = Eigen::Matrix3d::Zero();  ///< of the forces by forces [-], negative
+  };
+
+  bool isUnderLoad() const { return contact_.problem().control == NormalProblem::Control::load; }
+  WheelStatus search(const WheelsetPose& pose, double load, double accuracy, const KeptResult& kept);
   WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial);
   bool isEquilibrium(const Trial& trial, double accuracy, Eigen::Vector3d& step);
   static bool isNearlyClosed(const Trial& trial);
@@ -117,11 +133,7 @@ class WheelEquilibrium
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
   std::optional<Eigen::Vector3d> placed_;             ///< coordinates at which the rail lies, since moveTo()
   double height_ = 0, touch_slope_ = 0;
-  bool loaded_ = false, responded_ = false, under_load_ = true;
-  bool keep_response_ = false;
-  /// Those of forces on the rail may be of an earlier solution.
-  Eigen::Matrix<double, outputs, inputs> rates_ = Eigen::Matrix<double, outputs, inputs>::Zero();
-  Eigen::Vector3d height_per_force_ = Eigen::Vector3d::Zero();  ///< by forces on the rail, through its deflection [m/N]
-  Eigen::Matrix3d response_;                                    ///< change of the forces by forces [-], negative
+  bool loaded_ = false;
+  Response response_;
 };
 }  // namespace wheel_rail_contact::core

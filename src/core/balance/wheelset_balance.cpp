@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/balance/islands.h"
 #include "core/balance/tuning.h"
+#include "core/normal/estimate/islands.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -112,10 +112,11 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
   setLevel(Side::left, first_level);
   setLevel(Side::right, first_level);
   WheelStatus status = WheelStatus::solved;
+  auto start = first_level > 0 ? WheelsetSearch::Start::near : WheelsetSearch::Start::other_state;
   do
   {
-    status = given ? search_.solveAtGivenHeight() : search_.solve(own_grids_required_);
-  } while (isUsable(status) && (requireOwnGrids() || refine()));
+    status = given ? search_.solveAtGivenHeight() : search_.solve(start);
+  } while (isUsable(status) && continues(start));
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
   depth_ = given ? search_.depthOfHeight(status) : 0;
   if (depth_ > deepest_height || failed != ContactStatus::ok)
@@ -179,6 +180,19 @@ double WheelsetBalance::estimate(Side side)
   return error.largest();
 }
 
+/// Sets what the next search on other grids starts with. @return false if none is required
+bool WheelsetBalance::continues(WheelsetSearch::Start& start)
+{
+  using Start = WheelsetSearch::Start;
+  if (start != Start::other_grids && renewForeignGrids())
+  {
+    start = Start::other_grids;
+    return true;
+  }
+  start = Start::near;
+  return refine();
+}
+
 /// Estimates the errors. Chooses finer grids where they exceed the tolerance. @return true if there are any
 bool WheelsetBalance::refine()
 {
@@ -208,13 +222,9 @@ bool WheelsetBalance::refine()
 
 /// Has wheels solved again whose grids are not those of their final heights, so that the result does not depend on the
 /// start of the search.
-/// @return true if there are any; at most once on the same levels
-bool WheelsetBalance::requireOwnGrids()
+/// @return true if there are any
+bool WheelsetBalance::renewForeignGrids()
 {
-  if (own_grids_required_)
-  {
-    return false;
-  }
   bool any = false;
   for (const Side side : sides)
   {
@@ -224,15 +234,12 @@ bool WheelsetBalance::requireOwnGrids()
       any = true;
     }
   }
-  own_grids_required_ = true;
   return any;
 }
 
 void WheelsetBalance::setLevel(Side side, std::size_t level)
 {
   level_[side] = level;
-  wheel(side).keepResponse(level > 0);
-  own_grids_required_ = false;
   search_.renew(side);
   wheel(side).contact().setGrid(level, levels_.at(level));
 }

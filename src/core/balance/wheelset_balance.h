@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "core/balance/grid_levels.h"
-#include "core/balance/islands.h"
 #include "core/balance/wheelset_search.h"
+#include "core/normal/estimate/islands.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
@@ -58,8 +58,9 @@ class WheelsetBalance
   ContactStatus solveAlongPath(const WheelsetState& state);
   ContactStatus walk(const WheelsetState& state, std::size_t first_level, double step, double& reached);
   WheelsetState placeOnLine(WheelsetState state);
+  bool continues(WheelsetSearch::Start& start);
   bool refine();
-  bool requireOwnGrids();
+  bool renewForeignGrids();
   void setLevel(Side side, std::size_t level);
   double estimate(Side side);
   int count() const;
@@ -74,8 +75,7 @@ class WheelsetBalance
   Sides<Islands> islands_;
   Sides<std::vector<ErrorEstimate>> errors_;
   Sides<double> wheel_errors_{};
-  double depth_ = 0;                 ///< see depth()
-  bool own_grids_required_ = false;  ///< requireOwnGrids() was called on these levels
+  double depth_ = 0;  ///< see depth()
   int solutions_ = 0;
   std::string_view reason_;
 };

@@ -54,7 +54,7 @@ void WheelsetSearch::begin(const WheelsetState& state)
   {
     wheels_[side].setRail(state.rail_lateral_force[side], state.rail_displacement[side]);
   }
-  solved_ = false;
+  solved_ = {};
   open_ = 0;
   const bool warm = std::exchange(warm_, true);
   if (!config_.wheelset.solve_height_and_roll)
@@ -207,37 +207,36 @@ double WheelsetSearch::openingAt(Side side, double roll, double load) const
   {
     return 0;
   }
-  const double change = load - solved_load_[side];
-  return wheel.opening(sideSign(side) * (roll - solved_roll_[side]), change) +
-         WheelEquilibrium::overlap_per_load * std::abs(change) /
-             std::max(solved_load_[side], -least_share * state_.force_z);
+  const Solved& solved = *solved_[side];
+  const double change = load - solved.load;
+  return wheel.opening(sideSign(side) * (roll - solved.roll), change) +
+         WheelEquilibrium::overlap_per_load * std::abs(change) / std::max(solved.load, -least_share * state_.force_z);
 }
 
 /// Solves the wheels at the roll under the loads, as far as they are not.
 /// @param any  set to true if a wheel was solved
-WheelStatus WheelsetSearch::solveWheels(bool keep_grids, bool& any)
+WheelStatus WheelsetSearch::solveWheels(const KeptResult& kept, bool& any)
 {
   for (const Side side : sides)
   {
     WheelEquilibrium& wheel = wheels_[side];
     // Both loads add up to that of the wheelset only if both wheels are solved for the same ones.
-    if (solved_[side] && wheel.loaded() && place_.loads[side] == solved_load_[side] &&
+    if (solved_[side] && wheel.loaded() && place_.loads[side] == solved_[side]->load &&
         openingAt(side, place_.roll, place_.loads[side]) <= accuracy_)
     {
       continue;
     }
     const WheelStatus status =
         wheel.solveUnderLoad(toSide(side, {state_.y, place_.heights[side], state_.yaw, place_.roll}),
-                             place_.loads[side], accuracy_, keep_grids && solved_[side]);
+                             place_.loads[side], accuracy_, {kept.grids && solved_[side], kept.response});
     if (!isUsable(status))
     {
       return status;
     }
     place_.heights[side] = wheel.height();
     place_.moments[side] = wheel.moment();
-    solved_[side] = any = true;
-    solved_roll_[side] = place_.roll;
-    solved_load_[side] = place_.loads[side];
+    solved_[side] = Solved{place_.roll, place_.loads[side]};
+    any = true;
   }
   return WheelStatus::solved;
 }
@@ -317,7 +316,7 @@ void WheelsetSearch::retreat(const Place& earlier)
     place_.loads[side] = 0.5 * (place_.loads[side] + earlier.loads[side]);
   }
   place_.heights = earlier.heights;
-  solved_ = false;
+  solved_ = {};
 }
 
 /// Loads a wheel that returns to its rail as the open moment requires, if it is near its rail.
@@ -336,11 +335,10 @@ bool WheelsetSearch::takesLoad()
 
 /// True if the Newton step ends the search, which it does not while a wheel returns to its rail. Computes the stiffness
 /// if it is required for the step.
-bool WheelsetSearch::ends(Step& step, bool near, bool returning)
+bool WheelsetSearch::ends(Step& step, Start start, bool returning)
 {
   const bool known = wheels_.left.responded() && wheels_.right.responded();
-  // Other grids at the same place: the heights differ by the errors of the grids.
-  if (!returning && closes(step, near ? tuning::jump_share : known ? 1 : tuning::unknown_share))
+  if (!returning && closes(step, start == Start::other_grids ? tuning::jump_share : known ? 1 : tuning::unknown_share))
   {
     return true;
   }
@@ -354,21 +352,17 @@ bool WheelsetSearch::ends(Step& step, bool near, bool returning)
   return !returning && closes(step, 1);
 }
 
-WheelStatus WheelsetSearch::solve(bool near)
+WheelStatus WheelsetSearch::solve(Start start)
 {
   RootBracket bracket;
   std::optional<Place> last;
   int retreats = 0, returns = 0;
   for (int i = 0; i < tuning::most_passes; ++i)
   {
-    if (i >= tuning::early_solutions)
-    {
-      wheels_.left.keepResponse(false);
-      wheels_.right.keepResponse(false);
-    }
-    const bool coupled = isCoupled();
+    const bool coupled = isCoupled(), is_early = i < tuning::early_solutions;
     bool any_solved = false;
-    if (const WheelStatus status = solveWheels(i >= tuning::early_solutions, any_solved); !isUsable(status))
+    if (const WheelStatus status = solveWheels({!is_early, is_early && start != Start::other_state}, any_solved);
+        !isUsable(status))
     {
       if (!last || ++retreats > most_retreats)
       {
@@ -386,7 +380,7 @@ WheelStatus WheelsetSearch::solve(bool near)
       continue;
     }
     Step step = newton();
-    if (ends(step, near, returning))
+    if (ends(step, start, returning))
     {
       return WheelStatus::solved;
     }
@@ -427,7 +421,7 @@ WheelStatus WheelsetSearch::solveAtGivenHeight()
     {
       return status;
     }
-    solved_[side] = true;
+    solved_[side] = Solved{place_.roll, 0};
   }
   return WheelStatus::solved;
 }
@@ -445,7 +439,7 @@ double WheelsetSearch::depthOfHeight(WheelStatus status)
     }
     else
     {
-      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0, accuracy_, false));
+      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0, accuracy_));
       depth = std::min(depth, touches ? wheel.height() - state_.z : 0);
     }
   }

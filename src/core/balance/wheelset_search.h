@@ -29,6 +29,14 @@ namespace wheel_rail_contact::core
 class WheelsetSearch
 {
  public:
+  /// What the last solution was for.
+  enum class Start
+  {
+    other_state,
+    near,        ///< the same state on coarser grids, or one a short step before: its derivatives are kept
+    other_grids  ///< the same state, on grids of the same size: the forces jump by the errors of both
+  };
+
   /// Keeps references to `config` and `solver`, which must outlive this.
   WheelsetSearch(const ContactModelConfig& config, NormalSolver& solver);
 
@@ -40,10 +48,9 @@ class WheelsetSearch
   /// False until the first begin() after a reset().
   bool isWarm() const { return warm_; }
   /// Has a wheel solved again, on other grids.
-  void renew(Side side) { solved_[side] = false; }
-  /// Finds height and roll. @param near  the start is the solution on other grids: the forces jump by the errors of
-  /// both
-  WheelStatus solve(bool near);
+  void renew(Side side) { solved_[side].reset(); }
+  /// Finds height and roll.
+  WheelStatus solve(Start start);
   /// Solves at the height and the roll of the state.
   WheelStatus solveAtGivenHeight();
   /// Depth of the given height below that of first touch, of the wheel that is less deep [m]. A wrong lateral position
@@ -78,11 +85,18 @@ class WheelsetSearch
     Sides<double> moments;  ///< of the contacts about the axle centre, positive if they lift their wheel [N m]
   };
 
+  /// For what a wheel was solved.
+  struct Solved
+  {
+    double roll = 0;  ///< [rad]
+    double load = 0;  ///< [N]
+  };
+
   bool balances() const;
   double heightDifference() const;
   bool returnsWheel() const;
   bool takesLoad();
-  bool ends(Step& step, bool near, bool returning);
+  bool ends(Step& step, Start start, bool returning);
   bool isCoupled() const;
   bool isLifted() const;
   Sides<double> loadsFor(double transfer) const;
@@ -91,7 +105,7 @@ class WheelsetSearch
   double sumOfRates(WheelEquilibrium::Output output, WheelEquilibrium::Input input) const;
   void move(const Step& step);
   double openingAt(Side side, double roll, double load) const;
-  WheelStatus solveWheels(bool keep_grids, bool& any);
+  WheelStatus solveWheels(const KeptResult& kept, bool& any);
   double openMoment() const;
   bool closes(const Step& step, double share);
   bool isNarrow(double range) const;
@@ -108,8 +122,7 @@ class WheelsetSearch
   double start_roll_ = 0;
   double z_ = 0;
   Place place_;
-  Sides<double> solved_roll_{}, solved_load_{};  ///< of the last solutions [rad], [N]
-  Sides<bool> solved_{};                         ///< for this state
+  Sides<std::optional<Solved>> solved_;  ///< for this state
   Sides<double> open_{};
   bool lifts_ = false;
 };

@@ -64,7 +64,7 @@ TEST_F(WheelEquilibriumTest, ForcesOfTheContactDeflectTheRail)
     {
       WheelEquilibrium wheel(config_, Side::left, solver_);
       wheel.contact().setGrid(0, grid_size);
-      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
+      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved) << "y " << y;
       const Eigen::Vector3d due = compliance().inverse() * coordinates(wheel);
       const Eigen::Vector3d found = wheel.contact().forces().tail<3>();
       EXPECT_NEAR(found[0], due[0], 1e-3 * wheel_load) << "y " << y;
@@ -84,7 +84,7 @@ TEST_F(WheelEquilibriumTest, EquilibriumIsTheLeastPotentialEnergy)
     const WheelsetPose pose{y, 0.46, 0, 0};
     WheelEquilibrium wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, grid_size);
-    ASSERT_EQ(wheel.solveUnderLoad(pose, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
+    ASSERT_EQ(wheel.solveUnderLoad(pose, wheel_load, strict), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double least = potential(rail, pose);
     for (const double lateral : {-1e-4, 1e-4})
@@ -100,7 +100,7 @@ TEST_F(WheelEquilibriumTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
   {
     WheelEquilibrium wheel(config_, Side::left, solver_);
     wheel.contact().setGrid(0, grid_size);
-    ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
+    ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double height = wheel.height();
     wheel.reset();
@@ -120,7 +120,7 @@ TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
     wheel.contact().setGrid(0, grid_size);
     const auto heightAt = [&](double roll)
     {
-      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, wheel_load, strict, false), WheelStatus::solved) << "y " << y;
+      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, wheel_load, strict), WheelStatus::solved) << "y " << y;
       return wheel.height();
     };
     const double slope = (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4;
@@ -134,8 +134,8 @@ TEST_F(WheelEquilibriumTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 {
   WheelEquilibrium wheel(config_, Side::left, solver_);
   wheel.contact().setGrid(0, grid_size);
-  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved);
-  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, 0, strict, false), WheelStatus::no_contact);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, 0, strict), WheelStatus::no_contact);
   EXPECT_FALSE(wheel.loaded());
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_TRUE(forces(wheel.rail()).isZero(0));
@@ -147,7 +147,7 @@ TEST_F(WheelEquilibriumTest, ARigidRailIsNotDeflected)
   config_ = manchesterScene();
   WheelEquilibrium wheel(config_, Side::left, solver_);
   wheel.contact().setGrid(0, grid_size);
-  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, wheel_load, strict, false), WheelStatus::solved);
+  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved);
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_NEAR(wheel.rail().vertical_force / wheel_load, 1, 1e-6);
   EXPECT_GT(wheel.rail().lateral_force, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Separate contacts of a wheel, of which several may lie on one grid.
-#include "core/balance/islands.h"
+#include "core/normal/estimate/islands.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <random>
 
 #include "../../manchester_scene.h"
-#include "../normal/problems.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/track/placement.h"
+#include "problems.h"
 
 using namespace wheel_rail_contact::core;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/islands.h"
+#include "core/normal/estimate/islands.h"
 
 #include <algorithm>
 
