@@ -388,6 +388,10 @@ WheelStatus WheelsetSearch::solve(Start start)
     {
       bracket.add(place_.roll, step.difference);
     }
+    else if (!returning && closes(step, tuning::jump_share))
+    {
+      return WheelStatus::solved;
+    }
     if ((std::isfinite(bracket.width()) && isNarrow(bracket.width())) || !any_solved)
     {
       return !returning && closes(step, tuning::jump_share) ? WheelStatus::solved : WheelStatus::unbalanced;
