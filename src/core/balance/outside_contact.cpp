@@ -8,6 +8,20 @@
 
 namespace wheel_rail_contact::core
 {
+namespace
+{
+/// Distance to the nearest grid along the profile [m]; zero in a grid.
+double distanceTo(const std::vector<std::pair<double, double>>& spans, double u)
+{
+  double nearest = infinity;
+  for (const auto& [begin, end] : spans)
+  {
+    nearest = std::min(nearest, std::max({begin - u, u - end, 0.0}));
+  }
+  return nearest;
+}
+}  // namespace
+
 double pressureVariance(double half_length)
 {
   return 0.25 * half_length * half_length;
@@ -18,7 +32,8 @@ double displacementPerForce(double modulus, double variance, double y, double z)
   return 1 / (pi * modulus * std::sqrt(variance + y * y + z * z));
 }
 
-bool OutsideContact::isPossible(const std::vector<OverlapInterval>& intervals, const NormalProblem& problem,
+bool OutsideContact::isPossible(const std::vector<OverlapInterval>& intervals,
+                                const std::vector<std::pair<double, double>>& spans, const NormalProblem& problem,
                                 const NormalSolution& solution)
 {
   column_forces_.resize(solution.patches.size());
@@ -29,8 +44,8 @@ bool OutsideContact::isPossible(const std::vector<OverlapInterval>& intervals, c
   for (const OverlapInterval& interval : intervals)
   {
     search_.stationsOf(interval, stations_);
-    if (mayTouchFarther(problem, solution, stations_.begin(), stations_.end()) ||
-        mayTouchFarther(problem, solution, stations_.rbegin(), stations_.rend()))
+    if (mayTouchFarther(spans, problem, solution, stations_.begin(), stations_.end()) ||
+        mayTouchFarther(spans, problem, solution, stations_.rbegin(), stations_.rend()))
     {
       return true;
     }
@@ -41,13 +56,13 @@ bool OutsideContact::isPossible(const std::vector<OverlapInterval>& intervals, c
 /// True if the surfaces may touch on the way from one end of an interval to the other, where it leads away from the
 /// nearest grid.
 template <typename Station>
-bool OutsideContact::mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
-                                     Station end) const
+bool OutsideContact::mayTouchFarther(const std::vector<std::pair<double, double>>& spans, const NormalProblem& problem,
+                                     const NormalSolution& solution, Station station, Station end) const
 {
   double least = infinity, before = infinity;
   for (; station != end; ++station)
   {
-    const double beyond = beyondGrids(station->rail_u);
+    const double beyond = distanceTo(spans, station->rail_u);
     if (beyond > before)
     {
       const double overlap = station->depth + solution.approach - displacementAt(*station, problem, solution);
@@ -64,17 +79,6 @@ bool OutsideContact::mayTouchFarther(const NormalProblem& problem, const NormalS
     before = beyond;
   }
   return false;
-}
-
-/// Distance to the nearest grid along the profile [m]; zero in a grid.
-double OutsideContact::beyondGrids(double u) const
-{
-  double nearest = infinity;
-  for (const std::vector<SurfaceColumn>& columns : columns_)
-  {
-    nearest = std::min(nearest, std::max({columns.front().rail_u - u, u - columns.back().rail_u, 0.0}));
-  }
-  return nearest;
 }
 
 /// Displacement by the forces in the columns (Johnson 1985, eq. 3.22b), each as a point force at the root mean square

@@ -40,14 +40,14 @@ class OutsideContact
   }
 
   /// True if the surfaces may touch outside of the grids, displaced by the forces in them.
-  bool isPossible(const std::vector<OverlapInterval>& intervals, const NormalProblem& problem,
-                  const NormalSolution& solution);
+  /// @param spans  parameters of the rail profile between which a grid lies [m]
+  bool isPossible(const std::vector<OverlapInterval>& intervals, const std::vector<std::pair<double, double>>& spans,
+                  const NormalProblem& problem, const NormalSolution& solution);
 
  private:
   template <typename Station>
-  bool mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
-                       Station end) const;
-  double beyondGrids(double u) const;
+  bool mayTouchFarther(const std::vector<std::pair<double, double>>& spans, const NormalProblem& problem,
+                       const NormalSolution& solution, Station station, Station end) const;
   double displacementAt(const OverlapStation& station, const NormalProblem& problem,
                         const NormalSolution& solution) const;
 

@@ -234,30 +234,84 @@ bool OverlapGrids::findPressed(double u_begin, double u_end, RailRegion& all) co
   return all.x_most > all.x_least;
 }
 
-bool OverlapGrids::isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const
+/// True if the pressure of a patch reaches the outer cells of a grid, or lies beyond them.
+bool OverlapGrids::isCut(const GridLayout& layout, std::size_t patch, const PatchPressure& pressure) const
 {
-  const auto last_row = pressure.rows() - 1, last_column = pressure.cols() - 1;
-  const bool symmetric = placed_wheel_->pose().yaw == 0;
-  return !placed_[patch].whole && ((pressure.col(0) > 0).any() || (pressure.col(last_column) > 0).any() ||
-                                   (pressure.row(last_row) > 0).any() || (!symmetric && (pressure.row(0) > 0).any()));
+  const auto& [outer, origin] = layout;
+  const Eigen::ArrayXXd& p = pressure.pressure;
+  const double low = origin.rail_u + outer.y(0) + 0.5 * outer.dy;
+  const double high = origin.rail_u + outer.y(outer.ny - 1) - 0.5 * outer.dy;
+  for (Eigen::Index j = 0; j < p.cols(); ++j)
+  {
+    const double u = columns_[patch][static_cast<std::size_t>(j)].rail_u;
+    if ((u < low || u > high) && (p.col(j) > 0).any())
+    {
+      return true;
+    }
+  }
+  const double most = origin.x + outer.x(outer.rows() - 1) - 0.5 * outer.dx;
+  const double least = outer.symmetric ? -most : origin.x + outer.x(0) + 0.5 * outer.dx;
+  for (Eigen::Index i = 0; i < p.rows(); ++i)
+  {
+    const double x = originOf(patch).x + pressure.grid.x(static_cast<int>(i));
+    if ((x < least || x > most) && (p.row(i) > 0).any())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if covers_ contain the whole contact.
+bool OverlapGrids::isContained(const NormalProblem& problem, const NormalSolution& solution)
+{
+  bool whole = true;
+  for (std::size_t k = 0; k < covers_.size(); ++k)
+  {
+    if (!covers_[k].whole && isCut(covers_[k].layout, k, solution.patches[k]))
+    {
+      return false;
+    }
+    whole = whole && covers_[k].whole;
+  }
+  if (whole)
+  {
+    return true;
+  }
+  spans_.clear();
+  for (const auto& [layout, is_whole] : covers_)
+  {
+    spans_.emplace_back(layout.origin.rail_u + layout.grid.y(0),
+                        layout.origin.rail_u + layout.grid.y(layout.grid.ny - 1));
+  }
+  return !outside_.isPossible(intervals_, spans_, problem, solution);
 }
 
 bool OverlapGrids::isComplete(const NormalProblem& problem, const NormalSolution& solution)
 {
-  bool is_whole = true;
-  for (std::size_t k = 0; k < solution.patches.size(); ++k)
+  covers_.clear();
+  for (const GroupGrid& group : group_grids_)
   {
-    if (isCut(k, solution.patches[k].pressure))
+    if (group.has_patch)
     {
-      return false;
+      covers_.push_back({group.used, placed_[covers_.size()].whole});
     }
-    is_whole = is_whole && placed_[k].whole;
   }
-  if (is_whole)
+  return isContained(problem, solution);
+}
+
+bool OverlapGrids::wouldBeComplete(const GridSize& size, const NormalProblem& problem, const NormalSolution& solution)
+{
+  covers_.clear();
+  for (const GroupGrid& group : group_grids_)
   {
-    return true;
+    if (group.has_patch)
+    {
+      const SurfaceArea area = areaOf(*placed_wheel_, group.first, group.end, 0, Reach::expected);
+      covers_.push_back({layGrid(area, size, placed_wheel_->pose().yaw == 0), area.whole});
+    }
   }
-  return !outside_.isPossible(intervals_, problem, solution);
+  return isContained(problem, solution);
 }
 
 /// A grid of the last call that covers the area; null if there is none.
@@ -293,6 +347,8 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
     found = fillGrid(wheel, size, area, group.used, problem.patches.back(), problem.normals.back());
   }
   group.has_patch = found;
+  group.first = first;
+  group.end = last;
   group_grids_.push_back(group);
   if (!found)
   {

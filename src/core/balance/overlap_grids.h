@@ -84,6 +84,8 @@ class OverlapGrids
   /// True if the grids contain the whole contact: no pressure reaches the edge of a grid that the overlap exceeds, and
   /// the surfaces outside of the grids, displaced by the forces in them, do not touch.
   bool isComplete(const NormalProblem& problem, const NormalSolution& solution);
+  /// The same for grids with Reach::expected and this number of cells at the last pose.
+  bool wouldBeComplete(const GridSize& size, const NormalProblem& problem, const NormalSolution& solution);
   /// True if the grids are those that the wheel would get `lower` below the last pose [m].
   bool fits(double lower);
 
@@ -93,8 +95,9 @@ class OverlapGrids
   {
     GridLayout planned, used;
     Reach reach = Reach::whole;
-    bool whole = true;      ///< it covers the whole overlap
-    bool has_patch = true;  ///< there are columns that overlap
+    bool whole = true;               ///< it covers the whole overlap
+    bool has_patch = true;           ///< there are columns that overlap
+    std::size_t first = 0, end = 0;  ///< its intervals
   };
 
   /// Memory of a removed patch.
@@ -105,7 +108,15 @@ class OverlapGrids
     std::vector<SurfaceColumn> columns;
   };
 
-  bool isCut(std::size_t patch, const Eigen::ArrayXXd& pressure) const;
+  /// A grid that contains the pressure of a patch, or does not.
+  struct Cover
+  {
+    GridLayout layout;
+    bool whole = true;  ///< it covers the whole overlap
+  };
+
+  bool isContained(const NormalProblem& problem, const NormalSolution& solution);
+  bool isCut(const GridLayout& layout, std::size_t patch, const PatchPressure& pressure) const;
   bool fitIntervals(double lower);
   bool findPressed(double u_begin, double u_end, RailRegion& all) const;
   SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower, Reach reach) const;
@@ -131,6 +142,8 @@ class OverlapGrids
   std::vector<PlacedGrid> placed_;                      ///< of each patch
   std::vector<RailRegion> pressed_;                     ///< see follow()
   std::vector<std::pair<double, double>> joined_;       ///< see join()
+  std::vector<std::pair<double, double>> spans_;        ///< first and last column of each of covers_
+  std::vector<Cover> covers_;                           ///< of each patch, see isContained()
   OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;

@@ -56,14 +56,20 @@ WheelStatus WheelContact::none(WheelStatus status)
 void WheelContact::setGrid(std::size_t level, const GridSize& size)
 {
   size_ = size;
+  reach_ = first_reach_;
   if (level > level_)
   {
     grids_.follow(solution_.patches);
+    if (!grids_.wouldBeComplete(size, problem_, solution_))
+    {
+      reach_ = OverlapGrids::Reach::whole;
+    }
   }
   else
   {
     grids_.unfollow();
   }
+  start_reach_ = reach_;
   if (level != level_)
   {
     kept_.resize(std::max(kept_.size(), std::max(level, level_) + 1));
@@ -109,7 +115,7 @@ WheelStatus WheelContact::touch(const WheelsetPose& pose)
 WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
 {
   pose_ = pose;
-  switch (build(first_reach_))
+  switch (build(reach_))
   {
     case OverlapGrids::Overlap::beside:
       return none(WheelStatus::beside_rail);
@@ -130,7 +136,7 @@ WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
   pose_ = pose;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    switch (build(first_reach_))
+    switch (build(reach_))
     {
       case OverlapGrids::Overlap::beside:
         return none(WheelStatus::beside_rail);
@@ -173,6 +179,7 @@ WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
       return none(WheelStatus::unbalanced);  // the overlap is between the columns of the larger grid
     }
     solveProblem();
+    reach_ = isDeepEnough() ? OverlapGrids::Reach::whole : reach_;
   }
   if (!isUsable(solution_.status))
   {
@@ -224,6 +231,13 @@ void WheelContact::evaluate()
     energy_ -= 0.5 * gap.grid.cellArea() * (pressure * gap.gap).sum();
   }
   energy_ += 0.5 * forces_[wheel_up] * solution_.approach;
+}
+
+bool WheelContact::hasOwnGrids()
+{
+  const bool has_own = reach_ == start_reach_ || !grids_.wouldBeComplete(size_, problem_, solution_);
+  reach_ = has_own ? reach_ : start_reach_;
+  return has_own && grids_.fits(remaining());
 }
 
 bool WheelContact::reachesEnd() const

@@ -110,7 +110,7 @@ class WheelContact
   double opening(const MotionVector& move) const;
 
   /// True if the grids are those of the final height.
-  bool hasOwnGrids() { return grids_.fits(remaining()); }
+  bool hasOwnGrids();
   /// True if the pressure reaches the end of a profile.
   bool reachesEnd() const;
   /// Largest turn of the normal of wheel or rail over the loaded columns `first` to `last` of a patch, halved [rad].
@@ -153,7 +153,9 @@ class WheelContact
   MotionVector forces_ = MotionVector::Zero();
   double energy_ = 0;
   OverlapGrids::Choice choice_ = OverlapGrids::Choice::own;
-  OverlapGrids::Reach first_reach_;
+  OverlapGrids::Reach first_reach_;                               ///< on the first grid
+  OverlapGrids::Reach start_reach_ = OverlapGrids::Reach::whole;  ///< since setGrid()
+  OverlapGrids::Reach reach_ = OverlapGrids::Reach::whole;        ///< of the next solution: that of the last one
   int solutions_ = 0;
 };
 }  // namespace wheel_rail_contact::core
