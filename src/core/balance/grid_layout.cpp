@@ -23,6 +23,15 @@ double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch
   const Eigen::Index middle = patch.grid.symmetric ? 0 : patch.gap.rows() / 2;
   return at(j).wheel_slope * (1 - turn * patch.gap(middle, j));
 }
+
+/// Mean second difference of the gap, from the cells before and after, weighted with the overlap [m].
+template <typename Cells>
+double meanBend(const Cells& before, const Cells& here, const Cells& after)
+{
+  const auto has_bodies = before.max(after) < no_body_gap;
+  const double overlaps = has_bodies.select((-here).max(0), 0).sum();
+  return overlaps > 0 ? has_bodies.select((-here).max(0) * (before + after - 2 * here), 0).sum() / overlaps : 0;
+}
 }  // namespace
 
 bool GridLayout::equals(const GridLayout& other) const
@@ -101,6 +110,16 @@ void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, Colu
   {
     normals.turn[j] = at(j).angle() - at(deepest).angle();
   }
+}
+
+void raiseByCells(PatchGap& patch)
+{
+  const Eigen::ArrayXXd& gap = patch.gap;
+  const Eigen::Index rows = gap.rows() - 2, columns = gap.cols() - 2;
+  const double along = rows > 0 ? meanBend(gap.topRows(rows), gap.middleRows(1, rows), gap.bottomRows(rows)) : 0;
+  const double across =
+      columns > 0 ? meanBend(gap.leftCols(columns), gap.middleCols(1, columns), gap.rightCols(columns)) : 0;
+  patch.gap += (along + across) / 48;
 }
 
 void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch)

@@ -47,6 +47,13 @@ bool isDeep(const OverlapInterval& interval)
   return -contact.separation > depth * std::hypot(1, contact.slope);
 }
 
+/// True for the methods whose pressures are constant in each cell and close the gap at the centres.
+bool closesCentres(NormalMethod method)
+{
+  return method == NormalMethod::automatic || method == NormalMethod::conjugate_gradient ||
+         method == NormalMethod::seidel;
+}
+
 /// True if the rail may have several parts.
 bool severalParts(const ContactModelConfig& config, Side side)
 {
@@ -382,6 +389,10 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
       }
       setNormals(columns, patch, normals);
       setUnseenSlope(columns, patch);
+      if (closesCentres(config_.contact.method))
+      {
+        raiseByCells(patch);
+      }
       return true;
     }
     grow(long_enough ? 0 : margin, wide_enough ? 0 : margin, area);

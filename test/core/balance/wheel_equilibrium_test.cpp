@@ -163,7 +163,7 @@ Eigen::Vector2d forcesOn(const RailResult& rail, Side side)
   return {(side == Side::left ? -1 : 1) * rail.lateral_force, rail.vertical_force};
 }
 
-/// The scene with height and roll given, on a grid that does not change.
+/// The scene with height and roll given, on a grid of one size.
 ContactModelConfig givenScene()
 {
   ContactModelConfig config = manchesterScene();
@@ -175,12 +175,13 @@ ContactModelConfig givenScene()
   return config;
 }
 
-// Tread, gauge corner and flange, with yaw. A step of 1 um moves single cells into the contact.
+// Tread, gauge corner and flange, with yaw, where the steps do not change the cells. A step of 1 um moves single ones
+// into the contact.
 TEST(Stiffness, IsTheDerivativeOfTheForces)
 {
   constexpr double step = 1e-6;
   WheelsetContact balanced(manchesterScene()), given(givenScene());
-  for (const double y : {1e-3, 5.5e-3, 7e-3})
+  for (const double y : {1.1e-3, 5.5e-3, 7e-3})
   {
     const WheelsetResult& at = balanced.evaluate(stateAt(y, 1e5, 2e-3));
     ASSERT_TRUE(isUsable(at.status));
