@@ -5,7 +5,8 @@
 #include "../stability/scene.h"
 
 using namespace wheel_rail_contact::core;
-/// Highest pressure, area, mean approach and force of the left wheel, and its estimate.
+/// Highest pressure, area, largest approach and force of the left wheel, and its estimate. A mean approach would jump
+/// where two contacts become one.
 static std::array<double, 5> valuesOf(const WheelsetResult& result)
 {
   std::array<double, 5> values{};
@@ -13,10 +14,9 @@ static std::array<double, 5> valuesOf(const WheelsetResult& result)
   {
     const double share = patch.side == Side::left ? 1 : 0, force = patch.normal_force;
     values = {std::max(values[0], share * patch.max_pressure), values[1] + share * patch.area,
-              values[2] + share * patch.approach * force, values[3] + share * force,
+              std::max(values[2], share * patch.approach), values[3] + share * force,
               std::max(values[4], share * patch.error_estimate)};
   }
-  values[2] /= values[3];
   return values;
 }
 

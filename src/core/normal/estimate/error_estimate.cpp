@@ -151,12 +151,22 @@ std::array<double, 5> peakTerms(const PatchGap& gap, double modulus, const Cells
   return {bend, bend * bend / (1 + bend), std::pow(jump, 4), unclear ? bend : 0, residual};
 }
 
+/// Error of a peak that the bend does not show [-]: half of the difference of the measure from the parabolas without
+/// the bias of smooth peaks, as that is inferred from other cells; and if the peak is one column from the end of the
+/// pressure, what the third differences say.
+double hiddenError(const PatchGap& gap, double modulus, const CellsAround& peak)
+{
+  constexpr double smooth_bias = 1.0 / 80;  // of the parabolas, over the bend
+  const double added = peakPressure(gap, modulus, peak) / peak.parabolas() * (1 + smooth_bias * peak.bend()) - 1;
+  return std::max(0.5 * std::abs(added), peak.isBesideEnd() ? peak.errorAcross() : 0);
+}
+
 /// Relative amount by which a secondary peak may exceed the highest one because of its own error [-].
 double errorFromLowerPeak(const PatchGap& gap, const PatchPressure& pressure, double modulus, const CellsAround& peak)
 {
   const Bending bending = gapBending(gap.gap, peakAt(pressure.pressure, peak.row(), peak.column()));
   const double own = weighted(gridErrorWeights().max_pressure, peakTerms(gap, modulus, peak, bending.jumps_at_peak, 0));
-  const double growth = peak.isInside() ? own : std::max(own, lobe_growth);
+  const double growth = std::max(own, peak.isInside() ? hiddenError(gap, modulus, peak) : lobe_growth);
   return (1 + growth) * peakPressure(gap, modulus, peak) / pressure.max_pressure - 1;
 }
 
@@ -270,14 +280,15 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
   const Loaded loaded = findLoaded(grid, p);
   const Bending bending = gapBending(gap.gap, loaded.peak);
 
+  const CellsAround peak{grid, p, loaded.peak.row, loaded.peak.column};
   const double per_cell = grid.dx * grid.dy / pressure.area;
   const double variation = bending.variation / (loaded.across * loaded.across);
   ErrorTerms terms;
-  terms.least_pressure_error = std::max({errorFromLowerPeaks(gap, pressure, modulus, loaded.peak.column),
-                                         errorFromSteps(gap, pressure, modulus, loaded.peak),
-                                         errorFromUnseenSlopes(gap, pressure, modulus, loaded.peak)});
-  terms.max_pressure =
-      peakTerms(gap, modulus, {grid, p, loaded.peak.row, loaded.peak.column}, bending.jumps_at_peak, residual);
+  terms.least_pressure_error =
+      std::max({hiddenError(gap, modulus, peak), errorFromLowerPeaks(gap, pressure, modulus, loaded.peak.column),
+                errorFromSteps(gap, pressure, modulus, loaded.peak),
+                errorFromUnseenSlopes(gap, pressure, modulus, loaded.peak)});
+  terms.max_pressure = peakTerms(gap, modulus, peak, bending.jumps_at_peak, residual);
   terms.narrow_end =
       std::max(narrow_end_cells * std::max(loaded.narrow_columns - narrow_tips, 0), few_cells_error * per_cell) *
       per_cell;
@@ -304,10 +315,11 @@ const ErrorWeights& gridErrorWeights()
   // * pressure, fourth: test/stability/conditions_test.cpp passes.
   // * area, all but the first: one and a half times to twice as much, for narrow ends and for curvature discontinuities
   //   of wheelsets.
-  // * approach, first: a quarter more, for yawed contacts and long cells.
+  // * approach, first: a tenth more, for long cells. Most of it is a bias that contacts of wheels do not have, see
+  //   raiseByCells().
   // * residual (the last weight of each): set by hand. On 150 wheelsets the errors of pressure and area that it caused
   //   were at most the residual in nine of ten cases, and at most three times the residual in 99 of 100.
-  static constexpr ErrorWeights weights{{0.0035, 0.025, 0.0055, 0.1, 1.7}, {0.095, 0.2, 0.5, 0.1, 1.5}, {0.22, 0.3}};
+  static constexpr ErrorWeights weights{{0.0035, 0.025, 0.0055, 0.1, 1.7}, {0.095, 0.2, 0.5, 0.1, 1.5}, {0.19, 0.3}};
   return weights;
 }
 

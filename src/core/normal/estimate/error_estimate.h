@@ -28,12 +28,14 @@ struct ErrorTerms
   ///   and down near it;
   /// * residual.
   std::array<double, 5> max_pressure{};
-  /// Lower limit of the max_pressure error, without a weight: largest relative amount by which the pressure may exceed
-  /// max_pressure in one of three cases:
+  /// Lower limit of the max_pressure error, without a weight: the largest of four relative amounts by which the pressure
+  /// may exceed max_pressure:
   /// * a secondary peak grows by its weighted terms without the residual (in a lobe of two columns: at least to twice
   ///   its value);
   /// * the pressure at a step of the gap, on cells four times finer;
-  /// * the pressure at waves of the gap that are narrower than the cells.
+  /// * the pressure at waves of the gap that are narrower than the cells;
+  /// * half of what the measure adds to the parabolas of the highest cell, beyond a smooth peak, and the error by third
+  ///   differences if this cell is one column from the end of the pressure.
   double least_pressure_error = 0;
   /// Terms of the area error, with the number n of cells of the contact area:
   /// * (1 + 0.5 |ln(dx / dy)|) / n;

@@ -39,6 +39,8 @@ class CellsAround
 
   /// True if both neighbours of the peak across the track are loaded.
   bool isInside() const { return p(0, -1) > 0 && p(0, 1) > 0; }
+  /// True if one of these neighbours is the outermost loaded cell of the row.
+  bool isBesideEnd() const { return isInside() && !(p(0, -2) > 0 && p(0, 2) > 0); }
   /// Offset of the outermost loaded cell from the peak along the track, in the `outward` direction (+1 or -1).
   Index tip(Index outward) const
   {
@@ -56,6 +58,16 @@ class CellsAround
   /// and the sum of along and across.
   double bendAlong() const { return bendOf(p(-1, 0), p(1, 0)); }
   double bend() const { return bendAlong() + bendOf(p(0, -1), p(0, 1)); }
+  /// Possible error of the parabola across by the third differences of the squared pressure on both sides [-]. A cubic
+  /// deviates from the parabola through three of its points by up to 1 / (9 sqrt(3)) of its third difference, and its
+  /// root by half as much.
+  double errorAcross() const
+  {
+    constexpr double share = 0.064;  // 1 / (9 sqrt(3))
+    const double near = std::pow(p(0, -1), 2), far = std::pow(p(0, 1), 2);
+    const double before = far - 3 + 3 * near - std::pow(p(0, -2), 2), after = near - 3 + 3 * far - std::pow(p(0, 2), 2);
+    return 0.5 * share * (std::abs(before) + std::abs(after));
+  }
   /// Maximum of the parabolas through the squared pressures along and across [Pa].
   double parabolas() const { return top_ * std::sqrt(1 + riseOf(p(-1, 0), p(1, 0)) + riseOf(p(0, -1), p(0, 1))); }
 
