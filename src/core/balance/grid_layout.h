@@ -48,11 +48,9 @@ void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
 /// hardly turn.
 void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
 
-/// Raises a gap by half of what its mean over a cell exceeds its value at the centre: (g_xx dx² + g_yy dy²) / 48.
+/// Raises a gap by (g_xx dx² + g_yy dy²) / 48: half of what its mean over a cell exceeds its value at the centre.
 /// Pressures that are constant in each cell and close the gap at the centres need an approach that is too small by so
-/// much. Were gap and displacement means over the cells, the energy would be the lowest of all such pressures, with an
-/// error of third order in the cells. Where both close one another, their means differ from their values at the centres
-/// by opposite amounts; half of it is left, as the energy counts half of the work of the displacement.
+/// much; doc/theory.md, "Bias of the approach", derives it.
 void raiseByCells(PatchGap& patch);
 
 /// Sets PatchGap::unseen_slope.

@@ -47,13 +47,6 @@ bool isDeep(const OverlapInterval& interval)
   return -contact.separation > depth * std::hypot(1, contact.slope);
 }
 
-/// True for the methods whose pressures are constant in each cell and close the gap at the centres.
-bool closesCentres(NormalMethod method)
-{
-  return method == NormalMethod::automatic || method == NormalMethod::conjugate_gradient ||
-         method == NormalMethod::seidel;
-}
-
 /// True if the rail may have several parts.
 bool severalParts(const ContactModelConfig& config, Side side)
 {
@@ -389,7 +382,8 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
       }
       setNormals(columns, patch, normals);
       setUnseenSlope(columns, patch);
-      if (closesCentres(config_.contact.method))
+      const NormalMethod method = config_.contact.method;
+      if (method != NormalMethod::hertz && method != NormalMethod::kik_piotrowski)
       {
         raiseByCells(patch);
       }

@@ -40,8 +40,7 @@ constexpr double narrow_end_cells = 1.7;
 constexpr double few_cells_error = 6;
 
 /// Possible growth of a secondary peak that has an unloaded neighbour across the track: a lobe of two columns. Taken
-/// from one case, test/core/balance/warm_start_test.cpp: with finer cells the peak grows by 0.64 of its value on 24 ×
-/// 56 cells and by 0.96 of its value on 20 × 48 cells.
+/// from one case, test/core/balance/warm_start_test.cpp, in which it grows by 0.64 to 0.96 of its value.
 constexpr double lobe_growth = 1;
 
 /// Factor of the errors of a patch whose weight is less: a contact angle of 37 degrees, for yaw in the root [-]. Set by
@@ -197,9 +196,7 @@ double stepAfter(const Eigen::ArrayXXd& gap, Index row, Index j)
 }
 
 /// Relative amount by which the pressure at a step of the gap in the row of the peak would exceed that of the highest
-/// cell if the cells were four times finer [-]; 0 if it would not. Next to a step h the pressure of a half-space is E*
-/// h / (2 pi distance) (Johnson 1985, eq. 2.25b, inverted by Hilbert's transform). It has no finite maximum. On cells
-/// it adds about E* h / (pi dy).
+/// cell if the cells were four times finer [-]; 0 if it would not. A step h adds about E* h / (pi dy).
 double errorFromSteps(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double finer = 4;
@@ -215,10 +212,8 @@ double errorFromSteps(const PatchGap& gap, const PatchPressure& pressure, double
 }
 
 /// Relative amount by which the pressure would exceed the highest one if the cells resolved the features of the gap
-/// that are narrower than the present cells [-]. A wave of the gap with slopes up to s is flattened by a pressure of E*
-/// s / 2 (Johnson 1985, eq. 13.2), which is added at its column. If waves cover the whole patch, the slopes at the
-/// columns are random samples. At the peak, between columns, a slope of five times their mean is therefore assumed, but
-/// no more than 1.8 times the largest one; if fewer than half of the columns show one, no more than the largest one.
+/// that are narrower than the present cells [-] (doc/theory.md, "Waves of a profile narrower than the cells"). If fewer
+/// than half of the columns show one, the slope is no more than the largest one.
 double errorFromUnseenSlopes(const PatchGap& gap, const PatchPressure& pressure, double modulus, const Peak& peak)
 {
   constexpr double over_mean = 5, over_largest = 1.8;
@@ -305,20 +300,7 @@ ErrorTerms errorTerms(const PatchGap& gap, const PatchPressure& pressure, double
 
 const ErrorWeights& gridErrorWeights()
 {
-  // test/calibration/calibrate_error_estimate.cpp prints: pressure 0.0029, 0.0225, 0.0134, 0.030, area 0.094, 0.109,
-  // 0.35, 0.054, approach 0.173. Its samples contain few sharp curvature discontinuities and rough profiles, and cannot
-  // separate the second weight of the pressure from the third. These were therefore set differently:
-  // * pressure, first: a fifth more.
-  // * pressure, second: as many estimates hold on 2000 gaps with lobes, waves and curvature discontinuities as on
-  //   others.
-  // * pressure, third: the largest estimate holds on 402 curvature discontinuities between arcs of 13 mm to 3 m radius.
-  // * pressure, fourth: test/stability/conditions_test.cpp passes.
-  // * area, all but the first: one and a half times to twice as much, for narrow ends and for curvature discontinuities
-  //   of wheelsets.
-  // * approach, first: a tenth more, for long cells. Most of it is a bias that contacts of wheels do not have, see
-  //   raiseByCells().
-  // * residual (the last weight of each): set by hand. On 150 wheelsets the errors of pressure and area that it caused
-  //   were at most the residual in nine of ten cases, and at most three times the residual in 99 of 100.
+  // doc/theory.md, "Calibration", states how each was set.
   static constexpr ErrorWeights weights{{0.0035, 0.025, 0.0055, 0.1, 1.7}, {0.095, 0.2, 0.5, 0.1, 1.5}, {0.19, 0.3}};
   return weights;
 }

@@ -28,8 +28,8 @@ struct ErrorTerms
   ///   and down near it;
   /// * residual.
   std::array<double, 5> max_pressure{};
-  /// Lower limit of the max_pressure error, without a weight: the largest of four relative amounts by which the pressure
-  /// may exceed max_pressure:
+  /// Lower limit of the max_pressure error, without a weight: the largest of four relative amounts by which the
+  /// pressure may exceed max_pressure:
   /// * a secondary peak grows by its weighted terms without the residual (in a lobe of two columns: at least to twice
   ///   its value);
   /// * the pressure at a step of the gap, on cells four times finer;
@@ -87,11 +87,9 @@ struct ShapeWeights
 /// Estimates the errors by discretisation and residual in each patch of a usable solution, for any method with a
 /// pressure in each cell. Zero for a patch without pressure. `errors` gets one entry for each patch.
 ///
-/// The weights were fitted to random contacts. The reference was the same contact on a grid four times finer in each
-/// direction. The largest of the three estimates is at least the true error in 98 % of single patches, and is otherwise
-/// as close to it as possible. test/calibration repeats the fit and prints the table. In a problem with several
-/// patches, the approach error of one patch shifts load to the others. This is added with Hertz's laws (maximum ~
-/// approach^1/2, area ~ approach).
+/// The largest of the three estimates is at least the true error in 98 % of single patches (doc/theory.md,
+/// "Calibration"). With several patches, the approach error of one shifts load to the others. This is added with
+/// Hertz's laws (maximum ~ approach^1/2, area ~ approach).
 void estimateGridErrors(const NormalProblem& problem, const NormalSolution& solution,
                         std::vector<ErrorEstimate>& errors);
 

@@ -58,9 +58,7 @@ class CellsAround
   /// and the sum of along and across.
   double bendAlong() const { return bendOf(p(-1, 0), p(1, 0)); }
   double bend() const { return bendAlong() + bendOf(p(0, -1), p(0, 1)); }
-  /// Possible error of the parabola across by the third differences of the squared pressure on both sides [-]. A cubic
-  /// deviates from the parabola through three of its points by up to 1 / (9 sqrt(3)) of its third difference, and its
-  /// root by half as much.
+  /// Error of the parabola across that the third differences show [-] (doc/theory.md, "Peaks near an end").
   double errorAcross() const
   {
     constexpr double share = 0.064;  // 1 / (9 sqrt(3))

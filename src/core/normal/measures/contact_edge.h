@@ -16,12 +16,7 @@ namespace wheel_rail_contact::core
 double edgeDistance(double p1, double p2, double p3);
 
 /// Area of the contact in cells. The crossings of the edge with the lines of cell centres form a polygon. The area is
-/// that of the polygon minus its known bias (EdgeBias).
-///
-/// The polygon has two systematic errors. Chords make a closed curve too small by half a cell or more. The effect
-/// increases with the distance by which the tips extend beyond the outermost loaded row or column. Where the edge is
-/// oblique to a line or curved, its crossing is found too far out or too far in. Both can be inferred from the
-/// pressures around each crossing.
+/// that of the polygon minus its known bias (doc/theory.md, "Area").
 class EdgePolygon
 {
   static constexpr int frame_width = 3;  ///< readable cells around the pressure

@@ -9,12 +9,7 @@ namespace wheel_rail_contact::core
 /// pressure of the peak cell. The pressure must solve `gap` on its grid, with E* = `modulus` [Pa].
 ///
 /// The value is the maximum of the parabolas through the squared pressures of the peak cell and its neighbours, minus
-/// its known bias. The bias has two sources:
-/// * Constant-pressure cells that satisfy the contact condition at their centres overestimate a peak. The error
-///   increases with the bend of the pressure and depends on the position of the edge between the cells.
-/// * At a jump D of the gap curvature, for example between two arcs, the pressure contains -(E* D / 2 pi) t ln|t|, with
-///   the distance t (Hilbert transform of the curvature; Johnson 1985, eq. 2.25b). No parabola represents this term.
-/// Both can be inferred from the pressures and the gap around the peak. No bias is subtracted if the curvature of the
-/// gap jumps up and down there (areWaves()), or if the border of the grid cuts the pressure along the track.
+/// its known bias (doc/theory.md, "Maximum pressure"). No bias is subtracted if the curvature of the gap jumps up and
+/// down there (areWaves()), or if the border of the grid cuts the pressure along the track.
 double peakPressure(const PatchGap& gap, double modulus, const CellsAround& peak);
 }  // namespace wheel_rail_contact::core
