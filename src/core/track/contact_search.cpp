@@ -198,10 +198,9 @@ double ContactSearch::depthBelowStation(std::size_t k) const
   return 0.25 * (separation_[k - 1] - 2 * separation_[k] + separation_[k + 1]) + 4 * station_error;
 }
 
-/// Interval of the stations `first` to `last`, with its ends interpolated between stations. Its contact is not set.
-OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t last, double separation) const
+/// Sets the ends of the interval of the stations `first` to `last`, interpolated between stations.
+void ContactSearch::setEnds(std::size_t first, std::size_t last, double separation, OverlapInterval& interval) const
 {
-  OverlapInterval interval;
   const auto edge = [&](std::size_t inside, std::size_t outside)
   {
     const double share = (separation - separation_[inside]) / (separation_[outside] - separation_[inside]);
@@ -212,12 +211,11 @@ OverlapInterval ContactSearch::intervalBetween(std::size_t first, std::size_t la
       last + 1 == separation_.size() || !(separation_[last + 1] < infinity) || !areOnePart(last, last + 1);
   interval.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
   interval.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
-  return interval;
 }
 
-/// Sets the width of an interval that the stations do not resolve, from the osculating parabola of its separation.
+/// Widens an interval that the stations do not resolve to that of the osculating parabola of its separation.
 /// @return false if the interval is empty.
-bool ContactSearch::setWidthByCurvature(double separation, OverlapInterval& interval)
+bool ContactSearch::widenByCurvature(double separation, OverlapInterval& interval)
 {
   const InitialContact& contact = interval.contact;
   const double depth = separation - contact.separation;
@@ -229,8 +227,8 @@ bool ContactSearch::setWidthByCurvature(double separation, OverlapInterval& inte
   if (half < static_cast<double>(fine_stations) * spacing)
   {
     const double along_rail = half * std::sqrt(1 + contact.slope * contact.slope);
-    interval.u_begin = contact.rail_u - along_rail;
-    interval.u_end = contact.rail_u + along_rail;
+    interval.u_begin = std::min(interval.u_begin, contact.rail_u - along_rail);
+    interval.u_end = std::max(interval.u_end, contact.rail_u + along_rail);
   }
   return interval.u_end > interval.u_begin;
 }
@@ -281,7 +279,7 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     {
       const auto [first, last] = belowAround(minimum, separation);
       end = last + 1;
-      interval = intervalBetween(first, last, separation);
+      setEnds(first, last, separation, interval);
       const auto begin = separation_.begin();
       const auto lowest = std::min_element(begin + static_cast<long>(first), begin + static_cast<long>(end));
       interval.contact = refined(static_cast<std::size_t>(lowest - begin));
@@ -296,12 +294,13 @@ void ContactSearch::overlapIntervals(double separation, std::vector<OverlapInter
     else if (separation_[minimum] < separation + depthBelowStation(minimum))
     {
       interval.contact = refined(minimum);
+      interval.u_begin = interval.u_end = interval.contact.rail_u;
     }
     else
     {
       continue;
     }
-    if (setWidthByCurvature(separation, interval))
+    if (widenByCurvature(separation, interval))
     {
       intervals.push_back(interval);
     }
@@ -337,17 +336,16 @@ void ContactSearch::stationsOf(const OverlapInterval& interval, std::vector<Over
 void ContactSearch::moveEnds(double separation, OverlapInterval& interval) const
 {
   const std::size_t nearest = nearestStation(interval.contact.y);
+  interval.u_begin = interval.u_end = interval.contact.rail_u;
   if (separation_[nearest] < separation)
   {
     const auto [first, last] = belowAround(nearest, separation);
+    setEnds(first, last, separation, interval);
     if (last + 1 - first >= fine_stations)
     {
-      const OverlapInterval ends = intervalBetween(first, last, separation);
-      interval.u_begin = ends.u_begin;
-      interval.u_end = ends.u_end;
       return;
     }
   }
-  setWidthByCurvature(separation, interval);
+  widenByCurvature(separation, interval);
 }
 }  // namespace wheel_rail_contact::core

@@ -121,8 +121,8 @@ class ContactSearch
   PlanePoint turned(const PlanePoint& point) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
-  OverlapInterval intervalBetween(std::size_t first, std::size_t last, double separation) const;
-  static bool setWidthByCurvature(double separation, OverlapInterval& interval);
+  void setEnds(std::size_t first, std::size_t last, double separation, OverlapInterval& interval) const;
+  static bool widenByCurvature(double separation, OverlapInterval& interval);
 
   static void sample(const ParameterRange& part, std::vector<double>& u);
 
