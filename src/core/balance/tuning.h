@@ -9,11 +9,11 @@ namespace wheel_rail_contact::core::tuning
 
 /// Stopping limit of the search of height, roll and deflection. The next step would open the gap by at most this part
 /// of the overlap, per unit of contact/tolerance [-]. The pressure changes by about half of the opening, which is a
-/// twentieth of the tolerance. Heights and loads are those after that step.
-constexpr double opening_per_tolerance = 0.1;
+/// fiftieth of the tolerance.
+constexpr double opening_per_tolerance = 0.04;
 /// The same limit is this many times larger where the forces jump because the grid changes: the jumps are up to the
 /// errors of the grids [-].
-constexpr double jump_share = 8;
+constexpr double jump_share = 20;
 /// Factor of the same limit while the height per roll is estimated with a constant distribution of the pressure, which
 /// makes it up to three times too small [-].
 constexpr double unknown_share = 0.3;
