@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/parameter_reader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -173,8 +175,8 @@ void ParameterReader::refuseUnknown() const
   {
     if (known_.count(entry.first) == 0)
     {
-      throw std::invalid_argument("parameter " + prefix_ + entry.first +
-                                  " is unknown; known names in this group: " + siblingsOf(entry.first));
+      throw std::invalid_argument("parameter " + prefix_ + entry.first + " is unknown; known names" +
+                                  knownBeside(entry.first));
     }
   }
 }
@@ -192,27 +194,25 @@ void ParameterReader::refuse(const std::string& name, const std::string& rule) c
   throw std::invalid_argument("parameter " + prefix_ + name + value + " must be " + rule);
 }
 
-/// Known names in the innermost group of `name` that has any.
-std::string ParameterReader::siblingsOf(const std::string& name) const
+/// Known names in the innermost group of `name` that has any, or all groups and names outside of groups: the end of a
+/// message.
+std::string ParameterReader::knownBeside(const std::string& name) const
 {
-  std::string group = name;
-  std::vector<std::string> known;
-  while (known.empty())
+  std::set<std::string> known;
+  for (auto slash = name.rfind('/'); slash != std::string::npos; slash = name.substr(0, slash).rfind('/'))
   {
-    const auto slash = group.rfind('/');
-    group = slash == std::string::npos ? "" : group.substr(0, slash);
-    for (const auto& candidate : known_)
+    const std::string group = name.substr(0, slash + 1);
+    std::copy_if(known_.begin(), known_.end(), std::inserter(known, known.end()),
+                 [&group](const std::string& candidate) { return candidate.rfind(group, 0) == 0; });
+    if (!known.empty())
     {
-      if (group.empty() || candidate.rfind(group + "/", 0) == 0)
-      {
-        known.push_back(candidate);
-      }
-    }
-    if (group.empty())
-    {
-      break;
+      return " in this group: " + core::joined(known, ", ");
     }
   }
-  return core::joined(known, ", ");
+  for (const std::string& candidate : known_)
+  {
+    known.insert(candidate.substr(0, candidate.find('/')));
+  }
+  return ": " + core::joined(known, ", ");
 }
 }  // namespace wheel_rail_contact

@@ -72,7 +72,7 @@ class ParameterReader
  private:
   const YAML::Node* find(const std::string& name);
   const std::string& scalar(const std::string& name, const YAML::Node& node, const std::string& rule) const;
-  std::string siblingsOf(const std::string& name) const;
+  std::string knownBeside(const std::string& name) const;
 
   ParameterTree tree_;
   std::string prefix_;

@@ -50,15 +50,27 @@ ParameterTree validExcept(const std::string& name, const YAML::Node& value)
   return overlay(isOnlyExplained(name) ? complete() : defaults(), upper);
 }
 
-/// Names of all parameters, given or not: the message for an unknown one lists them.
-std::vector<std::string> parameterNames()
+/// Known names in the message for an unknown one.
+std::vector<std::string> knownNames(const std::string& parameters)
 {
-  const std::string message = refusal(with("{unknown: 1}")), begin = "in this group: ";
-  std::istringstream list(message.substr(message.find(begin) + begin.size()));
+  const std::string message = refusal(with(parameters));
+  std::istringstream list(message.substr(message.find(": ", message.find("; known names")) + 1));
   std::vector<std::string> names;
   for (std::string name; std::getline(list >> std::ws, name, ',');)
   {
     names.push_back(name);
+  }
+  return names;
+}
+
+/// Names of all parameters, given or not: the messages for an unknown one in each group list them.
+std::vector<std::string> parameterNames()
+{
+  std::vector<std::string> names;
+  for (const std::string& group : knownNames("{unknown: 1}"))
+  {
+    const std::vector<std::string> members = knownNames("{" + group + ": {unknown: 1}}");
+    names.insert(names.end(), members.begin(), members.end());
   }
   return names;
 }

@@ -263,7 +263,7 @@ TEST_F(SectionParameters, MistakesAreRefusedByTheirName)
       {"rail: {profile: {file: 60E1, parts: [{file: a.csv, x: 1}]}}", "rail/profile/parts/x", "unknown"},
       {"rail_bending: {neighbours: [{name: front}]}", "rail_bending/neighbours/name is unknown", "distance, topic"},
       {"rail: {profile: {file: 60E1, parts: [{profile: a.csv}]}}", "rail/profile/parts/profile is unknown",
-       "file, mirror, origin, rotate, sections, shift/y, shift/z, slices, smoothing, unit, y, z"},
+       "file, mirror, origin, rotate, sections, shift, slices, smoothing, unit, y, z"},
       {"rail: {profile: {sections: [{x: 0, profile: a.csv}]}}", "rail/profile/sections/profile is unknown", "file, x"},
       {"rail: {profile: {file: 60E1, parts: [{sections: [{x: 0}]}]}}", "rail/profile/parts/sections/file", "missing"},
       {"wheel: {profile: {slices: rail.slcs}}", "wheel/profile/slices", "unknown"},
