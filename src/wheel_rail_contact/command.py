@@ -3,6 +3,7 @@
 import contextlib
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 PACKAGE = "wheel_rail_contact"
@@ -20,7 +21,8 @@ def finish(name, work, *arguments):
     try:
         return work(*arguments) or 0
     except (Failure, OSError) as error:
-        print(f"{name}: {error}", file=sys.stderr)
+        text = f"{error.filename}: {error.strerror}" if getattr(error, "filename", None) else error
+        print(f"{name}: {text}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print(f"\n{name}: interrupted", file=sys.stderr)
@@ -36,6 +38,18 @@ def writing(path):
         raise
     except OSError as error:
         raise Failure(f"{error.filename or path}: {error.strerror or error}") from error
+
+
+def output_folder(folder):
+    """Creates the folder of the option --out if it is missing. Raises Failure unless files can be written to it."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except FileExistsError:
+        raise Failure(f"--out {folder}: is not a folder") from None
+    except OSError as error:
+        raise Failure(f"--out {folder}: no file can be written to this folder ({error.strerror})") from error
 
 
 def shipped(name):

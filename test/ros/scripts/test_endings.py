@@ -2,10 +2,12 @@
 """contact_node works without its master and after malformed messages, and ends on signals, even during an evaluation."""
 
 import os
+import pathlib
 import re
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -16,6 +18,7 @@ from geometry_msgs.msg import PoseStamped, WrenchStamped
 from wheel_rail_contact.msg import WheelsetContact
 
 NODE = os.environ["CONTACT_NODE"]
+SCRIPTS = pathlib.Path(__file__).resolve().parents[3] / "scripts"
 TIMEOUT = 60   # [s] for each expected event
 PROFILES = ["_wheel/profile:=S1002", "_rail/profile:=60E1"]
 PAIRS = 150  # less than the largest number of inputs that the node queues
@@ -147,7 +150,7 @@ class Endings(unittest.TestCase):
         self.assertEqual(node.results, [], "the evaluation ended before the signal")
         self.assertEqual(node.not_evaluated(), 3)
 
-    # unittest runs the tests in alphabetical order. The test that kills the master must be last, because rospy does not
+    # unittest runs the tests in alphabetical order. The test that kills the master must be the last with a node: rospy does not
     # register its topics with a new master.
 
     def test_node_ends_on_signals_during_an_evaluation(self):
@@ -177,6 +180,17 @@ class Endings(unittest.TestCase):
         self.assertGreater(node.not_evaluated(), 0, "all were evaluated before the end")
         self.assertTrue(wait_for(lambda: PAIRS - len(node.results) - node.not_evaluated() <= IN_TRANSIT))
         self.assertLessEqual(len(node.results) + node.not_evaluated(), PAIRS)
+
+    def test_print_patches_without_a_master_ends_on_signals_in_one_sentence(self):
+        for signal_number in (signal.SIGINT, signal.SIGTERM):
+            command = subprocess.Popen([sys.executable, "-u", SCRIPTS / "print_patches"], text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       env={**os.environ, "ROS_MASTER_URI": f"http://127.0.0.1:{free_address()[1]}"})
+            self.addCleanup(command.kill)
+            self.assertIn("master may not be running yet", command.stdout.readline())
+            command.send_signal(signal_number)
+            self.assertEqual(command.communicate(timeout=TIMEOUT)[1], "\nprint_patches: interrupted\n")
+            self.assertEqual(command.returncode, 130)
 
     def test_node_survives_its_master(self):
         node = self.start_node("alone")
