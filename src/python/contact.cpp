@@ -161,6 +161,13 @@ void bindModel(py::module& module)
                                return bending.model == core::RailBendingConfig::Model::compliance &&
                                       bending.lateral_force == LateralForce::topic;
                              })
+      .def_property_readonly("takes_distance",
+                             [](const ContactModel& model)
+                             {
+                               const core::ContactModelConfig& config = model.config().model;
+                               return model.config().distance_topic || config.track.line || config.rail_sections.left ||
+                                      config.rail_sections.right;
+                             })
       .def_property_readonly("requires_displacement",
                              [](const ContactModel& model) { return model.config().displacement_topic; })
       .def_property_readonly("requires_distance",

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of static_start."""
-import argparse
 import math
 import sys
 
+from .arguments import DefaultsFormatter, Parser
 from .command import Failure, calculating, contact_model, finish, native
 
 NOT_USABLE = 4  # exit status
+LATERAL_FORCE = "rail_lateral_force"  # argument of evaluate(), and columns of a state
 
 
 def main(arguments=None):
@@ -15,26 +16,40 @@ def main(arguments=None):
 
 
 def _run(options):
-    numbers = {"load": options.load, "torque": options.torque, "y": options.y, "yaw": options.yaw,
-               "distance": options.distance, "left-force": options.left_force, "right-force": options.right_force}
+    numbers = {name: value for name, value in vars(options).items() if isinstance(value, float)}  # those that are given
     for name, value in numbers.items():
         if not math.isfinite(value):
-            raise Failure(f"--{name} {value:g}: must be a finite number")
+            raise Failure(f"{_option(name)} {value:g}: must be a finite number")
     model = contact_model([*options.config, {"wheelset": {"free": ["z", "roll"]}}])
-    for note in [*model.notes, *_missing_inputs(model, options.distance)]:
+    _refuse_unused(model, numbers)
+    place = numbers.get("distance", 0.0)
+    for note in [*model.notes, *_missing_inputs(model, place)]:
         print(f"static_start: {note}", file=sys.stderr)
     with calculating():
-        result = model.evaluate(_state(options))
+        result = model.evaluate(_state(options, place))
     _print(result)
     return 0 if result.usable else NOT_USABLE
 
 
-def _state(options):
-    """State as a table of one row. Forces on the rails are ignored where the parameters do not use them."""
-    forces = iter((options.left_force, options.right_force))
+def _option(name):
+    return "--" + name.replace("_", "-")
+
+
+def _refuse_unused(model, given):
+    """Raises Failure for a given option that the parameters do not use, as Python's evaluate() does for its argument."""
+    from .core.states import unused
+    remedies = unused(model)
+    for name, argument in (("distance", "distance"), ("left_force", LATERAL_FORCE), ("right_force", LATERAL_FORCE)):
+        if name in given and argument in remedies:
+            raise Failure(f"{_option(name)} {given[name]:g}: {remedies[argument]}")
+
+
+def _state(options, place):
+    """State as a table of one row."""
+    forces = iter((options.left_force or 0.0, options.right_force or 0.0))
     values = {"force_z": -options.load, "torque_x": options.torque, "y": options.y, "yaw": options.yaw,  # force_z: upward
-              "distance": options.distance}
-    return [[next(forces) if name == "rail_lateral_force" else values.get(name, 0.0) for name in native().STATE_COLUMNS]]
+              "distance": place}
+    return [[next(forces) if name == LATERAL_FORCE else values.get(name, 0.0) for name in native().STATE_COLUMNS]]
 
 
 def _missing_inputs(model, distance):
@@ -50,16 +65,17 @@ def _missing_inputs(model, distance):
 def _print(result):
     print(f"status {result.status}")
     if result.status_text:
-        print(f"reason {result.status_text}")
+        print(f"status_text {result.status_text}")
     if result.usable:
-        print(f"z {result.wheelset.position.z:.9f} m\nroll {result.wheelset.roll:.9e} rad")
+        print(f"z {result.wheelset.position.z:.9f} m\nroll {result.wheelset.roll + 0.0:.9e} rad")
         for side, rail in (("left", result.left_rail), ("right", result.right_rail)):
-            print(f"{side}_vertical_force {rail.vertical_force:.1f} N\n{side}_lateral_force {rail.lateral_force:.1f} N")
+            for name in ("vertical_force", "lateral_force"):
+                print(f"{side}_{name} {round(getattr(rail, name), 1) + 0.0:.1f} N")  # + 0.0: a zero has no sign
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
-        prog="static_start", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
+    parser = Parser(
+        prog="static_start", formatter_class=DefaultsFormatter,
         description="Computes height z and roll of a wheelset at rest under its load, whatever wheelset/free is, and prints "
         "them with the status and the forces on both rails. A simulation with wheelset/free: [] can start there. Exit status "
         "4: the status is not usable.")
@@ -73,9 +89,10 @@ def _parser():
                         help="lateral position of the axle centre, left positive [m]")
     parser.add_argument("--yaw", type=float, default=0.0, metavar="RAD",
                         help="yaw about the z axis, positive when the left wheel is behind [rad]")
-    parser.add_argument("--distance", type=float, default=0.0, metavar="M", help="place on the line [m]")
+    parser.add_argument("--distance", type=float, metavar="M",
+                        help="place on a line, or on rails whose profile changes [m] (default: 0)")
     for side in ("left", "right"):
-        parser.add_argument(f"--{side}-force", type=float, default=0.0, metavar="N",
+        parser.add_argument(f"--{side}-force", type=float, metavar="N",
                             help=f"lateral force on the {side} rail, outward positive, for rail_bending/lateral_force: "
-                            "topic [N]")
+                            "topic [N] (default: 0)")
     return parser

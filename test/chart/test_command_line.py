@@ -11,7 +11,7 @@ from unittest import mock
 from wheel_rail_contact.chart import front, summary_picture
 from wheel_rail_contact.chart.command_line import main
 from wheel_rail_contact.chart.table import SOLVED, Row
-from wheel_rail_contact.command import Failure, finish, pyplot
+from wheel_rail_contact.command import Failure, finish, output_folder, pyplot
 from wheel_rail_contact.progress import Progress
 
 ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1e-3, 1e-3, 1e-3, 4e-3, 5, 0.01, 0.01,
@@ -19,22 +19,15 @@ ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1
 
 
 class Misuse(unittest.TestCase):
-    def check(self, reason, out):
-        err = io.StringIO()
-        with contextlib.redirect_stderr(err):
-            status = main(["--out", str(out)])
-        self.assertEqual(status, 1)
-        self.assertIn(reason, err.getvalue())
-        self.assertIn(str(out), err.getvalue())
-        self.assertEqual(err.getvalue().count("\n"), 1, "one line, before the measurement")
-
-    def test_unusable_folder_is_reported_by_name(self):
+    def test_missing_folder_is_created_and_an_unusable_one_is_reported_by_name(self):
         with tempfile.TemporaryDirectory() as place:
-            file = Path(place, "file")
-            file.touch()
-            self.check("does not exist", Path(place, "absent"))
-            self.check("does not exist", file)
-        self.check("is not writable", "/proc")
+            output_folder(Path(place, "new", "folder"))
+            self.assertEqual(list(Path(place).rglob("*")), [Path(place, "new"), Path(place, "new", "folder")])
+        for out, reason in ((__file__, "is not a folder"), ("/proc", "no file can be written to this folder")):
+            err = io.StringIO()
+            with contextlib.redirect_stderr(err):
+                self.assertEqual(main(["--out", out]), 1)
+            self.assertRegex(err.getvalue(), rf"\Acontact_chart: --out {out}: {reason}[^\n]*\n\Z")
 
 
 class ExitStatus(unittest.TestCase):

@@ -2,7 +2,6 @@
 """check_profile: report, picture and clean table of profile files, and refusals."""
 import math
 import os
-import subprocess
 import sys
 from pathlib import Path
 
@@ -11,7 +10,7 @@ import numpy as np
 from wheel_rail_contact.profile_check.command_line import main
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from commands import FolderCase, no_file_larger_than, running  # noqa: E402  (in the folder of other tests)
+from commands import FolderCase, error_without_space, is_drawn, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 TITLES = "y_mm,z_mm"
@@ -71,15 +70,12 @@ class Command(FolderCase):
         self.assertIn("width 130.00 mm, from y = -70.00 mm to 60.00 mm", out)
 
     def test_picture_is_drawn_beside_each_other_file(self):
-        from matplotlib import image
         write_table(self.folder / "wheel.csv", wheel_points())
         status, out, err = self.run_check(self.folder / "wheel.csv", "60E1")
         self.assertEqual((status, err), (0, ""))
         self.assertIn("wheel.csv: wheel, by its content", out)
         for name in ("wheel.csv.png", "60E1.png"):
-            pixels = image.imread(str(self.folder / "pictures" / name))[:, :, :3]
-            # The standard deviation of a blank picture is 0, of thin lines on white about 0.1.
-            self.assertGreater(pixels.std(), 0.05, name)
+            self.assertTrue(is_drawn(self.folder / "pictures" / name), name)
 
     def test_clean_table_gives_the_same_report_and_is_not_overwritten(self):
         rail = write_table(self.folder / "rail.txt", self.standard_rail() * [-1, -1], titles="", separator="\t")
@@ -167,7 +163,7 @@ class Command(FolderCase):
         status, _, err = self.run_check(rail)
         self.assertIn("as a wheel: ", err)
         self.assertIn("as a rail: ", err)
-        self.assertIn("give --wheel or --rail", err)
+        self.assertNotIn("give --wheel or --rail", err)
 
     def test_reversed_wheel_is_not_taken_for_a_rail(self):
         points = wheel_points()
@@ -177,7 +173,6 @@ class Command(FolderCase):
         status, out, err = self.run_check(wheel)
         self.assertEqual((status, out), (1, ""))
         self.assertIn("both axes are reversed", err)
-        self.assertIn("give --wheel or --rail", err)
 
     def test_kind_by_option_and_by_extension(self):
         rail = write_table(self.folder / "rail.csv", self.standard_rail())
@@ -193,7 +188,7 @@ class Command(FolderCase):
         rail = write_table(self.folder / "rail.csv", self.standard_rail())
         for arguments, message in ((("--unit", "km"), "parameter unit = km must be one of m, cm, mm, um, in"),
                                    (("--origin", "top"), "parameter origin = top must be"),
-                                   (("--shift", 36, 0), "parameter shift/y = 36"),
+                                   (("--shift", "-36e0", 0), "parameter shift/y = -36"),
                                    (("--smoothing", 0.001), "parameter smoothing = 0.001"),
                                    (("--rotate", "nan"), "parameter rotate"),
                                    (("--unit", "m"), "contradicts")):
@@ -217,8 +212,5 @@ class Command(FolderCase):
         self.assertEqual((status, err), (1, "check_profile: --write: give only one FILE\n"))
 
     def test_full_disk_is_reported_with_the_name_of_the_file(self):
-        done = subprocess.run([sys.executable, str(SCRIPTS / "check_profile"), "60E1", "--out", str(self.folder)],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False,
-                              preexec_fn=no_file_larger_than(2**10))
-        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("60E1.png: File too large", done.stderr)
+        self.assertIn("60E1.png: File too large",
+                      error_without_space(2**10, sys.executable, SCRIPTS / "check_profile", "60E1", "--out", self.folder))

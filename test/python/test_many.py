@@ -71,7 +71,7 @@ class ManyEqualsOne(unittest.TestCase):
         self.assertEqual(repr(many), "<ManyResults: 3 states, 1 usable>")
 
     def test_numbers_and_arrays_are_combined(self):
-        many = self.contact.evaluate_many(y=[0.0, 1e-3], force_z=np.array([LOAD, LOAD / 2]), distance=3)
+        many = self.contact.evaluate_many(y=[0.0, 1e-3], force_z=np.array([LOAD, LOAD / 2]), x=3)
         self.assertEqual(len(many), 2)
         self.assertEqual(len(self.contact.evaluate_many(force_z=LOAD)), 1)
         self.assertEqual(len(self.contact.evaluate_many(y=[], force_z=LOAD)), 0)

@@ -1,16 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by the tests of commands: what a command prints, a temporary folder, and a full disk for child processes."""
+"""Shared by the tests of commands: what a command prints and draws, a temporary folder, and a full disk."""
 import contextlib
 import io
 import pathlib
 import resource
+import subprocess
 import tempfile
 import unittest
 
 
-def no_file_larger_than(size):
-    """A preexec_fn that limits the file size of the child process to `size` [B]. Writes then fail as on a full disk."""
-    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+def error_without_space(size, *command):
+    """What a command prints that fails because no file may be larger than `size` [B]: as on a full disk."""
+    done = subprocess.run(command, capture_output=True, text=True, check=False,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+    assert done.returncode == 1, done.stdout + done.stderr
+    return done.stderr
+
+
+def is_drawn(path):
+    """False for a blank picture: the standard deviation of its pixels is 0, that of thin lines on white is 0.1."""
+    from matplotlib import image
+    return image.imread(str(path))[:, :, :3].std() > 0.05
 
 
 def status_of(main, arguments, out, err):

@@ -3,7 +3,7 @@
 
 import subprocess
 
-from commands import no_file_larger_than
+from commands import error_without_space
 from replay_case import PROGRAM, ReplayCase
 
 PAIRS = 1500
@@ -14,15 +14,9 @@ class FullDisk(ReplayCase):
         super().setUp()
         self.bag = self.make_bag(PAIRS)
 
-    def run_out_of_space(self, out, size, *options):
-        run = subprocess.run([PROGRAM, self.bag, out, *options], capture_output=True, text=True, check=False,
-                             preexec_fn=no_file_larger_than(size))
-        self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
-        return run.stderr
-
     def test_full_disk_of_the_bag_is_reported_and_the_run_can_be_resumed(self):
         whole, _ = self.replay(self.bag, "whole.bag")
-        self.assertIn("out.bag: File too large", self.run_out_of_space(self.folder / "out.bag", 6 * 2**20))
+        self.assertIn("out.bag: File too large", error_without_space(6 * 2**20, PROGRAM, self.bag, self.folder / "out.bag"))
         out, printed = self.replay(self.bag, "out.bag", "--resume")
         self.assertRegex(printed, r"; [1-9]\d+ results were already in the output")
         self.assert_same_file(whole, out)
@@ -32,7 +26,8 @@ class FullDisk(ReplayCase):
         options = ["--no-grids", "--csv", self.folder / "whole.csv"]
         whole, _ = self.replay(self.bag, "whole.bag", *options)
         options[-1] = self.folder / "out.csv"
-        self.assertIn("out.csv: cannot be written", self.run_out_of_space(self.folder / "out.bag", 2**18, *options))
+        self.assertIn("out.csv: cannot be written",
+                      error_without_space(2**18, PROGRAM, self.bag, self.folder / "out.bag", *options))
         out, _ = self.replay(self.bag, "out.bag", *options, "--resume")
         self.assert_same_file(whole, out)
         self.assert_same_file(whole.with_suffix(".csv"), out.with_suffix(".csv"))
@@ -40,12 +35,8 @@ class FullDisk(ReplayCase):
     def test_paths_that_cannot_be_written_are_reported_before_the_evaluation(self):
         # Not even root can create files in /sys.
         for path in ("/dev/full", "/sys/out.bag", self.folder / "nowhere" / "out.bag"):
-            with self.subTest(path=path):
-                run = subprocess.run([PROGRAM, self.bag, path], capture_output=True, text=True, check=False)
-                self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
-                self.assertIn(str(path), run.stderr)
-                run = subprocess.run([PROGRAM, self.bag, self.folder / "out.bag", "--csv", path], capture_output=True,
-                                     text=True, check=False)
+            for outputs in ([path], [self.folder / "out.bag", "--csv", path]):
+                run = subprocess.run([PROGRAM, self.bag, *outputs], capture_output=True, text=True, check=False)
                 self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
                 self.assertIn(str(path), run.stderr)
                 self.assertFalse((self.folder / "out.bag").exists())

@@ -20,7 +20,7 @@ from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.results import per_result, read, read_full
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from commands import no_file_larger_than  # noqa: E402  (in the folder of other tests)
+from commands import error_without_space  # noqa: E402  (in the folder of other tests)
 from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
@@ -174,14 +174,12 @@ class Report(SweepCase):
         self.assertEqual(sorted(results.reasons.values()), [[1, "left rail: Y = 61.0 kN"], [2, "right rail: Y = 61.0 kN"]])
 
     def test_full_disk_is_reported_with_the_name_of_the_folder(self):
-        run = subprocess.run([sys.executable, PACKAGE / "scripts" / "contact_report", self.rigid, "--out",
-                              self.folder / "full"], capture_output=True, text=True, check=False,
-                             preexec_fn=no_file_larger_than(2**18))
-        self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertEqual(run.stderr, f"contact_report: {self.folder / 'full'}: File too large\n")
+        command, out = PACKAGE / "scripts" / "contact_report", self.folder / "full"
+        self.assertEqual(error_without_space(2**18, sys.executable, command, self.rigid, "--out", out),
+                         f"contact_report: {out}: File too large\n")
 
     def test_folder_that_cannot_be_created_is_reported(self):
-        self.assertIn("contact_report: /sys/report: ", self.report(self.rigid, "--out", "/sys/report", status=1))
+        self.assertIn("contact_report: --out /sys/report: ", self.report(self.rigid, "--out", "/sys/report", status=1))
 
     def test_bags_without_results_are_refused(self):
         self.assertIn("0 topics with results", self.report(SWEEP, "--out", self.folder / "none", status=1))

@@ -43,7 +43,7 @@ class Times(StatesCase):
 
     def test_times_that_decrease_are_refused_with_the_line(self):
         printed = self.error_of(TITLES + "1,0,0\n3,0,0\n2,0,0\n")
-        self.assertIn(":4: its time is before that of line 3; times must increase", printed)
+        self.assertIn(":4: its time is before that of line 3; times must not decrease", printed)
         # Rows that are dropped do not matter.
         self.assertEqual(self.times_of(("1", "NaN", "2"))[0], [10**9, 2 * 10**9])
 

@@ -25,11 +25,11 @@ class StaticStart(unittest.TestCase):
         return {name: float(text.split()[0]) for name, text in lines.items()}
 
     def test_loads_of_the_wheels_are_those_of_force_and_moment(self):
-        values = self.values("--load", "200e3", "--torque=10e3")
+        values = self.values("--load", "200e3", "--torque", "-10e3")
         # Half the distance of the running circles is 0.75 m.
-        self.assertAlmostEqual(values["left_vertical_force"], 100e3 - 10e3 / 1.5, delta=LOAD_ERROR)
-        self.assertAlmostEqual(values["right_vertical_force"], 100e3 + 10e3 / 1.5, delta=LOAD_ERROR)
-        self.assertGreater(values["roll"], 1e-6, "the left wheel is unloaded, and therefore higher")
+        self.assertAlmostEqual(values["left_vertical_force"], 100e3 + 10e3 / 1.5, delta=LOAD_ERROR)
+        self.assertAlmostEqual(values["right_vertical_force"], 100e3 - 10e3 / 1.5, delta=LOAD_ERROR)
+        self.assertLess(values["roll"], -1e-6, "the right wheel is unloaded, and therefore higher")
 
     def test_wheelset_sinks_under_a_higher_load(self):
         low, high = (self.values("--load", load)["z"] for load in ("50e3", "200e3"))
@@ -45,8 +45,11 @@ class StaticStart(unittest.TestCase):
     def test_state_without_a_usable_result_has_its_status_and_no_height(self):
         _, lines = self.run_command("--load", "200e3", "--y", "0.09", status=NOT_USABLE)
         self.assertNotIn(lines["status"], ("OK", "LIFT_OFF"))
-        self.assertNotEqual(lines["reason"], "")
+        self.assertNotEqual(lines["status_text"], "")
         self.assertNotIn("z", lines)
+
+    def test_a_zero_has_no_sign(self):
+        self.assertNotIn("-0.0", self.run_command("--load", "0")[0])
 
     def test_inputs_of_a_node_that_the_command_lacks_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -63,4 +66,7 @@ class StaticStart(unittest.TestCase):
 
     def test_mistakes_are_named(self):
         self.assertIn("--load nan: must be a finite number", self.run_command("--load", "nan", status=1)[0])
+        for option in ("--left-force", "--right-force", "--distance"):
+            self.assertIn(f"{option} -1000: must be omitted, because it would not be used",
+                          self.run_command("--load", "1e5", option, "-1e3", status=1)[0])
         self.assertIn("nowhere.yaml", self.run_command("--load", "1e5", "--config", "nowhere.yaml", status=1)[0])

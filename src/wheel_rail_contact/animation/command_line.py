@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of contact_animation."""
-import argparse
 import pathlib
 
+from ..arguments import Parser
 from ..command import Failure, finish, pyplot
 from ..message_constants import SIDES
 from .gif import write_gif
@@ -10,7 +10,7 @@ from .run import read_run
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         description="Draws one side of the results in a bag as an animated GIF: section, pressure and histories. Two bags "
                     "with the same stamps are drawn side by side, for example with and without rail bending.")
     parser.add_argument("bag", nargs="+", help="one or two bags with results, written by contact_replay")

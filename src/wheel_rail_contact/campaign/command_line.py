@@ -3,6 +3,7 @@
 import argparse
 from collections import Counter
 
+from ..arguments import Parser
 from ..command import Failure, finish
 from .campaign import Campaign
 from .cluster import connect
@@ -91,7 +92,7 @@ def _slice(text):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="contact_campaign", description="Evaluates bags as contact_replay does, on every core of this machine or "
         "on the workers of a Dask scheduler. Long bags are divided into slices, and the results of the slices are joined. "
         "Each file is identical to that of contact_replay. After an interruption, the same command continues. See "

@@ -12,7 +12,7 @@ import os
 import shutil
 from pathlib import Path
 
-from ..command import Failure
+from ..command import Failure, output_folder
 
 FORMAT = 5  # of the manifest and the records
 MANIFEST = "manifest.json"
@@ -52,7 +52,7 @@ class Folder:
 
         Raises Failure if the folder contains other files, or if another campaign uses it.
         """
-        self.path.mkdir(parents=True, exist_ok=True)
+        output_folder(self.path)
         if not (self.path / MANIFEST).is_file() and any(file.name != LOCK for file in self.path.iterdir()):
             raise Failure(f"--out {self.path}: is not empty, and is not the folder of a campaign")
         with open(self.path / LOCK, "w", encoding="ascii") as lock:

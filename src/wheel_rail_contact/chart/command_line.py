@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of contact_chart."""
-import argparse
 import itertools
-import tempfile
 from pathlib import Path
 
-from ..command import Failure, finish, pyplot
+from ..arguments import Parser
+from ..command import finish, output_folder, pyplot
 from ..core.extension import core
 from ..progress import Progress
 from . import scenes_picture, summary_picture, table
@@ -21,8 +20,8 @@ def main(arguments=None):
 
 
 def _run(options):
-    _check_folder(options.out)
     plot = pyplot()
+    output_folder(options.out)
     plan = QUICK if options.quick else Plan()
     rows = measure(plan)
     facts = {"machine": table.machine(), **core.BUILD, **plan.facts}
@@ -47,17 +46,6 @@ def draw(plot, rows, facts, folder):
     """Writes both pictures, each as PNG and SVG."""
     for picture, name in ((summary_picture, "chart"), (scenes_picture, "chart_scenes")):
         picture.draw(plot, rows, facts, [folder / f"{name}.png", folder / f"{name}.svg"])
-
-
-def _check_folder(folder):
-    """Raises Failure before the measurement starts if the folder is not writable."""
-    if not folder.is_dir():
-        raise Failure(f"--out {folder}: this folder does not exist")
-    try:
-        with tempfile.TemporaryFile(dir=folder):
-            pass
-    except OSError as error:
-        raise Failure(f"--out {folder}: this folder is not writable ({error.strerror})") from error
 
 
 def _report(rows):
@@ -95,12 +83,12 @@ def _values(row):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="contact_chart", description="Runs every method on every grid over thirteen scenes and draws error against "
         "time: chart.png summarises the scenes, chart_scenes.png has a panel for each scene. Also writes both pictures as "
         ".svg and all values to chart.csv, and prints the tables of doc/methods.md. Takes two to three minutes.")
     parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
-                        help="existing folder for the files (default: the current one)")
+                        help="folder for the files (default: the current one)")
     parser.add_argument("--quick", action="store_true",
                         help="fewer repetitions, no slow grids, a coarser reference solution; a fifth of the time")
     return parser

@@ -49,7 +49,8 @@ class WheelsetContact:
         z: height of the axle centre [m]. Required if height and roll are given (wheelset/free: []), else not used
         roll: rotation of the axle about x, positive if the left wheel is raised [rad]. Not used if it is solved
         x: position of the axle centre along the track, copied to the result [m]
-        distance: place on the line, and on rails with sections [m]; default: x. Required with track/distance: topic
+        distance: place on the line, and on rails with sections [m]; default: x. Required with track/distance: topic, refused
+            without this, a line or sections
         rail_lateral_force: (left, right) lateral forces on the rails, outward positive [N]. Required with
             rail_bending/lateral_force: topic and a compliance table, else refused
         rail_displacement: (2, 3) displacement of the rails besides their deflection: rows left, right; columns lateral (outward
@@ -57,7 +58,7 @@ class WheelsetContact:
             track/displacement: topic
 
         Returns a WheelsetResult: a value of its own, which later calls do not change. A state that is out of range, or
-        without a solution, is no error: see its status and reason.
+        without a solution, is no error: see its status and status_text.
 
         Raises TypeError if a required argument is missing, or one is not a number; ValueError for a wrong shape, or an
         argument that the parameters do not permit.

@@ -38,9 +38,18 @@ def _check_given(model, arguments):
     for name, required, reason in needed:
         if required and arguments[name] is None:
             raise TypeError(f"{name} is missing: it is required, because {reason}")
-    if arguments["rail_lateral_force"] is not None and not model.takes_lateral_forces:
-        raise ValueError("rail_lateral_force: must be omitted, because it would not be used; set rail_bending/lateral_force to "
-                         "topic, and rail_bending/model to compliance")
+    for name, remedy in unused(model).items():
+        if arguments[name] is not None:
+            raise ValueError(f"{name}: {remedy}")
+
+
+def unused(model):
+    """Arguments that the parameters do not permit: name -> what to do."""
+    omit = "must be omitted, because it would not be used; set"
+    remedies = {"rail_lateral_force": (model.takes_lateral_forces, "rail_bending/lateral_force to topic, and "
+                                       "rail_bending/model to compliance"),
+                "distance": (model.takes_distance, "track/line, sections of a rail, or track/distance to topic")}
+    return {name: f"{omit} {remedy}" for name, (is_used, remedy) in remedies.items() if not is_used}
 
 
 def _array(name, value, many):

@@ -5,7 +5,8 @@ import math
 import sys
 from pathlib import Path
 
-from ..command import Failure, calculating, contact_model, finish, native, pyplot
+from ..arguments import DefaultsFormatter, Parser
+from ..command import Failure, calculating, contact_model, finish, native, output_folder, pyplot
 from . import picture, tables
 from .tables import CONICITY, GEOMETRY, MM
 
@@ -26,13 +27,15 @@ def _run(options):
         options.amplitudes = [min(value, _largest_amplitude(options.y)) for value in AMPLITUDES]
     _check(options)
     core, plot = native(), pyplot()
-    options.out.mkdir(parents=True, exist_ok=True)
     model = contact_model(options.config)
+    if options.distance is not None and None not in model.rail_profiles:
+        raise Failure(f"--distance {options.distance:g}: must be omitted, because no rail has a profile that changes")
+    output_folder(options.out)
     for note in [*model.notes, *_unused(model.parameters)]:
         print(f"contact_geometry: {note}", file=sys.stderr)
     y, step = [value / MM for value in options.y], options.step / MM
     with calculating():
-        geometry = core.contact_geometry(model, *y, step, options.roll == "solved", options.distance)
+        geometry = core.contact_geometry(model, *y, step, options.roll == "solved", options.distance or 0.0)
         points = tables.points_of(geometry)
         tables.write(points, options.out / GEOMETRY)
     amplitudes = [value / MM for value in options.amplitudes]
@@ -47,13 +50,13 @@ def _run(options):
 def _unused(parameters):
     """Notes on parameters that move the rails: the contact geometry is that of the ideal track."""
     for name, ideal in (("rail_bending/model", "none"), ("track/line", ""), ("track/displacement", "none")):
-        if parameters[name] != ideal:
+        if parameters.get(name) != ideal:  # None: a group, such as {file: line.csv}
             yield f"{name} is not used: the rails are rigid, in the ideal track"
 
 
 def _check(options):
     for name, values in (("y", options.y), ("amplitudes", options.amplitudes), ("step", [options.step]),
-                         ("distance", [options.distance])):
+                         ("distance", [options.distance or 0.0])):
         if not all(math.isfinite(value) for value in values):
             raise Failure(f"--{name} {_text(values)}: must be a number")
     first, last = options.y
@@ -61,6 +64,8 @@ def _check(options):
         raise Failure(f"--y {_text(options.y)}: must increase, within ±{FARTHEST:g} mm")
     if not options.step > 0:
         raise Failure(f"--step {options.step:g}: must be above 0")
+    if last - first < options.step - ROUND_OFF:
+        raise Failure(f"--y {_text(options.y)}: must be a range of at least one --step, {options.step:g} mm; both are in mm")
     if last - first > MOST_STEPS * options.step:
         raise Failure(f"--step {options.step:g}: gives more than {MOST_STEPS} steps from {first:g} mm to {last:g} mm")
     if not 0 < options.amplitudes[0] <= options.amplitudes[1]:
@@ -80,17 +85,21 @@ def _text(values):
 
 
 def _report(points, conicity):
-    """Prints the conicity of the amplitudes in whole millimetres, and the reasons of all missing results."""
+    """Prints the conicity of the amplitudes in whole millimetres, or of all if none is whole, and why results are missing."""
     print("amplitude [mm]  equivalent conicity  wavelength [m]  centre of the wave [mm]")
-    for i, amplitude in enumerate(MM * conicity["amplitude"]):
-        if abs(amplitude - round(amplitude)) > 1e-6:
-            continue
+    amplitudes = MM * conicity["amplitude"]
+    whole = [i for i, amplitude in enumerate(amplitudes) if abs(amplitude - round(amplitude)) <= 1e-6]
+    for i in whole or range(len(amplitudes)):
         if conicity["reason"][i]:
-            print(f"{amplitude:14.0f}  none: {conicity['reason'][i]}")
+            print(f"{amplitudes[i]:14.6g}  none: {conicity['reason'][i]}")
         else:
             centre = MM * conicity["centre"][i]
-            print(f"{amplitude:14.0f}  {conicity['equivalent_conicity'][i]:19.4f}  {conicity['wavelength'][i]:14.2f}  "
+            print(f"{amplitudes[i]:14.6g}  {conicity['equivalent_conicity'][i]:19.4f}  {conicity['wavelength'][i]:14.2f}  "
                   f"{centre + 0.0 if abs(centre) > 5e-4 else 0.0:23.3f}")
+    if all(conicity["reason"]):
+        print("contact_geometry: no amplitude has an equivalent conicity", file=sys.stderr)
+    if 0 < len(whole) < len(amplitudes):
+        print(f"{CONICITY} contains all {len(amplitudes)} amplitudes")
     for name, table, column in (("y", points, "y"), ("amplitude", conicity, "amplitude")):
         for reason in sorted(set(filter(None, table["reason"]))):
             values = [MM * value for value, found in zip(table[column], table["reason"]) if found == reason]
@@ -99,8 +108,8 @@ def _report(points, conicity):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
-        prog="contact_geometry", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
+    parser = Parser(
+        prog="contact_geometry", formatter_class=DefaultsFormatter,
         description="Computes where the wheels of a rigid wheelset touch the rails over its lateral displacement: contact "
         "positions and angles, rolling radii and their difference, roll, and the equivalent conicity after EN 15302 over "
         "the amplitude. Writes two tables (CSV, SI units) and a picture.")
@@ -108,7 +117,7 @@ def _parser():
                         help="parameters of the node, applied over config/default.yaml and the files given before")
     parser.add_argument("--out", type=Path, default=Path("contact_geometry"), metavar="DIR", help="folder for the files")
     parser.add_argument("--y", type=float, nargs=2, default=(-10.0, 10.0), metavar=("FIRST", "LAST"),
-                        help="range of the lateral displacement, to the left positive [mm]")
+                        help="range of the lateral displacement, to the left positive, in millimetres [mm]")
     parser.add_argument("--step", type=float, default=0.1, metavar="MM",
                         help="step of the lateral displacement and of the amplitude [mm]")
     parser.add_argument("--amplitudes", type=float, nargs=2, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
@@ -116,7 +125,7 @@ def _parser():
                         "it is not larger)")
     parser.add_argument("--roll", choices=("solved", "none"), default="solved",
                         help="solved: both wheels touch; none: roll is neglected, as in the reference results of EN 15302")
-    parser.add_argument("--distance", type=float, default=0.0, metavar="M",
-                        help="place on the line, for rails whose profile changes [m]")
+    parser.add_argument("--distance", type=float, metavar="M",
+                        help="place on the line, for rails whose profile changes [m] (default: 0)")
     parser.add_argument("--title", metavar="TEXT", help="title of the picture, instead of the names of the files")
     return parser

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of half_space_study."""
-import argparse
 import sys
 import time
 from pathlib import Path
 
+from ..arguments import Parser
 from ..chart import table
-from ..command import Failure, calculating, finish, pyplot
+from ..command import Failure, calculating, finish, output_folder, pyplot
 from ..rail_fe import calculix, gmsh_mesh
 from . import picture, report, results
 from .places import PLACES
@@ -23,7 +23,7 @@ def _run(options):
     plot = pyplot()
     gmsh_mesh.program()
     calculix.program()
-    options.out.mkdir(parents=True, exist_ok=True)
+    output_folder(options.out)
     started = time.monotonic()
 
     def progress(text):
@@ -65,12 +65,12 @@ def _chart_rows(path):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="half_space_study", description="Computes contacts of a wheel and a rail by finite elements (gmsh, CalculiX) and "
         "by three models of half-spaces, and compares maximum pressure and area. The command prints the errors, and writes "
         "tables (CSV, SI units) and pictures. Takes about a quarter of an hour.")
     parser.add_argument("--out", type=Path, default=Path("half_space_study"), metavar="DIR",
-                        help="folder for all files; it is made if necessary (default: %(default)s)")
+                        help="folder for all files (default: %(default)s)")
     parser.add_argument("--places", nargs="+", metavar="NAME",
                         help=f"places to compute: {', '.join(place.name for place in PLACES)} (default: all)")
     parser.add_argument("--chart", type=Path, metavar="F.csv",

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of make_irregular_line."""
-import argparse
 import math
 import random
 
 import numpy as np
 
+from ..arguments import DefaultsFormatter, Parser
 from ..command import Failure, finish, writing
 from .line_table import COLUMNS, MM, with_rails, write_line
 from .spectrum import LEVELS, QUANTITIES, densities, irregularity
@@ -16,7 +16,7 @@ LEAST_STATIONS = 4  # in the shortest wavelength
 
 
 def _parser():
-    parser = argparse.ArgumentParser(description=DESCRIPTION, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
+    parser = Parser(description=DESCRIPTION, formatter_class=DefaultsFormatter)
     parser.add_argument("table", metavar="LINE", help="file to write (.csv); must not exist")
     parser.add_argument("--length", type=float, default=200.0, metavar="M", help="length [m]")
     parser.add_argument("--spacing", type=float, default=0.25, metavar="M", help="distance of the stations [m]")

@@ -15,6 +15,7 @@ import pathlib
 
 import numpy as np
 
+from ..arguments import Parser
 from ..command import Failure, finish, writing
 
 HALF_WIDTH = 0.036      # [m] half the width of the wing rail, and of the nose where it is complete
@@ -91,7 +92,7 @@ def _write_states(path, options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", metavar="FOLDER", help="folder to write; must not exist")
     parser.add_argument("--y", type=float, default=0.0, metavar="MM", help="lateral position of the wheelset [mm] (default: 0)")
     parser.add_argument("--load", type=float, default=80.0, metavar="KN", help="load of each wheel [kN] (default: 80)")

@@ -16,6 +16,7 @@ import math
 
 import numpy as np
 
+from ..arguments import Parser
 from ..command import Failure, finish, writing
 from .line_table import read_alignment
 
@@ -55,7 +56,7 @@ def path(x, alignment_at):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("line", metavar="LINE", help="table of make_irregular_line")
     parser.add_argument("table", metavar="STATES", help="file to write (.csv), for contact_states; must not exist")
     parser.add_argument("--speed", type=float, default=40.0, metavar="M/S", help="speed [m/s] (default: %(default)s)")

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of paper_study."""
-import argparse
 import sys
 from pathlib import Path
 
-from ..command import calculating, finish, pyplot
+from ..arguments import Parser
+from ..command import calculating, finish, output_folder, pyplot
 from . import pictures, report, study
 
 
@@ -15,7 +15,7 @@ def main(arguments=None):
 
 def _run(folder):
     plot = pyplot()
-    folder.mkdir(parents=True, exist_ok=True)
+    output_folder(folder)
     with calculating():
         found = study.run(folder, lambda step: print(f"paper_study: {step}", file=sys.stderr, flush=True))
     print(report.text(found))
@@ -24,7 +24,7 @@ def _run(folder):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="paper_study", description="Recalculates Golubenko et al. 2011 (influence of the lateral bending of a rail "
         "on the wheel-rail contact). The command prints the values of the paper and ours, and draws Figure 3 of the paper. "
         "It scans the settings that could give the values of the paper, and computes pressure and area under lateral forces "

@@ -60,9 +60,9 @@ def _is_near_standard(checked):
 
 
 def _unknown_kind(wheel, rail):
-    """Reason why the content does not show the kind: of the attempts to read it as each kind."""
+    """Reason why the content does not show the kind: of the attempts to read it as each kind. If both fail, no option helps."""
     if isinstance(wheel, str) and isinstance(rail, str):
-        return wheel if wheel == rail else f"as a wheel: {wheel}; as a rail: {rail}{GIVE_KIND}"
+        return wheel if wheel == rail else f"as a wheel: {wheel}; as a rail: {rail}"
     if isinstance(wheel, Checked) and isinstance(rail, Checked):
         return f"can be a wheel or a rail{GIVE_KIND}"
     kind, other, reason = ("wheel", "rail", rail) if isinstance(wheel, Checked) else ("rail", "wheel", wheel)

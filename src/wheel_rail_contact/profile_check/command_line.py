@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of check_profile."""
-import argparse
 import json
 import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-from ..command import Failure, calculating, finish, native, pyplot, writing
+from ..arguments import Parser
+from ..command import Failure, calculating, finish, native, output_folder, pyplot, writing
 from . import checked, clean_table, picture, text
 from .tables import Tables
 
@@ -28,7 +28,7 @@ def _run(options):
     _check(options)
     native()
     plot = pyplot()
-    options.out.mkdir(parents=True, exist_ok=True)
+    output_folder(options.out)
     refused = [file for file in options.files if not _check_file(file, options, plot)]
     if refused and len(options.files) > 1:
         print(f"check_profile: {len(refused)} of {len(options.files)} files refused", file=sys.stderr)
@@ -105,7 +105,7 @@ def _reading(options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="check_profile", description="Reports what is understood of profile files: format, unit, axes, noise and "
         "missing points, the measures of wheel or rail, and the nearest standard profile. Draws a picture of each, "
         "FILE.png. The exit status is 1 if a file is refused; the others are still checked.",

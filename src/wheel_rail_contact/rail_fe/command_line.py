@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of rail_compliance."""
-import argparse
 import shlex
 import sys
 import time
 from pathlib import Path
 
+from ..arguments import Parser
 from ..command import Failure, finish, pyplot, shipped
 from . import calculix, gmsh_mesh
 from .analysis import COARSER, estimated_error, solve
@@ -99,7 +99,7 @@ def _pads(options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="rail_compliance", description="Computes the compliance of a rail head under a wheel with finite elements "
         "(gmsh, CalculiX), and writes it as a table for the contact node. All units are SI.")
     add = parser.add_argument

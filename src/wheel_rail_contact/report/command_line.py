@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of contact_report."""
-import argparse
 import pathlib
 
 import numpy as np
 
-from ..command import finish, pyplot, writing
+from ..arguments import Parser
+from ..command import finish, output_folder, pyplot, writing
 from . import along_line, errors, histories, page, positions, pressure, running_band, stress
 from .loops import loop_of
 from .results import read, read_full
@@ -14,11 +14,11 @@ WORST = 2  # number of instants with the highest pressures that are shown
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         description="Writes pictures of the results in a bag, and a page that contains them (report.html). The bag is "
                     "written by contact_replay or rosbag record.")
     parser.add_argument("bag", help="bag with results")
-    parser.add_argument("--out", required=True, metavar="DIR", help="folder for page and pictures; created if missing")
+    parser.add_argument("--out", required=True, metavar="DIR", help="folder for page and pictures")
     parser.add_argument("--compare", metavar="BAG", help="results of another run, for example without rail bending")
     parser.add_argument("--wheelset", metavar="NAME", help="namespace, if the bag contains several wheelsets")
     parser.add_argument("--at", type=float, nargs="+", default=[], metavar="S",
@@ -58,8 +58,8 @@ def make_report(options):
     results, topic = read(options.bag, options.wheelset)
     other = read(options.compare, options.wheelset)[0] if options.compare else None
     out = pathlib.Path(options.out)
+    output_folder(out)
     with writing(out):
-        out.mkdir(parents=True, exist_ok=True)
         _write(out, options, results, topic, other)
     print(out / "report.html")
 

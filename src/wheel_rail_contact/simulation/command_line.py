@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of plot_simulation."""
-import argparse
 from pathlib import Path
 
-from ..command import Failure, finish, pyplot
+from ..arguments import DefaultsFormatter, Parser
+from ..command import Failure, finish, output_folder, pyplot
 from ..csv_table import CsvTable
 from . import picture
 
@@ -18,7 +18,7 @@ def _run(options):
         raise Failure(f"--length {options.length:g}: must be above 0")
     runs = [(_start(table), table) for table in map(_read, options.tables)]
     plot = pyplot()
-    options.out.mkdir(parents=True, exist_ok=True)
+    output_folder(options.out)
     picture.draw_motion(plot, runs[0][1], options.out / "simulation_motion.png", options.length)
     picture.draw_phase(plot, runs, options.out / "simulation_phase.png")
     print(f"wrote simulation_motion.png and simulation_phase.png to {options.out}")
@@ -40,8 +40,8 @@ def _start(run):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
-        prog="plot_simulation", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
+    parser = Parser(
+        prog="plot_simulation", formatter_class=DefaultsFormatter,
         description="Draws runs of simulate_wheelset: motion and creep forces of the first table, and the phase plot of all.")
     parser.add_argument("tables", nargs="+", metavar="TABLE.csv", help="tables written by simulate_wheelset --out")
     parser.add_argument("--out", type=Path, default=Path("simulation"), metavar="DIR", help="folder for the pictures")

@@ -22,9 +22,9 @@ def open_contact(path=None):
         raise Failure(f"wheelset/free = {config['wheelset/free']} must be [z, roll]: this program does not integrate height "
                       "and roll")
     try:
-        contact.evaluate(force_z=0.0, distance=0.0)  # raises an error if further arguments are required
+        contact.evaluate(force_z=0.0)  # raises an error if further arguments are required
     except TypeError as error:
-        raise Failure(f"{path}: this program has only y, yaw, load and distance: {error}") from error
+        raise Failure(f"{path}: this program has only x, y, yaw and load: {error}") from error
     contact.reset()
     return contact
 

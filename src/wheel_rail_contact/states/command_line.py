@@ -6,6 +6,7 @@ import os
 import sys
 import textwrap
 
+from ..arguments import Parser
 from ..command import Failure, finish, writing
 from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
 from .running_circles import LONGEST, SHORTEST, RunningCircles
@@ -29,7 +30,7 @@ Rows with missing values (empty, NaN) are dropped, and of rows with equal times 
 
 
 def _parser():
-    parser = argparse.ArgumentParser(description=DESCRIPTION, epilog=EPILOG,
+    parser = Parser(description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("source", metavar="IN", help="table (any ending, for example .csv or .txt), or bag (.bag)")

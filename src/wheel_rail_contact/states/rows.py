@@ -120,7 +120,7 @@ class Rows:
                 incomplete.add(line)
                 continue
             if states and state.time_ns < states[-1].time_ns:
-                raise self._failure(line, f"its time is before that of line {before}; times must increase")
+                raise self._failure(line, f"its time is before that of line {before}; times must not decrease")
             if states and state.time_ns == states[-1].time_ns:
                 states.pop()
                 repeated.add(before)
