@@ -23,8 +23,9 @@ constexpr double unloaded_accuracy = 1e-7;  ///< of the height of a wheel withou
 /// Changes of loads below this part of the whole load count as of it: the residual of the solutions causes as much [-].
 constexpr double least_share =
     tuning::residual_per_tolerance / tuning::opening_per_tolerance * WheelEquilibrium::overlap_per_load;
-constexpr int most_retreats = 10;  ///< halvings of a step that leads off a rail or to no solution
-constexpr int most_returns = 10;   ///< of a lifted wheel to its rail
+constexpr double linear_turn = 0.1;  ///< largest roll to which an opening is linear, over the largest step [-]
+constexpr int most_retreats = 10;    ///< halvings of a step that leads off a rail or to no solution
+constexpr int most_returns = 10;     ///< of a lifted wheel to its rail
 }  // namespace
 
 WheelsetSearch::WheelsetSearch(const ContactModelConfig& config, NormalSolver& solver)
@@ -199,7 +200,7 @@ void WheelsetSearch::move(const Step& step)
 }
 
 /// Largest opening of the gap of a wheel by a roll [rad] and a load [N] other than those of its last solution, over its
-/// overlap [-].
+/// overlap [-]. Infinite beyond a roll at which it is not linear.
 double WheelsetSearch::openingAt(Side side, double roll, double load) const
 {
   const WheelEquilibrium& wheel = wheels_[side];
@@ -208,8 +209,8 @@ double WheelsetSearch::openingAt(Side side, double roll, double load) const
     return 0;
   }
   const Solved& solved = *solved_[side];
-  const double change = load - solved.load;
-  return wheel.opening(sideSign(side) * (roll - solved.roll), change) +
+  const double turn = sideSign(side) * (roll - solved.roll), change = load - solved.load;
+  return (std::abs(turn) > linear_turn * greatest_turn_ ? infinity : wheel.opening(turn, change)) +
          WheelEquilibrium::overlap_per_load * std::abs(change) / std::max(solved.load, -least_share * state_.force_z);
 }
 
