@@ -152,7 +152,7 @@ std::array<double, 5> peakTerms(const PatchGap& gap, double modulus, const Cells
 
 /// Error of a peak that the bend does not show [-]: half of the difference of the measure from the parabolas without
 /// the bias of smooth peaks, as that is inferred from other cells; and if the peak is one column from the end of the
-/// pressure, what the third differences say.
+/// pressure, the effect of the third differences.
 double hiddenError(const PatchGap& gap, double modulus, const CellsAround& peak)
 {
   constexpr double smooth_bias = 1.0 / 80;  // of the parabolas, over the bend

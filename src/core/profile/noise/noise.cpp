@@ -146,11 +146,11 @@ double medianOf(std::vector<double>::iterator begin, std::vector<double>::iterat
   return *middle;
 }
 
-constexpr double least_ratio = 10;       ///< of the distance from the curve and the noise
+constexpr double least_ratio = 10;           ///< of the distance from the curve and the noise
 constexpr double least_fit_distance = 5e-6;  ///< [m]
-constexpr double sharpest = 100;         ///< curvature that a profile may have on one side of a point only [1/m]
-constexpr double largest_turn = 0.3;     ///< of the curve around a group [rad]; at a kink it is larger
-constexpr double smooth_share = 0.25;    ///< largest share of that distance in the residuals of the neighbours
+constexpr double sharpest = 100;             ///< curvature that a profile may have on one side of a point only [1/m]
+constexpr double largest_turn = 0.3;         ///< of the curve around a group [rad]; at a kink it is larger
+constexpr double smooth_share = 0.25;        ///< largest share of that distance in the residuals of the neighbours
 constexpr std::size_t longest_group = 3;
 constexpr double larger_group = 1.5;  ///< least ratio of the distances by which a larger group is preferred
 
@@ -175,8 +175,8 @@ double distanceOf(const CurveWindows& windows, std::size_t first, std::size_t la
   }
   const double distance = std::abs(residual->across);
   // A cubic over a length is off by a 16th of its square times the change of curvature.
-  const double least = std::max(
-      {least_fit_distance, least_ratio * noise * residual->deviation, sharpest * residual->length * residual->length / 16});
+  const double least = std::max({least_fit_distance, least_ratio * noise * residual->deviation,
+                                 sharpest * residual->length * residual->length / 16});
   return residual->turn < largest_turn && std::abs(residual->at_first) > least &&
                  isSmoothWithout(windows, first, last, size, smooth_share * distance)
              ? distance
