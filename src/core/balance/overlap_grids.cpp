@@ -382,8 +382,7 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
       }
       setNormals(columns, patch, normals);
       setUnseenSlope(columns, patch);
-      const NormalMethod method = config_.contact.method;
-      if (method != NormalMethod::hertz && method != NormalMethod::kik_piotrowski)
+      if (!usesOverlap(config_.contact.method))
       {
         raiseByCells(patch);
       }

@@ -15,6 +15,12 @@
 
 namespace wheel_rail_contact::core
 {
+/// True for the methods that take the shape of the whole overlap.
+inline bool usesOverlap(NormalMethod method)
+{
+  return method == NormalMethod::hertz || method == NormalMethod::kik_piotrowski;
+}
+
 /// Grids on the surface of a rail over its overlap with a wheel, and the normal problem on them. Side axes.
 ///
 /// The contact lies inside the overlap of the undeformed bodies, because the surfaces only move apart under a pressure.

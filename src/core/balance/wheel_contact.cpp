@@ -17,12 +17,6 @@ constexpr double typical_overlap = 2.8e-8;
 /// Movements whose openings are not multiples of one another.
 constexpr std::array<Motion, 4> independent{wheel_up, wheel_roll, rail_lateral, rail_roll};
 
-/// True for the methods that take the shape of the whole overlap.
-bool usesOverlap(NormalMethod method)
-{
-  return method == NormalMethod::hertz || method == NormalMethod::kik_piotrowski;
-}
-
 /// Turn of the wheel from one column to another [rad], small.
 double wheelTurn(const SurfaceColumn& from, const SurfaceColumn& to)
 {

@@ -109,7 +109,8 @@ class WheelContact
   /// height change under the same load removes.
   double opening(const MotionVector& move) const;
 
-  /// True if the grids are those of the final height.
+  /// True if the grids are those of the final height, and cover no more than a complete contact requires. Otherwise the
+  /// next solution is on such grids.
   bool hasOwnGrids();
   /// True if the pressure reaches the end of a profile.
   bool reachesEnd() const;

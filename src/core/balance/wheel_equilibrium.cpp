@@ -237,15 +237,15 @@ bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen:
     return lengthOf(rail_.compliance() * trial.open) <= least_move;
   }
   const bool deep = !isUnderLoad() || contact_.isDeepEnough();
+  if (!rail_.bends())
+  {
+    return deep;
+  }
   const auto even = [&](const Eigen::Vector3d& change)
   { return contact_.opening(railMove(rail_.compliance() * change)) <= accuracy * contact_.overlap(); };
   if (deep && even(trial.open))
   {
     return true;
-  }
-  if (!rail_.bends())
-  {
-    return false;
   }
   respond();
   step = this->step(trial.open);

@@ -12,9 +12,8 @@ namespace wheel_rail_contact::core
 /// What the search of a wheel keeps of its last solution.
 struct KeptResult
 {
-  bool grids = false;  ///< it starts on the same grids, see OverlapGrids::Choice
-  bool response =
-      false;  ///< derivatives, which hardly differ on another grid: WheelEquilibrium::respond() does nothing
+  bool grids = false;     ///< it starts on the same grids, see OverlapGrids::Choice
+  bool response = false;  ///< derivatives, which hardly differ on another grid: respond() then does nothing
 };
 
 /// One wheel on its rail, which bends. Side axes.
