@@ -86,7 +86,7 @@ def _parser():
     parser = Parser(
         prog="contact_chart", description="Runs every method on every grid over thirteen scenes and draws error against "
         "time: chart.png summarises the scenes, chart_scenes.png has a panel for each scene. Also writes both pictures as "
-        ".svg and all values to chart.csv, and prints the tables of doc/methods.md. Takes two to three minutes.")
+        ".svg and all values to chart.csv, and prints the tables of doc/methods.md. Takes about three minutes.")
     parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
                         help="folder for the files (default: the current one)")
     parser.add_argument("--quick", action="store_true",

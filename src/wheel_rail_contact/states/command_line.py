@@ -30,8 +30,7 @@ Rows with missing values (empty, NaN) are dropped, and of rows with equal times 
 
 
 def _parser():
-    parser = Parser(description=DESCRIPTION, epilog=EPILOG,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(description=DESCRIPTION, epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("source", metavar="IN", help="table (any ending, for example .csv or .txt), or bag (.bag)")
     add("target", metavar="OUT", help="bag (.bag), or table (.csv); must not exist")
