@@ -75,8 +75,8 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   return status;
 }
 
-/// Solves a state from the centre of the track: in long steps, or if a state on the way has no result, in short ones
-/// from the last result on, on a finer grid.
+/// Solves a state from the centre of the track: in long steps, or if that has no result, in short ones from the last
+/// result on, on a finer grid.
 ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
   double reached = 0;
@@ -85,22 +85,20 @@ ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
   return status == ContactStatus::not_converged ? walk(state, finer, 0.1 * long_step, reached) : status;
 }
 
-/// Solves states on the way from the centre of the track, each from the result of the one before, until one has none.
+/// Solves states on the way from the centre of the track, each from the result of the one before if it has one.
 /// @param step     share of the way from one state to the next beyond `reached`; up to there it is long
 /// @param reached  set to the share of the way up to the last result
 ContactStatus WheelsetBalance::walk(const WheelsetState& state, std::size_t first_level, double step, double& reached)
 {
   const double centre = middleOf(placeOnLine(state).rail_displacement);
-  ContactStatus status = ContactStatus::ok;
-  for (double share = 0; share < 1 && status != ContactStatus::not_converged;
-       share += share < reached - 0.5 * long_step ? long_step : step)
+  for (double share = 0; share < 1; share += share < reached - 0.5 * long_step ? long_step : step)
   {
     WheelsetState there = state;
     there.y = centre + share * (state.y - centre);
-    status = solveOnce(there, first_level);
+    const ContactStatus status = solveOnce(there, first_level);
     reached = status == ContactStatus::not_converged ? reached : std::max(reached, share);
   }
-  return status == ContactStatus::not_converged ? status : solveOnce(state, first_level);
+  return solveOnce(state, first_level);
 }
 
 /// Solves from the last result. After a failure, the next call starts cold.
