@@ -184,12 +184,12 @@ py::list contacts(const OneWheel& wheel)
   {
     const std::vector<SurfaceColumn>& columns = contact.grids().columns()[island.patch];
     const SurfaceColumn& first = columns[static_cast<std::size_t>(island.first)];
-    found.append(
-        py::dict("first_u"_a = first.rail_u, "last_u"_a = columns[static_cast<std::size_t>(island.last)].rail_u,
-                 "wheel_u"_a = first.wheel_u,
-                 "half_length"_a = halfLength(contact.solution().patches[island.patch], island.first, island.last),
-                 "half_space_ratio"_a = contact.halfSpaceRatio(island.patch, island.first, island.last),
-                 "turned"_a = contact.problem().normals[island.patch].areTurned()));
+    found.append(py::dict(
+        "first_u"_a = first.rail_u, "last_u"_a = columns[static_cast<std::size_t>(island.last)].rail_u,
+        "wheel_u"_a = first.wheel_u,
+        "half_length"_a = halfLength(contact.solution().patches[island.patch], island.first, island.last),
+        "half_space_ratio"_a = core::halfSpaceRatio(contact.grids().columns()[island.patch], island.first, island.last),
+        "turned"_a = contact.problem().normals[island.patch].areTurned()));
   }
   return found;
 }
@@ -280,7 +280,7 @@ void bindOneWheel(py::module& module)
       .def_property_readonly("modulus", [](const OneWheel& wheel) { return wheel.contact().problem().modulus; })
       .def_property_readonly("height", [](const OneWheel& wheel) { return wheel.pose().z; })
       .def_property_readonly("vertical_force",
-                             [](const OneWheel& wheel) { return wheel.contact().forces()[core::wheel_up]; })
+                             [](const OneWheel& wheel) { return wheel.contact().solved().forces()[core::wheel_up]; })
       .def_property_readonly("height_per_roll", &heightPerRoll)
       .def_property_readonly("contacts", &contacts)
       .def("gap_on", &gapOn, "rail_u"_a, "wheel_u"_a, "count"_a, "size"_a, "y0"_a, "plane"_a = py::none())

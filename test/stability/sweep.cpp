@@ -21,7 +21,7 @@ SweepState solved(WheelsetBalance& balance, const WheelsetState& state)
   found.height = balance.height();
   for (const Side side : sides)
   {
-    found.lateral[side] = found.usable ? balance.wheel(side).contact().forces()[rail_lateral] : 0;
+    found.lateral[side] = found.usable ? balance.wheel(side).contact().solved().forces()[rail_lateral] : 0;
   }
   return found;
 }

@@ -131,7 +131,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
                  balance.balanceError(side) * contact.overlap() / std::max(out.approach, least_approach));
   out.iterations = solution.iterations;
   out.residual = solution.residual;
-  out.half_space_ratio = contact.halfSpaceRatio(of.patch, of.first, of.last);
+  out.half_space_ratio = halfSpaceRatio(columns, of.first, of.last);
   out.left_out = contact.leftOut();
   const bool turns = 2 * out.half_space_ratio > tuning::plane_turn, is_complete = out.left_out.empty();
   const double work = force.down * solution.approach - gap.grid.cellArea() * (pressure.pressure * gap.gap).sum();

@@ -20,25 +20,6 @@ PlacedRail restingRail(const ContactModelConfig& config, Side side, double x)
                   : PlacedRail(config.rail_profile[side], config.track, side);
 }
 
-Eigen::Vector3d toCoordinates(const RailDeflection& deflection)
-{
-  return {deflection.lateral, deflection.vertical, deflection.roll};
-}
-
-RailDeflection toDeflection(const Eigen::Vector3d& coordinates)
-{
-  return {coordinates[0], coordinates[1], coordinates[2]};
-}
-
-Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclination)
-{
-  Eigen::Matrix3d compliance;
-  compliance.col(0) = toCoordinates(deflectionInTrack(table, {1, 0, 0}, inclination));
-  compliance.col(1) = toCoordinates(deflectionInTrack(table, {0, -1, 0}, inclination));
-  compliance.col(2) = toCoordinates(deflectionInTrack(table, {0, 0, 1}, inclination));
-  return compliance;
-}
-
 SupportedRail::SupportedRail(const ContactModelConfig& config, Side side)
     : along_(railAlong(config, side)), bends_(config.rail_bending.model == RailBendingConfig::Model::compliance)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <vector>
 
 #include "core/balance/overlap_grids.h"
+#include "core/balance/solved_contact.h"
 #include "core/balance/tuning.h"
 #include "core/normal/solvers/contact_tangent.h"
 #include "wheel_rail_contact/core/config.h"
@@ -30,25 +30,7 @@ inline bool isUsable(WheelStatus status)
   return status == WheelStatus::solved || status == WheelStatus::no_contact;
 }
 
-/// Coordinates of wheel and rail. The forces along them are the wheel's load [N], its moment about the axle centre
-/// [N m], and the outward force [N], the upward force [N] and the moment about the reference point of the head [N m] on
-/// the rail. Side axes.
-enum Motion
-{
-  wheel_up,      ///< wheel upwards [m]
-  wheel_roll,    ///< roll about the axle centre [rad]
-  rail_lateral,  ///< rail head outward [m]
-  rail_up,       ///< rail head upwards [m]
-  rail_roll,     ///< roll of the rail head about its reference point [rad], outward positive
-  motions
-};
-using MotionVector = Eigen::Matrix<double, motions, 1>;
-using MotionMatrix = Eigen::Matrix<double, motions, motions>;
-
 /// Contact of one wheel with its rail, on the surface of the rail (OverlapGrids). Side axes.
-///
-/// The forces follow from the derivatives of the gap (SurfaceColumn); they are therefore the derivatives of the elastic
-/// energy.
 class WheelContact
 {
  public:
@@ -90,32 +72,19 @@ class WheelContact
   bool isDeepEnough() const { return std::abs(remaining()) <= tuning::remaining_approach * overlap(); }
   /// Largest overlap of the undeformed bodies [m].
   double overlap() const { return -grids_.touch().separation; }
-  /// Elastic energy [J].
-  double energy() const { return energy_; }
-  /// Forces along the coordinates, in the last solution.
-  const MotionVector& forces() const { return forces_; }
-  /// Derivatives of the forces with respect to the coordinates, with negative sign: elastic part (ContactTangent) and
-  /// geometric part. Zero without pressure.
-  /// @param residual  see ContactTangent
-  MotionMatrix stiffness(double residual = tuning::rough_residual);
-  /// Its row of the wheel's height alone, which takes a quarter of the products.
-  MotionVector verticalStiffness();
-  /// Height change of the axle centre per unit of a coordinate, under the same load and with the distribution of the
-  /// pressure kept.
-  double heightPer(Motion motion) const { return -forces_[motion] / forces_[wheel_up]; }
-  /// Mean height of the columns over the reference point of the rail head, weighted with their normal forces [m].
-  double heightOverReference() const;
-  /// Largest opening of the gap under the pressure by a movement [m]. If the load is given, besides the one that a
-  /// height change under the same load removes.
-  double opening(const MotionVector& move) const;
-
   /// True if the grids are those of the final height, and cover no more than a complete contact requires. Otherwise the
   /// next solution is on such grids.
   bool hasOwnGrids();
   /// True if the pressure reaches the end of a profile.
   bool reachesEnd() const;
-  /// Largest turn of the normal of wheel or rail over the loaded columns `first` to `last` of a patch, halved [rad].
-  double halfSpaceRatio(std::size_t patch, Eigen::Index first, Eigen::Index last) const;
+
+  /// Forces of the last solution.
+  const SolvedContact& solved() const { return solved_; }
+  /// Derivatives of the forces, see SolvedContact.
+  /// @param residual  see ContactTangent
+  MotionMatrix stiffness(double residual = tuning::rough_residual);
+  /// Its row of the wheel's height alone, which takes a quarter of the products.
+  MotionVector verticalStiffness();
 
   const OverlapGrids& grids() const { return grids_; }
   const CurvedProblem& problem() const { return problem_; }
@@ -134,10 +103,6 @@ class WheelContact
   WheelStatus solve(NormalProblem::Control control, double value);
   void solveProblem();
   WheelStatus none(WheelStatus status);
-  void evaluate();
-  void openings(std::size_t patch);
-  void selectOpenings();
-  MotionMatrix geometricStiffness() const;
 
   NormalSolver& solver_;
   GridSize size_;
@@ -147,12 +112,8 @@ class WheelContact
   NormalSolution solution_;
   std::vector<NormalSolution> kept_;  ///< last solutions on the other grids
   ContactTangent tangent_;
-  WheelsetPose pose_;                      ///< of the gap
-  std::vector<Eigen::ArrayXXd> openings_;  ///< for each patch ny × motions
-  std::vector<Eigen::ArrayXXd> tangent_openings_;
-  std::vector<Eigen::VectorXd> column_forces_;  ///< for each patch [N]
-  MotionVector forces_ = MotionVector::Zero();
-  double energy_ = 0;
+  WheelsetPose pose_;  ///< of the gap
+  SolvedContact solved_;
   OverlapGrids::Choice choice_ = OverlapGrids::Choice::own;
   OverlapGrids::Reach first_reach_;                               ///< on the first grid
   OverlapGrids::Reach start_reach_ = OverlapGrids::Reach::whole;  ///< since setGrid()

@@ -77,11 +77,11 @@ void WheelEquilibrium::place(const Eigen::Vector3d& forces)
 /// Forces on the rail that belong to the last solution.
 Eigen::Vector3d WheelEquilibrium::target() const
 {
-  Eigen::Vector3d forces = contact_.forces().tail<3>();
+  Eigen::Vector3d forces = contact_.solved().forces().tail<3>();
   if (!own_force_)
   {
     // The given force acts at the height of the contact.
-    forces[2] += (given_lateral_ - forces[0]) * contact_.heightOverReference();
+    forces[2] += (given_lateral_ - forces[0]) * contact_.solved().heightOverReference();
     forces[0] = given_lateral_;
   }
   return forces;
@@ -125,9 +125,9 @@ void WheelEquilibrium::respond()
 /// overlap as of paraboloids.
 void WheelEquilibrium::approximateRates()
 {
-  const double load = contact_.forces()[wheel_up];
-  response_.rates.row(height_rate) << contact_.heightPer(wheel_roll), -contact_.heightPer(rail_lateral),
-      -overlap_per_load * contact_.overlap() / load;
+  const double load = contact_.solved().forces()[wheel_up];
+  response_.rates.row(height_rate) << contact_.solved().heightPer(wheel_roll),
+      -contact_.solved().heightPer(rail_lateral), -overlap_per_load * contact_.overlap() / load;
   response_.rates.row(moment_rate) << 0, 0, moment() / load;
 }
 
@@ -148,7 +148,7 @@ void WheelEquilibrium::setRates(const MotionMatrix& stiffness)
   Eigen::Matrix<double, 4, 6> of_rail = force.bottomRows<4>();
   if (!own_force_)
   {
-    of_rail.row(3) -= contact_.heightOverReference() * of_rail.row(1);
+    of_rail.row(3) -= contact_.solved().heightOverReference() * of_rail.row(1);
     of_rail.row(1).setZero();
   }
   response_.per_force = of_rail.bottomLeftCorner<3, 3>() * rail_.compliance();
@@ -217,9 +217,10 @@ WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const Wheel
   trial.open = (loaded_ ? target() : restForces()) - forces;
   if (own_force_ && rail_.bends())
   {
-    trial.merit = contact_.energy() + 0.5 * forces.dot(rail_.compliance() * forces) + load * contact_.height();
-    trial.noise =
-        !loaded_ ? 0 : (tuning::noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) * contact_.energy();
+    trial.merit = contact_.solved().energy() + 0.5 * forces.dot(rail_.compliance() * forces) + load * contact_.height();
+    trial.noise = !loaded_ ? 0
+                           : (tuning::noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) *
+                                 contact_.solved().energy();
   }
   else
   {
@@ -242,7 +243,7 @@ bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen:
     return deep;
   }
   const auto even = [&](const Eigen::Vector3d& change)
-  { return contact_.opening(railMove(rail_.compliance() * change)) <= accuracy * contact_.overlap(); };
+  { return contact_.solved().opening(railMove(rail_.compliance() * change)) <= accuracy * contact_.overlap(); };
   if (deep && even(trial.open))
   {
     return true;
@@ -313,18 +314,20 @@ bool WheelEquilibrium::isNearlyClosed(const Trial& trial)
 bool WheelEquilibrium::isNear(double accuracy, const Eigen::Vector3d& step) const
 {
   return loaded_ && contact_.isDeepEnough() &&
-         contact_.opening(railMove(rail_.compliance() * step)) <= tuning::jump_share * accuracy * contact_.overlap();
+         contact_.solved().opening(railMove(rail_.compliance() * step)) <=
+             tuning::jump_share * accuracy * contact_.overlap();
 }
 
 /// Takes the last solution, with a last step of the forces, as the result.
 WheelStatus WheelEquilibrium::accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status)
 {
-  forces_ = rail_.bends() ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.forces().tail<3>());
+  forces_ =
+      rail_.bends() ? Eigen::Vector3d(trial.forces + step) : Eigen::Vector3d(contact_.solved().forces().tail<3>());
   if (isUnderLoad() && loaded_ && rail_.bends())
   {
     const Eigen::Vector3d move = rail_.compliance() * step;
-    height_ += contact_.heightPer(rail_lateral) * move[0] + contact_.heightPer(rail_up) * move[1] +
-               contact_.heightPer(rail_roll) * move[2];
+    height_ += contact_.solved().heightPer(rail_lateral) * move[0] + contact_.solved().heightPer(rail_up) * move[1] +
+               contact_.solved().heightPer(rail_roll) * move[2];
   }
   return status;
 }
@@ -381,7 +384,7 @@ double WheelEquilibrium::opening(double roll, double load) const
   {
     move.tail<3>() = rail_.compliance() * (response_.rates.bottomRows<3>() * Eigen::Vector3d(roll, 0, load));
   }
-  return contact_.opening(move) / contact_.overlap();
+  return contact_.solved().opening(move) / contact_.overlap();
 }
 
 RailResult WheelEquilibrium::rail() const

@@ -74,7 +74,7 @@ class WheelEquilibrium
   /// Change of height or moment per unit of an input.
   double rate(Output output, Input input) const;
   /// Change of the height by a roll of the rail about its reference point, outward positive [m/rad].
-  double heightPerRailRoll() const { return loaded_ ? contact_.heightPer(rail_roll) : 0; }
+  double heightPerRailRoll() const { return loaded_ ? contact_.solved().heightPer(rail_roll) : 0; }
   /// Relative change of the overlap per one of the load, of paraboloids (Hertz 1882) [-].
   static constexpr double overlap_per_load = 2.0 / 3;
   /// Largest opening of the gap by a roll [rad] and by the deflection under a change of the load [N], over the overlap
@@ -88,7 +88,7 @@ class WheelEquilibrium
   /// Forces and deflection of the rail.
   RailResult rail() const;
   /// Moment of the contact on the wheel about the axle centre, side axes: positive if it lifts the wheel [N m].
-  double moment() const { return loaded_ ? contact_.forces()[wheel_roll] : 0; }
+  double moment() const { return loaded_ ? contact_.solved().forces()[wheel_roll] : 0; }
 
   WheelContact& contact() { return contact_; }
   const WheelContact& contact() const { return contact_; }

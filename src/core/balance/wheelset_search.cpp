@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/balance/root_bracket.h"
 #include "core/balance/tuning.h"
 #include "core/constants.h"
+#include "core/track/root_bracket.h"
 
 namespace wheel_rail_contact::core
 {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "core/balance/root_bracket.h"
 #include "core/balance/wheel_equilibrium.h"
 #include "core/track/rail_along.h"
+#include "core/track/root_bracket.h"
 #include "wheel_rail_contact/core/config.h"
 #include "wheel_rail_contact/core/sides.h"
 #include "wheel_rail_contact/core/wheelset_result.h"

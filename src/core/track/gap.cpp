@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"
@@ -268,5 +269,24 @@ bool buildSurfaceGap(const PlacedWheel& wheel, const PlacedRail& rail, const Sur
   const bool down = builder.build(middle - 1, -1, origin, gap, slope, columns);
   setMeanSlopes(grid, gap, slope, columns);
   return up || down;
+}
+
+double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index first, Eigen::Index last)
+{
+  const SurfaceColumn& start = columns[static_cast<std::size_t>(first)];
+  double rail_least = 0, rail_most = 0, wheel_least = start.wheel_slope,
+         wheel_most = wheel_least;  // tangents of angles
+  for (Eigen::Index j = first; j <= last; ++j)
+  {
+    const SurfaceColumn& column = columns[static_cast<std::size_t>(j)];
+    const double turn = column.turnFrom(start);
+    const double rail = turn / std::sqrt(1 - turn * turn);
+    const double wheel = (rail + column.wheel_slope) / (1 - rail * column.wheel_slope);
+    rail_least = std::min(rail_least, rail);
+    rail_most = std::max(rail_most, rail);
+    wheel_least = std::min(wheel_least, wheel);
+    wheel_most = std::max(wheel_most, wheel);
+  }
+  return 0.5 * std::max(std::atan(rail_most) - std::atan(rail_least), std::atan(wheel_most) - std::atan(wheel_least));
 }
 }  // namespace wheel_rail_contact::core

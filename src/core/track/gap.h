@@ -52,6 +52,9 @@ constexpr double no_body_gap = 0.1;  ///< gap in columns in which wheel or rail 
 /// aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
 double contactShare(double overlap_length, double overlap_width);
 
+/// Largest turn of the normal of wheel or rail over the columns `first` to `last`, halved [rad].
+double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index first, Eigen::Index last);
+
 /// Length of a profile between two parameters [m], negative if `to` is less than `from`.
 double arcLength(const Profile& profile, double from, double to);
 

@@ -42,7 +42,7 @@ std::vector<double> simpleIteration(double y, int steps)
       }
       pose.z = wheel.height();
     }
-    deflection = toDeflection(compliance * wheel.forces().tail<3>());
+    deflection = toDeflection(compliance * wheel.solved().forces().tail<3>());
     lateral.push_back(deflection.lateral);
   }
   return lateral;

@@ -146,8 +146,8 @@ TEST_F(WheelContactTest, LateralForceAgreesWithTheReferenceCode)
   {
     balance(row.y);
     ASSERT_GT(settle(pose_), 0) << "y " << row.y;
-    EXPECT_NEAR(contact_.forces()[rail_lateral] / row.force, 1, 3e-3) << "y " << row.y;
-    EXPECT_NEAR(contact_.forces()[wheel_up] / wheel_load, 1, 1e-6) << "y " << row.y;
+    EXPECT_NEAR(contact_.solved().forces()[rail_lateral] / row.force, 1, 3e-3) << "y " << row.y;
+    EXPECT_NEAR(contact_.solved().forces()[wheel_up] / wheel_load, 1, 1e-6) << "y " << row.y;
   }
 }
 
@@ -164,20 +164,20 @@ TEST_F(WheelContactTest, ForcesAreTheDerivativesOfTheEnergyAndTheStiffnessOfTheF
     contact_.choose(OverlapGrids::Choice::own);
     solveMoved(wheel_up, 0);
     contact_.choose(OverlapGrids::Choice::kept);
-    const MotionVector forces = contact_.forces();
+    const MotionVector forces = contact_.solved().forces();
     const MotionMatrix stiffness = contact_.stiffness();
     for (const Motion motion : {wheel_up, wheel_roll, rail_lateral, rail_up, rail_roll})
     {
       const double step = 1e-6 / arm(motion);
       solveMoved(motion, -step);
-      const double energy_before = contact_.energy(), force_before = contact_.forces()[motion];
+      const double energy_before = contact_.solved().energy(), force_before = contact_.solved().forces()[motion];
       solveMoved(motion, step);
-      const double force = (energy_before - contact_.energy()) / (2 * step);
+      const double force = (energy_before - contact_.solved().energy()) / (2 * step);
       const double size = std::max(std::abs(force), wheel_load * arm(motion));
       EXPECT_NEAR(forces[motion], force, 0.01 * size) << "y " << y << " motion " << motion;
       if (y != -6.3e-3)  // where the load moves from the tread to the flange
       {
-        const double slope = (force_before - contact_.forces()[motion]) / (2 * step);
+        const double slope = (force_before - contact_.solved().forces()[motion]) / (2 * step);
         // The stiffness leaves a residual of 3 %, and takes one slope of the wheel for each column: 8 % on the flange.
         EXPECT_NEAR(stiffness(motion, motion) / slope, 1, 0.1) << "y " << y << " motion " << motion;
       }
@@ -217,7 +217,7 @@ TEST_F(WheelContactTest, VerticalForceGrowsAsTheWheelDescends)
       pose.z += 1e-4 - 5e-6 * k;
       const WheelStatus status = contact_.solveAt(pose);
       ASSERT_TRUE(status == WheelStatus::solved || status == WheelStatus::no_contact) << "y " << y << " k " << k;
-      const double force = contact_.forces()[wheel_up];
+      const double force = contact_.solved().forces()[wheel_up];
       EXPECT_TRUE(force > last || (force == 0 && last == 0)) << "y " << y << " k " << k;
       last = force;
     }
@@ -282,7 +282,7 @@ TEST_F(WheelContactTest, HeightPerRollIsTheSlopeOfTheHeight)
     };
     const double slope = (heightAt(1e-5) - heightAt(-1e-5)) / 2e-5;
     heightAt(0);
-    EXPECT_NEAR(contact_.heightPer(wheel_roll) / slope, 1, 0.01) << "y " << y;
+    EXPECT_NEAR(contact_.solved().heightPer(wheel_roll) / slope, 1, 0.01) << "y " << y;
   }
 }
 
@@ -294,13 +294,13 @@ TEST_F(WheelContactTest, WithoutContactThereIsNoForce)
   WheelsetPose pose = pose_;
   pose.z += 1e-3;
   EXPECT_EQ(contact_.solveAt(pose), WheelStatus::no_contact);
-  EXPECT_TRUE(contact_.forces().isZero(0));
-  EXPECT_EQ(contact_.energy(), 0);
+  EXPECT_TRUE(contact_.solved().forces().isZero(0));
+  EXPECT_EQ(contact_.solved().energy(), 0);
   EXPECT_TRUE(contact_.stiffness().isZero(0));
   pose.y = 0.5;  // beside the rail
   EXPECT_EQ(contact_.solveAt(pose), WheelStatus::beside_rail);
   EXPECT_EQ(contact_.solveLoad(pose, wheel_load), WheelStatus::beside_rail);
-  EXPECT_TRUE(contact_.forces().isZero(0));
+  EXPECT_TRUE(contact_.solved().forces().isZero(0));
   EXPECT_GT(settle(pose_), 0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/root_bracket.h"
+#include "core/track/root_bracket.h"
 
 #include <cmath>
 
