@@ -101,14 +101,11 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
   group_grids_.clear();
   placed_.clear();
   misses_overlap_ = false;
-  for (std::size_t k = problem.patches.size(); k > 0; --k)
-  {
-    removeLast(problem);
-  }
   for (std::size_t first = 0; first < intervals_.size(); first = endOfGroup(first))
   {
     addGrid(wheel, first, endOfGroup(first), size, choice, reach, problem);
   }
+  resize(placed_.size(), problem);
   couple(problem);
   return problem.patches.empty() ? Overlap::beside : Overlap::found;
 }
@@ -339,12 +336,15 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
   const GridLayout planned = layGrid(area, size, wheel.pose().yaw == 0);
   GroupGrid group = before != nullptr ? *before : GroupGrid{planned, planned, reach, area.whole};
   group.reach = reach;
-  appendPatch(problem);
-  bool found = fillGrid(wheel, size, area, group.used, problem.patches.back(), problem.normals.back());
+  const std::size_t k = placed_.size();
+  resize(std::max(k + 1, columns_.size()), problem);
+  const auto fill = [&]
+  { return fillGrid(wheel, size, area, group.used, columns_[k], problem.patches[k], problem.normals[k]); };
+  bool found = fill();
   if (!found && before != nullptr)  // the cells of the kept grid are too large
   {
     group = {planned, planned, reach, area.whole};
-    found = fillGrid(wheel, size, area, group.used, problem.patches.back(), problem.normals.back());
+    found = fill();
   }
   group.has_patch = found;
   group.first = first;
@@ -353,18 +353,16 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
   if (!found)
   {
     misses_overlap_ = misses_overlap_ || std::any_of(&intervals_[first], &intervals_[first] + (last - first), isDeep);
-    removeLast(problem);
     return;
   }
   placed_.push_back({group.used.origin, area.half_length, area.whole});
 }
 
-/// Fills the last columns and their patch. If the area is the whole overlap, and the overlap is found to be larger,
-/// area and grid are widened. @return false if no cell overlaps
+/// Fills columns and patch. If the area is the whole overlap, and the overlap is found to be larger, area and grid are
+/// widened. @return false if no cell overlaps
 bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout,
-                            PatchGap& patch, ColumnNormals& normals)
+                            std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals)
 {
-  std::vector<SurfaceColumn>& columns = columns_.back();
   for (double margin = tuning::overlap_margin; margin < 2; margin *= 2)
   {
     patch.grid = layout.grid;
@@ -394,25 +392,12 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
   return false;
 }
 
-/// Appends a patch, with the memory of a removed one if there is any.
-void OverlapGrids::appendPatch(CurvedProblem& problem)
+/// Sets the number of patches. Those that remain keep their memory.
+void OverlapGrids::resize(std::size_t count, CurvedProblem& problem)
 {
-  if (spares_.empty())
-  {
-    spares_.emplace_back();
-  }
-  problem.patches.push_back(std::move(spares_.back().patch));
-  problem.normals.push_back(std::move(spares_.back().normals));
-  columns_.push_back(std::move(spares_.back().columns));
-  spares_.pop_back();
-}
-
-void OverlapGrids::removeLast(CurvedProblem& problem)
-{
-  spares_.push_back({std::move(problem.patches.back()), std::move(problem.normals.back()), std::move(columns_.back())});
-  problem.patches.pop_back();
-  problem.normals.pop_back();
-  columns_.pop_back();
+  columns_.resize(count);
+  problem.patches.resize(count);
+  problem.normals.resize(count);
 }
 
 /// Sets the displacement of the columns of each grid by the forces in the columns of the others: that of a point force

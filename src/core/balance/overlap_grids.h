@@ -106,14 +106,6 @@ class OverlapGrids
     std::size_t first = 0, end = 0;  ///< its intervals
   };
 
-  /// Memory of a removed patch.
-  struct Spare
-  {
-    PatchGap patch;
-    ColumnNormals normals;
-    std::vector<SurfaceColumn> columns;
-  };
-
   /// A grid that contains the pressure of a patch, or does not.
   struct Cover
   {
@@ -131,10 +123,9 @@ class OverlapGrids
   void join(bool keep);
   void addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size, Choice choice,
                Reach reach, CurvedProblem& problem);
-  bool fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout, PatchGap& patch,
-                ColumnNormals& normals);
-  void appendPatch(CurvedProblem& problem);
-  void removeLast(CurvedProblem& problem);
+  bool fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout,
+                std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
+  void resize(std::size_t count, CurvedProblem& problem);
   void couple(CurvedProblem& problem);
 
   const ContactModelConfig& config_;
@@ -154,6 +145,5 @@ class OverlapGrids
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;
   Eigen::ArrayXXd slope_;  ///< of the cells of a grid, see buildSurfaceGap()
-  std::vector<Spare> spares_;
 };
 }  // namespace wheel_rail_contact::core
