@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "core/balance/grid_layout.h"
 #include "core/track/gap.h"
 #include "core/track/rail_search.h"
 #include "wheel_rail_contact/core/normal_problem.h"
@@ -12,18 +14,17 @@ namespace wheel_rail_contact::core
 /// A grid on the rail, for a patch of the problem.
 struct PlacedGrid
 {
-  SurfaceOrigin origin;
+  GridLayout layout;
   double half_length = 0;  ///< of the expected pressure along the track [m]
   bool whole = true;       ///< it covers the whole overlap
 };
 
-/// Variance of the position along the track in a half-elliptic pressure [m²].
-double pressureVariance(double half_length);
-
-/// Displacement of a half-space by a point force (Johnson 1985, eq. 3.22b) [m/N].
-/// @param variance  mean square distance along the track [m²]
-/// @param y, z      distance in the section [m]
-double displacementPerForce(double modulus, double variance, double y, double z);
+/// Sets the displacement of the columns of each grid by the forces in the columns of the others: that of a point force
+/// on a half-space (Johnson 1985, eq. 3.22b), at the root mean square distance of two half-ellipses along the track,
+/// and projected onto the normal.
+/// @param columns  of each grid
+void couple(const std::vector<PlacedGrid>& grids, const std::vector<std::vector<SurfaceColumn>>& columns,
+            CurvedProblem& problem);
 
 /// Contact outside of the grids of a wheel, which a solution on these grids does not show.
 ///
@@ -32,28 +33,31 @@ double displacementPerForce(double modulus, double variance, double y, double z)
 class OutsideContact
 {
  public:
-  /// Keeps references to all of them.
+  /// Keeps references to all of them: the grids of the solution, and their columns.
   OutsideContact(const RailSearch& search, const std::vector<PlacedGrid>& grids,
                  const std::vector<std::vector<SurfaceColumn>>& columns)
       : search_(search), grids_(grids), columns_(columns)
   {
   }
 
-  /// True if the surfaces may touch outside of the grids, displaced by the forces in them.
-  /// @param spans  parameters of the rail profile between which a grid lies [m]
-  bool isPossible(const std::vector<OverlapInterval>& intervals, const std::vector<std::pair<double, double>>& spans,
-                  const NormalProblem& problem, const NormalSolution& solution);
+  /// True if other grids for the same patches contain the whole contact: no pressure reaches the edge of one that the
+  /// overlap exceeds, and the surfaces outside of them, displaced by the forces, do not touch.
+  bool isContained(const std::vector<PlacedGrid>& others, const std::vector<OverlapInterval>& intervals,
+                   const NormalProblem& problem, const NormalSolution& solution);
 
  private:
+  bool isPossible(const std::vector<OverlapInterval>& intervals, const NormalProblem& problem,
+                  const NormalSolution& solution);
   template <typename Station>
-  bool mayTouchFarther(const std::vector<std::pair<double, double>>& spans, const NormalProblem& problem,
-                       const NormalSolution& solution, Station station, Station end) const;
+  bool mayTouchFarther(const NormalProblem& problem, const NormalSolution& solution, Station station,
+                       Station end) const;
   double displacementAt(const OverlapStation& station, const NormalProblem& problem,
                         const NormalSolution& solution) const;
 
   const RailSearch& search_;
   const std::vector<PlacedGrid>& grids_;
   const std::vector<std::vector<SurfaceColumn>>& columns_;
+  std::vector<std::pair<double, double>> spans_;  ///< parameters of the rail profile at the ends of the other grids [m]
   std::vector<OverlapStation> stations_;
   std::vector<Eigen::ArrayXd> column_forces_;  ///< of each patch [N]
 };

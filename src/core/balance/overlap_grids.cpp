@@ -85,8 +85,7 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
                                           CurvedProblem& problem)
 {
   placed_wheel_.emplace(*config_.wheel_profile[side_], config_.wheelset, side_, pose);
-  const PlacedWheel& wheel = *placed_wheel_;
-  search_.setWheel(wheel);
+  search_.setWheel(*placed_wheel_);
   if (!search_.nearest(touch_))
   {
     return Overlap::beside;
@@ -101,12 +100,13 @@ OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSi
   group_grids_.clear();
   placed_.clear();
   misses_overlap_ = false;
-  for (std::size_t first = 0; first < intervals_.size(); first = endOfGroup(first))
+  for (std::size_t first = 0, end = 0; first < intervals_.size(); first = end)
   {
-    addGrid(wheel, first, endOfGroup(first), size, choice, reach, problem);
+    end = endOfGroup(intervals_, first);
+    addGrid(first, end, size, choice, reach, problem);
   }
   resize(placed_.size(), problem);
-  couple(problem);
+  couple(placed_, columns_, problem);
   return problem.patches.empty() ? Overlap::beside : Overlap::found;
 }
 
@@ -128,9 +128,9 @@ void OverlapGrids::join(bool keep)
 
 /// End (exclusive) of the intervals from `first` on that are in one grid: each is closer to the next than the wider of
 /// them is wide, or both are in one of the joined parts.
-std::size_t OverlapGrids::endOfGroup(std::size_t first) const
+std::size_t OverlapGrids::endOfGroup(const std::vector<OverlapInterval>& intervals, std::size_t first) const
 {
-  const auto width = [this](std::size_t k) { return intervals_[k].u_end - intervals_[k].u_begin; };
+  const auto width = [&](std::size_t k) { return intervals[k].u_end - intervals[k].u_begin; };
   double widest = width(first);
   std::size_t end = first + 1;
   const auto are_joined = [this](double u_begin, double u_end)
@@ -138,9 +138,8 @@ std::size_t OverlapGrids::endOfGroup(std::size_t first) const
     return std::any_of(joined_.begin(), joined_.end(),
                        [&](const auto& one) { return one.first < u_begin && one.second > u_end; });
   };
-  while (end < intervals_.size() &&
-         (intervals_[end].u_begin - intervals_[end - 1].u_end < std::max(widest, width(end)) ||
-          are_joined(intervals_[end - 1].u_end, intervals_[end].u_begin)))
+  while (end < intervals.size() && (intervals[end].u_begin - intervals[end - 1].u_end < std::max(widest, width(end)) ||
+                                    are_joined(intervals[end - 1].u_end, intervals[end].u_begin)))
   {
     widest = std::max(widest, width(end++));
   }
@@ -150,25 +149,18 @@ std::size_t OverlapGrids::endOfGroup(std::size_t first) const
 bool OverlapGrids::fits(double lower)
 {
   search_.overlapIntervals(lower, lower_intervals_);
-  intervals_.swap(lower_intervals_);
-  const bool fit = fitIntervals(lower);
-  intervals_.swap(lower_intervals_);
-  return fit;
-}
-
-bool OverlapGrids::fitIntervals(double lower)
-{
   join(false);
   std::size_t count = 0;
-  for (std::size_t first = 0; first < intervals_.size(); first = endOfGroup(first), ++count)
+  for (std::size_t first = 0, end = 0; first < lower_intervals_.size(); first = end, ++count)
   {
     if (count >= group_grids_.size())
     {
       return false;
     }
+    end = endOfGroup(lower_intervals_, first);
     const GroupGrid& group = group_grids_[count];
     const Grid& grid = group.planned.grid;
-    const SurfaceArea area = areaOf(*placed_wheel_, first, endOfGroup(first), lower, group.reach);
+    const SurfaceArea area = areaOf(&lower_intervals_[first], &lower_intervals_[0] + end, lower, group.reach);
     if (group.has_patch && !layGrid(area, {grid.nx, grid.ny}, grid.symmetric).equals(group.planned))
     {
       return false;
@@ -177,13 +169,12 @@ bool OverlapGrids::fitIntervals(double lower)
   return count == group_grids_.size();
 }
 
-/// The area for the intervals from `first` to `last` (exclusive) of a wheel that is `lower` below its place [m]. Its
-/// origin is the deepest place.
-SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower,
+/// The area for the intervals from `begin` to `end` (exclusive) of the wheel `lower` below its place [m]. Its origin is
+/// the deepest place.
+SurfaceArea OverlapGrids::areaOf(const OverlapInterval* begin, const OverlapInterval* end, double lower,
                                  Reach reach) const
 {
-  const OverlapInterval* const begin = &intervals_[first];
-  const OverlapInterval* const end = begin + (last - first);
+  const PlacedWheel& wheel = *placed_wheel_;
   const InitialContact& deepest = std::min_element(begin, end,
                                                    [](const OverlapInterval& one, const OverlapInterval& other)
                                                    { return one.contact.separation < other.contact.separation; })
@@ -191,7 +182,7 @@ SurfaceArea OverlapGrids::areaOf(const PlacedWheel& wheel, std::size_t first, st
   RailRegion part = overlapOf(wheel, begin, end, lower), inner;
   const bool whole =
       reach == Reach::whole || !(findPressed(begin->u_begin, (end - 1)->u_end, inner) ||
-                                 (last - first == 1 && findContact(search_, wheel, *begin, lower, inner)));
+                                 (end - begin == 1 && findContact(search_, wheel, *begin, lower, inner)));
   if (!whole)
   {
     part = {std::max(part.x_least, inner.x_least), std::min(part.x_most, inner.x_most),
@@ -212,7 +203,7 @@ void OverlapGrids::follow(const std::vector<PatchPressure>& pressure)
   pressed_.clear();
   for (std::size_t k = 0; k < pressure.size(); ++k)
   {
-    pressed_.push_back(pressedPart(pressure[k], originOf(k), columns_[k]));
+    pressed_.push_back(loadedPart(pressure[k], originOf(k), columns_[k], 1.5));  // half of the outer cell, and one more
   }
 }
 
@@ -231,84 +222,23 @@ bool OverlapGrids::findPressed(double u_begin, double u_end, RailRegion& all) co
   return all.x_most > all.x_least;
 }
 
-/// True if the pressure of a patch reaches the outer cells of a grid, or lies beyond them.
-bool OverlapGrids::isCut(const GridLayout& layout, std::size_t patch, const PatchPressure& pressure) const
-{
-  const auto& [outer, origin] = layout;
-  const Eigen::ArrayXXd& p = pressure.pressure;
-  const double low = origin.rail_u + outer.y(0) + 0.5 * outer.dy;
-  const double high = origin.rail_u + outer.y(outer.ny - 1) - 0.5 * outer.dy;
-  for (Eigen::Index j = 0; j < p.cols(); ++j)
-  {
-    const double u = columns_[patch][static_cast<std::size_t>(j)].rail_u;
-    if ((u < low || u > high) && (p.col(j) > 0).any())
-    {
-      return true;
-    }
-  }
-  const double most = origin.x + outer.x(outer.rows() - 1) - 0.5 * outer.dx;
-  const double least = outer.symmetric ? -most : origin.x + outer.x(0) + 0.5 * outer.dx;
-  for (Eigen::Index i = 0; i < p.rows(); ++i)
-  {
-    const double x = originOf(patch).x + pressure.grid.x(static_cast<int>(i));
-    if ((x < least || x > most) && (p.row(i) > 0).any())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// True if covers_ contain the whole contact.
-bool OverlapGrids::isContained(const NormalProblem& problem, const NormalSolution& solution)
-{
-  bool whole = true;
-  for (std::size_t k = 0; k < covers_.size(); ++k)
-  {
-    if (!covers_[k].whole && isCut(covers_[k].layout, k, solution.patches[k]))
-    {
-      return false;
-    }
-    whole = whole && covers_[k].whole;
-  }
-  if (whole)
-  {
-    return true;
-  }
-  spans_.clear();
-  for (const auto& [layout, is_whole] : covers_)
-  {
-    spans_.emplace_back(layout.origin.rail_u + layout.grid.y(0),
-                        layout.origin.rail_u + layout.grid.y(layout.grid.ny - 1));
-  }
-  return !outside_.isPossible(intervals_, spans_, problem, solution);
-}
-
 bool OverlapGrids::isComplete(const NormalProblem& problem, const NormalSolution& solution)
 {
-  covers_.clear();
-  for (const GroupGrid& group : group_grids_)
-  {
-    if (group.has_patch)
-    {
-      covers_.push_back({group.used, placed_[covers_.size()].whole});
-    }
-  }
-  return isContained(problem, solution);
+  return outside_.isContained(placed_, intervals_, problem, solution);
 }
 
 bool OverlapGrids::wouldBeComplete(const GridSize& size, const NormalProblem& problem, const NormalSolution& solution)
 {
-  covers_.clear();
+  planned_.clear();
   for (const GroupGrid& group : group_grids_)
   {
     if (group.has_patch)
     {
-      const SurfaceArea area = areaOf(*placed_wheel_, group.first, group.end, 0, Reach::expected);
-      covers_.push_back({layGrid(area, size, placed_wheel_->pose().yaw == 0), area.whole});
+      const SurfaceArea area = areaOf(&intervals_[group.first], &intervals_[0] + group.end, 0, Reach::expected);
+      planned_.push_back({layGrid(area, size, placed_wheel_->pose().yaw == 0), area.half_length, area.whole});
     }
   }
-  return isContained(problem, solution);
+  return outside_.isContained(planned_, intervals_, problem, solution);
 }
 
 /// A grid of the last call that covers the area; null if there is none.
@@ -328,18 +258,19 @@ const OverlapGrids::GroupGrid* OverlapGrids::earlierGrid(const SurfaceArea& area
 }
 
 /// Adds the grid over the intervals `first` to `last` (exclusive), if there are columns that overlap.
-void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size,
-                           Choice choice, Reach reach, CurvedProblem& problem)
+void OverlapGrids::addGrid(std::size_t first, std::size_t last, const GridSize& size, Choice choice, Reach reach,
+                           CurvedProblem& problem)
 {
-  const SurfaceArea area = areaOf(wheel, first, last, 0, reach);
+  const OverlapInterval *const begin = &intervals_[first], *const end = begin + (last - first);
+  const SurfaceArea area = areaOf(begin, end, 0, reach);
   const GroupGrid* const before = choice != Choice::own ? earlierGrid(area, size) : nullptr;
-  const GridLayout planned = layGrid(area, size, wheel.pose().yaw == 0);
+  const GridLayout planned = layGrid(area, size, placed_wheel_->pose().yaw == 0);
   GroupGrid group = before != nullptr ? *before : GroupGrid{planned, planned, reach, area.whole};
   group.reach = reach;
   const std::size_t k = placed_.size();
   resize(std::max(k + 1, columns_.size()), problem);
   const auto fill = [&]
-  { return fillGrid(wheel, size, area, group.used, columns_[k], problem.patches[k], problem.normals[k]); };
+  { return fillGrid(size, area, group.used, columns_[k], problem.patches[k], problem.normals[k]); };
   bool found = fill();
   if (!found && before != nullptr)  // the cells of the kept grid are too large
   {
@@ -352,21 +283,21 @@ void OverlapGrids::addGrid(const PlacedWheel& wheel, std::size_t first, std::siz
   group_grids_.push_back(group);
   if (!found)
   {
-    misses_overlap_ = misses_overlap_ || std::any_of(&intervals_[first], &intervals_[first] + (last - first), isDeep);
+    misses_overlap_ = misses_overlap_ || std::any_of(begin, end, isDeep);
     return;
   }
-  placed_.push_back({group.used.origin, area.half_length, area.whole});
+  placed_.push_back({group.used, area.half_length, area.whole});
 }
 
 /// Fills columns and patch. If the area is the whole overlap, and the overlap is found to be larger, area and grid are
 /// widened. @return false if no cell overlaps
-bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout,
+bool OverlapGrids::fillGrid(const GridSize& size, SurfaceArea area, GridLayout& layout,
                             std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals)
 {
   for (double margin = tuning::overlap_margin; margin < 2; margin *= 2)
   {
     patch.grid = layout.grid;
-    if (!buildSurfaceGap(wheel, *rail_, layout.origin, layout.grid, patch.gap, slope_, columns))
+    if (!buildSurfaceGap(*placed_wheel_, *rail_, layout.origin, layout.grid, patch.gap, slope_, columns))
     {
       return false;
     }
@@ -387,7 +318,7 @@ bool OverlapGrids::fillGrid(const PlacedWheel& wheel, const GridSize& size, Surf
       return true;
     }
     grow(long_enough ? 0 : margin, wide_enough ? 0 : margin, area);
-    layout = layGrid(area, size, wheel.pose().yaw == 0);
+    layout = layGrid(area, size, placed_wheel_->pose().yaw == 0);
   }
   return false;
 }
@@ -398,44 +329,5 @@ void OverlapGrids::resize(std::size_t count, CurvedProblem& problem)
   columns_.resize(count);
   problem.patches.resize(count);
   problem.normals.resize(count);
-}
-
-/// Sets the displacement of the columns of each grid by the forces in the columns of the others: that of a point force
-/// on a half-space (Johnson 1985, eq. 3.22b), at the root mean square distance of two half-ellipses along the track,
-/// and projected onto the normal.
-void OverlapGrids::couple(CurvedProblem& problem)
-{
-  if (problem.patches.size() < 2)
-  {
-    return;
-  }
-  Eigen::Index count = 0;
-  for (const PatchGap& patch : problem.patches)
-  {
-    count += patch.grid.ny;
-  }
-  problem.coupling.setZero(count, count);
-  Eigen::Index row = 0;
-  for (std::size_t k = 0; k < problem.patches.size(); row += problem.patches[k++].grid.ny)
-  {
-    Eigen::Index column = row + problem.patches[k].grid.ny;
-    for (std::size_t l = k + 1; l < problem.patches.size(); column += problem.patches[l++].grid.ny)
-    {
-      const Grid &one = problem.patches[k].grid, &other = problem.patches[l].grid;
-      const double along = std::pow(originOf(k).x - originOf(l).x, 2) + pressureVariance(placed_[k].half_length) +
-                           pressureVariance(placed_[l].half_length);
-      for (Eigen::Index i = 0; i < one.ny; ++i)
-      {
-        const SurfaceColumn& here = columns_[k][static_cast<std::size_t>(i)];
-        for (Eigen::Index j = 0; j < other.ny; ++j)
-        {
-          const SurfaceColumn& there = columns_[l][static_cast<std::size_t>(j)];
-          problem.coupling(row + i, column + j) = problem.coupling(column + j, row + i) =
-              (here.cosine * there.cosine + here.sine * there.sine) *
-              displacementPerForce(problem.modulus, along, here.y - there.y, here.z - there.z);
-        }
-      }
-    }
-  }
 }
 }  // namespace wheel_rail_contact::core

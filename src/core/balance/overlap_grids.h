@@ -86,7 +86,7 @@ class OverlapGrids
   /// Columns of each patch of the problem.
   const std::vector<std::vector<SurfaceColumn>>& columns() const { return columns_; }
   /// Origin of the grid of a patch.
-  const SurfaceOrigin& originOf(std::size_t patch) const { return placed_[patch].origin; }
+  const SurfaceOrigin& originOf(std::size_t patch) const { return placed_[patch].layout.origin; }
   /// True if the grids contain the whole contact: no pressure reaches the edge of a grid that the overlap exceeds, and
   /// the surfaces outside of the grids, displaced by the forces in them, do not touch.
   bool isComplete(const NormalProblem& problem, const NormalSolution& solution);
@@ -106,27 +106,16 @@ class OverlapGrids
     std::size_t first = 0, end = 0;  ///< its intervals
   };
 
-  /// A grid that contains the pressure of a patch, or does not.
-  struct Cover
-  {
-    GridLayout layout;
-    bool whole = true;  ///< it covers the whole overlap
-  };
-
-  bool isContained(const NormalProblem& problem, const NormalSolution& solution);
-  bool isCut(const GridLayout& layout, std::size_t patch, const PatchPressure& pressure) const;
-  bool fitIntervals(double lower);
   bool findPressed(double u_begin, double u_end, RailRegion& all) const;
-  SurfaceArea areaOf(const PlacedWheel& wheel, std::size_t first, std::size_t last, double lower, Reach reach) const;
-  std::size_t endOfGroup(std::size_t first) const;
+  SurfaceArea areaOf(const OverlapInterval* begin, const OverlapInterval* end, double lower, Reach reach) const;
+  std::size_t endOfGroup(const std::vector<OverlapInterval>& intervals, std::size_t first) const;
   const GroupGrid* earlierGrid(const SurfaceArea& area, const GridSize& size) const;
   void join(bool keep);
-  void addGrid(const PlacedWheel& wheel, std::size_t first, std::size_t last, const GridSize& size, Choice choice,
-               Reach reach, CurvedProblem& problem);
-  bool fillGrid(const PlacedWheel& wheel, const GridSize& size, SurfaceArea area, GridLayout& layout,
-                std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
+  void addGrid(std::size_t first, std::size_t last, const GridSize& size, Choice choice, Reach reach,
+               CurvedProblem& problem);
+  bool fillGrid(const GridSize& size, SurfaceArea area, GridLayout& layout, std::vector<SurfaceColumn>& columns,
+                PatchGap& patch, ColumnNormals& normals);
   void resize(std::size_t count, CurvedProblem& problem);
-  void couple(CurvedProblem& problem);
 
   const ContactModelConfig& config_;
   Side side_;
@@ -136,11 +125,9 @@ class OverlapGrids
   std::vector<OverlapInterval> intervals_, lower_intervals_;
   std::vector<std::vector<SurfaceColumn>> columns_;
   std::vector<GroupGrid> group_grids_, earlier_grids_;  ///< of each group of intervals, in this and in the last call
-  std::vector<PlacedGrid> placed_;                      ///< of each patch
+  std::vector<PlacedGrid> placed_, planned_;            ///< of each patch; see wouldBeComplete()
   std::vector<RailRegion> pressed_;                     ///< see follow()
   std::vector<std::pair<double, double>> joined_;       ///< see join()
-  std::vector<std::pair<double, double>> spans_;        ///< first and last column of each of covers_
-  std::vector<Cover> covers_;                           ///< of each patch, see isContained()
   OutsideContact outside_;
   std::optional<PlacedWheel> placed_wheel_;
   bool misses_overlap_ = false;

@@ -48,7 +48,7 @@ void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double
   extent.most = std::max(extent.most, middle + half);
 }
 
-/// First and last index of the lines of a pressure that are not empty; the whole range if all are.
+/// First and last index of the lines of a pressure that are not empty.
 template <typename Lines>
 std::pair<Eigen::Index, Eigen::Index> loadedLines(Eigen::Index count, const Lines& is_loaded)
 {
@@ -96,17 +96,20 @@ bool findContact(const RailSearch& search, const PlacedWheel& wheel, const Overl
   return true;
 }
 
-RailRegion pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
-                       const std::vector<SurfaceColumn>& columns)
+RailRegion loadedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
+                      const std::vector<SurfaceColumn>& columns, double margin)
 {
   const Grid& grid = patch.grid;
   const Eigen::ArrayXXd& p = patch.pressure;
+  if (!(p > 0).any())
+  {
+    return {infinity, -infinity, infinity, -infinity};
+  }
   const auto [first, last] = loadedLines(p.cols(), [&p](Eigen::Index j) { return (p.col(j) > 0).any(); });
   const auto [low, high] = loadedLines(p.rows(), [&p](Eigen::Index i) { return (p.row(i) > 0).any(); });
-  // Half of the outer cell, and one more.
-  const double x_most = grid.x(static_cast<int>(high)) + 1.5 * grid.dx;
-  const double x_least = grid.symmetric ? -x_most : grid.x(static_cast<int>(low)) - 1.5 * grid.dx;
-  return {origin.x + x_least, origin.x + x_most, columns[static_cast<std::size_t>(first)].rail_u - 1.5 * grid.dy,
-          columns[static_cast<std::size_t>(last)].rail_u + 1.5 * grid.dy};
+  const double x_most = grid.x(static_cast<int>(high)) + margin * grid.dx;
+  const double x_least = grid.symmetric ? -x_most : grid.x(static_cast<int>(low)) - margin * grid.dx;
+  return {origin.x + x_least, origin.x + x_most, columns[static_cast<std::size_t>(first)].rail_u - margin * grid.dy,
+          columns[static_cast<std::size_t>(last)].rail_u + margin * grid.dy};
 }
 }  // namespace wheel_rail_contact::core

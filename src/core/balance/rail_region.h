@@ -24,9 +24,10 @@ RailRegion overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, con
 bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
                  RailRegion& part);
 
-/// Region of the rail that contains the loaded cells of a grid and one cell more on each side.
+/// Region of the rail that contains the middles of the loaded cells of a grid and `margin` cells more on each side.
+/// Without load, it is empty: its ends are infinite, in reverse order.
 /// @param origin   of the grid
 /// @param columns  of the grid
-RailRegion pressedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
-                       const std::vector<SurfaceColumn>& columns);
+RailRegion loadedPart(const PatchPressure& patch, const SurfaceOrigin& origin,
+                      const std::vector<SurfaceColumn>& columns, double margin);
 }  // namespace wheel_rail_contact::core
