@@ -24,3 +24,8 @@ class Example(unittest.TestCase):
                              check=False)
         self.assertEqual(run.returncode, 2)
         self.assertIn("unrecognized arguments: --output", run.stderr)
+
+    def test_a_file_in_place_of_the_folder_is_reported(self):
+        run = subprocess.run([sys.executable, EXAMPLE, "--out", EXAMPLE], stderr=subprocess.PIPE, universal_newlines=True,
+                             check=False)
+        self.assertEqual((run.returncode, run.stderr), (1, f"python_example: --out {EXAMPLE}: is not a folder\n"))
