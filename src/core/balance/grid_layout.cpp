@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/balance/tuning.h"
-#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/operator/operator_cache.h"
 
 namespace wheel_rail_contact::core
@@ -13,25 +12,6 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double smallest_cell = 1e-9;  ///< [m]
-
-/// Slope of the gap across the track at the middle of a column: on the normal of a rail that turns by k per unit of its
-/// arc, a body at the height g moves past by 1 - k g.
-double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j)
-{
-  const auto at = [&](Eigen::Index i) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(i)]; };
-  const double turn = at(j + 1).turnFrom(at(j - 1)) / (2 * patch.grid.dy);
-  const Eigen::Index middle = patch.grid.symmetric ? 0 : patch.gap.rows() / 2;
-  return at(j).wheel_slope * (1 - turn * patch.gap(middle, j));
-}
-
-/// Mean second difference of the gap, from the cells before and after, weighted with the overlap [m].
-template <typename Cells>
-double meanBend(const Cells& before, const Cells& here, const Cells& after)
-{
-  const auto has_bodies = before.max(after) < no_body_gap;
-  const double overlaps = has_bodies.select((-here).max(0), 0).sum();
-  return overlaps > 0 ? has_bodies.select((-here).max(0) * (before + after - 2 * here), 0).sum() / overlaps : 0;
-}
 }  // namespace
 
 bool GridLayout::equals(const GridLayout& other) const
@@ -110,20 +90,5 @@ void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, Colu
   {
     normals.turn[j] = at(j).angle() - at(deepest).angle();
   }
-}
-
-void raiseByCells(PatchGap& patch)
-{
-  const Eigen::ArrayXXd& gap = patch.gap;
-  const Eigen::Index rows = gap.rows() - 2, columns = gap.cols() - 2;
-  const double along = rows > 0 ? meanBend(gap.topRows(rows), gap.middleRows(1, rows), gap.bottomRows(rows)) : 0;
-  const double across =
-      columns > 0 ? meanBend(gap.leftCols(columns), gap.middleCols(1, columns), gap.rightCols(columns)) : 0;
-  patch.gap += (along + across) / 48;
-}
-
-void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
-{
-  fillUnseenSlope(patch, [&](Eigen::Index j) { return gapSlope(columns, patch, j); });
 }
 }  // namespace wheel_rail_contact::core

@@ -47,12 +47,4 @@ void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
 /// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
 /// hardly turn.
 void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
-
-/// Raises a gap by (g_xx dx² + g_yy dy²) / 48: half of what its mean over a cell exceeds its value at the centre.
-/// Pressures that are constant in each cell and close the gap at the centres need an approach that is too small by so
-/// much; doc/theory.md, "Bias of the approach", derives it.
-void raiseByCells(PatchGap& patch);
-
-/// Sets PatchGap::unseen_slope.
-void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
 }  // namespace wheel_rail_contact::core

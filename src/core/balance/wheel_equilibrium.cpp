@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/balance/rail_support.h"
 #include "core/balance/tuning.h"
+#include "core/balance/wheel_loads.h"
 #include "core/constants.h"
 
 namespace wheel_rail_contact::core
@@ -127,7 +127,7 @@ void WheelEquilibrium::approximateRates()
 {
   const double load = contact_.solved().forces()[wheel_up];
   response_.rates.row(height_rate) << contact_.solved().heightPer(wheel_roll),
-      -contact_.solved().heightPer(rail_lateral), -overlap_per_load * contact_.overlap() / load;
+      -contact_.solved().heightPer(rail_lateral), -WheelLoads::overlap_per_load * contact_.overlap() / load;
   response_.rates.row(moment_rate) << 0, 0, moment() / load;
 }
 

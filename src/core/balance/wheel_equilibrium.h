@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
+#include "core/track/rail_support.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core
@@ -75,8 +75,6 @@ class WheelEquilibrium
   double rate(Output output, Input input) const;
   /// Change of the height by a roll of the rail about its reference point, outward positive [m/rad].
   double heightPerRailRoll() const { return loaded_ ? contact_.solved().heightPer(rail_roll) : 0; }
-  /// Relative change of the overlap per one of the load, of paraboloids (Hertz 1882) [-].
-  static constexpr double overlap_per_load = 2.0 / 3;
   /// Largest opening of the gap by a roll [rad] and by the deflection under a change of the load [N], over the overlap
   /// [-]: see WheelContact::opening().
   double opening(double roll, double load) const;

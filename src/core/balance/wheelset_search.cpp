@@ -18,11 +18,10 @@ using Output = WheelEquilibrium::Output;
 
 constexpr double finest_bracket = 1e-9;     ///< width at which a bracket without a zero ends the search [rad]
 constexpr double roll_limit = 0.2;          ///< [rad]
-constexpr double least_load = 0.1;          ///< smaller wheel loads are taken as zero: no overlap resolves them [N]
 constexpr double unloaded_accuracy = 1e-7;  ///< of the height of a wheel without load [m]
 /// Changes of loads below this part of the whole load count as of it: the residual of the solutions causes as much [-].
 constexpr double least_share =
-    tuning::residual_per_tolerance / tuning::opening_per_tolerance * WheelEquilibrium::overlap_per_load;
+    tuning::residual_per_tolerance / tuning::opening_per_tolerance * WheelLoads::overlap_per_load;
 constexpr double linear_turn = 0.1;  ///< largest roll to which an opening is linear, over the largest step [-]
 constexpr int most_retreats = 10;    ///< halvings of a step that leads off a rail or to no solution
 constexpr int most_returns = 10;     ///< of a lifted wheel to its rail
@@ -51,6 +50,7 @@ void WheelsetSearch::begin(const WheelsetState& state)
   const WheelsetState before = state_;
   const double tilt = tiltOf(state.rail_displacement, config_.wheelset.halfBase());
   state_ = state;
+  loads_ = WheelLoads(config_.wheelset, state);
   for (const Side side : sides)
   {
     wheels_[side].setRail(state.rail_lateral_force[side], state.rail_displacement[side]);
@@ -73,27 +73,7 @@ void WheelsetSearch::begin(const WheelsetState& state)
   z_ = config_.wheelset.meanRadius();
   place_.heights = z_;
   place_.roll = start_roll_ + tilt;
-  place_.loads = loadsFor(state.torque_x / (2 * config_.wheelset.halfBase()));
-}
-
-/// True if the moments determine the loads.
-bool WheelsetSearch::balances() const
-{
-  return config_.wheelset.balance == WheelsetConfig::Balance::moments && -state_.force_z > least_load;
-}
-
-/// Loads of both wheels: half of the sum, of which `transfer` [N] moves from the left to the right wheel.
-Sides<double> WheelsetSearch::loadsFor(double transfer) const
-{
-  const double half_load = -0.5 * state_.force_z;
-  const double most =
-      config_.wheelset.balance == WheelsetConfig::Balance::moments ? std::max(half_load, 0.0) : infinity;
-  return Sides<double>(
-      [&](Side side)
-      {
-        const double load = half_load - sideSign(side) * std::clamp(transfer, -most, most);
-        return load > least_load ? load : 0;
-      });
+  place_.loads = loads_.given();
 }
 
 /// Follows the movements of wheelset and rails and the change of the loads since the state `before`.
@@ -101,8 +81,7 @@ void WheelsetSearch::follow(const WheelsetState& before)
 {
   const double half_base = config_.wheelset.halfBase();
   Step step;
-  step.loads =
-      loadsFor(balances() ? 0.5 * (place_.loads.right - place_.loads.left) : state_.torque_x / (2 * half_base));
+  step.loads = loads_.balances() ? loads_.with(0.5 * (place_.loads.right - place_.loads.left)) : loads_.given();
   step.roll = tiltOf(state_.rail_displacement, half_base) - tiltOf(before.rail_displacement, half_base);
   for (const Side side : sides)
   {
@@ -130,13 +109,13 @@ WheelsetSearch::Step WheelsetSearch::newton() const
   Step step;
   step.difference = heightDifference();
   step.slope = per_roll;
-  if (isCoupled())
+  if (loads_.areCoupled(place_.loads))
   {
     // The loads that close the heights change the moment. Written as a height, at the usual lever arms.
     const double base = 2 * config_.wheelset.halfBase();
     const double height = -sumOfRates(Output::height_rate, Input::by_load) / base;
     const double lever = sumOfRates(Output::moment_rate, Input::by_load) / base;
-    step.difference = lever * heightDifference() + height * openMoment();
+    step.difference = lever * heightDifference() + height * loads_.openMoment(place_.moments);
     step.slope = lever * per_roll + height * sumOfRates(Output::moment_rate, Input::by_roll);
   }
   step.slope = std::min(step.slope, tuning::flattest_slope);
@@ -145,35 +124,15 @@ WheelsetSearch::Step WheelsetSearch::newton() const
   return step;
 }
 
-/// True if the loads change to balance the moments.
-bool WheelsetSearch::isCoupled() const
-{
-  return balances() && place_.loads.left > 0 && place_.loads.right > 0;
-}
-
-/// True if the moments lift a wheel.
-bool WheelsetSearch::isLifted() const
-{
-  return balances() && !isCoupled();
-}
-
-/// Loads that close the heights after a roll [rad], if the moments determine them. The overlap of the lighter wheel
-/// grows with load^(2/3).
+/// Loads that close the heights after a roll [rad], if the moments determine them.
 Sides<double> WheelsetSearch::loadsAfter(double roll) const
 {
-  if (!isCoupled())
+  if (!loads_.areCoupled(place_.loads))
   {
     return place_.loads;
   }
   const double difference = heightDifference() + sumOfRates(Output::height_rate, Input::by_roll) * roll;
-  const double transfer = difference / sumOfRates(Output::height_rate, Input::by_load);
-  const Side lighter = place_.loads.left < place_.loads.right ? Side::left : Side::right;
-  const double overlap = 1 - sideSign(lighter) * WheelEquilibrium::overlap_per_load * transfer / place_.loads[lighter];
-  const double load =
-      overlap > 0
-          ? std::min(place_.loads[lighter] * std::pow(overlap, 1 / WheelEquilibrium::overlap_per_load), -state_.force_z)
-          : 0;
-  return loadsFor(sideSign(lighter) * (-0.5 * state_.force_z - load));
+  return loads_.changed(place_.loads, difference / sumOfRates(Output::height_rate, Input::by_load));
 }
 
 /// Changes roll and loads, and heights and deflections as they follow.
@@ -186,9 +145,9 @@ void WheelsetSearch::move(const Step& step)
     place_.heights[side] += wheel.rate(Output::height_rate, Input::by_roll) * roll;
     if (load > 0 && wheel.loaded())
     {
-      const double overlap = std::pow(step.loads[side] / load, WheelEquilibrium::overlap_per_load) - 1;
+      const double overlap = std::pow(step.loads[side] / load, WheelLoads::overlap_per_load) - 1;
       place_.heights[side] +=
-          wheel.rate(Output::height_rate, Input::by_load) * load * overlap / WheelEquilibrium::overlap_per_load;
+          wheel.rate(Output::height_rate, Input::by_load) * load * overlap / WheelLoads::overlap_per_load;
     }
     place_.moments[side] += wheel.rate(Output::moment_rate, Input::by_roll) * roll +
                             wheel.rate(Output::moment_rate, Input::by_load) * (step.loads[side] - load);
@@ -211,7 +170,7 @@ double WheelsetSearch::openingAt(Side side, double roll, double load) const
   const Solved& solved = *solved_[side];
   const double turn = sideSign(side) * (roll - solved.roll), change = load - solved.load;
   return (std::abs(turn) > linear_turn * greatest_turn_ ? infinity : wheel.opening(turn, change)) +
-         WheelEquilibrium::overlap_per_load * std::abs(change) / std::max(solved.load, -least_share * state_.force_z);
+         WheelLoads::overlap_per_load * std::abs(change) / std::max(solved.load, least_share * loads_.sum());
 }
 
 /// Solves the wheels at the roll under the loads, as far as they are not.
@@ -248,20 +207,15 @@ double WheelsetSearch::heightDifference() const
   return place_.heights.left - place_.heights.right;
 }
 
-/// Open moment about the axle centre [N m].
-double WheelsetSearch::openMoment() const
-{
-  return state_.torque_x + (place_.moments.left - place_.moments.right);
-}
-
 /// True if a step hardly changes the contacts, and no wheel lifts in it. Takes it then.
 bool WheelsetSearch::closes(const Step& step, double share)
 {
-  lifts_ = isLifted();
-  const double smaller = std::max(std::min(place_.loads.left, place_.loads.right), -least_share * state_.force_z);
-  const double acceptable = tuning::jump_share * accuracy_ * smaller / WheelEquilibrium::overlap_per_load;
+  lifts_ = loads_.areLifted(place_.loads);
+  const double smaller = std::max(std::min(place_.loads.left, place_.loads.right), least_share * loads_.sum());
+  const double acceptable = tuning::jump_share * accuracy_ * smaller / WheelLoads::overlap_per_load;
   bool closed = std::abs(step.difference / step.slope) <= greatest_turn_ &&
-                (!isCoupled() || std::abs(openMoment()) <= 2 * config_.wheelset.halfBase() * acceptable);
+                (!loads_.areCoupled(place_.loads) ||
+                 std::abs(loads_.openMoment(place_.moments)) <= 2 * config_.wheelset.halfBase() * acceptable);
   for (const Side side : sides)
   {
     open_[side] = openingAt(side, place_.roll + step.roll, step.loads[side]);
@@ -293,19 +247,12 @@ double WheelsetSearch::uncertainty() const
   {
     sum += wheels_[side].loaded() ? tuning::noise * wheels_[side].contact().overlap() : unloaded_accuracy;
   }
-  if (isCoupled())
+  if (loads_.areCoupled(place_.loads))
   {
     const double transfer = heightDifference() / sumOfRates(Output::height_rate, Input::by_load);
     sum += std::abs(heightDifference() * transfer) / std::min(place_.loads.left, place_.loads.right);
   }
   return sum;
-}
-
-/// True if a wheel carries no load, and the moments return it to its rail.
-bool WheelsetSearch::returnsWheel() const
-{
-  const double lifted = place_.loads.left > 0 ? -1 : 1;  // sign of the transfer
-  return isLifted() && lifted * openMoment() < -least_load * config_.wheelset.halfBase();
 }
 
 /// Goes half of the way back to an earlier place. Both wheels are solved again: their heights are those of that place.
@@ -323,9 +270,9 @@ void WheelsetSearch::retreat(const Place& earlier)
 /// Loads a wheel that returns to its rail as the open moment requires, if it is near its rail.
 bool WheelsetSearch::takesLoad()
 {
-  const double load = std::abs(openMoment()) / (2 * config_.wheelset.halfBase());
   Step step = newton();
-  step.loads = loadsFor((place_.loads.left > 0 ? -1 : 1) * (-0.5 * state_.force_z - load));
+  step.loads = loads_.with(WheelLoads::lifted(place_.loads),
+                           std::abs(loads_.openMoment(place_.moments)) / (2 * config_.wheelset.halfBase()));
   if (std::abs(heightDifference()) > WheelContact::typicalOverlap(std::min(step.loads.left, step.loads.right)))
   {
     return false;
@@ -360,7 +307,7 @@ WheelStatus WheelsetSearch::solve(Start start)
   int retreats = 0, returns = 0;
   for (int i = 0; i < tuning::most_passes; ++i)
   {
-    const bool coupled = isCoupled(), is_early = i < tuning::early_solutions;
+    const bool coupled = loads_.areCoupled(place_.loads), is_early = i < tuning::early_solutions;
     bool any_solved = false;
     if (const WheelStatus status = solveWheels({!is_early, is_early && start != Start::other_state}, any_solved);
         !isUsable(status))
@@ -373,7 +320,7 @@ WheelStatus WheelsetSearch::solve(Start start)
       continue;
     }
     last = place_;
-    const bool returning = returns < most_returns && returnsWheel();
+    const bool returning = returns < most_returns && loads_.returnWheel(place_.loads, place_.moments);
     if (returning && takesLoad())
     {
       bracket = {};
@@ -400,7 +347,7 @@ WheelStatus WheelsetSearch::solve(Start start)
     step.roll = bracket.next(place_.roll, step.roll) - place_.roll;
     step.loads = loadsAfter(step.roll);
     move(step);
-    if (isCoupled() != coupled)
+    if (loads_.areCoupled(place_.loads) != coupled)
     {
       bracket = {};
     }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/balance/wheel_equilibrium.h"
+#include "core/balance/wheel_loads.h"
 #include "core/track/rail_along.h"
 #include "core/track/root_bracket.h"
 #include "wheel_rail_contact/core/config.h"
@@ -92,21 +93,15 @@ class WheelsetSearch
     double load = 0;  ///< [N]
   };
 
-  bool balances() const;
   double heightDifference() const;
-  bool returnsWheel() const;
   bool takesLoad();
   bool ends(Step& step, Start start, bool returning);
-  bool isCoupled() const;
-  bool isLifted() const;
-  Sides<double> loadsFor(double transfer) const;
   Sides<double> loadsAfter(double roll) const;
   void follow(const WheelsetState& before);
   double sumOfRates(WheelEquilibrium::Output output, WheelEquilibrium::Input input) const;
   void move(const Step& step);
   double openingAt(Side side, double roll, double load) const;
   WheelStatus solveWheels(const KeptResult& kept, bool& any);
-  double openMoment() const;
   bool closes(const Step& step, double share);
   bool isNarrow(double range) const;
   double uncertainty() const;
@@ -118,6 +113,7 @@ class WheelsetSearch
   double greatest_turn_;  ///< of the roll in one step [rad]
   Sides<WheelEquilibrium> wheels_;
   WheelsetState state_;
+  WheelLoads loads_;
   bool warm_ = false;
   double start_roll_ = 0;
   double z_ = 0;

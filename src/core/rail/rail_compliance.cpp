@@ -8,7 +8,6 @@
 #include <string>
 
 #include "core/option_check.h"
-#include "core/rail/head_coordinates.h"
 #include "core/rail/neighbours.h"
 
 namespace wheel_rail_contact::core
@@ -121,24 +120,5 @@ RailDeflection neighbourDeflection(const std::vector<NeighbourForce>& neighbours
     sum += deflectionInTrack(neighbour.influence, neighbour.force, inclination);
   }
   return sum;
-}
-
-Eigen::Vector3d toCoordinates(const RailDeflection& deflection)
-{
-  return {deflection.lateral, deflection.vertical, deflection.roll};
-}
-
-RailDeflection toDeflection(const Eigen::Vector3d& coordinates)
-{
-  return {coordinates[0], coordinates[1], coordinates[2]};
-}
-
-Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclination)
-{
-  Eigen::Matrix3d compliance;
-  compliance.col(0) = toCoordinates(deflectionInTrack(table, {1, 0, 0}, inclination));
-  compliance.col(1) = toCoordinates(deflectionInTrack(table, {0, -1, 0}, inclination));
-  compliance.col(2) = toCoordinates(deflectionInTrack(table, {0, 0, 1}, inclination));
-  return compliance;
 }
 }  // namespace wheel_rail_contact::core

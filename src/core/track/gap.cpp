@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/constants.h"
+#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/measures/pressure_measures.h"
 #include "core/track/column_heights.h"
 
@@ -233,6 +234,25 @@ void setMeanSlopes(const Grid& grid, const Eigen::ArrayXXd& gap, const Eigen::Ar
     column.mean_slope = sum > 0 ? (pressure * slope.col(j)).sum() / sum : slope(row, j);
   }
 }
+
+/// Slope of the gap across the track at the middle of a column: on the normal of a rail that turns by k per unit of its
+/// arc, a body at the height g moves past by 1 - k g.
+double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j)
+{
+  const auto at = [&](Eigen::Index i) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(i)]; };
+  const double turn = at(j + 1).turnFrom(at(j - 1)) / (2 * patch.grid.dy);
+  const Eigen::Index middle = patch.grid.symmetric ? 0 : patch.gap.rows() / 2;
+  return at(j).wheel_slope * (1 - turn * patch.gap(middle, j));
+}
+
+/// Mean second difference of the gap, from the cells before and after, weighted with the overlap [m].
+template <typename Cells>
+double meanBend(const Cells& before, const Cells& here, const Cells& after)
+{
+  const auto has_bodies = before.max(after) < no_body_gap;
+  const double overlaps = has_bodies.select((-here).max(0), 0).sum();
+  return overlaps > 0 ? has_bodies.select((-here).max(0) * (before + after - 2 * here), 0).sum() / overlaps : 0;
+}
 }  // namespace
 
 double arcLength(const Profile& profile, double from, double to)
@@ -288,5 +308,20 @@ double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index fi
     wheel_most = std::max(wheel_most, wheel);
   }
   return 0.5 * std::max(std::atan(rail_most) - std::atan(rail_least), std::atan(wheel_most) - std::atan(wheel_least));
+}
+
+void raiseByCells(PatchGap& patch)
+{
+  const Eigen::ArrayXXd& gap = patch.gap;
+  const Eigen::Index rows = gap.rows() - 2, columns = gap.cols() - 2;
+  const double along = rows > 0 ? meanBend(gap.topRows(rows), gap.middleRows(1, rows), gap.bottomRows(rows)) : 0;
+  const double across =
+      columns > 0 ? meanBend(gap.leftCols(columns), gap.middleCols(1, columns), gap.rightCols(columns)) : 0;
+  patch.gap += (along + across) / 48;
+}
+
+void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
+{
+  fillUnseenSlope(patch, [&](Eigen::Index j) { return gapSlope(columns, patch, j); });
 }
 }  // namespace wheel_rail_contact::core

@@ -55,6 +55,14 @@ double contactShare(double overlap_length, double overlap_width);
 /// Largest turn of the normal of wheel or rail over the columns `first` to `last`, halved [rad].
 double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index first, Eigen::Index last);
 
+/// Raises a gap by (g_xx dx² + g_yy dy²) / 48: half of what its mean over a cell exceeds its value at the centre.
+/// Pressures that are constant in each cell and close the gap at the centres need an approach that is too small by so
+/// much; doc/theory.md, "Bias of the approach", derives it.
+void raiseByCells(PatchGap& patch);
+
+/// Sets PatchGap::unseen_slope.
+void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
+
 /// Length of a profile between two parameters [m], negative if `to` is less than `from`.
 double arcLength(const Profile& profile, double from, double to);
 

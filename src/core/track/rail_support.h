@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 
-#include "core/rail/head_coordinates.h"
 #include "core/track/rail_along.h"
 #include "wheel_rail_contact/core/config.h"
 
@@ -13,8 +12,18 @@ namespace wheel_rail_contact::core
 /// profile changes. Side axes.
 PlacedRail restingRail(const ContactModelConfig& config, Side side, double x = 0);
 
+/// Coordinates of the deflection of a rail head, side axes. They are lateral outward [m],
+/// vertical up [m] and outward roll about the reference point of the head [rad]. The forces along them are the outward
+/// force on the rail [N], the upward force on the rail [N] and the moment on the head about that point [N m].
+Eigen::Vector3d toCoordinates(const RailDeflection& deflection);
+/// Deflection with these coordinates.
+RailDeflection toDeflection(const Eigen::Vector3d& coordinates);
+
+/// Compliance along the coordinates, from the table of the upright rail, for a rail inclined by `inclination` [rad].
+Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclination);
+
 /// A rail on its supports: its place in the track, a given displacement, and the deflection by forces. Side axes; the
-/// forces and displacements are along the coordinates of the head (toCoordinates()).
+/// forces and displacements are along the coordinates above.
 class SupportedRail
 {
  public:
