@@ -48,7 +48,7 @@ core::ProfileKind kindOf(const std::string& name)
   throw std::invalid_argument("kind = '" + name + "': must be 'wheel', 'rail' or 'rail_section'");
 }
 
-ReadProfile readProfile(const std::string& name, const std::string& kind, const std::string& options)
+ReadProfile readNamedProfile(const std::string& name, const std::string& kind, const std::string& options)
 {
   const core::ProfileReading reading = readProfileOptions(parameterTree(YAML::Load(options)));
   core::DescribedProfile described = openProfile(name, kindOf(kind), reading, fileSearch());
@@ -114,7 +114,7 @@ void bindProfile(py::module& module)
           { return along(read, u, [](const core::CurvePoint& point) { return point.curvature(); }); },
           py::arg("u"), "curvature at the parameter u [m], positive where the curve bends up for growing y [1/m]")
       .def("__repr__", [](const ReadProfile& read) { return "<Profile " + read.profile->name() + ">"; });
-  module.def("read_profile", &readProfile);
+  module.def("read_profile", &readNamedProfile);
 }
 
 void bindTable(py::module& module)

@@ -19,9 +19,7 @@ namespace wheel_rail_contact
 namespace
 {
 using core::PatchGrid;
-using core::PatchStress;
 using core::Stress;
-using core::StressPeak;
 
 constexpr Eigen::Index components = std::tuple_size<decltype(core::StressLayer::components)>::value;
 
@@ -85,7 +83,7 @@ StressTable strainsOf(const StressTable& table, double young, double poisson)
   return strains;
 }
 
-Eigen::ArrayXd depthsOf(const PatchStress& stress)
+Eigen::ArrayXd depthsOf(const core::PatchStress& stress)
 {
   Eigen::ArrayXd depths(static_cast<Eigen::Index>(stress.field.size()));
   for (std::size_t k = 0; k < stress.field.size(); ++k)
@@ -115,30 +113,30 @@ py::array_t<double> arrayOf(const std::vector<core::StressLayer>& layers)
 
 void bindClasses(py::module& module)
 {
-  py::class_<StressPeak> highest(module, "StressPeak", "A highest stress and its place.");
+  py::class_<core::StressPeak> highest(module, "StressPeak", "A highest stress and its place.");
   visitPeak(propertiesOf(highest));
   highest.def("__repr__",
-              [](const StressPeak& peak)
+              [](const core::StressPeak& peak)
               {
                 return formatted("<StressPeak: %.0f MPa at x %.3f mm, y %.3f mm, depth %.3f mm>", peak.value / 1e6,
                                  peak.x * 1e3, peak.y * 1e3, peak.depth * 1e3);
               });
-  py::class_<PatchStress> beneath(
+  py::class_<core::PatchStress> beneath(
       module, "PatchStress",
       "Stress in a body beneath a patch, by the pressure on its grid, on a half-space. All numbers are 0 unless "
       "stress/depths is above 0.");
   visitStress(propertiesOf(beneath));
-  beneath.def_readonly("von_mises", &PatchStress::von_mises, "StressPeak: highest von Mises stress")
-      .def_readonly("shear", &PatchStress::shear,
+  beneath.def_readonly("von_mises", &core::PatchStress::von_mises, "StressPeak: highest von Mises stress")
+      .def_readonly("shear", &core::PatchStress::shear,
                     "StressPeak: highest shear stress, half the difference of the largest and the smallest principal "
                     "stress")
       .def_property_readonly("depths", &depthsOf, "(n,) depths of the field [m]; empty without stress/field")
       .def_property_readonly(
-          "field", [](const PatchStress& stress) { return arrayOf(stress.field); },
+          "field", [](const core::PatchStress& stress) { return arrayOf(stress.field); },
           "(n, 6, nx, ny) stress below the cells of the pressure [Pa], tension positive; "
           "components xx, yy, zz, yz, xz, xy in body axes: x, y of the grid, z into the body")
       .def("__repr__",
-           [](const PatchStress& stress)
+           [](const core::PatchStress& stress)
            {
              return formatted("<PatchStress: von Mises %.0f MPa at depth %.3f mm, load factor %.2f, limit %.2f>",
                               stress.von_mises.value / 1e6, stress.von_mises.depth * 1e3, stress.load_factor,

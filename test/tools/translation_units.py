@@ -16,9 +16,10 @@ VERSION = 14
 SKIPPED = 77
 # Flags that the checks need. Each target has those of folders, libraries and definitions that it uses.
 RELEVANT = re.compile(r"-(isystem|I|std=|D(?!.*_EXPORTS)|W(?!invalid-pch))")
-ERROR = re.compile(r"^([^:\n]+):\d+:\d+: (?:fatal )?error: (?:redefinition of '(\w+)')?", re.MULTILINE)
+ERROR = re.compile(r"^([^:\n]+):\d+:\d+: (?:fatal )?error: ", re.MULTILINE)
 
-MAIN = re.compile(r"^int main\(", re.MULTILINE)
+MAIN = re.compile(r"^int (main)\(", re.MULTILINE)
+CONSTANT = re.compile(r"^constexpr [^=;{(]*?(\w+) =", re.MULTILINE)
 INCLUDE = re.compile(r"^#include .*\n", re.MULTILINE)
 
 
@@ -55,14 +56,24 @@ def sources(folder, build_dir):
     return tuple(flags), sorted(files)
 
 
-def write(flags, files, renamed, folder):
+def numbered(files):
+    """Names to be changed in each file: `main` and constants that an earlier file has as well get a number at their end."""
+    uses, renamed = collections.Counter(), {}
+    for file in files:
+        text = file.read_text()
+        names = sorted({*CONSTANT.findall(text), *MAIN.findall(text)})
+        uses.update(names)
+        renamed[file] = [(name, f"{name}{uses[name]}") for name in names if uses[name] > 1]
+    return renamed
+
+
+def write(flags, files, folder):
     """Writes a source to the folder that includes all files. Its name is unique for its content and the flags."""
     lines = []
-    if renamed:  # headers come first: the names in them stay as they are
+    if len(files) > 1:  # headers come first: the names in them stay as they are
         heads = [file.read_text().split("\nnamespace", 1)[0] for file in files]
         lines = sorted({line for head in heads for line in INCLUDE.findall(head)})
-    for file in files:
-        names = sorted(renamed.get(file, {}).items())
+    for file, names in numbered(files).items():
         lines += [f"#define {name} {new}\n" for name, new in names]
         lines.append(f'#include "{file}"\n')
         lines += [f"#undef {name}\n" for name, _ in names]
@@ -73,36 +84,17 @@ def write(flags, files, renamed, folder):
 
 
 def joined(clang, flags, files, folder):
-    """Yields (source, files): sources in the folder that each include as many of the files as compile together.
-
-    Several files may use one name, in unnamed namespaces or as `main`. It then gets a number at its end, as in main2 and main3.
-    If this does not help, the file is left to the next source.
-    """
-    fixed = set()  # files of which no other name can be changed
+    """Yields sources in the folder that each include as many of the files as compile together."""
     while files:
-        programs = [file for file in files if MAIN.search(file.read_text())][1:]
-        renamed = {file: {"main": f"main{number}"} for number, file in enumerate(programs, 2)}
-        uses = collections.Counter()
-        while True:
-            unit = write(flags, files, renamed, folder)
-            run = subprocess.run([clang, *flags, "-w", "-ferror-limit=0", "-fsyntax-only", unit], capture_output=True, text=True,
-                                 check=False)
-            failed = {pathlib.Path(path) for path, _ in ERROR.findall(run.stderr)}
-            twice = {(pathlib.Path(path), name) for path, name in ERROR.findall(run.stderr) if name}
-            new = sorted((file, name) for file, name in twice
-                         if file in files and file not in fixed and name not in renamed.get(file, {}))
-            if not new:
-                break
-            unit.unlink()
-            for file, name in new:
-                uses[name] += 1
-                renamed.setdefault(file, {})[name] = f"{name}{uses[name] + 1}"
+        unit = write(flags, files, folder)
+        run = subprocess.run([clang, *flags, "-w", "-ferror-limit=0", "-fsyntax-only", unit], capture_output=True, text=True,
+                             check=False)
+        failed = {pathlib.Path(path) for path in ERROR.findall(run.stderr)}
         kept = [file for file in files if file not in failed]
         if run.returncode and not 0 < len(kept) < len(files):
             kept = files[:1]  # has an error of its own, or is of no use to others
         if kept != files:
             unit.unlink()
-            unit = write(flags, kept, {file: names for file, names in renamed.items() if file in kept and len(kept) > 1}, folder)
-        yield unit, kept
+            unit = write(flags, kept, folder)
+        yield unit
         files = [file for file in files if file not in kept]
-        fixed.update(files)
