@@ -127,7 +127,7 @@ void OverlapGrids::join(bool keep)
 }
 
 /// End (exclusive) of the intervals from `first` on that are in one grid: each is closer to the next than the wider of
-/// them is wide, or both are in one of the joined parts.
+/// them is wide, or a little more if both are in one of the joined parts. Farther ones would make the cells too wide.
 std::size_t OverlapGrids::endOfGroup(const std::vector<OverlapInterval>& intervals, std::size_t first) const
 {
   const auto width = [&](std::size_t k) { return intervals[k].u_end - intervals[k].u_begin; };
@@ -138,9 +138,13 @@ std::size_t OverlapGrids::endOfGroup(const std::vector<OverlapInterval>& interva
     return std::any_of(joined_.begin(), joined_.end(),
                        [&](const auto& one) { return one.first < u_begin && one.second > u_end; });
   };
-  while (end < intervals.size() && (intervals[end].u_begin - intervals[end - 1].u_end < std::max(widest, width(end)) ||
-                                    are_joined(intervals[end - 1].u_end, intervals[end].u_begin)))
+  while (end < intervals.size())
   {
+    const double u_begin = intervals[end - 1].u_end, u_end = intervals[end].u_begin;
+    if (u_end - u_begin >= std::max(widest, width(end)) * (are_joined(u_begin, u_end) ? tuning::most_larger : 1))
+    {
+      break;
+    }
     widest = std::max(widest, width(end++));
   }
   return end;
@@ -249,7 +253,7 @@ const OverlapGrids::GroupGrid* OverlapGrids::earlierGrid(const SurfaceArea& area
     const double shift = arcLength(rail_->profile(), group.used.origin.rail_u, area.origin.rail_u);
     if (GridSize{group.used.grid.nx, group.used.grid.ny} == size &&
         group.used.grid.symmetric == (placed_wheel_->pose().yaw == 0) &&
-        covers(group.used, area, shift, (group.whole ? tuning::most_larger : 1) * tuning::most_larger))
+        covers(group.used, area, shift, tuning::most_larger))
     {
       return &group;
     }
@@ -265,7 +269,7 @@ void OverlapGrids::addGrid(std::size_t first, std::size_t last, const GridSize& 
   const SurfaceArea area = areaOf(begin, end, 0, reach);
   const GroupGrid* const before = choice != Choice::own ? earlierGrid(area, size) : nullptr;
   const GridLayout planned = layGrid(area, size, placed_wheel_->pose().yaw == 0);
-  GroupGrid group = before != nullptr ? *before : GroupGrid{planned, planned, reach, area.whole};
+  GroupGrid group = before != nullptr ? *before : GroupGrid{planned, planned, reach};
   group.reach = reach;
   const std::size_t k = placed_.size();
   resize(std::max(k + 1, columns_.size()), problem);
@@ -274,7 +278,7 @@ void OverlapGrids::addGrid(std::size_t first, std::size_t last, const GridSize& 
   bool found = fill();
   if (!found && before != nullptr)  // the cells of the kept grid are too large
   {
-    group = {planned, planned, reach, area.whole};
+    group = {planned, planned, reach};
     found = fill();
   }
   group.has_patch = found;

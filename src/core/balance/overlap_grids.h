@@ -101,7 +101,6 @@ class OverlapGrids
   {
     GridLayout planned, used;
     Reach reach = Reach::whole;
-    bool whole = true;               ///< it covers the whole overlap
     bool has_patch = true;           ///< there are columns that overlap
     std::size_t first = 0, end = 0;  ///< its intervals
   };

@@ -61,8 +61,8 @@ constexpr int most_refinements = 3;
 constexpr double contact_margin = 1.2;
 /// Part that is added to the overlap on each side of a grid over all of it [-]. Its length is approximate.
 constexpr double overlap_margin = 0.08;
-/// Largest length of a kept grid over that of the area [-]; its square if the grid covered the whole overlap.
-constexpr double most_larger = 4;
+/// Largest length of a kept grid over that of the area, and largest distance of intervals in it over their width [-].
+constexpr double most_larger = 1.5;
 /// Columns that a vertical displacement opens by less are left out: a wall [-].
 constexpr double smallest_opening = 0.05;
 /// Turn of the normals over a contact that is neglected [rad]. Its square halved is the error of a pressure's effect.

@@ -333,8 +333,9 @@ WheelStatus WheelEquilibrium::accept(const Trial& trial, const Eigen::Vector3d& 
 }
 
 /// Share of the last step to be tried next; 1 if its end is accepted: if the energy has fallen, or if it is the same
-/// within its noise and its slope is smaller. The share is where the tangents of the energy at both ends meet (at the
-/// kink, if another place comes into contact), or where the slope vanishes.
+/// within its noise and its slope is smaller. An energy that falls at both ends and is higher at the second one is
+/// wrong by the cells. The share is where the tangents of the energy at both ends meet (at the kink, if another place
+/// comes into contact), or where the slope vanishes.
 double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
 {
   const double rise = trial.merit - best.merit, noise = std::max(trial.noise, best.noise);
@@ -344,7 +345,8 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
   {
     return rise <= 0 ? 1 : 0.5;
   }
-  if (rise < -noise || (rise <= noise && std::abs(after) <= tuning::smaller_slope * std::abs(before)))
+  const bool is_known = rise > noise && !(before < 0 && after <= 0);
+  if (rise < -noise || (!is_known && std::abs(after) <= tuning::smaller_slope * std::abs(before)))
   {
     return 1;
   }
