@@ -28,13 +28,13 @@ const GridSize* firstFor(double error)
                       [&](const GridSize& size) { return 1 <= error * size.along * size.along; });
 }
 
-std::vector<GridSize> sizesFor(const ContactConfig& contact)
+std::vector<GridSize> sizesFor(const ContactConfig& contact, double tolerance)
 {
   if (contact.cells_along > 0)
   {
     return {{contact.cells_along, contact.cells_across}};
   }
-  const double error = tuning::first_share * contact.tolerance;
+  const double error = tuning::first_share * tolerance;
   if (contact.method != NormalMethod::automatic)
   {
     return {*firstFor(0.5 * error)};
@@ -51,7 +51,7 @@ std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const
     return makeNormalSolver(method);
   }
   ConjugateGradientsOptions options;
-  options.residual = std::max(tuning::residual_per_tolerance * config.contact.tolerance, least_residual);
+  options.residual = std::max(tuning::residual_per_tolerance * searchTolerance(config), least_residual);
   auto solver = std::make_unique<ConjugateGradients>(options);
   for (const GridSize& size : grids)
   {
@@ -64,8 +64,14 @@ std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const
 }
 }  // namespace
 
+double searchTolerance(const ContactModelConfig& config)
+{
+  const double tolerance = config.contact.tolerance;
+  return config.wheelset.solve_height_and_roll ? tolerance : std::min(tolerance, tuning::given_height_tolerance);
+}
+
 GridLevels::GridLevels(const ContactModelConfig& config, const Wrap& wrap)
-    : tolerance_(config.contact.tolerance), sizes_(sizesFor(config.contact))
+    : tolerance_(config.contact.tolerance), sizes_(sizesFor(config.contact, searchTolerance(config)))
 {
   solver_ = makeSolver(config, sizes_);
   if (wrap)

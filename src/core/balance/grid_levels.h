@@ -23,6 +23,10 @@ inline bool operator==(const GridSize& one, const GridSize& other)
   return one.along == other.along && one.across == other.across;
 }
 
+/// Tolerance of the first grids and of the searches [-]. With a given height, errors of the grids and of the deflection
+/// are errors of the forces, and make them fall where the wheel is lowered a little: it is therefore limited.
+double searchTolerance(const ContactModelConfig& config);
+
 /// The normal method and the grids on which it is used.
 ///
 /// Every solution starts on the same grid, which the tolerance determines: the error of a smooth contact is of the

@@ -14,6 +14,9 @@ constexpr double opening_per_tolerance = 0.04;
 /// The same limit is this many times larger where the forces jump because the grid changes: the jumps are up to the
 /// errors of the grids [-].
 constexpr double jump_share = 20;
+/// Largest tolerance of grids and searches with a given height: at 1 % the forces rise with each four-hundredth of the
+/// way from first touch to 150 kN [-].
+constexpr double given_height_tolerance = 0.01;
 /// Factor of the same limit while the height per roll is estimated with a constant distribution of the pressure, which
 /// makes it up to three times too small [-].
 constexpr double unknown_share = 0.3;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/balance/grid_levels.h"
 #include "core/balance/tuning.h"
 #include "core/constants.h"
 #include "core/track/root_bracket.h"
@@ -29,7 +30,7 @@ constexpr int most_returns = 10;     ///< of a lifted wheel to its rail
 
 WheelsetSearch::WheelsetSearch(const ContactModelConfig& config, NormalSolver& solver)
     : config_(config),
-      accuracy_(tuning::opening_per_tolerance * config.contact.tolerance),
+      accuracy_(tuning::opening_per_tolerance * searchTolerance(config)),
       greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
       wheels_([&](Side side) { return WheelEquilibrium(config, side, solver); })
 {
