@@ -193,22 +193,30 @@ class PatchFrameTest : public testing::Test
     scene_.rail_bending.prescribed = {0.8e-3, -0.2e-3, 4e-3};
   }
 
+  /// Patches at several lateral positions up to `farthest` [m], with a yaw [rad].
+  std::vector<PatchResult> patchesTo(double farthest, double yaw) const
+  {
+    WheelsetContact contact(scene_);
+    std::vector<PatchResult> patches;
+    for (const double y : {0.0, 2e-3, -4e-3, farthest})
+    {
+      const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4, yaw));
+      EXPECT_EQ(result.status, ContactStatus::ok) << result.reason;
+      patches.insert(patches.end(), result.patches.begin(), result.patches.end());
+    }
+    return patches;
+  }
+
   ContactModelConfig scene_ = manchesterScene();
 };
 }  // namespace
 
 TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
 {
-  WheelsetContact contact(scene_);
   const PlacedRail rail = restingRail(scene_, Side::left).deflected(scene_.rail_bending.prescribed);
-  for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
+  for (const PatchResult& patch : patchesTo(6e-3, 0.002))
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4, 0.002));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-    for (const PatchResult& patch : result.patches)
-    {
-      EXPECT_LT(distanceFrom(rail, sideSign(patch.side) * patch.pose.y, patch.pose.z), 1e-9);  // rounding: 1e-12 m
-    }
+    EXPECT_LT(distanceFrom(rail, sideSign(patch.side) * patch.pose.y, patch.pose.z), 1e-9);  // rounding: 1e-12 m
   }
 }
 
@@ -216,18 +224,12 @@ TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
 // rail and wheel over the patch: half a width of 8 mm on 80 mm is 0.05 rad on the tread.
 TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
 {
-  WheelsetContact contact(scene_);
-  for (const double y : {0.0, 2e-3, -4e-3})
+  for (const PatchResult& patch : patchesTo(-4e-3, 0))
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-    for (const PatchResult& patch : result.patches)
-    {
-      EXPECT_EQ(patch.contact_angle, sideSign(patch.side) * patch.pose.angle);
-      EXPECT_GT(std::cos(patch.pose.angle), 0);
-      EXPECT_GT(sideSign(patch.side) * patch.pose.angle, 0);  // towards the field side the plane rises
-      EXPECT_LT(patch.contact_angle, 0.15);
-    }
+    EXPECT_EQ(patch.contact_angle, sideSign(patch.side) * patch.pose.angle);
+    EXPECT_GT(std::cos(patch.pose.angle), 0);
+    EXPECT_GT(sideSign(patch.side) * patch.pose.angle, 0);  // towards the field side the plane rises
+    EXPECT_LT(patch.contact_angle, 0.15);
   }
 }
 
@@ -235,54 +237,42 @@ TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
 // wheel is inclined to the normal of the rail by at most 2 depth / half-width; on the flange this adds up to 0.1 %.
 TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndItsResultantIsTheNormalForce)
 {
-  WheelsetContact contact(scene_);
-  for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
+  for (const PatchResult& patch : patchesTo(6e-3, 0.002))
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4, 0.002));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-    for (const PatchResult& patch : result.patches)
-    {
-      const Eigen::ArrayXXd& p = patch.pressure;
-      ASSERT_EQ(p.rows(), patch.grid.nx);
-      ASSERT_EQ(p.cols(), patch.grid.ny);
-      EXPECT_GE(p.minCoeff(), 0);
-      EXPECT_GT(p.maxCoeff(), 0);
-      const double sum = p.sum() * patch.grid.cellArea();
-      EXPECT_LT(patch.normal_force, 1.001 * sum);
-      EXPECT_GT(patch.normal_force, std::cos(2 * patch.half_space_ratio) * sum);
-      // The highest pressure lies between cells. On a grid of n cells across it exceeds the highest cell by less than
-      // 2/n² of the peak in each direction: 2 % on the coarsest grid. Next to a curvature discontinuity the highest
-      // cell is too high by up to 2 % of the effect of the discontinuity, here by less than 1 %.
-      // On an island of few cells the estimate covers both.
-      EXPECT_GT(patch.max_pressure, (0.99 - patch.error_estimate) * p.maxCoeff());
-      EXPECT_LT(patch.max_pressure, (1.02 + patch.error_estimate) * p.maxCoeff());
-    }
+    const Eigen::ArrayXXd& p = patch.pressure;
+    ASSERT_EQ(p.rows(), patch.grid.nx);
+    ASSERT_EQ(p.cols(), patch.grid.ny);
+    EXPECT_GE(p.minCoeff(), 0);
+    EXPECT_GT(p.maxCoeff(), 0);
+    const double sum = p.sum() * patch.grid.cellArea();
+    EXPECT_LT(patch.normal_force, 1.001 * sum);
+    EXPECT_GT(patch.normal_force, std::cos(2 * patch.half_space_ratio) * sum);
+    // The highest pressure lies between cells. On a grid of n cells across it exceeds the highest cell by less than
+    // 2/n² of the peak in each direction: 2 % on the coarsest grid. Next to a curvature discontinuity the highest
+    // cell is too high by up to 2 % of the effect of the discontinuity, here by less than 1 %.
+    // On an island of few cells the estimate covers both.
+    EXPECT_GT(patch.max_pressure, (0.99 - patch.error_estimate) * p.maxCoeff());
+    EXPECT_LT(patch.max_pressure, (1.02 + patch.error_estimate) * p.maxCoeff());
   }
 }
 
 TEST_F(PatchFrameTest, OriginIsTheCentreOfPressure)
 {
-  WheelsetContact contact(scene_);
   for (const double yaw : {0.0, 0.01})
   {
-    for (const double y : {0.0, 2e-3, -4e-3, 6e-3})
+    for (const PatchResult& patch : patchesTo(6e-3, yaw))
     {
-      const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4, yaw));
-      ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-      for (const PatchResult& patch : result.patches)
+      double x = 0, across = 0;
+      for (int j = 0; j < patch.grid.ny; ++j)
       {
-        double x = 0, across = 0;
-        for (int j = 0; j < patch.grid.ny; ++j)
-        {
-          across += patch.pressure.col(j).sum() / patch.pressure.sum() * patch.grid.y(j);
-        }
-        for (int i = 0; i < patch.grid.nx; ++i)
-        {
-          x += patch.pressure.row(i).sum() / patch.pressure.sum() * patch.grid.x(i);
-        }
-        EXPECT_NEAR(x, 0, 1e-12) << "y " << y << " yaw " << yaw;
-        EXPECT_NEAR(across, 0, 1e-12) << "y " << y << " yaw " << yaw;
+        across += patch.pressure.col(j).sum() / patch.pressure.sum() * patch.grid.y(j);
       }
+      for (int i = 0; i < patch.grid.nx; ++i)
+      {
+        x += patch.pressure.row(i).sum() / patch.pressure.sum() * patch.grid.x(i);
+      }
+      EXPECT_NEAR(x, 0, 1e-12) << "yaw " << yaw;
+      EXPECT_NEAR(across, 0, 1e-12) << "yaw " << yaw;
     }
   }
 }
@@ -294,17 +284,11 @@ TEST_F(PatchFrameTest, PressureDoesNotReachTheBorderOfAFineGrid)
   scene_.contact.method = NormalMethod::conjugate_gradient;
   scene_.contact.cells_along = 64;
   scene_.contact.cells_across = 64;
-  WheelsetContact contact(scene_);
-  for (const double y : {0.0, 2e-3, -4e-3})
+  for (const PatchResult& patch : patchesTo(-4e-3, 0))
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, 8e4));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-    for (const PatchResult& patch : result.patches)
-    {
-      const Eigen::ArrayXXd& p = patch.pressure;
-      EXPECT_EQ(std::max(p.row(0).maxCoeff(), p.row(p.rows() - 1).maxCoeff()), 0) << "y " << y;
-      EXPECT_EQ(std::max(p.col(0).maxCoeff(), p.col(p.cols() - 1).maxCoeff()), 0) << "y " << y;
-    }
+    const Eigen::ArrayXXd& p = patch.pressure;
+    EXPECT_EQ(std::max(p.row(0).maxCoeff(), p.row(p.rows() - 1).maxCoeff()), 0);
+    EXPECT_EQ(std::max(p.col(0).maxCoeff(), p.col(p.cols() - 1).maxCoeff()), 0);
   }
 }
 

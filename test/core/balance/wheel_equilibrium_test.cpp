@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "../normal/problems.h"
@@ -151,6 +153,40 @@ TEST_F(WheelEquilibriumTest, ARigidRailIsNotDeflected)
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_NEAR(wheel.rail().vertical_force / wheel_load, 1, 1e-6);
   EXPECT_GT(wheel.rail().lateral_force, 0);
+}
+
+// At the coarsest tolerance, down to 150 kN on the left wheel and back. Forces up and down differ by less than 1 %.
+TEST(GivenHeight, ForcesRiseAsTheWheelsetIsLowered)
+{
+  constexpr std::size_t steps = 100;
+  for (const ComplianceTable& table : {ComplianceTable{}, softPads(), verySoftPads()})
+  {
+    ContactModelConfig config = onPads(table);
+    config.contact.tolerance = 0.1;
+    WheelsetContact loaded(config);
+    config.wheelset.solve_height_and_roll = false;
+    for (const double y : {0.0, 5e-3, 6.5e-3, 7.2e-3})
+    {
+      WheelsetContact held(config);
+      WheelsetState state = stateAt(y, 0);
+      const double highest = loaded.evaluate(stateAt(y, 1e3)).z, depth = highest - loaded.evaluate(stateAt(y, 1.5e5)).z;
+      state.roll = loaded.evaluate(stateAt(y, 1.5e5)).roll;
+      std::array<double, 2 * steps + 1> forces{};
+      for (std::size_t i = 0; i < forces.size(); ++i)
+      {
+        state.z = highest - depth * static_cast<double>(std::min(i, 2 * steps - i)) / steps;
+        forces[i] = held.evaluate(state).wheel.left.vertical;
+      }
+      EXPECT_GT(forces[steps], 1.4e5);
+      for (std::size_t i = 0; i < steps; ++i)
+      {
+        const double down = forces[i], up = forces[2 * steps - i];
+        EXPECT_LE(down, forces[i + 1]) << "y " << y << ", step " << i;
+        EXPECT_LE(up, forces[2 * steps - i - 1]) << "y " << y << ", step " << i;
+        EXPECT_NEAR(down, up, 0.01 * up) << "y " << y << ", step " << i;
+      }
+    }
+  }
 }
 
 // Stiffness of a result, against differences of its forces.
