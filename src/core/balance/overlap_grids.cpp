@@ -133,15 +133,12 @@ std::size_t OverlapGrids::endOfGroup(const std::vector<OverlapInterval>& interva
   const auto width = [&](std::size_t k) { return intervals[k].u_end - intervals[k].u_begin; };
   double widest = width(first);
   std::size_t end = first + 1;
-  const auto are_joined = [this](double u_begin, double u_end)
-  {
-    return std::any_of(joined_.begin(), joined_.end(),
-                       [&](const auto& one) { return one.first < u_begin && one.second > u_end; });
-  };
   while (end < intervals.size())
   {
     const double u_begin = intervals[end - 1].u_end, u_end = intervals[end].u_begin;
-    if (u_end - u_begin >= std::max(widest, width(end)) * (are_joined(u_begin, u_end) ? tuning::most_larger : 1))
+    const bool are_joined = std::any_of(joined_.begin(), joined_.end(),
+                                        [&](const auto& one) { return one.first < u_begin && one.second > u_end; });
+    if (u_end - u_begin >= std::max(widest, width(end)) * (are_joined ? tuning::most_larger : 1))
     {
       break;
     }

@@ -53,8 +53,7 @@ class WarmStartTest : public testing::Test
 
   Difference sweep(double amplitude)
   {
-    WheelsetContact warm(scene_);
-    WheelsetContact cold(scene_);
+    WheelsetContact warm(scene_), cold(scene_);
     Difference difference;
     for (int i = 0; i <= 120; ++i)
     {
@@ -104,8 +103,7 @@ TEST_F(WarmStartTest, WarmResultsEqualColdResultsWithinATenthOfTheTolerance)
 
 TEST_F(WarmStartTest, SameMessagesGiveTheSameBits)
 {
-  WheelsetContact first(scene_);
-  WheelsetContact second(scene_);
+  WheelsetContact first(scene_), second(scene_);
   for (const WheelsetState& state : varied_states)
   {
     expectSameBits(first.evaluate(state), second.evaluate(state));
@@ -117,8 +115,7 @@ TEST_F(WarmStartTest, YawHasNoEffectAfterItHasEnded)
   // Without yaw both bodies are symmetric about x = 0. A yawed wheel touches at an x of up to yaw * 0.46 m times the
   // slope. Half a patch laid there would be mirrored at the wrong position.
   const WheelsetState straight = stateAt(6e-3, 1e5);
-  WheelsetContact warm(scene_);
-  WheelsetContact cold(scene_);
+  WheelsetContact warm(scene_), cold(scene_);
   warm.evaluate(stateAt(6e-3, 1e5, 0.02));
   const WheelsetResult& found = warm.evaluate(straight);
   const WheelsetResult& expected = cold.evaluate(straight);
@@ -154,8 +151,7 @@ TEST_F(WarmStartTest, SteadySceneIsSteady)
 // An invalid message must not affect the following results.
 TEST_F(WarmStartTest, GoodResultFollowsABadMessage)
 {
-  WheelsetContact contact(scene_);
-  WheelsetContact undisturbed(scene_);
+  WheelsetContact contact(scene_), undisturbed(scene_);
   contact.evaluate(stateAt(1e-3, 1e5));
   undisturbed.evaluate(stateAt(1e-3, 1e5));
   EXPECT_EQ(contact.evaluate(stateAt(std::nan(""), 1e5)).status, ContactStatus::invalid_input);
@@ -181,8 +177,7 @@ TEST_F(WarmStartTest, NoContactIsCountedInTwoPatches)
     scene_.rail_profile = place.rail;
     scene_.track.gauge = place.gauge;
     scene_.track.rail_inclination = place.inclination;
-    WheelsetContact warm(scene_);
-    WheelsetContact cold(scene_);
+    WheelsetContact warm(scene_), cold(scene_);
     WheelsetState state{};
     state.yaw = place.yaw;
     state.force_z = place.force_z;
@@ -217,8 +212,7 @@ TEST_F(WarmStartTest, PressureInFrontOfTheTreadContactIsNotMissed)
   fine.contact.cells_along = 128;
   fine.contact.cells_across = 256;
   fine.contact.tolerance = 1e-3;
-  WheelsetContact warm(scene_);
-  WheelsetContact truth(fine);
+  WheelsetContact warm(scene_), truth(fine);
   WheelsetState state{};
   state.yaw = 13.067e-3;
   state.force_z = -99775;

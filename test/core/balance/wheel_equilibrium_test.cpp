@@ -96,23 +96,6 @@ TEST_F(WheelEquilibriumTest, EquilibriumIsTheLeastPotentialEnergy)
   }
 }
 
-TEST_F(WheelEquilibriumTest, HeldAtItsHeightTheWheelCarriesTheSameLoad)
-{
-  for (const double y : {0.0, 6e-3, 7e-3})
-  {
-    WheelEquilibrium wheel(config_, Side::left, solver_);
-    wheel.contact().setGrid(0, grid_size);
-    ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved) << "y " << y;
-    const Eigen::Vector3d rail = coordinates(wheel);
-    const double height = wheel.height();
-    wheel.reset();
-    ASSERT_EQ(wheel.solveAtPose({y, height, 0, 0}, strict), WheelStatus::solved) << "y " << y;
-    // The grids of the two solutions differ.
-    EXPECT_NEAR(wheel.rail().vertical_force / wheel_load, 1, 2e-3) << "y " << y;
-    EXPECT_LT((coordinates(wheel) - rail).head<2>().norm(), 1e-3 * rail.head<2>().norm()) << "y " << y;
-  }
-}
-
 // The slope takes into account that the rail follows. Central differences of 0.1 mrad.
 TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
 {

@@ -27,7 +27,6 @@ constexpr int patience = 40;
 /// unclipped direction. Otherwise up to most_attempts shorter ones are tried.
 constexpr double enough_slope = 0.2;
 constexpr int most_attempts = 2;
-
 }  // namespace
 
 void ContactIteration::begin(const NormalProblem& problem, const CurvedProblem* curved, OperatorCache& cache)

@@ -24,21 +24,8 @@ std::unique_ptr<NormalSolver> makeSeidel(SeidelOptions::Form form)
 
 const char* toString(NormalMethod method)
 {
-  switch (method)
-  {
-    case NormalMethod::hertz:
-      return "hertz";
-    case NormalMethod::kik_piotrowski:
-      return "kik_piotrowski";
-    case NormalMethod::seidel:
-      return "seidel";
-    case NormalMethod::seidel_printed:
-      return "seidel_printed";
-    case NormalMethod::conjugate_gradient:
-      return "conjugate_gradient";
-    default:
-      return "auto";
-  }
+  constexpr std::array names{"auto", "hertz", "kik_piotrowski", "seidel", "seidel_printed", "conjugate_gradient"};
+  return names[static_cast<std::size_t>(method)];
 }
 
 NormalMethod methodNamed(std::string_view name)
