@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "core/balance/patch_result.h"
+#include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
 #include "core/normal/estimate/islands.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/seidel.h"
 #include "core/stress/stress_search.h"
 #include "core/track/gap.h"
-#include "core/track/rail_support.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <wheel_rail_contact/WheelsetContact.h>
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "replay/replay_options.h"
 #include "replay/replay_source.h"
 

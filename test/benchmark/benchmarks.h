@@ -6,9 +6,9 @@
 
 #include "../manchester_scene.h"
 #include "../thread_time.h"
+#include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "core/track/rail_support.h"
 
 /// Parts of contact_benchmark. Wheels S1002 on rails UIC60, 100 kN per wheel, one core unless stated.
 namespace wheel_rail_contact

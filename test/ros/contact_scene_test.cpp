@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/evaluation/conversions.h"
 #include "ros/markers/contact_scene.h"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "../core/balance/crossing_scene.h"
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/track_markers.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core::stability

@@ -8,6 +8,7 @@
 #include "core/balance/grid_layout.h"
 #include "core/balance/tuning.h"
 #include "core/constants.h"
+#include "core/normal/estimate/error_estimate.h"
 
 namespace wheel_rail_contact::core
 {
@@ -311,7 +312,7 @@ bool OverlapGrids::fillGrid(const GridSize& size, SurfaceArea area, GridLayout& 
         return false;
       }
       setNormals(columns, patch, normals);
-      setUnseenSlope(columns, patch);
+      fillUnseenSlope(patch, [&](Eigen::Index j) { return gapSlope(columns, patch, j); });
       if (!usesOverlap(config_.contact.method))
       {
         raiseByCells(patch);

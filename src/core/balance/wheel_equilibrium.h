@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "core/balance/rail_support.h"
 #include "core/balance/wheel_contact.h"
-#include "core/track/rail_support.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core

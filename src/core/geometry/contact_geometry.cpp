@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/balance/rail_support.h"
 #include "core/option_check.h"
 #include "core/track/bracketed_root.h"
 #include "core/track/contact_search.h"
 #include "core/track/placement.h"
-#include "core/track/rail_support.h"
 
 namespace wheel_rail_contact::core
 {

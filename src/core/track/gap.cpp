@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/constants.h"
-#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/measures/pressure_measures.h"
 #include "core/track/column_heights.h"
 
@@ -235,16 +234,6 @@ void setMeanSlopes(const Grid& grid, const Eigen::ArrayXXd& gap, const Eigen::Ar
   }
 }
 
-/// Slope of the gap across the track at the middle of a column: on the normal of a rail that turns by k per unit of its
-/// arc, a body at the height g moves past by 1 - k g.
-double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j)
-{
-  const auto at = [&](Eigen::Index i) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(i)]; };
-  const double turn = at(j + 1).turnFrom(at(j - 1)) / (2 * patch.grid.dy);
-  const Eigen::Index middle = patch.grid.symmetric ? 0 : patch.gap.rows() / 2;
-  return at(j).wheel_slope * (1 - turn * patch.gap(middle, j));
-}
-
 /// Mean second difference of the gap, from the cells before and after, weighted with the overlap [m].
 template <typename Cells>
 double meanBend(const Cells& before, const Cells& here, const Cells& after)
@@ -320,8 +309,11 @@ void raiseByCells(PatchGap& patch)
   patch.gap += (along + across) / 48;
 }
 
-void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
+double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j)
 {
-  fillUnseenSlope(patch, [&](Eigen::Index j) { return gapSlope(columns, patch, j); });
+  const auto at = [&](Eigen::Index i) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(i)]; };
+  const double turn = at(j + 1).turnFrom(at(j - 1)) / (2 * patch.grid.dy);
+  const Eigen::Index middle = patch.grid.symmetric ? 0 : patch.gap.rows() / 2;
+  return at(j).wheel_slope * (1 - turn * patch.gap(middle, j));
 }
 }  // namespace wheel_rail_contact::core

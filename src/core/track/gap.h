@@ -60,8 +60,9 @@ double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index fi
 /// much; doc/theory.md, "Bias of the approach", derives it.
 void raiseByCells(PatchGap& patch);
 
-/// Sets PatchGap::unseen_slope.
-void setUnseenSlope(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
+/// Slope of the gap across the track at the middle of a column: on the normal of a rail that turns by k per unit of its
+/// arc, a body at the height g moves past by 1 - k g.
+double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j);
 
 /// Length of a profile between two parameters [m], negative if `to` is less than `from`.
 double arcLength(const Profile& profile, double from, double to);

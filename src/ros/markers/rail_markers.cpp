@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"
 #include "ros/markers/track_markers.h"

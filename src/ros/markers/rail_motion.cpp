@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 
 namespace wheel_rail_contact
 {

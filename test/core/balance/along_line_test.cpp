@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/balance/rail_support.h"
 #include "core/track/rail_along.h"
-#include "core/track/rail_support.h"
 #include "crossing_scene.h"
 #include "round_bodies.h"
 #include "same_bits.h"

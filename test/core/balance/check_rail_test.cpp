@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "core/balance/rail_support.h"
 #include "core/profile/curve/spline.h"
 #include "core/track/placement.h"
 #include "core/track/rail_search.h"
-#include "core/track/rail_support.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/balance/rail_support.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "core/track/rail_support.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 #include "wheelset_scene.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "../normal/dense_active_set.h"
+#include "core/balance/rail_support.h"
 #include "core/track/gap.h"
-#include "core/track/rail_support.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 #include "wheelset_scene.h"
 

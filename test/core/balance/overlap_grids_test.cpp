@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core

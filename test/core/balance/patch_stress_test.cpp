@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/balance/rail_support.h"
 #include "core/track/contact_search.h"
-#include "core/track/rail_support.h"
 #include "round_bodies.h"
 #include "wheelset_scene.h"
 

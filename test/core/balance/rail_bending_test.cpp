@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "core/balance/rail_support.h"
 #include "core/track/placement.h"
-#include "core/track/rail_support.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 

@@ -9,7 +9,7 @@
 
 #include "../normal/problems.h"
 #include "conformal_reference.h"
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "../normal/problems.h"
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/track/rail_support.h"
+#include "core/balance/rail_support.h"
 
 namespace wheel_rail_contact::core
 {
