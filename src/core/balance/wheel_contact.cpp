@@ -40,7 +40,7 @@ void WheelContact::setGrid(std::size_t level, const GridSize& size)
 {
   size_ = size;
   reach_ = first_reach_;
-  if (level > level_)
+  if (level > level_ && !solution_.patches.empty())
   {
     grids_.follow(solution_.patches);
     if (!grids_.wouldBeComplete(size, problem_, solution_))
