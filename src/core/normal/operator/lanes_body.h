@@ -34,40 +34,38 @@ inline double maxOf(Register value)
   return largest;
 }
 
+/// Calls act(m, n) for all m < M and n < N, unrolled, so that the elements of arrays of registers stay in registers.
+template <int M, int N, typename Act>
+inline void repeat(Act act)
+{
+#pragma GCC unroll 16
+  for (int k = 0; k < M * N; ++k)
+  {
+    act(k / N, k % N);
+  }
+}
+
 /// Computes one tile of R registers × C columns, which stays in registers over the whole sum.
 template <int R, int C>
 inline void tile(const LaneProduct& product, int lane, int column)
 {
-  Register sum[R][C] = {};
+  Register sum[R][C];
+  repeat<R, C>([&](int r, int c) { sum[r][c] = Register{}; });
   const double* a = product.a + lane;
   const double* b = product.b + static_cast<std::ptrdiff_t>(column) * product.b_column;
   for (int k = 0; k < product.inner; ++k)
   {
-    Register left[R];
-    for (int r = 0; r < R; ++r)
-    {
-      left[r] = load(a + r * register_width);
-    }
-    for (int c = 0; c < C; ++c)
-    {
-      const double right = b[c * product.b_column];
-      for (int r = 0; r < R; ++r)
-      {
-        sum[r][c] += left[r] * right;
-      }
-    }
+    repeat<C, R>([&](int c, int r) { sum[r][c] += load(a + r * register_width) * b[c * product.b_column]; });
     a += product.a_stride;
     b += product.b_inner;
   }
-  for (int c = 0; c < C; ++c)
-  {
-    const std::ptrdiff_t at = lane + static_cast<std::ptrdiff_t>(column + c) * product.out_stride;
-    for (int r = 0; r < R; ++r)
-    {
-      const Register value = product.scale ? sum[r][c] * load(product.scale + at + r * register_width) : sum[r][c];
-      store(product.out + at + r * register_width, value);
-    }
-  }
+  repeat<C, R>(
+      [&](int c, int r)
+      {
+        const std::ptrdiff_t at = lane + static_cast<std::ptrdiff_t>(column + c) * product.out_stride;
+        const Register scale = product.scale ? load(product.scale + at + r * register_width) : Register{} + 1;
+        store(product.out + at + r * register_width, scale * sum[r][c]);
+      });
 }
 
 /// Computes tiles of R registers from `lane` on, as long as they fit. Returns the lane after them.
