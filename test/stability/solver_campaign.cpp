@@ -124,6 +124,8 @@ double runRandom(const ScenePool& pool, std::size_t states, unsigned long seed)
   const auto number = [&](double least, double most)
   { return formatted("%.17g", scenes::uniform(random, least, most)); };
   std::map<std::string, Measurements> classes;
+  Words worst;
+  double most = 0;
   for (Measurements& all = classes["~ all"]; all.size() < states;)
   {
     Words words(words_of_state);
@@ -151,8 +153,14 @@ double runRandom(const ScenePool& pool, std::size_t states, unsigned long seed)
       words[load_right] = number(5e3, 1.5e5);
       counted.push_back(solveCold(search, words));
       all.push_back(counted.back());
+      if (all.back().work > most)
+      {
+        most = all.back().work;
+        worst = words;
+      }
     }
   }
+  std::printf("most work:%s\n", joined(worst).c_str());
   std::printf("%-36s %8s %7s %7s  %8s %8s %8s  %9s %7s\n", "", "states", "refused", "beside", "work", "99.9 %",
               "largest", "solutions", "largest");
   for (const auto& [name, all] : classes)

@@ -231,6 +231,22 @@ bool WheelsetSearch::closes(const Step& step, double share)
   return true;
 }
 
+/// Shortens a step that moves more than half of the larger load to the other wheel: it is linear, and overlaps are not.
+/// The wheel with the smaller load may lift.
+void WheelsetSearch::shorten(Step& step) const
+{
+  const double change = std::abs(step.loads.right - place_.loads.right);
+  const double share = 0.5 * std::max(place_.loads.left, place_.loads.right) / change;
+  if (share < 1)
+  {
+    step.roll *= share;
+    for (const Side side : sides)
+    {
+      step.loads[side] = place_.loads[side] + share * (step.loads[side] - place_.loads[side]);
+    }
+  }
+}
+
 /// True if a change of the roll by this much does not matter. Between two such rolls, only the grids change.
 bool WheelsetSearch::isNarrow(double range) const
 {
@@ -239,21 +255,30 @@ bool WheelsetSearch::isNarrow(double range) const
                      [&](Side side) { return wheels_[side].loaded() && wheels_[side].opening(range, 0) < accuracy_; });
 }
 
-/// Uncertainty of the difference of the heights by the solutions, and by the loads that would close it: the step is
-/// linear, and the overlaps are not [m].
-double WheelsetSearch::uncertainty() const
+/// Uncertainty of the difference of a step [m]: by the solutions, and by the loads that would close it, because the
+/// step is linear and the overlaps are not. Loads change heights by about the overlaps at most. Where the heights
+/// differ by more, the sign of the difference is known, and a step with the other sign is wrong.
+double WheelsetSearch::uncertainty(const Step& step) const
 {
-  double sum = 0;
+  double sum = 0, overlaps = 0;
   for (const Side side : sides)
   {
-    sum += wheels_[side].loaded() ? tuning::noise * wheels_[side].contact().overlap() : unloaded_accuracy;
+    const double overlap = wheels_[side].loaded() ? wheels_[side].contact().overlap() : 0;
+    sum += wheels_[side].loaded() ? tuning::noise * overlap : unloaded_accuracy;
+    overlaps += overlap;
   }
-  if (loads_.areCoupled(place_.loads))
+  if (!loads_.areCoupled(place_.loads))
   {
-    const double transfer = heightDifference() / sumOfRates(Output::height_rate, Input::by_load);
-    sum += std::abs(heightDifference() * transfer) / std::min(place_.loads.left, place_.loads.right);
+    return sum;
   }
-  return sum;
+  const double difference = heightDifference();
+  const double transfer = difference / sumOfRates(Output::height_rate, Input::by_load);
+  const double by_loads = std::abs(difference * transfer) / std::min(place_.loads.left, place_.loads.right);
+  if (step.difference * difference > 0)
+  {
+    return sum + std::min(by_loads, overlaps);
+  }
+  return std::abs(difference) > overlaps ? infinity : sum + by_loads;
 }
 
 /// Goes half of the way back to an earlier place. Both wheels are solved again: their heights are those of that place.
@@ -310,8 +335,8 @@ WheelStatus WheelsetSearch::solve(Start start)
   {
     const bool coupled = loads_.areCoupled(place_.loads), is_early = i < tuning::early_solutions;
     bool any_solved = false;
-    if (const WheelStatus status = solveWheels({!is_early, is_early && start != Start::other_state}, any_solved);
-        !isUsable(status))
+    const KeptResult kept{!is_early, is_early && start != Start::other_state};
+    if (const WheelStatus status = solveWheels(kept, any_solved); !isUsable(status))
     {
       if (!last || ++retreats > most_retreats)
       {
@@ -333,9 +358,12 @@ WheelStatus WheelsetSearch::solve(Start start)
     {
       return WheelStatus::solved;
     }
-    if (std::abs(step.difference) > uncertainty())
+    if (std::abs(step.difference) > uncertainty(step))
     {
-      bracket.add(place_.roll, step.difference);
+      if (!kept.response)  // derivatives of another state may have the wrong sign
+      {
+        bracket.add(place_.roll, step.difference);
+      }
     }
     else if (!returning && closes(step, tuning::jump_share))
     {
@@ -347,6 +375,7 @@ WheelStatus WheelsetSearch::solve(Start start)
     }
     step.roll = bracket.next(place_.roll, step.roll) - place_.roll;
     step.loads = loadsAfter(step.roll);
+    shorten(step);
     move(step);
     if (loads_.areCoupled(place_.loads) != coupled)
     {

@@ -104,7 +104,8 @@ class WheelsetSearch
   WheelStatus solveWheels(const KeptResult& kept, bool& any);
   bool closes(const Step& step, double share);
   bool isNarrow(double range) const;
-  double uncertainty() const;
+  double uncertainty(const Step& step) const;
+  void shorten(Step& step) const;
   Step newton() const;
   void retreat(const Place& earlier);
 
