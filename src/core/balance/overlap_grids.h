@@ -76,6 +76,8 @@ class OverlapGrids
 
   /// The next grids cover this pressure of the last problem and a cell more on each side, instead of the overlap.
   void follow(const std::vector<PatchPressure>& pressure);
+  /// True after follow().
+  bool follows() const { return !pressed_.empty(); }
   /// The next grids are laid over the overlap again.
   void unfollow() { pressed_.clear(); }
 

@@ -38,21 +38,21 @@ WheelStatus WheelContact::none(WheelStatus status)
 
 void WheelContact::setGrid(std::size_t level, const GridSize& size)
 {
+  grids_.unfollow();
+  useGrid(level, size, first_reach_);
+}
+
+void WheelContact::refineTo(std::size_t level, const GridSize& size)
+{
+  grids_.follow(solution_.patches);
+  useGrid(level, size, grids_.wouldBeComplete(size, problem_, solution_) ? first_reach_ : OverlapGrids::Reach::whole);
+}
+
+void WheelContact::useGrid(std::size_t level, const GridSize& size, OverlapGrids::Reach reach)
+{
   size_ = size;
-  reach_ = first_reach_;
-  if (level > level_ && !solution_.patches.empty())
-  {
-    grids_.follow(solution_.patches);
-    if (!grids_.wouldBeComplete(size, problem_, solution_))
-    {
-      reach_ = OverlapGrids::Reach::whole;
-    }
-  }
-  else
-  {
-    grids_.unfollow();
-  }
-  start_reach_ = reach_;
+  reach_ = start_reach_ = reach;
+  needs_whole_ = false;
   if (level != level_)
   {
     kept_.resize(std::max(kept_.size(), std::max(level, level_) + 1));
@@ -155,7 +155,9 @@ WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
   problem_.control = control;
   problem_.value = value;
   solveProblem();
-  if (isUsable(solution_.status) && !grids_.isComplete(problem_, solution_))
+  const bool is_complete = !isUsable(solution_.status) || grids_.isComplete(problem_, solution_);
+  needs_whole_ = !is_complete || (needs_whole_ && grids_.follows());
+  if (!is_complete)
   {
     if (build(OverlapGrids::Reach::whole) != OverlapGrids::Overlap::found)
     {
@@ -181,7 +183,7 @@ WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
 
 bool WheelContact::hasOwnGrids()
 {
-  const bool has_own = reach_ == start_reach_ || !grids_.wouldBeComplete(size_, problem_, solution_);
+  const bool has_own = needs_whole_ || reach_ == start_reach_ || !grids_.wouldBeComplete(size_, problem_, solution_);
   reach_ = has_own ? reach_ : start_reach_;
   return has_own && grids_.fits(remaining());
 }

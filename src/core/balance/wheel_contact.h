@@ -43,6 +43,8 @@ class WheelContact
   /// Sets the number of cells of each grid, and its index. The next solution starts from the pressure of the last one
   /// with the same index.
   void setGrid(std::size_t level, const GridSize& size);
+  /// The same for a finer grid, after a solution. The next grids cover the pressure of that solution.
+  void refineTo(std::size_t level, const GridSize& size);
   /// Sets which grids are used.
   void choose(OverlapGrids::Choice choice) { choice_ = choice; }
   /// Sets another profile of the rail. setRail() must follow.
@@ -100,6 +102,7 @@ class WheelContact
 
  private:
   OverlapGrids::Overlap build(OverlapGrids::Reach reach);
+  void useGrid(std::size_t level, const GridSize& size, OverlapGrids::Reach reach);
   WheelStatus solve(NormalProblem::Control control, double value);
   void solveProblem();
   WheelStatus none(WheelStatus status);
@@ -116,8 +119,10 @@ class WheelContact
   SolvedContact solved_;
   OverlapGrids::Choice choice_ = OverlapGrids::Choice::own;
   OverlapGrids::Reach first_reach_;                               ///< on the first grid
-  OverlapGrids::Reach start_reach_ = OverlapGrids::Reach::whole;  ///< since setGrid()
+  OverlapGrids::Reach start_reach_ = OverlapGrids::Reach::whole;  ///< of the first solution on this grid
   OverlapGrids::Reach reach_ = OverlapGrids::Reach::whole;        ///< of the next solution: that of the last one
+  /// The contact reached beyond smaller grids: in the last solution, or since refineTo(), where heights hardly change.
+  bool needs_whole_ = false;
   int solutions_ = 0;
 };
 }  // namespace wheel_rail_contact::core

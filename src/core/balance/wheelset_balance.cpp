@@ -107,8 +107,11 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
   const bool given = !config_.wheelset.solve_height_and_roll;
   reason_ = {};
   search_.begin(placeOnLine(state));
-  setLevel(Side::left, first_level);
-  setLevel(Side::right, first_level);
+  for (const Side side : sides)
+  {
+    level_[side] = first_level;
+    wheel(side).contact().setGrid(first_level, levels_.at(first_level));
+  }
   WheelStatus status = WheelStatus::solved;
   auto start = first_level > 0 ? WheelsetSearch::Start::near : WheelsetSearch::Start::other_state;
   do
@@ -211,7 +214,9 @@ bool WheelsetBalance::refine()
     if (level != level_[side])
     {
       wheel(side).respond();
-      setLevel(side, level);
+      wheel(side).contact().refineTo(level, levels_.at(level));
+      search_.renew(side);
+      level_[side] = level;
       refined = true;
     }
   }
@@ -233,12 +238,5 @@ bool WheelsetBalance::renewForeignGrids()
     }
   }
   return any;
-}
-
-void WheelsetBalance::setLevel(Side side, std::size_t level)
-{
-  level_[side] = level;
-  search_.renew(side);
-  wheel(side).contact().setGrid(level, levels_.at(level));
 }
 }  // namespace wheel_rail_contact::core

@@ -61,7 +61,6 @@ class WheelsetBalance
   bool continues(WheelsetSearch::Start& start);
   bool refine();
   bool renewForeignGrids();
-  void setLevel(Side side, std::size_t level);
   double estimate(Side side);
   int count() const;
   ContactStatus fail(WheelStatus status);
