@@ -198,7 +198,7 @@ ShapeEffect shapeEffect(Side side, const WheelsetBalance& balance, const Profile
   const double position_error = std::hypot(of_rail.position, of_wheel.position);
   const double long_waves = 0.5 * curvature_error / curvature;
   const double short_waves =
-      0.5 * contact.problem().modulus * std::sqrt(position_error * curvature_error) / max_pressure;
+      std::sqrt(0.5) * contact.problem().modulus * std::sqrt(position_error * curvature_error) / max_pressure;
   return {std::min({long_waves, short_waves, 1.0}), false};
 }
 
