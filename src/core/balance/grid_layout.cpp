@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/balance/tuning.h"
 #include "core/normal/operator/operator_cache.h"
 
 namespace wheel_rail_contact::core
@@ -55,40 +54,5 @@ bool covers(const GridLayout& layout, const SurfaceArea& area, double shift, dou
   return area.arc_least + shift > low && area.arc_most + shift < high && area.x_least > layout.origin.x - half &&
          area.x_most < layout.origin.x + half && 2 * half < most_larger * (area.x_most - area.x_least) &&
          high - low < most_larger * (area.arc_most - area.arc_least);
-}
-
-void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
-{
-  for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
-  {
-    if (columns[static_cast<std::size_t>(j)].perUp() < tuning::smallest_opening)
-    {
-      patch.gap.col(j).setConstant(no_body_gap);
-    }
-  }
-}
-
-void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals)
-{
-  const auto at = [&](Eigen::Index j) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(j)]; };
-  const auto lowest = [&](Eigen::Index j) { return patch.gap.col(j).minCoeff(); };
-  Eigen::Index row = 0, deepest = 0;
-  patch.gap.minCoeff(&row, &deepest);
-  patch.weight = std::max(at(deepest).perUp(), tuning::smallest_opening);
-  normals.weight.resize(patch.grid.ny);
-  double turn_least = 0, turn_most = 0;
-  for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
-  {
-    normals.weight[j] = std::max(at(j).perUp(), tuning::smallest_opening) / patch.weight;
-    const double turn = lowest(j) < 0 ? at(j).turnFrom(at(deepest)) : 0;
-    turn_least = std::min(turn_least, turn);
-    turn_most = std::max(turn_most, turn);
-  }
-  const bool turns = turn_most - turn_least > tuning::plane_turn;
-  normals.turn.setZero(patch.grid.ny);
-  for (Eigen::Index j = 0; turns && j < patch.grid.ny; ++j)
-  {
-    normals.turn[j] = at(j).angle() - at(deepest).angle();
-  }
 }
 }  // namespace wheel_rail_contact::core

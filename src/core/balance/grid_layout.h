@@ -40,11 +40,4 @@ GridLayout layGrid(const SurfaceArea& area, const GridSize& size, bool symmetric
 /// @param shift        arc length from the origin of the grid to that of the area [m]
 /// @param most_larger  largest length of the grid over that of the area, and of its width [-]
 bool covers(const GridLayout& layout, const SurfaceArea& area, double shift, double most_larger);
-
-/// Leaves columns out that a vertical displacement hardly opens, or closes.
-void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
-
-/// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
-/// hardly turn.
-void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
 }  // namespace wheel_rail_contact::core

@@ -21,7 +21,7 @@ constexpr int most_prepared_cells = 64 * 192;
 constexpr std::array<GridSize, 8> sizes{
     {{8, 16}, {12, 24}, {16, 32}, {16, 48}, {24, 64}, {32, 96}, {48, 128}, {64, 192}}};
 
-/// First grid for an expected error of 1 / (cells along)².
+/// First grid for an expected error of 1 / (cells along)². The true error is a quarter of it.
 const GridSize* firstFor(double error)
 {
   return std::find_if(sizes.begin(), sizes.end() - 1,
@@ -34,12 +34,11 @@ std::vector<GridSize> sizesFor(const ContactConfig& contact, double tolerance)
   {
     return {{contact.cells_along, contact.cells_across}};
   }
-  const double error = tuning::first_share * tolerance;
   if (contact.method != NormalMethod::automatic)
   {
-    return {*firstFor(0.5 * error)};
+    return {*firstFor(0.5 * tolerance)};
   }
-  const GridSize* const first = firstFor(error);
+  const GridSize* const first = firstFor(tolerance);
   return {first, first + 1 + std::min<std::ptrdiff_t>(tuning::most_refinements, sizes.end() - 1 - first)};
 }
 

@@ -133,7 +133,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   out.residual = solution.residual;
   out.half_space_ratio = halfSpaceRatio(columns, of.first, of.last);
   out.left_out = contact.leftOut();
-  const bool turns = 2 * out.half_space_ratio > tuning::plane_turn, is_complete = out.left_out.empty();
+  const bool turns = 2 * out.half_space_ratio > plane_turn, is_complete = out.left_out.empty();
   const double work = force.down * solution.approach - gap.grid.cellArea() * (pressure.pressure * gap.gap).sum();
   out.normal_stiffness =
       normalStiffness(out, turns && is_complete ? work : infinity, punchStiffness(ellipse, islands.problem().modulus));

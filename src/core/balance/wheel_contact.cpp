@@ -10,16 +10,15 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Overlap of a wheel on a rail under a load, over load^(2/3); a start [m/N^(2/3)].
-constexpr double typical_overlap = 2.8e-8;
 constexpr double touch_accuracy = 1e-8;  ///< of the height of first touch on a steep surface [m]
 }  // namespace
 
 WheelContact::WheelContact(const ContactModelConfig& config, Side side, const PlacedRail& rail, NormalSolver& solver,
                            double longest_rail)
     : solver_(solver),
+      radius_(config.wheelset.rolling_radius[side]),
       grids_(config, side, rail, longest_rail),
-      tangent_(tuning::rough_residual),
+      tangent_(tuning::last_step),
       first_reach_(usesOverlap(config.contact.method) ? OverlapGrids::Reach::whole : OverlapGrids::Reach::expected)
 {
   solution_.status = SolveStatus::no_contact;
@@ -109,9 +108,9 @@ WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
   }
 }
 
-double WheelContact::typicalOverlap(double load)
+double WheelContact::typicalOverlap(double load) const
 {
-  return typical_overlap * std::cbrt(load * load);
+  return std::cbrt(9.0 / 16 * load * load / (problem_.modulus * problem_.modulus * radius_));
 }
 
 WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
@@ -202,7 +201,7 @@ MotionMatrix WheelContact::stiffness(double residual)
 
 MotionVector WheelContact::verticalStiffness()
 {
-  tangent_.setResidual(tuning::rough_residual);
+  tangent_.setResidual(tuning::last_step);
   return solved_.isLoaded() ? solved_.verticalStiffness(tangent_.stiffness(problem_, solution_, solved_.openings(), 0))
                             : MotionVector::Zero();
 }

@@ -58,8 +58,8 @@ class WheelContact
   /// Solves the contact under a load [N], > 0, with the gap of a pose. If the bodies do not overlap, the pose is first
   /// lowered.
   WheelStatus solveLoad(const WheelsetPose& pose, double load);
-  /// Overlap of a wheel on a rail under a load [N], approximately [m].
-  static double typicalOverlap(double load);
+  /// Overlap of a ball of the wheel's radius with a plane under a load [N] (Hertz 1882): about that of the wheel [m].
+  double typicalOverlap(double load) const;
   /// Finds the position of first touch at a pose, without load; height() is the height of the axle centre there.
   WheelStatus touch(const WheelsetPose& pose);
 
@@ -71,7 +71,7 @@ class WheelContact
   /// Height of the gap minus height() [m].
   double remaining() const { return solution_.approach; }
   /// True if the gap is so close to its final height that the solution is usable.
-  bool isDeepEnough() const { return std::abs(remaining()) <= tuning::remaining_approach * overlap(); }
+  bool isDeepEnough() const { return std::abs(remaining()) <= tuning::last_step * overlap(); }
   /// Largest overlap of the undeformed bodies [m].
   double overlap() const { return -grids_.touch().separation; }
   /// True if the grids are those of the final height, and cover no more than a complete contact requires. Otherwise the
@@ -84,7 +84,7 @@ class WheelContact
   const SolvedContact& solved() const { return solved_; }
   /// Derivatives of the forces, see SolvedContact.
   /// @param residual  see ContactTangent
-  MotionMatrix stiffness(double residual = tuning::rough_residual);
+  MotionMatrix stiffness(double residual = tuning::last_step);
   /// Its row of the wheel's height alone, which takes a quarter of the products.
   MotionVector verticalStiffness();
 
@@ -108,6 +108,7 @@ class WheelContact
   WheelStatus none(WheelStatus status);
 
   NormalSolver& solver_;
+  double radius_;  ///< of the rolling circle [m]
   GridSize size_;
   std::size_t level_ = 0;
   OverlapGrids grids_;

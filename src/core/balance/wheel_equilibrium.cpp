@@ -14,13 +14,12 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr double least_move = 1e-9;  ///< of a rail without contact that is neglected [m]
-constexpr double roll_arm = 0.1;     ///< converts a roll of the rail to a comparable displacement [m]
 }  // namespace
 
 /// Length of a movement of the rail head; a roll counts by its effect on the crown [m].
 static double lengthOf(const Eigen::Vector3d& move)
 {
-  return std::hypot(move[0], move[1], roll_arm * move[2]);
+  return std::hypot(move[0], move[1], ComplianceTable::reference_depth * move[2]);
 }
 
 /// Forces of a trial and what it gave.
@@ -30,8 +29,9 @@ struct WheelEquilibrium::Trial
   double height = 0, merit = infinity, noise = 0;
 };
 
-WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, NormalSolver& solver)
+WheelEquilibrium::WheelEquilibrium(const ContactModelConfig& config, Side side, NormalSolver& solver, double accuracy)
     : config_(config),
+      accuracy_(accuracy),
       rail_(config, side),
       contact_(config, side, rail_.atRest(), solver, rail_.longest()),
       own_force_(config.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact)
@@ -170,15 +170,14 @@ Eigen::Vector3d WheelEquilibrium::step(const Eigen::Vector3d& open) const
   return step.allFinite() ? step : open;
 }
 
-WheelStatus WheelEquilibrium::solveUnderLoad(const WheelsetPose& pose, double load, double accuracy,
-                                             const KeptResult& kept)
+WheelStatus WheelEquilibrium::solveUnderLoad(const WheelsetPose& pose, double load, const KeptResult& kept)
 {
-  return load > 0 ? search(pose, load, accuracy, kept) : touchAtRest(pose);
+  return load > 0 ? search(pose, load, kept) : touchAtRest(pose);
 }
 
-WheelStatus WheelEquilibrium::solveAtPose(const WheelsetPose& pose, double accuracy)
+WheelStatus WheelEquilibrium::solveAtPose(const WheelsetPose& pose)
 {
-  return search(pose, 0, accuracy, {});
+  return search(pose, 0, {});
 }
 
 /// Position of first touch without load.
@@ -218,9 +217,8 @@ WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const Wheel
   if (own_force_ && rail_.bends())
   {
     trial.merit = contact_.solved().energy() + 0.5 * forces.dot(rail_.compliance() * forces) + load * contact_.height();
-    trial.noise = !loaded_ ? 0
-                           : (tuning::noise + 0.1 * std::abs(contact_.remaining()) / contact_.overlap()) *
-                                 contact_.solved().energy();
+    const double nonlinear = std::max(tuning::last_step, std::abs(contact_.remaining()) / contact_.overlap());
+    trial.noise = loaded_ ? nonlinear * nonlinear * contact_.solved().energy() : 0;
   }
   else
   {
@@ -230,7 +228,7 @@ WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const Wheel
 }
 
 /// True if the last solution is in equilibrium. Otherwise sets the step of the forces that leads to it.
-bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen::Vector3d& step)
+bool WheelEquilibrium::isEquilibrium(const Trial& trial, Eigen::Vector3d& step)
 {
   step = trial.open;
   if (!loaded_)
@@ -243,7 +241,7 @@ bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen:
     return deep;
   }
   const auto even = [&](const Eigen::Vector3d& change)
-  { return contact_.solved().opening(railMove(rail_.compliance() * change)) <= accuracy * contact_.overlap(); };
+  { return contact_.solved().opening(railMove(rail_.compliance() * change)) <= accuracy_ * contact_.overlap(); };
   if (deep && even(trial.open))
   {
     return true;
@@ -257,7 +255,7 @@ bool WheelEquilibrium::isEquilibrium(const Trial& trial, double accuracy, Eigen:
   return deep && even(step) && isNearlyClosed(trial);
 }
 
-WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, double accuracy, const KeptResult& kept)
+WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, const KeptResult& kept)
 {
   WheelsetPose at = pose;
   Eigen::Vector3d forces = forces_, step = Eigen::Vector3d::Zero(), rise_per_force = Eigen::Vector3d::Zero();
@@ -277,7 +275,7 @@ WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, doub
       return status;
     }
     const double shorter = first ? 1 : usable ? shortened(best, trial) : 0.5;
-    if (usable && shorter < 1 && share <= tuning::shortest_share && isNear(accuracy, step) && isNearlyClosed(trial))
+    if (usable && shorter < 1 && share <= tuning::shortest_share && isNear(step) && isNearlyClosed(trial))
     {
       return accept(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
     }
@@ -289,7 +287,7 @@ WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, doub
     {
       best = trial;
       share = 1;
-      if (isEquilibrium(trial, accuracy, step))
+      if (isEquilibrium(trial, step))
       {
         return accept(trial, step, status);
       }
@@ -311,11 +309,11 @@ bool WheelEquilibrium::isNearlyClosed(const Trial& trial)
 }
 
 /// True if the last solution carries load, and a step would change the contact little.
-bool WheelEquilibrium::isNear(double accuracy, const Eigen::Vector3d& step) const
+bool WheelEquilibrium::isNear(const Eigen::Vector3d& step) const
 {
   return loaded_ && contact_.isDeepEnough() &&
          contact_.solved().opening(railMove(rail_.compliance() * step)) <=
-             tuning::jump_share * accuracy * contact_.overlap();
+             tuning::jump_share * accuracy_ * contact_.overlap();
 }
 
 /// Takes the last solution, with a last step of the forces, as the result.
@@ -346,12 +344,12 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
     return rise <= 0 ? 1 : 0.5;
   }
   const bool is_known = rise > noise && !(before < 0 && after <= 0);
-  if (rise < -noise || (!is_known && std::abs(after) <= tuning::smaller_slope * std::abs(before)))
+  if (rise < -noise || (!is_known && std::abs(after) <= std::abs(before)))
   {
     return 1;
   }
   const double share = rise > noise ? (rise - after) / (before - after) : before / (before - after);
-  return after > 0 && before < 0 ? std::clamp(share, 0.1, 0.9) : 0.5;
+  return after > 0 && before < 0 ? std::clamp(share, tuning::shortest_share, 1 - tuning::shortest_share) : 0.5;
 }
 
 double WheelEquilibrium::rate(Output output, Input input) const

@@ -27,7 +27,8 @@ class WheelEquilibrium
 {
  public:
   /// Keeps references to `config` and `solver`, which must outlive the object.
-  WheelEquilibrium(const ContactModelConfig& config, Side side, NormalSolver& solver);
+  /// @param accuracy  largest opening by the remaining deflection of the rail, over the overlap [-]: see opening()
+  WheelEquilibrium(const ContactModelConfig& config, Side side, NormalSolver& solver, double accuracy);
 
   /// The next solution starts from an undeflected rail.
   void reset();
@@ -42,11 +43,9 @@ class WheelEquilibrium
 
   /// Finds height and deflection at a pose under a load [N]; the height of `pose` is the start. Without a positive
   /// load, the height of first touch.
-  /// @param accuracy    largest opening by the remaining deflection of the rail, over the overlap [-], see
-  ///                    WheelContact::opening()
-  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, double accuracy, const KeptResult& kept = {});
+  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, const KeptResult& kept = {});
   /// Finds the deflection at a given pose.
-  WheelStatus solveAtPose(const WheelsetPose& pose, double accuracy);
+  WheelStatus solveAtPose(const WheelsetPose& pose);
 
   /// Height of the axle centre in the last solution [m].
   double height() const { return height_; }
@@ -76,7 +75,7 @@ class WheelEquilibrium
   /// Change of the height by a roll of the rail about its reference point, outward positive [m/rad].
   double heightPerRailRoll() const { return loaded_ ? contact_.solved().heightPer(rail_roll) : 0; }
   /// Largest opening of the gap by a roll [rad] and by the deflection under a change of the load [N], over the overlap
-  /// [-]: see WheelContact::opening().
+  /// [-]: see SolvedContact::opening().
   double opening(double roll, double load) const;
   /// Prepares the next solution for a movement of the wheel outward [m], a roll [rad] and a change of the load [N]: its
   /// start is the deflection that follows.
@@ -106,11 +105,11 @@ class WheelEquilibrium
   };
 
   bool isUnderLoad() const { return contact_.problem().control == NormalProblem::Control::load; }
-  WheelStatus search(const WheelsetPose& pose, double load, double accuracy, const KeptResult& kept);
+  WheelStatus search(const WheelsetPose& pose, double load, const KeptResult& kept);
   WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial);
-  bool isEquilibrium(const Trial& trial, double accuracy, Eigen::Vector3d& step);
+  bool isEquilibrium(const Trial& trial, Eigen::Vector3d& step);
   static bool isNearlyClosed(const Trial& trial);
-  bool isNear(double accuracy, const Eigen::Vector3d& step) const;
+  bool isNear(const Eigen::Vector3d& step) const;
   WheelStatus accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
   double shortened(const Trial& best, const Trial& trial) const;
   Eigen::Vector3d restForces() const;
@@ -123,6 +122,7 @@ class WheelEquilibrium
   void setRates(const MotionMatrix& stiffness);
 
   const ContactModelConfig& config_;
+  double accuracy_;
   SupportedRail rail_;
   WheelContact contact_;
   bool own_force_ = true;

@@ -2,6 +2,7 @@
 #include "core/balance/wheelset_balance.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/balance/tuning.h"
 #include "core/normal/estimate/islands.h"
@@ -13,7 +14,6 @@ namespace
 {
 constexpr double deepest_height = 0.01;  ///< of a given height below that of first touch [m]
 constexpr std::string_view no_balance = "no balance of height, roll and rail deflection was found";
-constexpr double long_step = 0.05;  ///< of the way from the centre to a state without a result from a cold start [-]
 }  // namespace
 
 WheelsetBalance::WheelsetBalance(const ContactModelConfig& config, const GridLevels& levels)
@@ -80,23 +80,24 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
   double reached = 0;
-  const ContactStatus status = walk(state, 0, long_step, reached);
+  const ContactStatus status = walk(state, 0, 1, reached);
   const std::size_t finer = std::min<std::size_t>(1, levels_.count() - 1);
-  return status == ContactStatus::not_converged ? walk(state, finer, 0.1 * long_step, reached) : status;
+  return status == ContactStatus::not_converged ? walk(state, finer, tuning::shortest_share, reached) : status;
 }
 
 /// Solves states on the way from the centre of the track, each from the result of the one before if it has one.
-/// @param step     share of the way from one state to the next beyond `reached`; up to there it is long
-/// @param reached  set to the share of the way up to the last result
-ContactStatus WheelsetBalance::walk(const WheelsetState& state, std::size_t first_level, double step, double& reached)
+/// @param share    of the longest step from one state to the next beyond `reached`; up to there it is the longest
+/// @param reached  set to the way up to the last result [m]
+ContactStatus WheelsetBalance::walk(const WheelsetState& state, std::size_t first_level, double share, double& reached)
 {
-  const double centre = middleOf(placeOnLine(state).rail_displacement);
-  for (double share = 0; share < 1; share += share < reached - 0.5 * long_step ? long_step : step)
+  const double centre = middleOf(placeOnLine(state).rail_displacement), whole = std::abs(state.y - centre);
+  for (double way = 0; way < whole;
+       way += (way < reached - 0.5 * tuning::longest_step ? 1 : share) * tuning::longest_step)
   {
     WheelsetState there = state;
-    there.y = centre + share * (state.y - centre);
+    there.y = centre + std::copysign(way, state.y - centre);
     const ContactStatus status = solveOnce(there, first_level);
-    reached = status == ContactStatus::not_converged ? reached : std::max(reached, share);
+    reached = status == ContactStatus::not_converged ? reached : std::max(reached, way);
   }
   return solveOnce(state, first_level);
 }

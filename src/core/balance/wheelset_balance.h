@@ -56,7 +56,7 @@ class WheelsetBalance
  private:
   ContactStatus solveOnce(const WheelsetState& state, std::size_t first_level = 0);
   ContactStatus solveAlongPath(const WheelsetState& state);
-  ContactStatus walk(const WheelsetState& state, std::size_t first_level, double step, double& reached);
+  ContactStatus walk(const WheelsetState& state, std::size_t first_level, double share, double& reached);
   WheelsetState placeOnLine(WheelsetState state);
   bool continues(WheelsetSearch::Start& start);
   bool refine();

@@ -23,16 +23,15 @@ constexpr double unloaded_accuracy = 1e-7;  ///< of the height of a wheel withou
 /// Changes of loads below this part of the whole load count as of it: the residual of the solutions causes as much [-].
 constexpr double least_share =
     tuning::residual_per_tolerance / tuning::opening_per_tolerance * WheelLoads::overlap_per_load;
-constexpr double linear_turn = 0.1;  ///< largest roll to which an opening is linear, over the largest step [-]
-constexpr int most_retreats = 10;    ///< halvings of a step that leads off a rail or to no solution
-constexpr int most_returns = 10;     ///< of a lifted wheel to its rail
+constexpr double linear_turn = 0.1;   ///< largest roll to which an opening is linear, over the largest step [-]
+constexpr double least_slope = 1e-6;  ///< of the height difference over the roll, < 0: a stable wheelset [m/rad]
 }  // namespace
 
 WheelsetSearch::WheelsetSearch(const ContactModelConfig& config, NormalSolver& solver)
     : config_(config),
       accuracy_(tuning::opening_per_tolerance * searchTolerance(config)),
       greatest_turn_(tuning::longest_step / config.wheelset.meanRadius()),
-      wheels_([&](Side side) { return WheelEquilibrium(config, side, solver); })
+      wheels_([&](Side side) { return WheelEquilibrium(config, side, solver, accuracy_); })
 {
 }
 
@@ -119,7 +118,7 @@ WheelsetSearch::Step WheelsetSearch::newton() const
     step.difference = lever * heightDifference() + height * loads_.openMoment(place_.moments);
     step.slope = lever * per_roll + height * sumOfRates(Output::moment_rate, Input::by_roll);
   }
-  step.slope = std::min(step.slope, tuning::flattest_slope);
+  step.slope = std::min(step.slope, -least_slope);
   step.roll = std::clamp(-step.difference / step.slope, -greatest_turn_, greatest_turn_);
   step.loads = loadsAfter(step.roll);
   return step;
@@ -189,7 +188,7 @@ WheelStatus WheelsetSearch::solveWheels(const KeptResult& kept, bool& any)
     }
     const WheelStatus status =
         wheel.solveUnderLoad(toSide(side, {state_.y, place_.heights[side], state_.yaw, place_.roll}),
-                             place_.loads[side], accuracy_, {kept.grids && solved_[side], kept.response});
+                             place_.loads[side], {kept.grids && solved_[side], kept.response});
     if (!isUsable(status))
     {
       return status;
@@ -264,7 +263,7 @@ double WheelsetSearch::uncertainty(const Step& step) const
   for (const Side side : sides)
   {
     const double overlap = wheels_[side].loaded() ? wheels_[side].contact().overlap() : 0;
-    sum += wheels_[side].loaded() ? tuning::noise * overlap : unloaded_accuracy;
+    sum += wheels_[side].loaded() ? tuning::last_step * tuning::last_step * overlap : unloaded_accuracy;
     overlaps += overlap;
   }
   if (!loads_.areCoupled(place_.loads))
@@ -296,10 +295,10 @@ void WheelsetSearch::retreat(const Place& earlier)
 /// Loads a wheel that returns to its rail as the open moment requires, if it is near its rail.
 bool WheelsetSearch::takesLoad()
 {
+  const Side lifted = WheelLoads::lifted(place_.loads);
   Step step = newton();
-  step.loads = loads_.with(WheelLoads::lifted(place_.loads),
-                           std::abs(loads_.openMoment(place_.moments)) / (2 * config_.wheelset.halfBase()));
-  if (std::abs(heightDifference()) > WheelContact::typicalOverlap(std::min(step.loads.left, step.loads.right)))
+  step.loads = loads_.with(lifted, std::abs(loads_.openMoment(place_.moments)) / (2 * config_.wheelset.halfBase()));
+  if (std::abs(heightDifference()) > wheels_[lifted].contact().typicalOverlap(step.loads[lifted]))
   {
     return false;
   }
@@ -330,15 +329,14 @@ WheelStatus WheelsetSearch::solve(Start start)
 {
   RootBracket bracket;
   std::optional<Place> last;
-  int retreats = 0, returns = 0;
-  for (int i = 0; i < tuning::most_passes; ++i)
+  for (int i = 0; i < tuning::most_solutions; ++i)
   {
     const bool coupled = loads_.areCoupled(place_.loads), is_early = i < tuning::early_solutions;
     bool any_solved = false;
     const KeptResult kept{!is_early, is_early && start != Start::other_state};
     if (const WheelStatus status = solveWheels(kept, any_solved); !isUsable(status))
     {
-      if (!last || ++retreats > most_retreats)
+      if (!last || i + 1 == tuning::most_solutions)
       {
         return status;
       }
@@ -346,11 +344,10 @@ WheelStatus WheelsetSearch::solve(Start start)
       continue;
     }
     last = place_;
-    const bool returning = returns < most_returns && loads_.returnWheel(place_.loads, place_.moments);
+    const bool returning = i < tuning::most_solutions / 2 && loads_.returnWheel(place_.loads, place_.moments);
     if (returning && takesLoad())
     {
       bracket = {};
-      ++returns;
       continue;
     }
     Step step = newton();
@@ -397,8 +394,7 @@ WheelStatus WheelsetSearch::solveAtGivenHeight()
     {
       continue;
     }
-    const WheelStatus status =
-        wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, place_.roll}), accuracy_);
+    const WheelStatus status = wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, place_.roll}));
     if (!isUsable(status))
     {
       return status;
@@ -421,7 +417,7 @@ double WheelsetSearch::depthOfHeight(WheelStatus status)
     }
     else
     {
-      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0, accuracy_));
+      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0));
       depth = std::min(depth, touches ? wheel.height() - state_.z : 0);
     }
   }

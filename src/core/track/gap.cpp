@@ -13,6 +13,9 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
+/// Columns that a vertical displacement opens by less are left out: a wall [-].
+constexpr double smallest_opening = 0.05;
+
 /// Sections of a wheel in the axes of a column: along the tangent of the rail and along its normal.
 WheelSections seenFrom(const SurfaceColumn& column, const WheelSections& wheel)
 {
@@ -297,6 +300,41 @@ double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index fi
     wheel_most = std::max(wheel_most, wheel);
   }
   return 0.5 * std::max(std::atan(rail_most) - std::atan(rail_least), std::atan(wheel_most) - std::atan(wheel_least));
+}
+
+void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
+{
+  for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
+  {
+    if (columns[static_cast<std::size_t>(j)].perUp() < smallest_opening)
+    {
+      patch.gap.col(j).setConstant(no_body_gap);
+    }
+  }
+}
+
+void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals)
+{
+  const auto at = [&](Eigen::Index j) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(j)]; };
+  const auto lowest = [&](Eigen::Index j) { return patch.gap.col(j).minCoeff(); };
+  Eigen::Index row = 0, deepest = 0;
+  patch.gap.minCoeff(&row, &deepest);
+  patch.weight = std::max(at(deepest).perUp(), smallest_opening);
+  normals.weight.resize(patch.grid.ny);
+  double turn_least = 0, turn_most = 0;
+  for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
+  {
+    normals.weight[j] = std::max(at(j).perUp(), smallest_opening) / patch.weight;
+    const double turn = lowest(j) < 0 ? at(j).turnFrom(at(deepest)) : 0;
+    turn_least = std::min(turn_least, turn);
+    turn_most = std::max(turn_most, turn);
+  }
+  const bool turns = turn_most - turn_least > plane_turn;
+  normals.turn.setZero(patch.grid.ny);
+  for (Eigen::Index j = 0; turns && j < patch.grid.ny; ++j)
+  {
+    normals.turn[j] = at(j).angle() - at(deepest).angle();
+  }
 }
 
 void raiseByCells(PatchGap& patch)

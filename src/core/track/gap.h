@@ -47,6 +47,9 @@ struct SurfaceColumn
 
 constexpr double no_body_gap = 0.1;  ///< gap in columns in which wheel or rail has no point [m]
 
+/// Turn of the normals over a contact that is neglected [rad]. Its square halved is the error of a pressure's effect.
+constexpr double plane_turn = 0.2;
+
 /// Square of the ratio of a contact's semi-axis along the track to that of the overlap [-]; that across is the rest
 /// to 1. Of a Hertzian contact: D / K if it is the longer axis, with the complete elliptic integrals K and D of its
 /// aspect ratio, which is (ratio of the curvatures)^(2/pi) (Hamrock and Brewe 1983).
@@ -54,6 +57,13 @@ double contactShare(double overlap_length, double overlap_width);
 
 /// Largest turn of the normal of wheel or rail over the columns `first` to `last`, halved [rad].
 double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index first, Eigen::Index last);
+
+/// Leaves columns out that a vertical displacement hardly opens, or closes.
+void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
+
+/// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
+/// hardly turn.
+void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals);
 
 /// Raises a gap by (g_xx dx² + g_yy dy²) / 48: half of what its mean over a cell exceeds its value at the centre.
 /// Pressures that are constant in each cell and close the gap at the centres need an approach that is too small by so

@@ -64,9 +64,9 @@ TEST_F(WheelEquilibriumTest, ForcesOfTheContactDeflectTheRail)
     config_ = onPads(table);
     for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
     {
-      WheelEquilibrium wheel(config_, Side::left, solver_);
+      WheelEquilibrium wheel(config_, Side::left, solver_, strict);
       wheel.contact().setGrid(0, grid_size);
-      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved) << "y " << y;
+      ASSERT_EQ(wheel.solveUnderLoad({y, 0.46, 0, 0}, wheel_load), WheelStatus::solved) << "y " << y;
       const Eigen::Vector3d due = compliance().inverse() * coordinates(wheel);
       const Eigen::Vector3d found = wheel.contact().solved().forces().tail<3>();
       EXPECT_NEAR(found[0], due[0], 1e-3 * wheel_load) << "y " << y;
@@ -84,9 +84,9 @@ TEST_F(WheelEquilibriumTest, EquilibriumIsTheLeastPotentialEnergy)
   for (const double y : {0.0, 3e-3, 6e-3, 7e-3})
   {
     const WheelsetPose pose{y, 0.46, 0, 0};
-    WheelEquilibrium wheel(config_, Side::left, solver_);
+    WheelEquilibrium wheel(config_, Side::left, solver_, strict);
     wheel.contact().setGrid(0, grid_size);
-    ASSERT_EQ(wheel.solveUnderLoad(pose, wheel_load, strict), WheelStatus::solved) << "y " << y;
+    ASSERT_EQ(wheel.solveUnderLoad(pose, wheel_load), WheelStatus::solved) << "y " << y;
     const Eigen::Vector3d rail = coordinates(wheel);
     const double least = potential(rail, pose);
     for (const double lateral : {-1e-4, 1e-4})
@@ -101,11 +101,11 @@ TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
 {
   for (const double y : {0.0, 3e-3})
   {
-    WheelEquilibrium wheel(config_, Side::left, solver_);
+    WheelEquilibrium wheel(config_, Side::left, solver_, strict);
     wheel.contact().setGrid(0, grid_size);
     const auto heightAt = [&](double roll)
     {
-      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, wheel_load, strict), WheelStatus::solved) << "y " << y;
+      EXPECT_EQ(wheel.solveUnderLoad({y, 0.46, 0, roll}, wheel_load), WheelStatus::solved) << "y " << y;
       return wheel.height();
     };
     const double slope = (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4;
@@ -117,10 +117,10 @@ TEST_F(WheelEquilibriumTest, HeightPerRollIsTheSlopeOfTheHeight)
 
 TEST_F(WheelEquilibriumTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 {
-  WheelEquilibrium wheel(config_, Side::left, solver_);
+  WheelEquilibrium wheel(config_, Side::left, solver_, strict);
   wheel.contact().setGrid(0, grid_size);
-  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved);
-  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, 0, strict), WheelStatus::no_contact);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, wheel_load), WheelStatus::solved);
+  ASSERT_EQ(wheel.solveUnderLoad({0, 0.46, 0, 0}, 0), WheelStatus::no_contact);
   EXPECT_FALSE(wheel.loaded());
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_TRUE(forces(wheel.rail()).isZero(0));
@@ -130,9 +130,9 @@ TEST_F(WheelEquilibriumTest, AWheelWithoutLoadTouchesAnUndeflectedRail)
 TEST_F(WheelEquilibriumTest, ARigidRailIsNotDeflected)
 {
   config_ = manchesterScene();
-  WheelEquilibrium wheel(config_, Side::left, solver_);
+  WheelEquilibrium wheel(config_, Side::left, solver_, strict);
   wheel.contact().setGrid(0, grid_size);
-  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, wheel_load, strict), WheelStatus::solved);
+  ASSERT_EQ(wheel.solveUnderLoad({3e-3, 0.46, 0, 0}, wheel_load), WheelStatus::solved);
   EXPECT_TRUE(coordinates(wheel).isZero(0));
   EXPECT_NEAR(wheel.rail().vertical_force / wheel_load, 1, 1e-6);
   EXPECT_GT(wheel.rail().lateral_force, 0);
