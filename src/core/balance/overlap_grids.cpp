@@ -69,10 +69,10 @@ OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side, const Pl
   joined_.reserve(2 * usual_grids);
 }
 
-void OverlapGrids::setRail(const PlacedRail& rail)
+void OverlapGrids::setRail(const PlacedRail& rail, bool reshaped)
 {
   rail_ = rail;
-  search_.setRail(rail);
+  search_.setRail(rail, reshaped);
 }
 
 PlacedWheel OverlapGrids::wheelAt(double z) const

@@ -65,10 +65,8 @@ class OverlapGrids
   double wheelLength() const { return config_.wheel_profile[side_]->length(); }
   /// True if bodies overlap where no cell of the last grids has points of both: beyond the end of a profile.
   bool missesOverlap() const { return misses_overlap_; }
-  /// Sets another profile of the rail. setRail() must follow.
-  void setProfile(const Profile& rail) { search_.setProfile(rail); }
-  /// Sets the position of the rail.
-  void setRail(const PlacedRail& rail);
+  /// Sets the position of the rail, as ContactSearch.
+  void setRail(const PlacedRail& rail, bool reshaped = false);
   const PlacedRail& rail() const { return *rail_; }
 
   /// Finds the overlap at a pose. Sets patches and coupling of the problem, whose modulus must be set, if there is one.

@@ -79,7 +79,7 @@ WheelStatus WheelContact::touch(const WheelsetPose& pose)
   double separation = 0;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    if (build(first_reach_) == OverlapGrids::Overlap::beside)
+    if (build(first_reach_, OverlapGrids::Choice::own) == OverlapGrids::Overlap::beside)
     {
       return none(WheelStatus::beside_rail);
     }
@@ -94,17 +94,17 @@ WheelStatus WheelContact::touch(const WheelsetPose& pose)
   return none(WheelStatus::no_contact);
 }
 
-WheelStatus WheelContact::solveAt(const WheelsetPose& pose)
+WheelStatus WheelContact::solveAt(const WheelsetPose& pose, OverlapGrids::Choice choice)
 {
   pose_ = pose;
-  switch (build(reach_))
+  switch (build(reach_, choice))
   {
     case OverlapGrids::Overlap::beside:
       return none(WheelStatus::beside_rail);
     case OverlapGrids::Overlap::none:
       return none(WheelStatus::no_contact);
     default:
-      return solve(NormalProblem::Control::approach, 0);
+      return solve(NormalProblem::Control::approach, 0, choice);
   }
 }
 
@@ -113,12 +113,12 @@ double WheelContact::typicalOverlap(double load) const
   return std::cbrt(9.0 / 16 * load * load / (problem_.modulus * problem_.modulus * radius_));
 }
 
-WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
+WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load, OverlapGrids::Choice choice)
 {
   pose_ = pose;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    switch (build(reach_))
+    switch (build(reach_, choice))
     {
       case OverlapGrids::Overlap::beside:
         return none(WheelStatus::beside_rail);
@@ -126,15 +126,15 @@ WheelStatus WheelContact::solveLoad(const WheelsetPose& pose, double load)
         pose_.z -= grids_.touch().separation + typicalOverlap(load);
         break;
       default:
-        return solve(NormalProblem::Control::load, load);
+        return solve(NormalProblem::Control::load, load, choice);
     }
   }
   return none(WheelStatus::unbalanced);
 }
 
-OverlapGrids::Overlap WheelContact::build(OverlapGrids::Reach reach)
+OverlapGrids::Overlap WheelContact::build(OverlapGrids::Reach reach, OverlapGrids::Choice choice)
 {
-  return grids_.build(pose_, size_, choice_, reach, problem_);
+  return grids_.build(pose_, size_, choice, reach, problem_);
 }
 
 /// Solves the problem, from the last solution if that is possible.
@@ -149,7 +149,7 @@ void WheelContact::solveProblem()
   ++solutions_;
 }
 
-WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
+WheelStatus WheelContact::solve(NormalProblem::Control control, double value, OverlapGrids::Choice choice)
 {
   problem_.control = control;
   problem_.value = value;
@@ -158,7 +158,7 @@ WheelStatus WheelContact::solve(NormalProblem::Control control, double value)
   needs_whole_ = !is_complete || (needs_whole_ && grids_.follows());
   if (!is_complete)
   {
-    if (build(OverlapGrids::Reach::whole) != OverlapGrids::Overlap::found)
+    if (build(OverlapGrids::Reach::whole, choice) != OverlapGrids::Overlap::found)
     {
       return none(WheelStatus::unbalanced);  // the overlap is between the columns of the larger grid
     }

@@ -45,19 +45,15 @@ class WheelContact
   void setGrid(std::size_t level, const GridSize& size);
   /// The same for a finer grid, after a solution. The next grids cover the pressure of that solution.
   void refineTo(std::size_t level, const GridSize& size);
-  /// Sets which grids are used.
-  void choose(OverlapGrids::Choice choice) { choice_ = choice; }
-  /// Sets another profile of the rail. setRail() must follow.
-  void setProfile(const Profile& rail) { grids_.setProfile(rail); }
-  /// Sets the position of the rail.
-  void setRail(const PlacedRail& rail) { grids_.setRail(rail); }
+  /// Sets the position of the rail, as ContactSearch.
+  void setRail(const PlacedRail& rail, bool reshaped = false) { grids_.setRail(rail, reshaped); }
   const PlacedRail& rail() const { return grids_.rail(); }
 
   /// Solves the contact at a pose.
-  WheelStatus solveAt(const WheelsetPose& pose);
+  WheelStatus solveAt(const WheelsetPose& pose, OverlapGrids::Choice choice = OverlapGrids::Choice::own);
   /// Solves the contact under a load [N], > 0, with the gap of a pose. If the bodies do not overlap, the pose is first
   /// lowered.
-  WheelStatus solveLoad(const WheelsetPose& pose, double load);
+  WheelStatus solveLoad(const WheelsetPose& pose, double load, OverlapGrids::Choice choice = OverlapGrids::Choice::own);
   /// Overlap of a ball of the wheel's radius with a plane under a load [N] (Hertz 1882): about that of the wheel [m].
   double typicalOverlap(double load) const;
   /// Finds the position of first touch at a pose, without load; height() is the height of the axle centre there.
@@ -101,9 +97,9 @@ class WheelContact
   void forget();
 
  private:
-  OverlapGrids::Overlap build(OverlapGrids::Reach reach);
+  OverlapGrids::Overlap build(OverlapGrids::Reach reach, OverlapGrids::Choice choice);
   void useGrid(std::size_t level, const GridSize& size, OverlapGrids::Reach reach);
-  WheelStatus solve(NormalProblem::Control control, double value);
+  WheelStatus solve(NormalProblem::Control control, double value, OverlapGrids::Choice choice);
   void solveProblem();
   WheelStatus none(WheelStatus status);
 
@@ -118,7 +114,6 @@ class WheelContact
   ContactTangent tangent_;
   WheelsetPose pose_;  ///< of the gap
   SolvedContact solved_;
-  OverlapGrids::Choice choice_ = OverlapGrids::Choice::own;
   OverlapGrids::Reach first_reach_;                               ///< on the first grid
   OverlapGrids::Reach start_reach_ = OverlapGrids::Reach::whole;  ///< of the first solution on this grid
   OverlapGrids::Reach reach_ = OverlapGrids::Reach::whole;        ///< of the next solution: that of the last one

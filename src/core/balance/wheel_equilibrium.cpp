@@ -50,7 +50,6 @@ void WheelEquilibrium::moveTo(double x)
 {
   if (rail_.moveTo(x))
   {
-    contact_.setProfile(rail_.atRest().profile());
     placed_.reset();
   }
 }
@@ -69,8 +68,8 @@ void WheelEquilibrium::place(const Eigen::Vector3d& forces)
   const Eigen::Vector3d coordinates = rail_.under(forces);
   if (!placed_ || coordinates != *placed_)
   {
+    contact_.setRail(rail_.atRest().deflected(toDeflection(coordinates)), !placed_);
     placed_ = coordinates;
-    contact_.setRail(rail_.atRest().deflected(toDeflection(coordinates)));
   }
 }
 
@@ -202,10 +201,10 @@ Eigen::Vector3d WheelEquilibrium::restForces() const
 
 /// Solves the contact on the rail as these forces deflect it; without a load, at the height of the pose.
 WheelStatus WheelEquilibrium::solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load,
-                                      Trial& trial)
+                                      OverlapGrids::Choice choice, Trial& trial)
 {
   place(forces);
-  const WheelStatus status = load > 0 ? contact_.solveLoad(pose, load) : contact_.solveAt(pose);
+  const WheelStatus status = load > 0 ? contact_.solveLoad(pose, load, choice) : contact_.solveAt(pose, choice);
   loaded_ = status == WheelStatus::solved;
   if (loaded_ && !response_.is_exact)
   {
@@ -265,9 +264,9 @@ WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, cons
   double share = 1;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
-    contact_.choose(kept.grids || i > 0 ? OverlapGrids::Choice::kept : OverlapGrids::Choice::own);
+    const auto choice = kept.grids || i > 0 ? OverlapGrids::Choice::kept : OverlapGrids::Choice::own;
     response_.is_exact = response_.is_exact && kept.response && i < tuning::early_solutions;
-    const WheelStatus status = solveOn(forces, at, load, trial);
+    const WheelStatus status = solveOn(forces, at, load, choice, trial);
     const bool usable = loaded_ || status == WheelStatus::no_contact;
     const bool first = !std::isfinite(best.merit);
     if (!usable && (first || !rail_.bends()))

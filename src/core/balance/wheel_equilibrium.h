@@ -32,7 +32,7 @@ class WheelEquilibrium
 
   /// The next solution starts from an undeflected rail.
   void reset();
-  /// Moves along the line to x [m], which the sections of the rail contain. setRail() must follow.
+  /// Moves along the line to x [m], which the sections of the rail contain.
   void moveTo(double x);
   /// Rail in the ideal track at the place of the last moveTo().
   const PlacedRail& restingRail() const { return rail_.atRest(); }
@@ -106,7 +106,8 @@ class WheelEquilibrium
 
   bool isUnderLoad() const { return contact_.problem().control == NormalProblem::Control::load; }
   WheelStatus search(const WheelsetPose& pose, double load, const KeptResult& kept);
-  WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, Trial& trial);
+  WheelStatus solveOn(const Eigen::Vector3d& forces, const WheelsetPose& pose, double load, OverlapGrids::Choice choice,
+                      Trial& trial);
   bool isEquilibrium(const Trial& trial, Eigen::Vector3d& step);
   static bool isNearlyClosed(const Trial& trial);
   bool isNear(const Eigen::Vector3d& step) const;

@@ -43,7 +43,7 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double l
   rail_points_.reserve(room.count + most_parts);
   rail_outline_.reserve(room.count + most_parts);
   part_ends_.reserve(most_parts);
-  setProfile(rail);
+  sampleRail(rail);
   sample({0, std::min(wheel.length(), scope.wheel_end)}, wheel_line_.u);
   while (wheel_line_.u.size() % WheelPoints::together != 0)
   {
@@ -68,7 +68,7 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double l
   }
 }
 
-void ContactSearch::setProfile(const Profile& rail)
+void ContactSearch::sampleRail(const Profile& rail)
 {
   rail_line_.u.clear();
   part_ends_.clear();
@@ -85,8 +85,12 @@ void ContactSearch::setProfile(const Profile& rail)
   }
 }
 
-void ContactSearch::setRail(const PlacedRail& rail)
+void ContactSearch::setRail(const PlacedRail& rail, bool reshaped)
 {
+  if (reshaped)
+  {
+    sampleRail(rail.profile());
+  }
   rail_ = rail;
   rail_line_.y.clear();
   rail_line_.z.clear();

@@ -81,14 +81,12 @@ class ContactSearch
   static constexpr double station_error = 2 * spacing * spacing / (8 * 0.010);
 
   /// Samples the profiles. Keeps no reference to them.
-  /// @param longest_rail  length of the longest rail profile that setProfile() will get [m]
+  /// @param longest_rail  length of the longest rail profile that setRail() will get [m]
   ContactSearch(const Profile& wheel, const Profile& rail, double longest_rail = 0, const SearchScope& scope = {});
 
-  /// Samples another profile of the rail. setRail() must follow.
-  void setProfile(const Profile& rail);
-
   /// Sets the position of the rail. setWheel() must follow.
-  void setRail(const PlacedRail& rail);
+  /// @param reshaped  samples its profile, which is another one than before or has another shape
+  void setRail(const PlacedRail& rail, bool reshaped = false);
   /// Sets the position of the wheel and computes the separation at all stations. setRail() must have been called.
   void setWheel(const PlacedWheel& wheel);
 
@@ -124,6 +122,7 @@ class ContactSearch
   void setEnds(std::size_t first, std::size_t last, double separation, OverlapInterval& interval) const;
   static bool widenByCurvature(double separation, OverlapInterval& interval);
 
+  void sampleRail(const Profile& rail);
   static void sample(const ParameterRange& part, std::vector<double>& u);
 
   WheelPoints wheel_points_;

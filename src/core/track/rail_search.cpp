@@ -41,23 +41,14 @@ bool RailSearch::isSteep(const InitialContact& contact)
   return contact.slope < steep_slope;
 }
 
-void RailSearch::setProfile(const Profile& rail)
-{
-  from_above_.setProfile(rail);
-  if (turned_ && rail.parts().size() > 1)
-  {
-    turned_->setProfile(rail);
-  }
-}
-
-void RailSearch::setRail(const PlacedRail& rail)
+void RailSearch::setRail(const PlacedRail& rail, bool reshaped)
 {
   rail_ = rail;
-  from_above_.setRail(rail);
+  from_above_.setRail(rail, reshaped);
   uses_turned_ = turned_ && rail.profile().parts().size() > 1;
   if (uses_turned_)
   {
-    turned_->setRail(rail);
+    turned_->setRail(rail, reshaped);
   }
 }
 

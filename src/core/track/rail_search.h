@@ -17,7 +17,7 @@ namespace wheel_rail_contact::core
 class RailSearch
 {
  public:
-  /// @param longest_rail   length of the longest rail profile that setProfile() will get [m]
+  /// @param longest_rail   length of the longest rail profile that setRail() will get [m]
   /// @param several_parts  true: a profile of the rail may have several parts
   RailSearch(const Profile& wheel, const Profile& rail, double longest_rail, bool several_parts);
 
@@ -25,8 +25,7 @@ class RailSearch
   static bool isSteep(const InitialContact& contact);
 
   /// As ContactSearch.
-  void setProfile(const Profile& rail);
-  void setRail(const PlacedRail& rail);
+  void setRail(const PlacedRail& rail, bool reshaped = false);
   void setWheel(const PlacedWheel& wheel);
 
   /// Finds the position of the smallest separation.
