@@ -210,11 +210,11 @@ void ContactSearch::setEnds(std::size_t first, std::size_t last, double separati
     const double share = (separation - separation_[inside]) / (separation_[outside] - separation_[inside]);
     return rail_outline_.u(inside) + share * (rail_outline_.u(outside) - rail_outline_.u(inside));
   };
-  const bool starts_open = first == 0 || !(separation_[first - 1] < infinity) || !areOnePart(first - 1, first);
-  const bool ends_open =
-      last + 1 == separation_.size() || !(separation_[last + 1] < infinity) || !areOnePart(last, last + 1);
-  interval.u_begin = starts_open ? rail_outline_.u(first) : edge(first, first - 1);
-  interval.u_end = ends_open ? rail_outline_.u(last) : edge(last, last + 1);
+  const std::size_t before = neighbours(first).first, after = neighbours(last).second;
+  const bool has_begin = before < first && separation_[before] < infinity;
+  const bool has_end = after > last && separation_[after] < infinity;
+  interval.u_begin = has_begin ? edge(first, before) : rail_outline_.u(first);
+  interval.u_end = has_end ? edge(last, after) : rail_outline_.u(last);
 }
 
 /// Widens an interval that the stations do not resolve to that of the osculating parabola of its separation.
