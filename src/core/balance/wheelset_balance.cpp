@@ -33,22 +33,14 @@ int WheelsetBalance::count() const
 
 ContactStatus WheelsetBalance::fail(WheelStatus status)
 {
-  SolveStatus normal_status = SolveStatus::stalled;
-  for (const Side side : sides)
-  {
-    if (const SolveStatus of_wheel = wheel(side).contact().solution().status; !isUsable(of_wheel))
-    {
-      normal_status = of_wheel;
-      break;
-    }
-  }
+  const SolveStatus left = wheel(Side::left).contact().solution().status;
   switch (status)
   {
     case WheelStatus::beside_rail:
       reason_ = "a wheel is beside its rail";
       return ContactStatus::off_profile;
     case WheelStatus::normal_failed:
-      reason_ = toString(normal_status);
+      reason_ = toString(isUsable(left) ? wheel(Side::right).contact().solution().status : left);
       return ContactStatus::not_converged;
     default:
       reason_ = no_balance;
