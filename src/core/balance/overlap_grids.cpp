@@ -47,19 +47,13 @@ bool isDeep(const OverlapInterval& interval)
   const InitialContact& contact = interval.contact;
   return -contact.separation > depth * std::hypot(1, contact.slope);
 }
-
-/// True if the rail may have several parts.
-bool severalParts(const ContactModelConfig& config, Side side)
-{
-  const auto& sections = config.rail_sections[side];
-  return sections && sections->parts().size() > 1;
-}
 }  // namespace
 
 OverlapGrids::OverlapGrids(const ContactModelConfig& config, Side side, const PlacedRail& rail, double longest_rail)
     : config_(config),
       side_(side),
-      search_(*config.wheel_profile[side], rail.profile(), longest_rail, severalParts(config, side)),
+      search_(*config.wheel_profile[side], rail.profile(), longest_rail,
+              config.rail_sections[side] && config.rail_sections[side]->parts().size() > 1),
       outside_(search_, placed_, columns_)
 {
   group_grids_.reserve(usual_grids);

@@ -3,16 +3,6 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
-/// Rail of a side in the ideal track, along the line. Keeps a reference to its sections, if it has any.
-RailAlong railAlong(const ContactModelConfig& config, Side side)
-{
-  const auto& sections = config.rail_sections[side];
-  return sections ? RailAlong(*sections, config.track, side) : RailAlong(config.rail_profile[side], config.track, side);
-}
-}  // namespace
-
 PlacedRail restingRail(const ContactModelConfig& config, Side side, double x)
 {
   const auto& sections = config.rail_sections[side];
@@ -40,7 +30,9 @@ Eigen::Matrix3d supportCompliance(const ComplianceTable& table, double inclinati
 }
 
 SupportedRail::SupportedRail(const ContactModelConfig& config, Side side)
-    : along_(railAlong(config, side)), bends_(config.rail_bending.model == RailBendingConfig::Model::compliance)
+    : along_(config.rail_sections[side] ? RailAlong(*config.rail_sections[side], config.track, side)
+                                        : RailAlong(config.rail_profile[side], config.track, side)),
+      bends_(config.rail_bending.model == RailBendingConfig::Model::compliance)
 {
   if (bends_)
   {
