@@ -76,14 +76,13 @@ void WheelContact::forget()
 WheelStatus WheelContact::touch(const WheelsetPose& pose)
 {
   pose_ = pose;
-  double separation = 0;
   for (int i = 0; i < tuning::most_solutions; ++i)
   {
     if (build(first_reach_, OverlapGrids::Choice::own) == OverlapGrids::Overlap::beside)
     {
       return none(WheelStatus::beside_rail);
     }
-    separation = grids_.touch().separation;
+    const double separation = grids_.touch().separation;
     pose_.z -= separation;
     // The separation falls with the height as it does itself, unless the flange back touches a check rail.
     if (std::abs(separation) < touch_accuracy || !RailSearch::isSteep(grids_.touch()))
