@@ -343,7 +343,7 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
     return rise <= 0 ? 1 : 0.5;
   }
   const bool is_known = rise > noise && !(before < 0 && after <= 0);
-  if (rise < -noise || (!is_known && std::abs(after) <= std::abs(before)))
+  if (rise < -noise || (!is_known && std::abs(after) <= (1 - tuning::shortest_share) * std::abs(before)))
   {
     return 1;
   }
