@@ -403,7 +403,7 @@ double largestEstimate(const WheelsetResult& result)
 
 // Cold and warm results differ as on a constant rail (warm_start_test.cpp). Where a wheel is about to touch a second
 // head, the load shared out between both may change with the height by as much as the tolerance of the balance. Where a
-// result says that its error exceeds the tolerance, its estimate is the limit.
+// result reports that its error exceeds the tolerance, its estimate is the limit.
 TEST(Sections, WarmEqualsColdAlongACrossing)
 {
   const ContactModelConfig config = crossing_scene::scene();
