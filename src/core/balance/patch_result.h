@@ -39,8 +39,8 @@ struct ShapeEffect
 /// Let c be the standard deviation of the relative curvature across, p that of the position, and k the relative
 /// curvature. A change of the curvature over the whole contact changes the pressure by c/(2 k) in plane contact
 /// (Johnson 1985, eq. 4.45: p0 ~ sqrt(k) under the same load). A wave of amplitude d and length l presses with E* pi
-/// d/l (Johnson 1985, eq. 13.2, with waves in contact all over). With d = sqrt(2) p and l = 2 pi sqrt(p/c), the wave that
-/// has both deviations, this is E* sqrt(p c/2) at its peaks. The error is the lesser of the two: long waves act by
+/// d/l (Johnson 1985, eq. 13.2, with waves in contact all over). With d = sqrt(2) p and l = 2 pi sqrt(p/c), the wave
+/// that has both deviations, this is E* sqrt(p c/2) at its peaks. The error is the lesser of the two: long waves act by
 /// their curvature, short ones are flattened.
 /// @param profile       of the wheel
 /// @param island        patch of the wheel, see WheelsetBalance::islands()
