@@ -8,9 +8,9 @@
 
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
-#include "core/balance/stress_beneath.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/constants.h"
+#include "core/stress_beneath.h"
 #include "core/text/formatted.h"
 
 namespace wheel_rail_contact::core

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/balance/stress_beneath.h"
+#include "core/stress_beneath.h"
 
 #include <algorithm>
 
 #include "core/balance/patch_result.h"
-#include "core/stress/stress_search.h"
 
 namespace wheel_rail_contact::core
 {
