@@ -99,34 +99,6 @@ TEST(Coupling, SoftRailAtTheFlangeIsSolved)
   }
 }
 
-// The height determines the sum of the deflections of rail and contact. The rail deflects fifty times as far. The
-// height is known within the tolerance times the approach; a tenth of this, over the compliance of the rail, is the
-// accuracy of the load.
-TEST(Coupling, SolvedHeightAndRollAsInputGiveTheSameLoads)
-{
-  for (const ComplianceTable& table : {softPads(), verySoftPads()})
-  {
-    ContactModelConfig config = onPads(table);
-    WheelsetContact solved(config);
-    config.wheelset.solve_height_and_roll = false;
-    WheelsetContact given(config);
-    for (const double y : {0.0, 1e-3, -2.5e-3, 4e-3, 6.5e-3, -8e-3})
-    {
-      const WheelsetResult& found = solved.evaluate(stateAt(y, wheel_load));
-      ASSERT_EQ(found.status, ContactStatus::ok) << found.reason << " at y = " << y;
-      WheelsetState back = stateAt(y, 0);
-      back.z = found.z;
-      back.roll = found.roll;
-      const WheelsetResult& again = given.evaluate(back);
-      ASSERT_EQ(again.status, ContactStatus::ok) << again.reason << " at y = " << y;
-      for (const Side side : {Side::left, Side::right})
-      {
-        EXPECT_NEAR(wheelTotal(again, side).vertical / wheel_load, 1, config.contact.tolerance) << "y " << y;
-      }
-    }
-  }
-}
-
 // 0.05 mm per message, from the track centre to the gauge corner.
 TEST(Coupling, WarmSweepNeedsFewSolutions)
 {
