@@ -68,13 +68,16 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
 }
 
 /// Solves a state from the centre of the track: in long steps, or if that has no result, in short ones from the last
-/// result on, on a finer grid.
+/// result on, on a finer grid and then on the first one.
 ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
   double reached = 0;
-  const ContactStatus status = walk(state, 0, 1, reached);
-  const std::size_t finer = std::min<std::size_t>(1, levels_.count() - 1);
-  return status == ContactStatus::not_converged ? walk(state, finer, tuning::shortest_share, reached) : status;
+  ContactStatus status = walk(state, 0, 1, reached);
+  for (const std::size_t level : {std::min<std::size_t>(1, levels_.count() - 1), std::size_t{0}})
+  {
+    status = status == ContactStatus::not_converged ? walk(state, level, tuning::shortest_share, reached) : status;
+  }
+  return status;
 }
 
 /// Solves states on the way from the centre of the track, each from the result of the one before if it has one.
