@@ -39,14 +39,7 @@ std::vector<GridSize> sizesFor(const ContactConfig& contact, double tolerance)
     return {*firstFor(0.5 * tolerance)};
   }
   const GridSize* const first = firstFor(tolerance);
-  std::vector<GridSize> grids(first,
-                              first + 1 + std::min<std::ptrdiff_t>(tuning::most_refinements, sizes.end() - 1 - first));
-  const GridSize narrow{grids.back().along, 2 * grids.back().across};
-  if (narrow.along * narrow.across <= most_prepared_cells)
-  {
-    grids.push_back(narrow);
-  }
-  return grids;
+  return {first, first + 1 + std::min<std::ptrdiff_t>(tuning::most_refinements, sizes.end() - 1 - first)};
 }
 
 std::unique_ptr<NormalSolver> makeSolver(const ContactModelConfig& config, const std::vector<GridSize>& grids)

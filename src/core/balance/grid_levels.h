@@ -31,8 +31,8 @@ double searchTolerance(const ContactModelConfig& config);
 ///
 /// Every solution starts on the same grid, which the tolerance determines: the error of a smooth contact is of the
 /// order of 1 / (cells along)². With `method: auto`, a wheel whose estimated error exceeds the tolerance is solved
-/// again on a finer grid. The finest has narrower columns, for narrow peaks as in the root of a flange; it is solved
-/// once. Nothing depends on earlier results. Every other method has one grid, for half the expected error.
+/// again on a finer grid. Nothing depends on earlier results. Every other method has one grid, for half the expected
+/// error.
 class GridLevels
 {
  public:

@@ -186,10 +186,8 @@ bool WheelsetBalance::continues(WheelsetSearch::Start& start)
     start = Start::other_grids;
     return true;
   }
-  const bool refined = refine();
-  const bool finest = std::max(level_.left, level_.right) + 1 == levels_.count();
-  start = finest ? Start::other_grids : Start::near;
-  return refined;
+  start = Start::near;
+  return refine();
 }
 
 /// Estimates the errors. Chooses finer grids where they exceed the tolerance. @return true if there are any

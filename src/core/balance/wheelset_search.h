@@ -35,7 +35,7 @@ class WheelsetSearch
   {
     other_state,
     near,        ///< the same state on coarser grids, or one a short step before: its derivatives are kept
-    other_grids  ///< the same state, on grids of the same size or on the finest: the forces jump by the errors of both
+    other_grids  ///< the same state, on grids of the same size: the forces jump by the errors of both
   };
 
   /// Keeps references to `config` and `solver`, which must outlive this.

@@ -392,8 +392,7 @@ TEST(Sections, WheelMovesFromWingRailToNose)
 }
 
 // Cold and warm results differ as on a constant rail (warm_start_test.cpp). Where a wheel is about to touch a second
-// head, the load shared out between both may change with the height by as much as the tolerance of the balance. Where a
-// result reports that its error exceeds the tolerance, its estimate is the limit.
+// head, the load shared out between both may change with the height by as much as the tolerance of the balance.
 TEST(Sections, WarmEqualsColdAlongACrossing)
 {
   const ContactModelConfig config = crossing_scene::scene();
@@ -411,12 +410,6 @@ TEST(Sections, WarmEqualsColdAlongACrossing)
       const WheelTotal one = wheelTotal(a, side), other = wheelTotal(b, side);
       const double difference =
           std::max(std::abs(one.max_pressure / other.max_pressure - 1), std::abs(one.area / other.area - 1));
-      double limit = config.contact.tolerance;
-      for (const PatchResult& patch : b.patches)
-      {
-        limit = b.above_tolerance ? std::max(limit, patch.error_estimate) : limit;
-      }
-      EXPECT_LT(difference, limit) << x;
       largest = std::max(largest, difference);
       ++wheels;
       beyond += difference > 0.1 * config.contact.tolerance ? 1 : 0;
@@ -426,5 +419,6 @@ TEST(Sections, WarmEqualsColdAlongACrossing)
       "warm against cold along a crossing: largest difference %.2g, %d of %d wheels beyond a tenth of the "
       "tolerance\n",
       largest, beyond, wheels);
+  EXPECT_LT(largest, config.contact.tolerance);
   EXPECT_LE(beyond, 0.05 * wheels);
 }

@@ -157,25 +157,6 @@ TEST(MethodChoice, AnErrorEstimateAboveTheToleranceIsReported)
   EXPECT_EQ(within.reason, "");
 }
 
-// In the root of the flange: a peak of 0.25 mm at the end of a contact of 10 mm. The columns of 24 × 64 cells are 0.2
-// mm wide; their highest pressure is up to 20 % wrong.
-TEST(MethodChoice, ANarrowPeakInAWideContactMeetsTheTolerance)
-{
-  ContactModelConfig config = manchesterScene();
-  WheelsetContact contact(config);
-  config.contact.method = NormalMethod::conjugate_gradient;
-  config.contact.tolerance = 1e-3;
-  config.contact.cells_along = 32;
-  config.contact.cells_across = 256;
-  WheelsetContact truth(config);
-  for (const double y : {6.266e-3, 6.27e-3, 6.274e-3, 6.278e-3})
-  {
-    const double found = wheelTotal(contact.evaluate(stateAt(y, 2e4)), Side::left).max_pressure;
-    const double exact = wheelTotal(truth.evaluate(stateAt(y, 2e4)), Side::left).max_pressure;
-    EXPECT_NEAR(found / exact, 1, contact.config().contact.tolerance) << y;
-  }
-}
-
 TEST(MethodChoice, ASteadySceneKeepsOneGrid)
 {
   ContactModelConfig config = manchesterScene();
