@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/balance/tuning.h"
 #include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"
 #include "core/track/gap.h"

@@ -73,9 +73,10 @@ ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
   double reached = 0;
   ContactStatus status = walk(state, 0, 1, reached);
-  for (const std::size_t level : {std::min<std::size_t>(1, levels_.count() - 1), std::size_t{0}})
+  for (std::size_t level = std::min<std::size_t>(2, levels_.count());
+       status == ContactStatus::not_converged && level-- > 0;)
   {
-    status = status == ContactStatus::not_converged ? walk(state, level, tuning::shortest_share, reached) : status;
+    status = walk(state, level, tuning::shortest_share, reached);
   }
   return status;
 }
