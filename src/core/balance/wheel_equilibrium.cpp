@@ -330,9 +330,9 @@ WheelStatus WheelEquilibrium::accept(const Trial& trial, const Eigen::Vector3d& 
 }
 
 /// Share of the last step to be tried next; 1 if its end is accepted: if the energy has fallen, or if it is the same
-/// within its noise and its slope is smaller. An energy that falls at both ends and is higher at the second one is
-/// wrong by the cells. The share is where the tangents of the energy at both ends meet (at the kink, if another place
-/// comes into contact), or where the slope vanishes.
+/// within its noise and its slope is smaller. The energy is convex: one that rises by more than its last slope is wrong
+/// by the cells. The share is where the tangents of the energy at both ends meet (at the kink, if another place comes
+/// into contact), or where the slope vanishes.
 double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
 {
   const double rise = trial.merit - best.merit, noise = std::max(trial.noise, best.noise);
@@ -342,7 +342,7 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
   {
     return rise <= 0 ? 1 : 0.5;
   }
-  const bool is_known = rise > noise && !(before < 0 && after <= 0);
+  const bool is_known = rise > noise && rise <= after;
   if (rise < -noise || (!is_known && std::abs(after) <= (1 - tuning::shortest_share) * std::abs(before)))
   {
     return 1;

@@ -31,6 +31,11 @@ class WheelLoads
   /// Loads at a change of the transfer [N] for which the overlap of the lighter wheel changes linearly. It grows with
   /// load^(2/3).
   Sides<double> changed(const Sides<double>& loads, double transfer) const;
+  /// Loads on the way from `a` to `b`.
+  static Sides<double> between(const Sides<double>& a, const Sides<double>& b, double share)
+  {
+    return {a.left + share * (b.left - a.left), a.right + share * (b.right - a.right)};
+  }
   /// True if the loads change to balance the moments.
   bool areCoupled(const Sides<double>& loads) const { return balances() && loads.left > 0 && loads.right > 0; }
   /// True if the moments lift a wheel.

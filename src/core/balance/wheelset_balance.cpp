@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/balance/tuning.h"
+#include "core/constants.h"
 #include "core/normal/estimate/islands.h"
 #include "wheel_rail_contact/core/sides.h"
 
@@ -67,33 +68,38 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   return status;
 }
 
-/// Solves a state from the centre of the track: in long steps, or if that has no result, in short ones from the last
-/// result on, on a finer grid and then on the first one.
+/// Solves a state along a path: from the centre of the track in long steps, in short ones from the last result on, on a
+/// finer grid and then on the first one, or from a long step beyond it, which another branch may reach.
 ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
+  const double centre = middleOf(placeOnLine(state).rail_displacement), way = state.y - centre;
   double reached = 0;
-  ContactStatus status = walk(state, 0, 1, reached);
+  ContactStatus status = walk(state, way, 0, 1, reached);
   for (std::size_t level = std::min<std::size_t>(2, levels_.count());
        status == ContactStatus::not_converged && level-- > 0;)
   {
-    status = walk(state, level, tuning::shortest_share, reached);
+    status = walk(state, way, level, tuning::shortest_share, reached);
   }
-  return status;
+  reached = 0;
+  return status != ContactStatus::not_converged
+             ? status
+             : walk(state, std::copysign(tuning::longest_step, -way), 0, tuning::shortest_share, reached);
 }
 
-/// Solves states on the way from the centre of the track, each from the result of the one before if it has one.
+/// Solves states on a way to a state, each from the result of the one before if it has one.
+/// @param way      lateral [m], to the state
 /// @param share    of the longest step from one state to the next beyond `reached`; up to there it is the longest
 /// @param reached  set to the way up to the last result [m]
-ContactStatus WheelsetBalance::walk(const WheelsetState& state, std::size_t first_level, double share, double& reached)
+ContactStatus WheelsetBalance::walk(const WheelsetState& state, double way, std::size_t first_level, double share,
+                                    double& reached)
 {
-  const double centre = middleOf(placeOnLine(state).rail_displacement), whole = std::abs(state.y - centre);
-  for (double way = 0; way < whole;
-       way += (way < reached - 0.5 * tuning::longest_step ? 1 : share) * tuning::longest_step)
+  for (double gone = 0; gone < std::abs(way);
+       gone += (gone < reached - 0.5 * tuning::longest_step ? 1 : share) * tuning::longest_step)
   {
     WheelsetState there = state;
-    there.y = centre + std::copysign(way, state.y - centre);
+    there.y = state.y - way + std::copysign(gone, way);
     const ContactStatus status = solveOnce(there, first_level);
-    reached = status == ContactStatus::not_converged ? reached : std::max(reached, way);
+    reached = status == ContactStatus::not_converged ? reached : std::max(reached, gone);
   }
   return solveOnce(state, first_level);
 }
@@ -116,7 +122,7 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
     status = given ? search_.solveAtGivenHeight() : search_.solve(start);
   } while (isUsable(status) && continues(start));
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
-  depth_ = given ? search_.depthOfHeight(status) : 0;
+  depth_ = given ? depthOfHeight(status) : 0;
   if (depth_ > deepest_height || failed != ContactStatus::ok)
   {
     return discard(depth_ > deepest_height ? ContactStatus::too_deep : failed, reason_);
@@ -127,6 +133,29 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
     return discard(ContactStatus::off_profile, "contact lies beyond the end of a profile");
   }
   return left.loaded() && right.loaded() ? ContactStatus::ok : ContactStatus::lift_off;
+}
+
+/// Depth of the given height below that of first touch, of the wheel that is less deep [m]. A wrong lateral position
+/// lets only one wheel overlap its rail. After a failure, the positions of first touch replace the last solutions.
+double WheelsetBalance::depthOfHeight(WheelStatus status)
+{
+  double depth = infinity;
+  for (const Side side : sides)
+  {
+    WheelEquilibrium& wheel = this->wheel(side);
+    const WheelsetState& state = search_.state();
+    const WheelsetPose above{state.y, config_.wheelset.meanRadius(), state.yaw, state.roll};
+    if (isUsable(status))
+    {
+      depth = std::min(depth, wheel.loaded() ? wheel.contact().overlap() : 0);
+    }
+    else
+    {
+      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0));
+      depth = std::min(depth, touches ? wheel.height() - state.z : 0);
+    }
+  }
+  return depth;
 }
 
 /// The result is not a start for the next call.

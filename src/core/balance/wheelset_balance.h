@@ -56,11 +56,12 @@ class WheelsetBalance
  private:
   ContactStatus solveOnce(const WheelsetState& state, std::size_t first_level = 0);
   ContactStatus solveAlongPath(const WheelsetState& state);
-  ContactStatus walk(const WheelsetState& state, std::size_t first_level, double share, double& reached);
+  ContactStatus walk(const WheelsetState& state, double way, std::size_t first_level, double share, double& reached);
   WheelsetState placeOnLine(WheelsetState state);
   bool continues(WheelsetSearch::Start& start);
   bool refine();
   bool renewForeignGrids();
+  double depthOfHeight(WheelStatus status);
   double estimate(Side side);
   int count() const;
   ContactStatus fail(WheelStatus status);

@@ -239,10 +239,7 @@ void WheelsetSearch::shorten(Step& step) const
   if (share < 1)
   {
     step.roll *= share;
-    for (const Side side : sides)
-    {
-      step.loads[side] = place_.loads[side] + share * (step.loads[side] - place_.loads[side]);
-    }
+    step.loads = WheelLoads::between(place_.loads, step.loads, share);
   }
 }
 
@@ -284,10 +281,7 @@ double WheelsetSearch::uncertainty(const Step& step) const
 void WheelsetSearch::retreat(const Place& earlier)
 {
   place_.roll = 0.5 * (place_.roll + earlier.roll);
-  for (const Side side : sides)
-  {
-    place_.loads[side] = 0.5 * (place_.loads[side] + earlier.loads[side]);
-  }
+  place_.loads = WheelLoads::between(place_.loads, earlier.loads, 0.5);
   place_.heights = earlier.heights;
   solved_ = {};
 }
@@ -402,25 +396,5 @@ WheelStatus WheelsetSearch::solveAtGivenHeight()
     solved_[side] = Solved{place_.roll, 0};
   }
   return WheelStatus::solved;
-}
-
-double WheelsetSearch::depthOfHeight(WheelStatus status)
-{
-  double depth = infinity;
-  for (const Side side : sides)
-  {
-    WheelEquilibrium& wheel = wheels_[side];
-    const WheelsetPose above{state_.y, config_.wheelset.meanRadius(), state_.yaw, state_.roll};
-    if (isUsable(status))
-    {
-      depth = std::min(depth, wheel.loaded() ? wheel.contact().overlap() : 0);
-    }
-    else
-    {
-      const bool touches = isUsable(wheel.solveUnderLoad(toSide(side, above), 0));
-      depth = std::min(depth, touches ? wheel.height() - state_.z : 0);
-    }
-  }
-  return depth;
 }
 }  // namespace wheel_rail_contact::core

@@ -54,9 +54,6 @@ class WheelsetSearch
   WheelStatus solve(Start start);
   /// Solves at the height and the roll of the state.
   WheelStatus solveAtGivenHeight();
-  /// Depth of the given height below that of first touch, of the wheel that is less deep [m]. A wrong lateral position
-  /// lets only one wheel overlap its rail. After a failure, the positions of first touch replace the last solutions.
-  double depthOfHeight(WheelStatus status);
 
   WheelEquilibrium& wheel(Side side) { return wheels_[side]; }
   const WheelEquilibrium& wheel(Side side) const { return wheels_[side]; }
