@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/simd/wide.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -12,87 +14,76 @@ namespace
 /// Largest distance from the middle of a column over which the third-order expansion of the wheel profile is used [m].
 /// The fourth derivative causes an error of 1e-11 m on arcs of 13 mm.
 constexpr double expansion_reach = 1.5e-4;
-
-using Numbers = ColumnGroup::Numbers;
-
-/// Profile points with tangents.
-struct Tangents
-{
-  Numbers y, z, dy, dz;
-};
-
-/// Points and tangents of the profile at a distance `shift` along it, from the expansion.
-Tangents beside(const ColumnGroup::Points& p, const Numbers& shift)
-{
-  const Numbers half = 0.5 * shift;
-  const Numbers third = shift * (1.0 / 3);
-  return {p.y + shift * (p.dy + half * (p.ddy + third * p.dddy)),
-          p.z + shift * (p.dz + half * (p.ddz + third * p.dddz)), p.dy + shift * (p.ddy + half * p.dddy),
-          p.dz + shift * (p.ddz + half * p.dddz)};
-}
 }  // namespace
 
-void ColumnGroup::Coordinate::set(int column, const WheelCoordinate& value)
+void ColumnGroup::set(int column, const WheelSections& seen, double parameter, const CurveExpansion& point,
+                      double discontinuity_distance)
 {
-  origin[column] = value.origin;
-  along[column] = value.along;
-  down[column] = value.down;
-  forward[column] = value.forward;
-}
-
-void ColumnGroup::set(int column, const WheelSections& seen, double place, double parameter,
-                      const CurveExpansion& point, double height, double discontinuity_distance)
-{
-  tangent.set(column, seen.y);
-  normal.set(column, seen.z);
-  const CurvePoint& p = point.point;
-  profile.y[column] = p.y;
-  profile.z[column] = p.z;
-  profile.dy[column] = p.dy;
-  profile.dz[column] = p.dz;
-  profile.ddy[column] = p.ddy;
-  profile.ddz[column] = p.ddz;
-  profile.dddy[column] = point.dddy;
-  profile.dddz[column] = point.dddz;
+  const auto& [p, dddy, dddz] = point;
+  values.row(column) << seen.y.origin, seen.y.along, seen.y.down, seen.y.forward,  //
+      seen.z.origin, seen.z.along, seen.z.down, seen.z.forward,                    //
+      p.y, p.z, p.dy, p.dz, p.ddy, p.ddz, dddy, dddz, std::min(discontinuity_distance, expansion_reach);
   u[column] = parameter;
-  t[column] = place;
-  n[column] = height;
-  reach[column] = std::min(discontinuity_distance, expansion_reach);
 }
 
-WheelSections ColumnGroup::seen(int column, const WheelSections& wheel) const
+inline WheelSections ColumnGroup::seen(int column, const WheelSections& wheel) const
 {
-  const auto value = [column](const Coordinate& c) -> WheelCoordinate {
-    return {c.origin[column], c.along[column], c.down[column], c.forward[column]};
+  const auto at = [&](int first) -> WheelCoordinate {
+    return {values(column, first), values(column, first + 1), values(column, first + 2), values(column, first + 3)};
   };
-  WheelSections sections = wheel;
-  sections.y = value(tangent);
-  sections.z = value(normal);
-  return sections;
+  return {wheel.radius, wheel.half_base, wheel.axle_x, wheel.per_forward_x, at(0), at(4)};
 }
 
-/// Two Newton steps on the expansion. Where the expansion is not accurate, Newton's method on the profile itself.
+inline CurvePoint ColumnGroup::beside(int column, double shift) const
+{
+  const double half = 0.5 * shift, third = shift * (1.0 / 3);
+  const auto at = [&](int k) { return values(column, k); };
+  return {at(8) + shift * (at(10) + half * (at(12) + third * at(14))),
+          at(9) + shift * (at(11) + half * (at(13) + third * at(15))),
+          at(10) + shift * (at(12) + half * at(14)),
+          at(11) + shift * (at(13) + half * at(15)),
+          0,
+          0};
+}
+
+/// Two Newton steps on the expansion: sets height and slope in each column, and 1 where they are accurate, otherwise 0.
+static WHEEL_RAIL_CONTACT_WIDE void expand(const ColumnGroup& columns, const WheelSections& wheel, double x,
+                                           Eigen::Array<double, ColumnGroup::together, 3>& out)
+{
+  const auto reach = columns.values.col(16);
+  Eigen::Array<double, ColumnGroup::together, 3> own;  // the compiler knows that it shares no memory with the columns
+  for (int k = 0; k < ColumnGroup::together; ++k)
+  {
+    const WheelSections seen = columns.seen(k, wheel);
+    PlanePoint start{}, point{};
+    seen.at(columns.beside(k, 0), x, start);
+    const double shift = -start.y / start.dy;
+    seen.at(columns.beside(k, shift), x, point);
+    own(k, 1) = point.dz / point.dy;
+    own(k, 0) = point.z - own(k, 1) * point.y;
+    const double is_over = std::abs(point.y) < tangential_tolerance ? 1 : 0;
+    const double is_near = std::abs(shift) < reach[k] ? 1 : 0;
+    own(k, 2) = point.dy > 0 ? is_over * is_near : 0;
+  }
+  out = own;
+}
+
 ColumnHeights::Numbers ColumnHeights::heights(const ColumnGroup& columns, int count, double x, Numbers& u,
                                               Numbers& slope)
 {
-  const SectionPoint<Numbers> start = wheel_.at<Numbers>(columns.profile, x, columns.tangent, columns.normal);
-  const Numbers shift = (columns.t - start.y) / start.dy;
-  const SectionPoint<Numbers> point =
-      wheel_.at<Numbers>(beside(columns.profile, shift), x, columns.tangent, columns.normal);
-  const Numbers miss = columns.t - point.y;
-  slope = point.dz / point.dy;
-  Numbers n = point.z + slope * miss;
+  Eigen::Array<double, ColumnGroup::together, 3> expanded;
+  expand(columns, wheel_, x, expanded);
+  Numbers n = expanded.col(0);
+  slope = expanded.col(1);
   for (int k = 0; k < count; ++k)
   {
-    const bool found =
-        point.dy[k] > 0 && std::abs(miss[k]) < tangential_tolerance && std::abs(shift[k]) < columns.reach[k];
-    if (!found)
+    if (!(expanded(k, 2) > 0))
     {
       const WheelSections seen = columns.seen(k, wheel_);
       const auto curve = [&](double at, PlanePoint& place) { return seen.at(profile_.at(at), x, place); };
       LocalPoint local;
       double guess = u[k];
-      const bool there = pointOver(columns.t[k], curve, guess, local);
+      const bool there = pointOver(0, curve, guess, local);
       n[k] = there ? local.n : std::numeric_limits<double>::quiet_NaN();
       slope[k] = local.slope;
       u[k] = there ? guess : u[k];

@@ -56,36 +56,22 @@ struct ColumnGroup
   static constexpr int together = 8;  ///< number of columns in a group
   using Numbers = Eigen::Array<double, together, 1>;
 
-  /// Profile points and derivatives, as in CurveExpansion.
-  struct Points
-  {
-    Numbers y = Numbers::Zero(), z = Numbers::Zero(), dy = Numbers::Zero(), dz = Numbers::Zero();
-    Numbers ddy = Numbers::Zero(), ddz = Numbers::Zero(), dddy = Numbers::Zero(), dddz = Numbers::Zero();
-  };
-
-  /// A coordinate of the wheel in the axes of each column, as in WheelCoordinate.
-  struct Coordinate
-  {
-    Numbers origin = Numbers::Zero(), along = Numbers::Zero(), down = Numbers::Zero(), forward = Numbers::Zero();
-
-    void set(int column, const WheelCoordinate& value);
-  };
-
-  Points profile;                   ///< points of the wheel profile
-  Coordinate tangent, normal;       ///< coordinates of the wheel along the plane of each column, and normal to it
-  Numbers u = Numbers::Zero();      ///< parameter of the wheel profile [m]
-  Numbers t = Numbers::Zero();      ///< position of the column in the plane [m]
-  Numbers n = Numbers::Zero();      ///< height of the wheel above the plane at the middle of the column [m]
-  Numbers reach = Numbers::Zero();  ///< distance along the profile within which the expansion is accurate [m]
+  /// For each column: coordinates of the wheel along its plane and normal to it, each as in WheelCoordinate; y and z of
+  /// the profile point, their first, second and third derivatives; distance along the profile within which the
+  /// expansion is accurate [m].
+  Eigen::Array<double, together, 17> values = Eigen::Array<double, together, 17>::Zero();
+  Numbers u = Numbers::Zero();  ///< parameters of the wheel profile [m]
 
   /// Sets the values of one column.
-  /// @param seen  sections of the wheel in the axes t and n of the plane of the column
+  /// @param seen  sections of the wheel in the axes of the plane of the column, from its middle
   /// @param discontinuity_distance  distance along the profile to the nearest discontinuity [m]
-  void set(int column, const WheelSections& seen, double place, double parameter, const CurveExpansion& point,
-           double height, double discontinuity_distance);
+  void set(int column, const WheelSections& seen, double parameter, const CurveExpansion& point,
+           double discontinuity_distance);
 
   /// Sections of the wheel in the axes of one column. The coordinates of `wheel` are not used.
   WheelSections seen(int column, const WheelSections& wheel) const;
+  /// Point and tangent of the profile at a distance `shift` along it, from the expansion.
+  CurvePoint beside(int column, double shift) const;
 };
 
 /// Computes the heights of the wheel along columns of a gap.

@@ -129,7 +129,7 @@ class SurfaceGapBuilder
       return false;
     }
     column.wheel_slope = wheel.slope;
-    group_.set(k, seen, 0, u, profile, wheel.n, wheel_profile_.reach());
+    group_.set(k, seen, u, profile, wheel_profile_.reach());
     return true;
   }
 

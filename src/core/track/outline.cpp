@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/constants.h"
+#include "core/simd/wide.h"
 
 namespace wheel_rail_contact::core
 {
@@ -25,7 +26,8 @@ void Outline::reserve(std::size_t points)
 
 /// Computes the positions of the points and the derivatives on the segments. Divisions are slow; loops without branches
 /// compute several at once.
-void Outline::measureSegments(const OutlinePoints& points, std::size_t first_point, std::size_t end_point)
+WHEEL_RAIL_CONTACT_WIDE void Outline::measureSegments(const OutlinePoints& points, std::size_t first_point,
+                                                      std::size_t end_point)
 {
   const std::size_t count = points.y.size();
   place_.resize(count);
@@ -46,7 +48,7 @@ void Outline::measureSegments(const OutlinePoints& points, std::size_t first_poi
   }
 }
 
-void Outline::above(const Outline& other, std::vector<double>& distance) const
+WHEEL_RAIL_CONTACT_WIDE void Outline::above(const Outline& other, std::vector<double>& distance) const
 {
   const double *here = height_.data(), *there = other.height_.data();
   const double sign = sign_, other_sign = other.sign_;

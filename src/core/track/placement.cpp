@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/constants.h"
+#include "core/simd/wide.h"
 #include "core/track/bracketed_root.h"
 
 namespace wheel_rail_contact::core
@@ -109,51 +110,49 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
 
 namespace
 {
-/// Point of the contact locus on the wheel circle through one or several profile points. It is at the angle t from the
-/// lowest point of the circle, with the radial direction e = cos(t) down + sin(t) forward. The surface normal is
-/// e - r' a. Its x component, sin(t) forward_x - r' a_x, vanishes. There is no such point unless |sin(t)| < 1.
-template <typename Number>
+/// Point of the contact locus on the wheel circle through a profile point. It is at the angle t from the lowest point
+/// of the circle, with the radial direction e = cos(t) down + sin(t) forward. The surface normal is e - r' a. Its x
+/// component, sin(t) forward_x - r' a_x, vanishes. There is no such point unless |sin(t)| < 1.
 struct LocusOnCircle
 {
-  LocusOnCircle(const WheelSections& s, const Number& y, const Number& z, const Number& slope)
-      : along(s.half_base + y), radius(s.radius - z), sine(slope * (-s.axle_x * s.per_forward_x))
+  LocusOnCircle(const WheelSections& s, double y, double z, double slope)
+      : along(s.half_base + y),
+        radius(s.radius - z),
+        sine(slope * (-s.axle_x * s.per_forward_x)),
+        cosine(std::sqrt(1 - sine * sine))
   {
-    using std::sqrt;
-    cosine = sqrt(1 - sine * sine);
   }
 
   /// y or z of the point [m].
-  Number at(const WheelCoordinate& c) const
+  double at(const WheelCoordinate& c) const
   {
     return c.origin + c.along * along + radius * (cosine * c.down + sine * c.forward);
   }
 
-  Number along, radius;  ///< position on the axle and radius of the circle [m]
-  Number sine, cosine;   ///< of t
+  double along, radius;  ///< position on the axle and radius of the circle [m]
+  double sine, cosine;   ///< of t
 };
 }  // namespace
 
 bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
 {
-  const LocusOnCircle<double> locus(sections_, p.y, p.z, p.slope());
+  const LocusOnCircle locus(sections_, p.y, p.z, p.slope());
   out = {sections_.axle_x * locus.along + locus.radius * locus.sine * forward_x_, locus.at(sections_.y),
          locus.at(sections_.z)};
   return std::abs(locus.sine) < 1;
 }
 
-void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t end, double* y, double* z) const
+WHEEL_RAIL_CONTACT_WIDE void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t end, double* y,
+                                               double* z) const
 {
-  constexpr std::size_t at_once = 4;  // with more, not all values would fit into registers
-  static_assert(WheelPoints::together % at_once == 0, "the number of points must be a multiple");
-  using Group = Eigen::Array<double, at_once, 1>;
-  // Copy: the compiler would otherwise assume that writing to y and z changes this object, and load it again.
+  // Copies: the compiler would otherwise assume that writing to y and z changes them, and load them again.
   const WheelSections sections = sections_;
-  for (std::size_t i = first; i < end; i += at_once)
+  const double *along = points.y.data(), *up = points.z.data(), *slope = points.slope.data();
+  for (std::size_t i = first; i < end; ++i)
   {
-    const auto group = [i](const std::vector<double>& values) { return Group::Map(&values[i]); };
-    const LocusOnCircle<Group> locus(sections, group(points.y), group(points.z), group(points.slope));
-    Group::Map(y + i) = (locus.sine.abs() < 1).select(locus.at(sections.y), std::numeric_limits<double>::quiet_NaN());
-    Group::Map(z + i) = locus.at(sections.z);
+    const LocusOnCircle locus(sections, along[i], up[i], slope[i]);
+    y[i] = std::abs(locus.sine) < 1 ? locus.at(sections.y) : std::numeric_limits<double>::quiet_NaN();
+    z[i] = locus.at(sections.z);
   }
 }
 
@@ -208,12 +207,5 @@ double overlapAlongNormal(const PlacedWheel& wheel, const PlacedRail& rail, doub
     rail_u += step;
   }
   return depth;
-}
-
-bool WheelSections::at(const CurvePoint& p, double x, PlanePoint& out) const
-{
-  const SectionPoint<double> point = at<double>(p, x);
-  out = {point.y, point.z, point.dy, point.dz};
-  return point.down > 0;
 }
 }  // namespace wheel_rail_contact::core

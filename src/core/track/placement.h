@@ -119,15 +119,6 @@ struct WheelCoordinate
   double forward = 0;  ///< change per unit length forward [-]
 };
 
-/// Point and tangent of the section of a wheel at constant x; or several points, if Number is an array.
-template <typename Number>
-struct SectionPoint
-{
-  Number down;    ///< distance below the axle [m]; not positive, or NaN, where x is outside the circle of the point
-  Number y, z;    ///< [m]
-  Number dy, dz;  ///< derivatives with respect to the parameter of the profile, at constant x [-]
-};
-
 /// Sections of a wheel at constant x, in two coordinates: y and z, or linear functions of them.
 struct WheelSections
 {
@@ -137,19 +128,23 @@ struct WheelSections
   double per_forward_x = 1;  ///< 1 / (x component of the forward direction) [-]
   WheelCoordinate y, z;      ///< both coordinates
 
-  /// Lower point at `x` of the wheel circle through a profile point `p`: a CurvePoint, or several points whose y, z, dy
-  /// and dz are arrays.
-  template <typename Number, typename Point>
-  SectionPoint<Number> at(const Point& p, double x) const
+  /// Lower point at `x` of the wheel circle through the profile point `p`, with the derivatives of both coordinates
+  /// with respect to the parameter of the profile, at constant x. @return false if x is outside the circle.
+  bool at(const CurvePoint& p, double x, PlanePoint& out) const
   {
-    return at<Number>(p, x, y, z);
+    const double r = radius - p.z;
+    const double along = half_base + p.y;
+    const double forward = (x - axle_x * along) * per_forward_x;  // r sin(t)
+    const double down = std::sqrt(r * r - forward * forward);     // r cos(t)
+    const double forward_slope = -axle_x * per_forward_x * p.dy;
+    const double down_slope = (-r * p.dz - forward * forward_slope) / down;
+    const auto coordinate = [&](const WheelCoordinate& c)
+    { return c.origin + c.along * along + c.down * down + c.forward * forward; };
+    const auto slope = [&](const WheelCoordinate& c)
+    { return c.along * p.dy + c.down * down_slope + c.forward * forward_slope; };
+    out = {coordinate(y), coordinate(z), slope(y), slope(z)};
+    return down > 0;
   }
-  /// Same in two other coordinates, whose members have the names of those of WheelCoordinate. Several points may have
-  /// different coordinates.
-  template <typename Number, typename Point, typename Coordinate>
-  SectionPoint<Number> at(const Point& p, double x, const Coordinate& first, const Coordinate& second) const;
-  /// Same for one point. @return false if x is outside the circle.
-  bool at(const CurvePoint& p, double x, PlanePoint& out) const;
 };
 
 /// Wheel in side axes: the surface of revolution of its profile about the axle.
@@ -204,22 +199,4 @@ class PlacedWheel
 /// profiles. Newton's method, or bisection, for the place at which the tangents are parallel.
 double overlapAlongNormal(const PlacedWheel& wheel, const PlacedRail& rail, double wheel_u, double rail_u,
                           double reach);
-
-template <typename Number, typename Point, typename Coordinate>
-SectionPoint<Number> WheelSections::at(const Point& p, double x, const Coordinate& first,
-                                       const Coordinate& second) const
-{
-  using std::sqrt;
-  const Number r = radius - p.z;
-  const Number along = half_base + p.y;
-  const Number forward = (x - axle_x * along) * per_forward_x;  // r sin(t)
-  const Number down = sqrt(r * r - forward * forward);          // r cos(t)
-  const Number forward_slope = -axle_x * per_forward_x * p.dy;
-  const Number down_slope = (-r * p.dz - forward * forward_slope) / down;
-  const auto coordinate = [&](const Coordinate& c) -> Number
-  { return c.origin + c.along * along + c.down * down + c.forward * forward; };
-  const auto slope = [&](const Coordinate& c) -> Number
-  { return c.along * p.dy + c.down * down_slope + c.forward * forward_slope; };
-  return {down, coordinate(first), coordinate(second), slope(first), slope(second)};
-}
 }  // namespace wheel_rail_contact::core
