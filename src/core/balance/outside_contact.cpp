@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/balance/rail_region.h"
 #include "core/constants.h"
@@ -131,12 +132,16 @@ bool OutsideContact::mayTouchFarther(const NormalProblem& problem, const NormalS
                                      Station end) const
 {
   double least = infinity, before = infinity;
+  // On the way out of a single grid the displacement falls: it is nowhere less than at the end.
+  const bool is_single = solution.patches.size() == 1 && station != end;
+  const double farthest = is_single ? displacementAt(*std::prev(end), problem, solution) : 0;
   for (; station != end; ++station)
   {
     const double beyond = distanceTo(spans_, station->rail_u);
     if (beyond > before)
     {
-      const double overlap = station->depth + solution.approach - displacementAt(*station, problem, solution);
+      const double most = station->depth + solution.approach;
+      const double overlap = most - (most > farthest ? displacementAt(*station, problem, solution) : farthest);
       if (overlap > std::max(least, 0.0) + 2 * ContactSearch::station_error)
       {
         return true;

@@ -208,7 +208,7 @@ double shareAlong(const Grid& grid, const Eigen::ArrayXXd& gap, const std::vecto
     {
       across += std::max(column.overlap - share * depth, 0.0) * grid.dy;
     }
-    share = contactShare(along * std::pow(share, -1.5), across * std::pow(1 - share, -1.5));
+    share = contactShare(along / (share * std::sqrt(share)), across / ((1 - share) * std::sqrt(1 - share)));
   }
   return share;
 }
@@ -219,32 +219,46 @@ double shareAlong(const Grid& grid, const Eigen::ArrayXXd& gap, const std::vecto
 void setMeanSlopes(const Grid& grid, const Eigen::ArrayXXd& gap, const Eigen::ArrayXXd& slope,
                    std::vector<SurfaceColumn>& columns)
 {
+  const auto at = [&](Eigen::Index j) -> SurfaceColumn& { return columns[static_cast<std::size_t>(j)]; };
   Eigen::Index row = 0, deepest = 0;
-  const double depth = -gap.minCoeff(&row, &deepest);
   for (Eigen::Index j = 0; j < gap.cols(); ++j)
   {
-    columns[static_cast<std::size_t>(j)].overlap = std::max(-gap.col(j).minCoeff(), 0.0);
+    at(j).overlap = std::max(-gap.col(j).minCoeff(), 0.0);
+    deepest = at(j).overlap > at(deepest).overlap ? j : deepest;
   }
+  const double depth = at(deepest).overlap;
   const double share = depth > 0 ? shareAlong(grid, gap, columns, deepest) : 0.5, per_overlap = share / (1 - share);
   for (Eigen::Index j = 0; j < gap.cols(); ++j)
   {
-    SurfaceColumn& column = columns[static_cast<std::size_t>(j)];
-    const double end = column.overlap - per_overlap * std::max(column.overlap - share * depth, 0.0);
-    const auto pressure = (-gap.col(j) - end).max(0.0).sqrt();
-    const double sum = pressure.sum();
-    gap.col(j).minCoeff(&row);
-    column.mean_slope = sum > 0 ? (pressure * slope.col(j)).sum() / sum : slope(row, j);
+    const double end = at(j).overlap - per_overlap * std::max(at(j).overlap - share * depth, 0.0);
+    double sum = 0, moment = 0;
+    for (Eigen::Index i = 0; at(j).overlap > 0 && i < gap.rows(); ++i)
+    {
+      const double pressure = std::sqrt(std::max(-gap(i, j) - end, 0.0));
+      sum += pressure;
+      moment += pressure * slope(i, j);
+    }
+    if (!(sum > 0))
+    {
+      gap.col(j).minCoeff(&row);
+    }
+    at(j).mean_slope = sum > 0 ? moment / sum : slope(row, j);
   }
 }
 
-/// Mean second difference of the gap, from the cells before and after, weighted with the overlap [m].
-template <typename Cells>
-double meanBend(const Cells& before, const Cells& here, const Cells& after)
+/// Second differences of the gap, weighted with the overlap, and their weights.
+struct Bend
 {
-  const auto has_bodies = before.max(after) < no_body_gap;
-  const double overlaps = has_bodies.select((-here).max(0), 0).sum();
-  return overlaps > 0 ? has_bodies.select((-here).max(0) * (before + after - 2 * here), 0).sum() / overlaps : 0;
-}
+  double sum = 0, weights = 0;
+
+  template <typename Cells>
+  void add(const Cells& before, const Cells& here, const Cells& after)
+  {
+    weights += (-here).max(0.0).sum();
+    sum += ((-here).max(0.0) * (before + after - 2 * here)).sum();
+  }
+  double mean() const { return weights > 0 ? sum / weights : 0; }
+};
 }  // namespace
 
 double arcLength(const Profile& profile, double from, double to)
@@ -302,13 +316,14 @@ double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index fi
   return 0.5 * std::max(std::atan(rail_most) - std::atan(rail_least), std::atan(wheel_most) - std::atan(wheel_least));
 }
 
-void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
+void leaveOutWalls(std::vector<SurfaceColumn>& columns, PatchGap& patch)
 {
   for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
   {
-    if (columns[static_cast<std::size_t>(j)].perUp() < smallest_opening)
+    if (SurfaceColumn& column = columns[static_cast<std::size_t>(j)]; column.perUp() < smallest_opening)
     {
       patch.gap.col(j).setConstant(no_body_gap);
+      column.overlap = 0;
     }
   }
 }
@@ -316,35 +331,47 @@ void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch)
 void setNormals(const std::vector<SurfaceColumn>& columns, PatchGap& patch, ColumnNormals& normals)
 {
   const auto at = [&](Eigen::Index j) -> const SurfaceColumn& { return columns[static_cast<std::size_t>(j)]; };
-  const auto lowest = [&](Eigen::Index j) { return patch.gap.col(j).minCoeff(); };
-  Eigen::Index row = 0, deepest = 0;
-  patch.gap.minCoeff(&row, &deepest);
+  Eigen::Index deepest = 0;
+  for (Eigen::Index j = 1; j < patch.grid.ny; ++j)
+  {
+    deepest = at(j).overlap > at(deepest).overlap ? j : deepest;
+  }
   patch.weight = std::max(at(deepest).perUp(), smallest_opening);
   normals.weight.resize(patch.grid.ny);
   double turn_least = 0, turn_most = 0;
   for (Eigen::Index j = 0; j < patch.grid.ny; ++j)
   {
     normals.weight[j] = std::max(at(j).perUp(), smallest_opening) / patch.weight;
-    const double turn = lowest(j) < 0 ? at(j).turnFrom(at(deepest)) : 0;
+    const double turn = at(j).overlap > 0 ? at(j).turnFrom(at(deepest)) : 0;
     turn_least = std::min(turn_least, turn);
     turn_most = std::max(turn_most, turn);
   }
   const bool turns = turn_most - turn_least > plane_turn;
+  const double reference = turns ? at(deepest).angle() : 0;
   normals.turn.setZero(patch.grid.ny);
   for (Eigen::Index j = 0; turns && j < patch.grid.ny; ++j)
   {
-    normals.turn[j] = at(j).angle() - at(deepest).angle();
+    normals.turn[j] = at(j).angle() - reference;
   }
 }
 
 void raiseByCells(PatchGap& patch)
 {
-  const Eigen::ArrayXXd& gap = patch.gap;
-  const Eigen::Index rows = gap.rows() - 2, columns = gap.cols() - 2;
-  const double along = rows > 0 ? meanBend(gap.topRows(rows), gap.middleRows(1, rows), gap.bottomRows(rows)) : 0;
-  const double across =
-      columns > 0 ? meanBend(gap.leftCols(columns), gap.middleCols(1, columns), gap.rightCols(columns)) : 0;
-  patch.gap += (along + across) / 48;
+  Eigen::ArrayXXd& gap = patch.gap;
+  const Eigen::Index rows = gap.rows() - 2;
+  Bend along, across;
+  if (rows > 0)
+  {
+    along.add(gap.topRows(rows), gap.middleRows(1, rows), gap.bottomRows(rows));
+  }
+  for (Eigen::Index j = 1; j + 1 < gap.cols(); ++j)
+  {
+    if (std::max(gap(0, j - 1), gap(0, j + 1)) < no_body_gap)
+    {
+      across.add(gap.col(j - 1), gap.col(j), gap.col(j + 1));
+    }
+  }
+  gap += (along.mean() + across.mean()) / 48;
 }
 
 double gapSlope(const std::vector<SurfaceColumn>& columns, const PatchGap& patch, Eigen::Index j)

@@ -59,7 +59,7 @@ double contactShare(double overlap_length, double overlap_width);
 double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index first, Eigen::Index last);
 
 /// Leaves columns out that a vertical displacement hardly opens, or closes.
-void leaveOutWalls(const std::vector<SurfaceColumn>& columns, PatchGap& patch);
+void leaveOutWalls(std::vector<SurfaceColumn>& columns, PatchGap& patch);
 
 /// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
 /// hardly turn.

@@ -16,12 +16,14 @@ inline void store(double* to, Register value)
 
 inline double sumOf(Register value)
 {
-  double sum = 0;
-  for (int l = 0; l < register_width; ++l)
+  for (int width = register_width / 2; width > 0; width /= 2)
   {
-    sum += value[l];
+    for (int l = 0; l < width; ++l)
+    {
+      value[l] += value[l + width];
+    }
   }
-  return sum;
+  return value[0];
 }
 
 inline double maxOf(Register value)

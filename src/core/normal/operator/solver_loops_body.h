@@ -152,13 +152,14 @@ double chord(int size, double scale, const double* r, const double* p, double* t
 StepSums stepSums(int size, const double* p, const double* s, const double* q)
 {
   const Register zero = {};
-  Register s_q = zero, fall = zero;
+  Register s_q = zero, fall = zero, of = zero + 1;  // the largest fall is a fraction, because divisions are slow
   for (int i = 0; i < size; i += register_width)
   {
-    const Register step = load(s + i);
+    const Register step = load(s + i), pressure = load(p + i);
     s_q += step * load(q + i);
-    const Register ratio = step < zero ? -step / load(p + i) : zero;
-    fall = ratio > fall ? ratio : fall;
+    const auto is_larger = -step * of > fall * pressure;
+    fall = is_larger ? -step : fall;
+    of = is_larger ? pressure : of;
   }
-  return {sumOf(s_q), maxOf(fall)};
+  return {sumOf(s_q), maxOf(fall / of)};
 }
