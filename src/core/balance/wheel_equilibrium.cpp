@@ -274,7 +274,8 @@ WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, cons
       return status;
     }
     const double shorter = first ? 1 : usable ? shortened(best, trial) : 0.5;
-    if (usable && shorter < 1 && share <= tuning::shortest_share && isNear(step) && isNearlyClosed(trial))
+    const bool jump = !first && usable && (jumps(best, trial) || (shorter < 1 && share <= tuning::shortest_share));
+    if (jump && isNear(step) && isNearlyClosed(trial))
     {
       return accept(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
     }
@@ -329,6 +330,13 @@ WheelStatus WheelEquilibrium::accept(const Trial& trial, const Eigen::Vector3d& 
   return status;
 }
 
+/// True if the energy changes by the cells between two trials: it is convex, but rises by more than its last slope.
+bool WheelEquilibrium::jumps(const Trial& best, const Trial& trial) const
+{
+  const double last = -trial.open.dot(rail_.compliance() * (trial.forces - best.forces));
+  return own_force_ && trial.merit - best.merit > std::max({trial.noise, best.noise, last});
+}
+
 /// Share of the last step to be tried next; 1 if its end is accepted: if the energy has fallen, or if it is the same
 /// within its noise and its slope is smaller. The energy is convex: one that rises by more than its last slope is wrong
 /// by the cells. The share is where the tangents of the energy at both ends meet (at the kink, if another place comes
@@ -342,7 +350,7 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
   {
     return rise <= 0 ? 1 : 0.5;
   }
-  const bool is_known = rise > noise && rise <= after;
+  const bool is_known = rise > noise && !jumps(best, trial);
   if (rise < -noise || (!is_known && std::abs(after) <= (1 - tuning::shortest_share) * std::abs(before)))
   {
     return 1;

@@ -112,6 +112,7 @@ class WheelEquilibrium
   static bool isNearlyClosed(const Trial& trial);
   bool isNear(const Eigen::Vector3d& step) const;
   WheelStatus accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
+  bool jumps(const Trial& best, const Trial& trial) const;
   double shortened(const Trial& best, const Trial& trial) const;
   Eigen::Vector3d restForces() const;
   WheelStatus touchAtRest(const WheelsetPose& pose);
