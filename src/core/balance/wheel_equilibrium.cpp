@@ -169,16 +169,6 @@ Eigen::Vector3d WheelEquilibrium::step(const Eigen::Vector3d& open) const
   return step.allFinite() ? step : open;
 }
 
-WheelStatus WheelEquilibrium::solveUnderLoad(const WheelsetPose& pose, double load, const KeptResult& kept)
-{
-  return load > 0 ? search(pose, load, kept) : touchAtRest(pose);
-}
-
-WheelStatus WheelEquilibrium::solveAtPose(const WheelsetPose& pose)
-{
-  return search(pose, 0, {});
-}
-
 /// Position of first touch without load.
 WheelStatus WheelEquilibrium::touchAtRest(const WheelsetPose& pose)
 {
@@ -273,9 +263,10 @@ WheelStatus WheelEquilibrium::search(const WheelsetPose& pose, double load, cons
     {
       return status;
     }
-    const double shorter = first ? 1 : usable ? shortened(best, trial) : 0.5;
-    const bool jump = !first && usable && (jumps(best, trial) || (shorter < 1 && share <= tuning::shortest_share));
-    if (jump && isNear(step) && isNearlyClosed(trial))
+    const bool jump = !first && usable && jumps(best, trial);
+    const double shorter = first ? 1 : usable ? shortened(best, trial, jump) : 0.5;
+    const bool is_shortest = usable && shorter < 1 && share <= tuning::shortest_share;
+    if ((jump || is_shortest) && isNear(step) && isNearlyClosed(trial))
     {
       return accept(trial, Eigen::Vector3d::Zero(), status);  // the forces jump here as the grids change
     }
@@ -341,7 +332,7 @@ bool WheelEquilibrium::jumps(const Trial& best, const Trial& trial) const
 /// within its noise and its slope is smaller. The energy is convex: one that rises by more than its last slope is wrong
 /// by the cells. The share is where the tangents of the energy at both ends meet (at the kink, if another place comes
 /// into contact), or where the slope vanishes.
-double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
+double WheelEquilibrium::shortened(const Trial& best, const Trial& trial, bool jump) const
 {
   const double rise = trial.merit - best.merit, noise = std::max(trial.noise, best.noise);
   const Eigen::Vector3d move = rail_.compliance() * (trial.forces - best.forces);
@@ -350,7 +341,7 @@ double WheelEquilibrium::shortened(const Trial& best, const Trial& trial) const
   {
     return rise <= 0 ? 1 : 0.5;
   }
-  const bool is_known = rise > noise && !jumps(best, trial);
+  const bool is_known = rise > noise && !jump;
   if (rise < -noise || (!is_known && std::abs(after) <= (1 - tuning::shortest_share) * std::abs(before)))
   {
     return 1;

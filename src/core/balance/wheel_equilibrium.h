@@ -43,9 +43,12 @@ class WheelEquilibrium
 
   /// Finds height and deflection at a pose under a load [N]; the height of `pose` is the start. Without a positive
   /// load, the height of first touch.
-  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, const KeptResult& kept = {});
+  WheelStatus solveUnderLoad(const WheelsetPose& pose, double load, const KeptResult& kept = {})
+  {
+    return load > 0 ? search(pose, load, kept) : touchAtRest(pose);
+  }
   /// Finds the deflection at a given pose.
-  WheelStatus solveAtPose(const WheelsetPose& pose);
+  WheelStatus solveAtPose(const WheelsetPose& pose) { return search(pose, 0, {}); }
 
   /// Height of the axle centre in the last solution [m].
   double height() const { return height_; }
@@ -113,7 +116,7 @@ class WheelEquilibrium
   bool isNear(const Eigen::Vector3d& step) const;
   WheelStatus accept(const Trial& trial, const Eigen::Vector3d& step, WheelStatus status);
   bool jumps(const Trial& best, const Trial& trial) const;
-  double shortened(const Trial& best, const Trial& trial) const;
+  double shortened(const Trial& best, const Trial& trial, bool jump) const;
   Eigen::Vector3d restForces() const;
   WheelStatus touchAtRest(const WheelsetPose& pose);
   void place(const Eigen::Vector3d& forces);

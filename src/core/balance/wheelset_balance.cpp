@@ -68,8 +68,9 @@ ContactStatus WheelsetBalance::solve(const WheelsetState& state)
   return status;
 }
 
-/// Solves a state along a path: from the centre of the track in long steps, in short ones from the last result on, on a
-/// finer grid and then on the first one, or from a long step beyond it, which another branch may reach.
+/// Solves a state along a path. It begins at the centre of the track: in long steps; or in short ones from the last
+/// result on, on a finer grid and then on the first one. If these end without a result, it begins one long step further
+/// out.
 ContactStatus WheelsetBalance::solveAlongPath(const WheelsetState& state)
 {
   const double centre = middleOf(placeOnLine(state).rail_displacement), way = state.y - centre;

@@ -19,10 +19,10 @@ constexpr double expansion_reach = 1.5e-4;
 void ColumnGroup::set(int column, const WheelSections& seen, double parameter, const CurveExpansion& point,
                       double discontinuity_distance)
 {
-  const auto& [p, dddy, dddz] = point;
+  const CurvePoint& p = point.point;
   values.row(column) << seen.y.origin, seen.y.along, seen.y.down, seen.y.forward,  //
       seen.z.origin, seen.z.along, seen.z.down, seen.z.forward,                    //
-      p.y, p.z, p.dy, p.dz, p.ddy, p.ddz, dddy, dddz, std::min(discontinuity_distance, expansion_reach);
+      p.y, p.z, p.dy, p.dz, p.ddy, p.ddz, point.dddy, point.dddz, std::min(discontinuity_distance, expansion_reach);
   u[column] = parameter;
 }
 
@@ -31,17 +31,17 @@ inline WheelSections ColumnGroup::seen(int column, const WheelSections& wheel) c
   const auto at = [&](int first) -> WheelCoordinate {
     return {values(column, first), values(column, first + 1), values(column, first + 2), values(column, first + 3)};
   };
-  return {wheel.radius, wheel.half_base, wheel.axle_x, wheel.per_forward_x, at(0), at(4)};
+  return {wheel.radius, wheel.half_base, wheel.axle_x, wheel.per_forward_x, at(tangent), at(normal)};
 }
 
 inline CurvePoint ColumnGroup::beside(int column, double shift) const
 {
   const double half = 0.5 * shift, third = shift * (1.0 / 3);
   const auto at = [&](int k) { return values(column, k); };
-  return {at(8) + shift * (at(10) + half * (at(12) + third * at(14))),
-          at(9) + shift * (at(11) + half * (at(13) + third * at(15))),
-          at(10) + shift * (at(12) + half * at(14)),
-          at(11) + shift * (at(13) + half * at(15)),
+  return {at(y) + shift * (at(dy) + half * (at(ddy) + third * at(dddy))),
+          at(z) + shift * (at(dz) + half * (at(ddz) + third * at(dddz))),
+          at(dy) + shift * (at(ddy) + half * at(dddy)),
+          at(dz) + shift * (at(ddz) + half * at(dddz)),
           0,
           0};
 }
@@ -50,7 +50,7 @@ inline CurvePoint ColumnGroup::beside(int column, double shift) const
 static WHEEL_RAIL_CONTACT_WIDE void expand(const ColumnGroup& columns, const WheelSections& wheel, double x,
                                            Eigen::Array<double, ColumnGroup::together, 3>& out)
 {
-  const auto reach = columns.values.col(16);
+  const auto reach = columns.values.col(ColumnGroup::reach);
   Eigen::Array<double, ColumnGroup::together, 3> own;  // the compiler knows that it shares no memory with the columns
   for (int k = 0; k < ColumnGroup::together; ++k)
   {

@@ -56,10 +56,25 @@ struct ColumnGroup
   static constexpr int together = 8;  ///< number of columns in a group
   using Numbers = Eigen::Array<double, together, 1>;
 
-  /// For each column: coordinates of the wheel along its plane and normal to it, each as in WheelCoordinate; y and z of
-  /// the profile point, their first, second and third derivatives; distance along the profile within which the
-  /// expansion is accurate [m].
-  Eigen::Array<double, together, 17> values = Eigen::Array<double, together, 17>::Zero();
+  /// Values of one column of the gap.
+  enum Value
+  {
+    tangent = 0,  ///< coordinate of the wheel along the plane of the column: four values, as in WheelCoordinate
+    normal = 4,   ///< the same normal to the plane
+    y = 8,        ///< of the profile point [m]; its derivatives follow, as in CurveExpansion
+    z,
+    dy,
+    dz,
+    ddy,
+    ddz,
+    dddy,
+    dddz,
+    reach,  ///< distance along the profile within which the expansion is accurate [m]
+    value_count
+  };
+
+  /// A row for each column of the gap, a column for each Value.
+  Eigen::Array<double, together, value_count> values = Eigen::Array<double, together, value_count>::Zero();
   Numbers u = Numbers::Zero();  ///< parameters of the wheel profile [m]
 
   /// Sets the values of one column.

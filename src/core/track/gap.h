@@ -58,7 +58,7 @@ double contactShare(double overlap_length, double overlap_width);
 /// Largest turn of the normal of wheel or rail over the columns `first` to `last`, halved [rad].
 double halfSpaceRatio(const std::vector<SurfaceColumn>& columns, Eigen::Index first, Eigen::Index last);
 
-/// Leaves columns out that a vertical displacement hardly opens, or closes.
+/// Leaves columns out that a vertical displacement hardly opens, or closes: their overlap is 0.
 void leaveOutWalls(std::vector<SurfaceColumn>& columns, PatchGap& patch);
 
 /// Sets weight and normals. The reference is the column with the deepest overlap. The turn is zero where the normals
