@@ -16,7 +16,7 @@ from wheel_rail_contact.chart.front import compare_auto
 from wheel_rail_contact.chart.picture import METHODS
 
 SCENES = {"hertz_1_1", "hertz_1_5", "discontinuity", "two_patches", "lobes", "conformal", "manchester_0",
-          "manchester_0.5", "manchester_3", "manchester_5", "manchester_6.5", "onset_4.38", "paper"}
+          "manchester_0.5", "manchester_3", "manchester_5", "manchester_6.5", "onset_4.38", "paper", "pads_5", "moments_2"}
 GRIDS = {(8, 16), (12, 24), (16, 32), (16, 48), (24, 64), (32, 96), (48, 128), (64, 192)}
 TOLERANCES = {0.1, 0.03, 0.01, 0.003}
 SVG = "{http://www.w3.org/2000/svg}"

@@ -18,8 +18,8 @@ constexpr double least_residual = 1e-6;  ///< [-]
 /// a shape is prepared at its first use: preparing all of them would take seconds.
 constexpr int most_prepared_cells = 64 * 192;
 
-constexpr std::array<GridSize, 8> sizes{
-    {{8, 16}, {12, 24}, {16, 32}, {16, 48}, {24, 64}, {32, 96}, {48, 128}, {64, 192}}};
+/// 8 x 16 cells would save no time: up to every third wheel would be solved again on a finer grid (doc/methods.md).
+constexpr std::array<GridSize, 7> sizes{{{12, 24}, {16, 32}, {16, 48}, {24, 64}, {32, 96}, {48, 128}, {64, 192}}};
 
 /// First grid for an expected error of 1 / (cells along)². The true error is a quarter of it.
 const GridSize* firstFor(double error)
@@ -82,8 +82,9 @@ GridLevels::GridLevels(const ContactModelConfig& config, const Wrap& wrap)
 std::size_t GridLevels::finer(std::size_t level, double error) const
 {
   const auto cells = [this](std::size_t k) { return static_cast<double>(sizes_[k].along) * sizes_[k].across; };
+  const auto fall = [&](std::size_t k) { return cells(level) / cells(k) * cells(level) / cells(k); };
   std::size_t next = level;
-  while (next + 1 < count() && error * cells(level) / cells(next) > tolerance_)
+  while (next + 1 < count() && error * fall(next) > tolerance_)
   {
     ++next;
   }

@@ -48,8 +48,9 @@ class GridLevels
   std::size_t count() const { return sizes_.size(); }
   /// Grid by index.
   const GridSize& at(std::size_t level) const { return sizes_[level]; }
-  /// The level on which the error is expected to meet the tolerance: it falls with the number of cells. `level` itself
-  /// if it meets the tolerance, or if there is no finer one.
+  /// The level on which the error is expected to meet the tolerance. `level` itself if it meets the tolerance, or if
+  /// there is no finer one. The errors that require a finer grid are those of a peak of few cells. They fall with the
+  /// square of its bend, which is as the square of the number of cells.
   /// @param error  estimated error on `level` [-]
   std::size_t finer(std::size_t level, double error) const;
 

@@ -84,7 +84,7 @@ def _values(row):
 
 def _parser():
     parser = Parser(
-        prog="contact_chart", description="Runs every method on every grid over thirteen scenes and draws error against "
+        prog="contact_chart", description="Runs every method on every grid over fifteen scenes and draws error against "
         "time: chart.png summarises the scenes, chart_scenes.png has a panel for each scene. Also writes both pictures as "
         ".svg and all values to chart.csv, and prints the tables of doc/methods.md. Takes about three minutes.")
     parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",

@@ -19,6 +19,7 @@ STEP = 0.05e-3  # lateral distance of consecutive messages [m]
 LONGEST_REACH = 4
 TOLERANCES = (0.1, 0.03, 0.01, 0.003)  # contact/tolerance of auto [-]
 FIXED = ("hertz", "kik_piotrowski", "seidel_printed", "seidel", "conjugate_gradient")
+COARSEST = (8, 16)  # cells of a grid that is too coarse for auto: what it would save
 LOAD = 100e3  # of each wheel [N]
 
 
@@ -44,9 +45,9 @@ def levels_of(choice):
 
 
 def all_choices():
-    """Every method on every grid of auto, from coarse to fine, then auto at each of the tolerances."""
+    """Every method on one coarser grid than those of auto and on each of these, then auto at each of the tolerances."""
     autos = [Choice("auto", tolerance=tolerance) for tolerance in TOLERANCES]
-    grids = dict.fromkeys(grid for auto in autos for grid in levels_of(auto).grids)
+    grids = dict.fromkeys([COARSEST, *(grid for auto in autos for grid in levels_of(auto).grids)])
     return [Choice(method, grid) for method in FIXED for grid in grids] + autos
 
 
@@ -179,8 +180,9 @@ def wheelset_scenes():
 
     Wheel S1002 on rail UIC60 with the track of the Manchester contact benchmark (Shackleton and Iwnicki 2008, Vehicle System
     Dynamics 46: rail inclination 1:40, gauge 1435 mm, back-to-back distance 1360 mm, rolling radius 460 mm); the same on rail
-    60E1, where a second contact begins at the gauge corner; and the case of the paper, with both rails displaced outward as in
-    Golubenko et al. 2011 (TEKA XI, 78–84).
+    60E1, where a second contact begins at the gauge corner; the case of the paper, with both rails displaced outward as in
+    Golubenko et al. 2011 (TEKA XI, 78–84); and rails that bend: on pads under the flange, and that of the paper with balanced
+    moments.
     """
     rail = {"profile": "UIC60_manchester"}
     manchester = Wheelsets(rail=rail)
@@ -189,6 +191,10 @@ def wheelset_scenes():
     yield WheelsetScene("onset_4.38", "60E1, onset at y = 4.38 mm", Wheelsets(), 4.38e-3)
     bent = {"model": "prescribed", "prescribed": {"lateral": 0.2435e-3}}
     yield WheelsetScene("paper", "Paper's case, rails bent", Wheelsets(rail=rail, rail_bending=bent), 0.572e-3)
+    pads, paper = ({"model": "compliance", "table": f"config/rails/{name}.yaml"} for name in ("pads_40_100", "paper"))
+    yield WheelsetScene("pads_5", "60E1 on pads 40/100, y = 5 mm", Wheelsets(rail_bending=pads), 5e-3)
+    moments = Wheelsets(rail=rail, rail_bending=paper, wheelset={"balance": "moments"})
+    yield WheelsetScene("moments_2", "Paper's rail, moments, y = 2 mm", moments, 2e-3)
 
 
 def all_scenes():

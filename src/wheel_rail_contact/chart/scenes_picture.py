@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from .front import longest_times, over_scenes, pareto
 from .picture import METHODS, STYLE, grid_text, save, set_ticks, setting_label, share_labels
 
-FAILURES = {"refused": ("x", "refused"), "other_wheels": ("+", "other wheels in contact"),
+FAILURES = {"refused": ("x", "refused"), "other_wheels": ("+", "other wheels"),
             "not_run": (">", "not run: too slow")}
 FRONT = "#F0E442"
 COLUMNS = 4
@@ -71,8 +71,8 @@ def _draw_top(figure, places, rows):
 
 
 def _origin(facts):
-    return (f"{facts['machine']}; {facts['compiler']}, {facts['build']}; wheel_rail_contact {facts['version']}. Time: "
-            "CPU time of one thread for one evaluation, warm start; markers: median of steps of 0.05 mm, bars: to the "
+    return (f"{facts['machine']}; {facts['compiler']}, {facts['build']}; wheel_rail_contact {facts['version']}.\n"
+            "Time: CPU time of one thread for one evaluation, warm start; markers: median of steps of 0.05 mm, bars: to the "
             "longest time of a state of a sweep.\n"
             f"Error: largest relative error of peak pressure, area and approach up to {facts['reach']} to either side, "
             f"against conjugate gradients on {grid_text(facts['truth'])} cells (reference). Hatched: error of the "
@@ -186,8 +186,8 @@ def _draw_legend(axes, rows):
     for marker, name in FAILURES.values():
         handles.append(Line2D([], [], color="0.3", marker=marker, linestyle="none", markersize=7, label=name))
     handles.append(Line2D([], [], color=FRONT, linewidth=6, alpha=0.75,
-                          label="best of the fixed methods\n(Pareto front)"))
-    legend = axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=9.5, labelspacing=0.8, borderaxespad=0,
-                         ncol=3, columnspacing=3, title_fontsize=9.5,
-                         title=f"Methods on {len(grids)} grids, 8×16 to 64×192; auto at 10, 3, 1 and 0.3 %")
+                          label="best of the fixed\nmethods (Pareto front)"))
+    legend = axes.legend(handles=handles, loc="upper left", frameon=False, fontsize=8, labelspacing=0.6, borderaxespad=0,
+                         ncol=2, columnspacing=1, handlelength=1.2, title_fontsize=8, bbox_to_anchor=(-0.1, 1),
+                         title=f"Methods on {len(grids)} grids, 8×16 to 64×192;\nauto at 10, 3, 1 and 0.3 %")
     legend.get_children()[0].align = "left"  # the argument `alignment` is newer than the oldest supported matplotlib

@@ -232,7 +232,7 @@ TEST(GridLevels, ASmallerToleranceHasNoCoarserFirstGrid)
   EXPECT_GT(before, cells(GridLevels(withTolerance(0.1)).at(0)));
 }
 
-// The error falls with the number of cells.
+// The error falls with the square of the number of cells.
 TEST(GridLevels, TheNextGridIsTheFirstOneExpectedToMeetTheTolerance)
 {
   constexpr double tolerance = 0.01;
@@ -243,9 +243,10 @@ TEST(GridLevels, TheNextGridIsTheFirstOneExpectedToMeetTheTolerance)
     EXPECT_EQ(levels.finer(level, 0), level);
     EXPECT_EQ(levels.finer(level, tolerance), level);
     EXPECT_EQ(levels.finer(level, 1.001 * tolerance), level + 1);
-    const double twice = tolerance * cells(levels.at(level + 1)) / cells(levels.at(level));
-    EXPECT_EQ(levels.finer(level, 0.999 * twice), level + 1);
-    EXPECT_EQ(levels.finer(level, 1.001 * twice), std::min(level + 2, levels.count() - 1));
+    const double ratio = static_cast<double>(cells(levels.at(level + 1))) / cells(levels.at(level));
+    const double most = tolerance * ratio * ratio;
+    EXPECT_EQ(levels.finer(level, 0.999 * most), level + 1);
+    EXPECT_EQ(levels.finer(level, 1.001 * most), std::min(level + 2, levels.count() - 1));
     EXPECT_EQ(levels.finer(level, 1e6), levels.count() - 1);
   }
 }
