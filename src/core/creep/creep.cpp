@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wheel_rail_contact/core/creep.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/creep/exact_rolling.h"
+#include "core/creep/simplified_theory.h"
+#include "core/option_check.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+/// Largest coefficient of friction [-].
+constexpr double largest_friction = 2;
+
+/// Without friction.
+class NoCreep : public CreepSolver
+{
+  CreepStatus fill(const CreepProblem& /*problem*/, bool /*warm*/, CreepSolution& /*solution*/) override
+  {
+    return CreepStatus::no_slip;
+  }
+};
+
+bool isValid(const FrictionLaw& law)
+{
+  return law.coefficient >= 0 && law.coefficient <= largest_friction && law.slip_share >= 0 && law.slip_share <= 1 &&
+         law.slip_decay >= 0 && std::isfinite(law.slip_decay);
+}
+
+bool isPositive(double value)
+{
+  return value > 0 && std::isfinite(value);
+}
+
+bool isValid(const CreepProblem& problem)
+{
+  const Creepage& c = problem.creepage;
+  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.spin) && std::isfinite(problem.speed) &&
+         isPositive(problem.semi_axis_along) && isPositive(problem.semi_axis_across) &&
+         isPositive(problem.elasticity.modulus) && problem.elasticity.poisson >= 0 &&
+         problem.elasticity.poisson <= 0.5 && problem.normal_force >= 0 && std::isfinite(problem.normal_force) &&
+         isValid(problem.friction);
+}
+
+double slipVelocity(const CreepProblem& problem)
+{
+  return std::abs(problem.speed) * std::hypot(problem.creepage.x, problem.creepage.y);
+}
+
+bool hasFriction(const CreepProblem& problem, double friction)
+{
+  return problem.speed != 0 && friction * problem.normal_force > 0;
+}
+}  // namespace
+
+const char* toString(CreepMethod method)
+{
+  constexpr std::array names{"none", "linear", "fastsim", "exact"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+CreepMethod creepMethodNamed(std::string_view name)
+{
+  for (const CreepMethod method : all_creep_methods)
+  {
+    if (name == toString(method))
+    {
+      return method;
+    }
+  }
+  throw std::invalid_argument("creep method = '" + std::string(name) + "': unknown");
+}
+
+const char* toString(CreepStatus status)
+{
+  switch (status)
+  {
+    case CreepStatus::converged:
+      return "converged";
+    case CreepStatus::no_slip:
+      return "no creep force: no method, normal force, friction or speed";
+    case CreepStatus::iteration_limit:
+      return "iteration limit reached";
+    case CreepStatus::invalid_problem:
+      return "invalid problem: a number is not finite or out of range, or the pressure does not fit its grid";
+  }
+  return "unknown";
+}
+
+ShearElasticity shearElasticity(const Material& first, const Material& second)
+{
+  validate(first, "first material");
+  validate(second, "second material");
+  const auto compliance = [](const Material& m) { return (1 + m.poisson) / m.young; };  // 1 / (2 G)
+  const double one = compliance(first), other = compliance(second);
+  ShearElasticity pair;
+  pair.modulus = 1 / (one + other);
+  pair.poisson = (one * first.poisson + other * second.poisson) / (one + other);
+  require(pair.poisson >= 0, "poisson of the pair", pair.poisson, "must be at least 0");
+  return pair;
+}
+
+double FrictionLaw::at(double slip_velocity) const
+{
+  return coefficient * ((1 - slip_share) * std::exp(-slip_decay * slip_velocity) + slip_share);
+}
+
+void validate(const FrictionLaw& law, const char* option)
+{
+  const std::string name(option);
+  require(law.coefficient >= 0 && law.coefficient <= largest_friction, name + "/coefficient", law.coefficient,
+          "must be from 0 to 2");
+  require(law.slip_share >= 0 && law.slip_share <= 1, name + "/slip_share", law.slip_share, "must be from 0 to 1");
+  require(law.slip_decay >= 0 && std::isfinite(law.slip_decay), name + "/slip_decay", law.slip_decay,
+          "must be finite and at least 0");
+}
+
+void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& solution)
+{
+  solution.force = {};
+  solution.adhesion_share = solution.power = solution.error_estimate = 0;
+  solution.iterations = 0;
+  solution.friction = problem.friction.at(slipVelocity(problem));
+  solution.status = CreepStatus::invalid_problem;
+  if (!isValid(problem))
+  {
+    return;
+  }
+  if (!hasFriction(problem, solution.friction))
+  {
+    solution.status = CreepStatus::no_slip;
+    return;
+  }
+  solution.status = fill(problem, warm, solution);
+  const CreepForce& force = solution.force;
+  solution.adhesion_share = std::hypot(force.x, force.y) / (solution.friction * problem.normal_force);
+  const Creepage& creep = problem.creepage;
+  solution.power = -std::abs(problem.speed) * (force.x * creep.x + force.y * creep.y + force.moment * creep.spin);
+}
+
+std::unique_ptr<CreepSolver> makeCreepSolver(CreepMethod method)
+{
+  switch (method)
+  {
+    case CreepMethod::linear:
+      return std::make_unique<LinearLaw>();
+    case CreepMethod::fastsim:
+      return std::make_unique<Fastsim>();
+    case CreepMethod::exact:
+      return std::make_unique<ExactRolling>();
+    case CreepMethod::none:
+      break;
+  }
+  return std::make_unique<NoCreep>();
+}
+}  // namespace wheel_rail_contact::core

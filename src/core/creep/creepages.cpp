@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/option_check.h"
+#include "wheel_rail_contact/core/creep.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Eigen::Vector3d;
+
+/// Direction of the axle, to the left: rotation by the roll first, then by the yaw.
+Vector3d axleDirection(const WheelsetMotion& motion)
+{
+  const double level = std::cos(motion.roll);
+  return {-std::sin(motion.yaw) * level, std::cos(motion.yaw) * level, std::sin(motion.roll)};
+}
+
+/// Vertical velocity [m/s] at which the wheel's profile follows the rail at a contact, less the part by the roll rate.
+/// The direction of the rail moves the place of its profile with the running speed.
+double followingRise(const WheelsetMotion& motion, const ContactPlace& place)
+{
+  const double lateral = motion.lateral_velocity + motion.yaw_rate * place.position.x() - place.rail_velocity_y -
+                         motion.speed * place.slope_y;
+  return std::tan(place.angle) * lateral + place.rail_velocity_z + motion.speed * place.slope_z;
+}
+
+/// Rise of the profile at a contact per roll rate, at which it neither opens nor closes [m].
+double rollLever(const ContactPlace& place)
+{
+  return place.position.y() + std::tan(place.angle) * place.position.z();
+}
+}  // namespace
+
+Creepage creepages(const WheelsetMotion& motion, const ContactPlace& place)
+{
+  require(std::isfinite(motion.speed) && motion.speed != 0, "speed", motion.speed, "must be finite and not 0");
+  const Vector3d rotation = Vector3d(motion.roll_rate, 0, motion.yaw_rate) + motion.rotation * axleDirection(motion);
+  Vector3d slip = Vector3d(motion.speed, motion.lateral_velocity, 0) + rotation.cross(place.position);
+  slip.y() -= place.rail_velocity_y;
+  const Vector3d along = Vector3d(1, place.slope_y, place.slope_z).normalized();
+  const Vector3d section(0, -std::sin(place.angle), std::cos(place.angle));
+  const Vector3d normal = (section - section.dot(along) * along).normalized();
+  const Vector3d across = normal.cross(along);
+  slip.z() += motion.vertical_velocity - place.rail_velocity_z;
+  if (std::isnan(motion.vertical_velocity))
+  {
+    slip.z() = -(normal.x() * slip.x() + normal.y() * slip.y()) / normal.z();
+  }
+  const double speed = std::abs(motion.speed);
+  return {slip.dot(along) / speed, slip.dot(across) / speed, rotation.dot(normal) / speed};
+}
+
+double followingRollRate(const WheelsetMotion& motion, const ContactPlace& left, const ContactPlace& right)
+{
+  return (followingRise(motion, left) - followingRise(motion, right)) / (rollLever(left) - rollLever(right));
+}
+}  // namespace wheel_rail_contact::core

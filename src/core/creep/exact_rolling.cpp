@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/creep/exact_rolling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.h"
+#include "core/creep/row_products.h"
+#include "core/creep/simplified_theory.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr int most_sweeps = 200;
+/// The sweeps end when the tractions change by less than this share of their own sum.
+constexpr double change_tolerance = 5e-4;
+/// Place of a step's rigid slip, in cells ahead of its end. It is the middle for cells that stick, and the end for
+/// cells that slip, where the traction is opposite to the slip at its own place: taken is the mean of both.
+constexpr double slip_place = 0.25;
+// Error of the forces by the cells, for n loaded rows: error_by_rows / n. See doc/theory.md.
+constexpr double error_by_rows = 0.6;
+}  // namespace
+
+void VectorField::resize(int size)
+{
+  x.resize(size);
+  y.resize(size);
+}
+
+CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolution& solution)
+{
+  if (!hasPressure(problem))
+  {
+    return CreepStatus::invalid_problem;
+  }
+  const double limit = solution.friction * problem.normal_force;
+  prepare(problem, limit);
+  if (warm && solution.traction_x.rows() == nx_ && solution.traction_x.cols() == ny_ &&
+      solution.traction_y.rows() == nx_ && solution.traction_y.cols() == ny_)
+  {
+    startFrom(solution);
+  }
+  else
+  {
+    startSimplified(problem);
+  }
+  findSlip();
+  bool is_converged = false;
+  double change = 0;
+  while (!is_converged && solution.iterations < most_sweeps)
+  {
+    const SweepSums sums = sweep();
+    change = sums.change * problem.grid.cellArea() / limit;
+    is_converged = sums.change <= change_tolerance * sums.traction;
+    ++solution.iterations;
+  }
+  store(problem, solution);
+  const auto loaded = [](const ColumnRange& range) { return !range.isEmpty(); };
+  const auto rows = std::count_if(ranges_.begin(), ranges_.end() - 1, loaded);
+  solution.error_estimate = error_by_rows / static_cast<double>(rows) + change;
+  return is_converged ? CreepStatus::converged : CreepStatus::iteration_limit;
+}
+
+void ExactRolling::prepare(const CreepProblem& problem, double limit)
+{
+  const PatchGrid& grid = problem.grid;
+  direction_ = directionOf(problem);
+  nx_ = grid.nx;
+  ny_ = grid.ny;
+  line_ = roundUpToLanes(ny_);
+  table_ = &tables_.find(nx_ + 1, ny_, grid.dx / grid.dy, problem.elasticity.poisson);
+  ranges_.resize(static_cast<std::size_t>(nx_) + 1);
+  const int size = (nx_ + 1) * line_;
+  bound_.resize(size);
+  for (VectorField* field : {&traction_, &rigid_, &slip_})
+  {
+    field->resize(size);
+  }
+  step_.resize(line_);
+  moved_.resize(line_);
+  const double scale = limit / (problem.pressure.sum() * grid.cellArea());
+  for (int row = 0; row < nx_; ++row)
+  {
+    setRow(problem, row, scale);
+  }
+  widenRanges();
+}
+
+void ExactRolling::setRow(const CreepProblem& problem, int row, double scale)
+{
+  const PatchGrid& grid = problem.grid;
+  const double unit = pi * problem.elasticity.modulus * grid.dx / grid.dy;
+  const double ahead = direction_ * grid.x(gridRow(row)) + slip_place * grid.dx;
+  const Creepage& creep = problem.creepage;
+  ColumnRange& range = ranges_[static_cast<std::size_t>(row)];
+  range = {ny_, 0};
+  for (int j = 0; j < ny_; ++j)
+  {
+    const int at = row * line_ + j;
+    const double y = direction_ * grid.y(gridColumn(j));
+    bound_[at] = scale * problem.pressure(gridRow(row), gridColumn(j));
+    rigid_.x[at] = unit * (direction_ * creep.x - creep.spin * y);
+    rigid_.y[at] = unit * (direction_ * creep.y + creep.spin * ahead);
+    if (bound_[at] > 0)
+    {
+      range.first = std::min(range.first, j);
+      range.end = j + 1;
+    }
+  }
+}
+
+void ExactRolling::widenRanges()
+{
+  const int last = nx_ * line_;
+  std::fill_n(bound_.data() + last, line_, 0.0);
+  std::fill_n(rigid_.x.data() + last, line_, 0.0);
+  std::fill_n(rigid_.y.data() + last, line_, 0.0);
+  ranges_.back() = {ny_, 0};
+  for (std::size_t row = ranges_.size() - 1; row > 0; --row)
+  {
+    ranges_[row].first = std::min(ranges_[row].first, ranges_[row - 1].first);
+    ranges_[row].end = std::max(ranges_[row].end, ranges_[row - 1].end);
+  }
+}
+
+void ExactRolling::startSimplified(const CreepProblem& problem)
+{
+  const Flexibility flex = flexibility(problem);
+  const Creepage& creep = problem.creepage;
+  const PatchGrid& grid = problem.grid;
+  std::fill_n(moved_.x.data(), line_, 0.0);
+  std::fill_n(moved_.y.data(), line_, 0.0);
+  for (int row = 0; row <= nx_; ++row)
+  {
+    const double x = direction_ * grid.x(gridRow(row));
+    for (int j = 0; j < ny_; ++j)
+    {
+      const int at = row * line_ + j;
+      const double y = direction_ * grid.y(gridColumn(j)), bound = bound_[at];
+      const double px = moved_.x[j] - (direction_ * creep.x / flex.x - creep.spin * y / flex.spin) * grid.dx;
+      const double py = moved_.y[j] - (direction_ * creep.y / flex.y + creep.spin * x / flex.spin) * grid.dx;
+      const double length = std::sqrt(px * px + py * py);
+      const double factor = length > bound ? bound / length : 1;
+      traction_.x[at] = moved_.x[j] = factor * px;
+      traction_.y[at] = moved_.y[j] = factor * py;
+    }
+  }
+}
+
+void ExactRolling::startFrom(const CreepSolution& solution)
+{
+  for (int row = 0; row <= nx_; ++row)
+  {
+    for (int j = 0; j < ny_; ++j)
+    {
+      const int at = row * line_ + j;
+      const bool is_loaded = bound_[at] > 0;
+      traction_.x[at] = is_loaded ? direction_ * solution.traction_x(gridRow(row), gridColumn(j)) : 0;
+      traction_.y[at] = is_loaded ? direction_ * solution.traction_y(gridRow(row), gridColumn(j)) : 0;
+    }
+  }
+}
+
+void ExactRolling::findSlip()
+{
+  const int size = (nx_ + 1) * line_;
+  std::copy_n(rigid_.x.data(), size, slip_.x.data());
+  std::copy_n(rigid_.y.data(), size, slip_.y.data());
+  for (int row = 0; row <= nx_; ++row)
+  {
+    const int at = row * line_, ahead = at - line_;
+    for (int j = 0; j < line_; ++j)
+    {
+      step_.x[j] = traction_.x[at + j] - (row > 0 ? traction_.x[ahead + j] : 0);
+      step_.y[j] = traction_.y[at + j] - (row > 0 ? traction_.y[ahead + j] : 0);
+    }
+    addSteps(row, true);
+  }
+}
+
+void ExactRolling::addSteps(int row, bool to_itself)
+{
+  const ColumnRange source = ranges_[static_cast<std::size_t>(row)];
+  for (int target = 0; target <= nx_; ++target)
+  {
+    const ColumnRange range = ranges_[static_cast<std::size_t>(target)];
+    if (range.isEmpty() || source.isEmpty() || (target == row && !to_itself))
+    {
+      continue;
+    }
+    RowProduct product;
+    product.first = source.first;
+    product.end = source.end;
+    product.step_x = step_.x.data();
+    product.step_y = step_.y.data();
+    product.target_first = range.first;
+    product.target_end = range.end;
+    product.slip_x = slip_.x.data() + target * line_;
+    product.slip_y = slip_.y.data() + target * line_;
+    product.influence = table_->row(target - row);
+    addProduct(product);
+  }
+}
+
+ExactRolling::SweepSums ExactRolling::sweep()
+{
+  SweepSums sums;
+  std::fill_n(moved_.x.data(), line_, 0.0);
+  std::fill_n(moved_.y.data(), line_, 0.0);
+  for (int row = 0; row <= nx_; ++row)
+  {
+    const ColumnRange range = ranges_[static_cast<std::size_t>(row)];
+    if (!range.isEmpty())
+    {
+      solve(row, range, sums);
+    }
+  }
+  return sums;
+}
+
+void ExactRolling::solve(int row, const ColumnRange& range, SweepSums& sums)
+{
+  const int at = row * line_;
+  RowCells cells;
+  cells.first = range.first;
+  cells.end = range.end;
+  cells.bound = bound_.data() + at;
+  cells.x = traction_.x.data() + at;
+  cells.y = traction_.y.data() + at;
+  cells.slip_x = slip_.x.data() + at;
+  cells.slip_y = slip_.y.data() + at;
+  cells.step_x = step_.x.data();
+  cells.step_y = step_.y.data();
+  cells.influence = table_->row(0);
+  for (int j = range.first; j < range.end; ++j)
+  {
+    cells.x[j] += moved_.x[j];
+    cells.y[j] += moved_.y[j];
+    step_.x[j] = step_.y[j] = 0;
+  }
+  solveRow(cells);
+  for (int j = range.first; j < range.end; ++j)
+  {
+    moved_.x[j] += step_.x[j];
+    moved_.y[j] += step_.y[j];
+    sums.change += std::abs(moved_.x[j]) + std::abs(moved_.y[j]);
+    sums.traction += std::abs(cells.x[j]) + std::abs(cells.y[j]);
+  }
+  addSteps(row, false);
+}
+
+void ExactRolling::store(const CreepProblem& problem, CreepSolution& solution) const
+{
+  const PatchGrid& grid = problem.grid;
+  solution.traction_x.resize(nx_, ny_);
+  solution.traction_y.resize(nx_, ny_);
+  CreepForce sum;
+  for (int row = 0; row < nx_; ++row)
+  {
+    const int i = gridRow(row);
+    for (int column = 0; column < ny_; ++column)
+    {
+      const int at = row * line_ + column, j = gridColumn(column);
+      const double px = direction_ * traction_.x[at], py = direction_ * traction_.y[at];
+      solution.traction_x(i, j) = px;
+      solution.traction_y(i, j) = py;
+      sum.x += px;
+      sum.y += py;
+      sum.moment += grid.x(i) * py - grid.y(j) * px;
+    }
+  }
+  const double area = grid.cellArea();
+  solution.force = {area * sum.x, area * sum.y, area * sum.moment};
+}
+}  // namespace wheel_rail_contact::core
