@@ -49,6 +49,9 @@ struct KalkerCoefficients
   double c33 = 0;  ///< spin to moment
 };
 
+/// Largest ratio a/b, and b/a, of the table of the coefficients.
+constexpr double kalker_ratio_limit = 10;
+
 /// Coefficients of an elliptic contact (Kalker 1990, table E3; also Johnson 1985, section 8.4).
 ///
 /// The table has 19 ratios a/b from 0.1 to 10, and Poisson's ratios 0, 1/4 and 1/2. The polynomial of second order

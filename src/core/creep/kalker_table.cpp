@@ -55,8 +55,11 @@ double atPoisson(const ByPoisson& values, double poisson)
 
 KalkerCoefficients kalkerCoefficients(double ratio, double poisson)
 {
-  requirePositive("ratio of the semi-axes", ratio);
-  require(poisson >= 0 && poisson <= 0.5, "poisson", poisson, "must be from 0 to 0.5");
+  if (!(ratio > 0 && std::isfinite(ratio) && poisson >= 0 && poisson <= 0.5))  // the names would be allocated
+  {
+    requirePositive("ratio of the semi-axes", ratio);
+    require(false, "poisson", poisson, "must be from 0 to 0.5");
+  }
   const auto above = std::upper_bound(kalker_table.begin() + 1, kalker_table.end() - 1, ratio,
                                       [](double value, const KalkerRow& row) { return value < row.ratio; });
   const KalkerRow &low = *(above - 1), &high = *above;

@@ -10,8 +10,9 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Steps along a strip of FASTSIM.
+/// Steps along a strip of FASTSIM, and the top of its parabolic bound over the mean bound at their centres.
 constexpr int strip_steps = 30;
+constexpr double peak_over_mean = 1.5 / (1 + 0.5 / (strip_steps * strip_steps));
 /// Linear force over the friction limit from which the patch slides (Vermeulen and Johnson 1964).
 constexpr double sliding_demand = 3;
 
@@ -157,7 +158,7 @@ CreepStatus Fastsim::fill(const CreepProblem& problem, bool /*warm*/, CreepSolut
     const Strip strip = stripOf(problem, j);
     if (strip.force > 0)
     {
-      const double peak = 0.75 * scale * strip.force * grid.dx / strip.half;
+      const double peak = peak_over_mean * scale * strip.force * grid.dx / (2 * strip.half);
       addStrip(growth, direction * strip.centre, direction * grid.y(j), strip.half, peak, sums);
     }
   }

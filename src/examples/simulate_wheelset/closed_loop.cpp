@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "wheel_rail_contact/core/creep.h"
+
 namespace simulate_wheelset
 {
 namespace
@@ -26,7 +28,10 @@ void count(const ContactReply& contact, const RailForces& forces, RunSummary& su
 {
   const auto is_saturated = [](const CreepForce& force) { return force.isSaturated(); };
   const auto is_outside = [](const ContactPoint& point)
-  { return !KalkerTable::contains(point.semi_axis_along / point.semi_axis_across); };
+  {
+    const double ratio = point.semi_axis_along / point.semi_axis_across;
+    return std::max(ratio, 1 / ratio) > wheel_rail_contact::core::kalker_ratio_limit;
+  };
   summary.saturated += std::any_of(forces.creep.begin(), forces.creep.end(), is_saturated) ? 1 : 0;
   summary.outside_table += std::any_of(contact.points.begin(), contact.points.end(), is_outside) ? 1 : 0;
   ++summary.steps;
