@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "core/allocation_counter.h"
+#include "../allocation_counter.h"
 #include "creep_scene.h"
 
 #ifdef __GLIBC__
