@@ -146,8 +146,9 @@ struct CreepSolution
   /// Estimated error of the forces over the friction limit [-], not a bound: of the method and its grid.
   double error_estimate = 0;
   int iterations = 0;  ///< sweeps over all cells; 0 with `linear`, 1 with `fastsim`
-  /// Traction on the wheel in each cell of the pressure [Pa]. Only `exact` fills them.
-  Eigen::ArrayXXd traction_x, traction_y;
+  /// Traction on the wheel along x in each cell of the pressure [Pa]. Only `exact` fills them.
+  Eigen::ArrayXXd traction_x;
+  Eigen::ArrayXXd traction_y;  ///< the same along y [Pa]
 };
 
 /// Solver for the tangential problem of one patch. An object keeps memory between solutions and is not thread-safe.
@@ -208,10 +209,11 @@ struct ContactPlace
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the patch, from the axle centre [m]
   double angle = 0;                                    ///< rotation of the patch frame about x, right-handed [rad]
-  /// Direction of the rail at the patch [-]: change of its lateral and of its vertical place along the track.
-  double slope_y = 0, slope_z = 0;
-  /// Velocity of the rail head at the patch [m/s]: by its deflection in time, not by the direction of the rail.
-  double rail_velocity_y = 0, rail_velocity_z = 0;
+  double slope_y = 0;  ///< direction of the rail at the patch: change of its lateral place along the track [-]
+  double slope_z = 0;  ///< change of its vertical place along the track [-]
+  /// Velocity of the rail head at the patch, to the left [m/s]: by its deflection in time, not by its direction.
+  double rail_velocity_y = 0;
+  double rail_velocity_z = 0;  ///< the same, up [m/s]
 };
 
 /// Creepages of a contact: velocity of the wheel's particles relative to those of the rail, over |V|; the spin is that
