@@ -207,8 +207,9 @@ struct WheelsetMotion
 /// A contact as seen from the wheelset, track axes.
 struct ContactPlace
 {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the patch, from the axle centre [m]
-  double angle = 0;                                    ///< rotation of the patch frame about x, right-handed [rad]
+  /// Place on the undeformed wheel, from the axle centre [m]: that of the patch, less its approach along the normal.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double angle = 0;    ///< rotation of the patch frame about x, right-handed [rad]
   double slope_y = 0;  ///< direction of the rail at the patch: change of its lateral place along the track [-]
   double slope_z = 0;  ///< change of its vertical place along the track [-]
   /// Velocity of the rail head at the patch, to the left [m/s]: by its deflection in time, not by its direction.
