@@ -31,7 +31,7 @@ bool isValid(const FrictionLaw& law)
          law.slip_decay >= 0 && std::isfinite(law.slip_decay);
 }
 
-bool isPositive(double value)
+bool isPositiveNumber(double value)
 {
   return value > 0 && std::isfinite(value);
 }
@@ -40,8 +40,8 @@ bool isValid(const CreepProblem& problem)
 {
   const Creepage& c = problem.creepage;
   return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.spin) && std::isfinite(problem.speed) &&
-         isPositive(problem.semi_axis_along) && isPositive(problem.semi_axis_across) &&
-         isPositive(problem.elasticity.modulus) && problem.elasticity.poisson >= 0 &&
+         isPositiveNumber(problem.semi_axis_along) && isPositiveNumber(problem.semi_axis_across) &&
+         isPositiveNumber(problem.elasticity.modulus) && problem.elasticity.poisson >= 0 &&
          problem.elasticity.poisson <= 0.5 && problem.normal_force >= 0 && std::isfinite(problem.normal_force) &&
          isValid(problem.friction);
 }

@@ -22,14 +22,14 @@ constexpr double fastsim_error = 0.065, fastsim_spin_error = 0.13;
 constexpr double linear_error = 0.065, linear_spin_error = 1;
 
 /// Semi-ellipse of pressure along a column.
-struct Strip
+struct PressureStrip
 {
   double force = 0;   ///< sum of the pressures of the cells [Pa]
   double centre = 0;  ///< x of its centre [m]
   double half = 0;    ///< half its length [m]
 };
 
-Strip stripOf(const CreepProblem& problem, int column)
+PressureStrip stripOf(const CreepProblem& problem, int column)
 {
   const PatchGrid& grid = problem.grid;
   double sum = 0, first = 0, second = 0;
@@ -155,7 +155,7 @@ CreepStatus Fastsim::fill(const CreepProblem& problem, bool /*warm*/, CreepSolut
   TractionSums sums;
   for (int j = 0; j < grid.ny; ++j)
   {
-    const Strip strip = stripOf(problem, j);
+    const PressureStrip strip = stripOf(problem, j);
     if (strip.force > 0)
     {
       const double peak = peak_over_mean * scale * strip.force * grid.dx / (2 * strip.half);
