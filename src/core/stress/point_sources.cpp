@@ -10,10 +10,24 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double part_width = 0.5;  ///< width of joined or divided columns, over the distance of the forces along them
-constexpr double near_columns = 2;  ///< reach of the columns without thinning, in distances of the forces
-constexpr double cell_spacing = 0.08;  ///< distance of the forces of a cell, over its distance from the point
-constexpr double far_spacing = 0.4;    ///< distance of the forces of a column, over its distance from the nearest point
+constexpr double part_width = 0.5;   ///< width of joined or divided columns, over the distance of the forces along them
+constexpr double near_columns = 2;   ///< reach of the columns without thinning, in distances of the forces
+constexpr double one_force = 0.08;   ///< longest side of a cell with one force, over its distance from the point
+constexpr double two_forces = 0.2;   ///< the same with two forces, by Gauss's rule; longer sides are divided
+constexpr double far_spacing = 0.4;  ///< distance of the forces of a column, over its distance from the nearest point
+
+/// Number of forces along a side of a cell.
+int countOf(double side, double distance)
+{
+  return side <= one_force * distance ? 1 : 2 * static_cast<int>(std::ceil(side / (two_forces * distance)));
+}
+
+/// Place of a force along a side, from its middle and over its length: Gauss's rule of two points on each part.
+double placeOf(int k, int count)
+{
+  constexpr double gauss = 0.28867513459481287;  // 1 / (2 sqrt 3)
+  return count == 1 ? 0 : (2 * (k / 2) + 1 + (k % 2 == 0 ? -2 : 2) * gauss) / count - 0.5;
+}
 
 Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double poisson)
 {
@@ -112,13 +126,11 @@ void PointSources::setCells(const PatchGrid& grid, const Eigen::ArrayXXd& pressu
     {
       const double x = grid.x(i) / unit, y = grid.y(j) / unit;
       const double distance = (Eigen::Vector3d(x, y, 0) - place).norm();
-      const int along = static_cast<int>(std::ceil(dx / (cell_spacing * distance)));
-      const int across = static_cast<int>(std::ceil(dy / (cell_spacing * distance)));
+      const int along = countOf(dx, distance), across = countOf(dy, distance);
       for (int k = 0; pressure(i, j) > 0 && k < along * across; ++k)
       {
-        const int row = k % along, column = k / along;
-        x_.push_back(static_cast<float>(x + dx * ((row + 0.5) / along - 0.5)));
-        y_.push_back(static_cast<float>(y + dy * ((column + 0.5) / across - 0.5)));
+        x_.push_back(static_cast<float>(x + dx * placeOf(k % along, along)));
+        y_.push_back(static_cast<float>(y + dy * placeOf(k / along, across)));
         force_.push_back(static_cast<float>(pressure(i, j) * dx * dy / (2 * pi * along * across)));
       }
     }
