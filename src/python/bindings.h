@@ -44,6 +44,8 @@ struct ReadProfile
 
 /// Adds the stress beneath a patch, and functions of stresses.
 void bindStress(pybind11::module& module);
+/// Adds creep forces of ellipses.
+void bindCreepForces(pybind11::module& module);
 /// Adds the classes of a result. The stress is added before.
 void bindResults(pybind11::module& module);
 /// Adds the results of many states.

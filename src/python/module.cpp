@@ -8,6 +8,7 @@ PYBIND11_MODULE(_core, module)
   module.doc() = "Numerical core of wheel_rail_contact; used through the names of the package wheel_rail_contact.";
   pybind11::register_exception<wheel_rail_contact::core::FileError>(module, "ProfileError", PyExc_ValueError);
   wheel_rail_contact::bindStress(module);
+  wheel_rail_contact::bindCreepForces(module);
   wheel_rail_contact::bindResults(module);
   wheel_rail_contact::bindMany(module);
   wheel_rail_contact::bindContact(module);

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contact of wheels and rails.
 
-For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure, plot_stress, to_array, and functions
-of stresses; see doc/python.md. The subpackages belong to the commands.
+For Python programs: WheelsetContact, read_profile, read_compliance_table, plot_pressure, plot_stress, to_array, functions of
+stresses, ellipse_creep_force and kalker_coefficients; see doc/python.md. The subpackages belong to the commands.
 """
 # Names and their modules. They are imported when they are used: commands start without numpy.
 _MODULES = {
     "WheelsetContact": "contact",
+    "ellipse_creep_force": "creep",
+    "kalker_coefficients": "creep",
     "read_compliance_table": "profiles",
     "read_profile": "profiles",
     "plot_pressure": "pressure",

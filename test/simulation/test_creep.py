@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from wheel_rail_contact.simulation.creep import KALKER, Contacts, creep_forces
+from wheel_rail_contact.simulation.creep import Contacts, creep_forces
 
 PRINT_RAIL_FORCES = os.environ["PRINT_RAIL_FORCES"]
 HAS_MODULE = os.environ["HAS_PYTHON_MODULE"] == "1"
@@ -48,10 +48,10 @@ def in_cpp(cases):
     return np.array([line.split() for line in done.stdout.splitlines()], dtype=float)
 
 
+@unittest.skipUnless(HAS_MODULE, "the Python module is not built")
 class CreepForces(unittest.TestCase):
     def compare(self, cases):
-        """Python and C++ evaluate the same formulas: they differ by rounding, far below one unit of the last digit of Kalker's
-        table, which is 1e-3 of a value and more."""
+        """Python and C++ evaluate the same formulas: they differ by rounding."""
         expected = in_cpp(cases)
         self.assertEqual(len(expected), len(cases))
         for one, forces in zip(cases, expected):
@@ -59,14 +59,12 @@ class CreepForces(unittest.TestCase):
                                        err_msg=case(*one))
         return expected
 
-    def test_every_row_and_column_of_kalkers_table_is_that_in_cpp(self):
-        # Small creepages at a high friction: linear theory. Between two rows and beyond the ends; one contact: no cancellation.
-        rows = KALKER[:, 0]
-        ratios = [0.05, *rows, *np.sqrt(rows[1:] * rows[:-1]), 20.0]
+    def test_forces_of_the_linear_theory_are_those_in_cpp(self):
+        # Small creepages at a high friction; one contact: no cancellation.
         motions = ([0.0, 0.0, 0.0, SPEED / 0.46 * 1.00001], [0.0, 3e-4, 0.0, SPEED / 0.46], [0.0, 0.0, 3e-3, SPEED / 0.46])
         self.compare([(result(patch("left", ratio, 5e-3, 1e5, 0.05)),
                        {"poisson": poisson, "friction": 100.0, "shear_modulus": SHEAR_MODULUS}, motion)
-                      for ratio in ratios for poisson in (0.0, 0.25, 0.28, 0.5) for motion in motions])
+                      for ratio in (0.05, 0.25, 1.0, 1.6, 20.0) for poisson in (0.0, 0.28, 0.5) for motion in motions])
 
     def test_forces_of_several_contacts_are_those_in_cpp_below_and_above_saturation(self):
         seed = 7
@@ -84,7 +82,6 @@ class CreepForces(unittest.TestCase):
         self.assertTrue(np.all(forces[-20:] == 0))
         self.assertTrue(np.all(np.any(forces[:-20] != 0, axis=1)))
 
-    @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
     def test_unloaded_wheels_have_no_creep_force(self):
         from wheel_rail_contact import WheelsetContact
         contact = WheelsetContact()
