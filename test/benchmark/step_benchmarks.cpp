@@ -5,6 +5,7 @@
 #include "core/balance/patch_result.h"
 #include "core/normal/estimate/islands.h"
 #include "core/stress/stress_search.h"
+#include "wheel_rail_contact/core/creep.h"
 
 namespace wheel_rail_contact
 {
@@ -109,6 +110,32 @@ struct Pressed
   }
 };
 
+/// Creep force of a patch whose pressure is known, at two thirds of the friction limit, with spin. Each starts cold.
+template <core::CreepMethod method>
+void creep(benchmark::State& state, const core::GridSize& size)
+{
+  OneWheel one;
+  one.solveOn(size);
+  const core::PatchPressure& patch = one.wheel.solution().patches[0];
+  const Pressed pressed(patch);
+  core::CreepProblem problem;
+  problem.creepage = {1e-3, 5e-4, 0.1};
+  problem.normal_force = patch.force;
+  problem.semi_axis_along = pressed.axes.along;
+  problem.semi_axis_across = pressed.axes.across;
+  problem.grid = pressed.grid;
+  problem.pressure = pressed.pressure;
+  const auto solver = makeCreepSolver(method);
+  core::CreepSolution solution;
+  for (auto _ : state)
+  {
+    solver->solve(problem, false, solution);
+    benchmark::DoNotOptimize(solution.force);
+  }
+  state.counters["share"] = solution.adhesion_share;
+  state.counters["sweeps"] = solution.iterations;
+}
+
 /// Search for the highest stresses beneath a patch.
 void stress(benchmark::State& state, const core::GridSize& size)
 {
@@ -160,6 +187,12 @@ void registerSteps()
     add("step/stiffness/", stiffness);
     add("step/stress/", stress);
     add("step/stress_field/", stressField);
+    if (size == core::GridSize{12, 24} || size == core::GridSize{24, 64})
+    {
+      add("step/creep/linear/", creep<core::CreepMethod::linear>);
+      add("step/creep/fastsim/", creep<core::CreepMethod::fastsim>);
+      add("step/creep/exact/", creep<core::CreepMethod::exact>);
+    }
   }
 }
 }  // namespace wheel_rail_contact
