@@ -206,6 +206,7 @@ void bindTiming(py::module& module)
                                   py::arg("build") = CHART_BUILD_TYPE);
   bindRuns(module);
   bindTimedGaps(module);
+  bindTimedCreep(module);
   bindTimedWheelsets(module);
 }
 }  // namespace wheel_rail_contact

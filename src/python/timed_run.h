@@ -66,4 +66,6 @@ class TimedRun
 
 /// Adds runs on the gaps of a normal problem. TimedRun is added before.
 void bindTimedGaps(pybind11::module& module);
+/// Adds runs of creep methods. TimedRun is added before.
+void bindTimedCreep(pybind11::module& module);
 }  // namespace wheel_rail_contact

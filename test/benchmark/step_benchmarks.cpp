@@ -116,11 +116,10 @@ void creep(benchmark::State& state, const core::GridSize& size)
 {
   OneWheel one;
   one.solveOn(size);
-  const core::PatchPressure& patch = one.wheel.solution().patches[0];
-  const Pressed pressed(patch);
+  const Pressed pressed(one.wheel.solution().patches[0]);
   core::CreepProblem problem;
   problem.creepage = {1e-3, 5e-4, 0.1};
-  problem.normal_force = patch.force;
+  problem.normal_force = one.wheel.solution().patches[0].force;
   problem.semi_axis_along = pressed.axes.along;
   problem.semi_axis_across = pressed.axes.across;
   problem.grid = pressed.grid;
@@ -132,7 +131,6 @@ void creep(benchmark::State& state, const core::GridSize& size)
     solver->solve(problem, false, solution);
     benchmark::DoNotOptimize(solution.force);
   }
-  state.counters["share"] = solution.adhesion_share;
   state.counters["sweeps"] = solution.iterations;
 }
 

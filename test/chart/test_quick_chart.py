@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The whole command with --quick, run once."""
+import csv
 import os
 import re
 import subprocess
@@ -11,7 +12,7 @@ from pathlib import Path
 from matplotlib import image
 from matplotlib.colors import to_rgb
 
-from wheel_rail_contact.chart import table
+from wheel_rail_contact.chart import creep, table
 from wheel_rail_contact.chart.front import compare_auto
 from wheel_rail_contact.chart.picture import METHODS
 
@@ -108,6 +109,22 @@ class QuickChart(unittest.TestCase):
             self.assertIn(title, words(drawing))
         self.assertIn(self.facts["machine"], words(drawing))
 
+    def test_creep_forces_have_a_row_for_every_state_and_the_errors_of_their_methods(self):
+        lines = (self.out / "chart_creep.csv").read_text(encoding="utf-8").splitlines()
+        rows = [creep.CreepRow(*(text if name == "method" else float(text) for name, text in record.items()))
+                for record in csv.DictReader(line for line in lines if not line.startswith("# "))]
+        self.assertEqual(len(rows), len(creep.RATIOS) * len(creep.STATES) * sum(map(len, creep.GRIDS.values())))
+        without, with_spin = (creep.summary(rows, spin) for spin in (False, True))
+        for points in without, with_spin:  # (median time, median, largest, largest of the force)
+            self.assertLess(points["exact", (24, 64)][2], 0.03)
+            self.assertLess(0, points["fastsim", (24, 64)][0], points["exact", (24, 64)][0])
+        self.assertGreater(with_spin["linear", (8, 16)][1], 0.3)  # the linear law fails with spin
+
+    def test_picture_of_creep_forces_has_a_panel_without_and_with_spin(self):
+        number, drawing = self.panels("chart_creep.svg")
+        self.assertEqual(number, 2)
+        self.assertRegex(words(drawing), "Without spin.*With spin.*48 × 64 cells")
+
     def test_progress_names_every_scene(self):
-        for title in {row.title for row in self.rows}:
+        for title in {row.title for row in self.rows} | {f"creep forces, a/b = {ratio:g}" for ratio in creep.RATIOS}:
             self.assertIn(title, self.ended.stderr)

@@ -7,7 +7,7 @@ from ..arguments import Parser
 from ..command import finish, output_folder, pyplot
 from ..core.extension import core
 from ..progress import Progress
-from . import scenes_picture, summary_picture, table
+from . import creep, creep_picture, scenes_picture, summary_picture, table
 from .front import compare_auto, compare_medians, over_scenes
 from .measuring import QUICK, Plan, compare
 from .picture import METHODS
@@ -28,7 +28,9 @@ def _run(options):
     table.write(options.out / "chart.csv", facts, rows)
     draw(plot, rows, facts, options.out)
     _report(rows)
-    print(f"wrote chart.csv, chart.png and chart_scenes.png, and both pictures as .svg, to {options.out}")
+    _compare_creep(plot, facts, creep.QUICK if options.quick else creep.FULL, options.out)
+    print(f"wrote chart.csv, chart_creep.csv, chart.png, chart_scenes.png and chart_creep.png, and the pictures as .svg, to "
+          f"{options.out}")
 
 
 def measure(plan):
@@ -46,6 +48,24 @@ def draw(plot, rows, facts, folder):
     """Writes both pictures, each as PNG and SVG."""
     for picture, name in ((summary_picture, "chart"), (scenes_picture, "chart_scenes")):
         picture.draw(plot, rows, facts, [folder / f"{name}.png", folder / f"{name}.svg"])
+
+
+def _compare_creep(plot, facts, extent, folder):
+    """Measures the methods for creep forces; writes their table and picture, and prints the table of doc/methods.md."""
+    progress, done = Progress(), itertools.count(1)
+    try:
+        rows = creep.measure(extent, lambda title: progress(next(done), len(creep.RATIOS), title))
+    finally:
+        progress.end()
+    facts = {**facts, "creep_truth": f"{extent.truth[0]} x {extent.truth[1]}"}
+    table.write(folder / "chart_creep.csv", facts, rows)
+    creep_picture.draw(plot, rows, facts, [folder / "chart_creep.png", folder / "chart_creep.svg"])
+    print("Creep forces: median time; median and largest error, and that of the force alone, without and with spin\n"
+          "| method | cells | time [µs] | no spin [%] | spin [%] |\n|---|---|---|---|---|")
+    for setting, (time, *errors) in creep.summary(rows, False).items():
+        texts = [" / ".join(f"{100 * error:.2g}" for error in each) for each in (errors, creep.summary(rows, True)[setting][1:])]
+        method, (along, across) = setting
+        print(f"| `{method}` | {along} × {across} | {1e6 * time:.2g} | {' | '.join(texts)} |")
 
 
 def _report(rows):
@@ -85,8 +105,9 @@ def _values(row):
 def _parser():
     parser = Parser(
         prog="contact_chart", description="Runs every method on every grid over fifteen scenes and draws error against "
-        "time: chart.png summarises the scenes, chart_scenes.png has a panel for each scene. Also writes both pictures as "
-        ".svg and all values to chart.csv, and prints the tables of doc/methods.md. Takes about three minutes.")
+        "time: chart.png summarises the scenes, chart_scenes.png has a panel for each scene, chart_creep.png compares the "
+        "methods for creep forces. Also writes the pictures as .svg and all values to chart.csv and chart_creep.csv, and prints "
+        "the tables of doc/methods.md. Takes about four minutes.")
     parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
                         help="folder for the files (default: the current one)")
     parser.add_argument("--quick", action="store_true",

@@ -66,8 +66,8 @@ def machine():
 
 
 def write(path, facts, rows):
-    """Writes the table, with the facts in comment lines above it."""
-    names = [each.name for each in fields(Row)]
+    """Writes the table of rows, of one class, with the facts in comment lines above it."""
+    names = [each.name for each in fields(rows[0])]
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.writelines(f"# {name}: {text}\n" for name, text in facts.items())
         lines = csv.writer(file, lineterminator="\n")
