@@ -49,5 +49,6 @@ void validate(const ContactModelConfig& config)
   validate(config.contact);
   validate(config.stress);
   validate(config.rail_bending);
+  validate(config.creep);
 }
 }  // namespace wheel_rail_contact::core

@@ -10,6 +10,8 @@
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/constants.h"
+#include "core/contact_friction.h"
+#include "core/state_check.h"
 #include "core/stress_beneath.h"
 #include "core/text/formatted.h"
 
@@ -17,59 +19,15 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double angle_limit = 0.2;          ///< largest accepted yaw and given roll [rad]
 constexpr double lateral_limit = 0.1;        ///< largest accepted lateral position from the track centre [m]
-constexpr double height_limit = 1.0;         ///< largest accepted axle height, if given [m]
-constexpr double force_limit = 1e8;          ///< largest accepted load [N], [N m]
 constexpr double stiffness_residual = 1e-3;  ///< of stiffness(), see ContactTangent
 constexpr double other_roll = 5e-3;          ///< distance of the starts that search for other equilibria [rad]
 constexpr double other_force = 0.05;         ///< difference of the forces of another equilibrium [-]
-constexpr double displacement_limit = 0.1;   ///< largest accepted displacement of a rail [m]
-
-bool within(double value, double limit)
-{
-  return std::abs(value) <= limit;
-}
-
-bool within(const RailDeflection& displacement)
-{
-  return within(displacement.lateral, displacement_limit) && within(displacement.vertical, displacement_limit) &&
-         within(displacement.roll, angle_limit);
-}
-
-/// Reason why a state is rejected; empty if it is valid.
-std::string_view fault(const WheelsetState& state, bool height_and_roll_given)
-{
-  if (!std::isfinite(state.y))
-  {
-    return "lateral position is not a number";
-  }
-  if (!within(state.yaw, angle_limit))
-  {
-    return "yaw is not a number or beyond 0.2 rad";
-  }
-  if (!within(state.force_z, force_limit) || !within(state.torque_x, force_limit))
-  {
-    return "load is not a number or beyond 1e8 N";
-  }
-  if (!within(state.rail_lateral_force.left, force_limit) || !within(state.rail_lateral_force.right, force_limit))
-  {
-    return "lateral rail force is not a number or beyond 1e8 N";
-  }
-  if (!within(state.rail_displacement.left) || !within(state.rail_displacement.right))
-  {
-    return "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad";
-  }
-  if (height_and_roll_given && !within(state.roll, angle_limit))
-  {
-    return "roll is not a number or beyond 0.2 rad";
-  }
-  if (height_and_roll_given && !within(state.z, height_limit))
-  {
-    return "height is not a number or beyond 1 m";
-  }
-  return {};
-}
+constexpr int most_passes = 8;               ///< of balance and friction
+/// Difference of friction and balance after all passes, over the force of a wheel, up to which a result is usable [-]:
+/// friction jumps where patches join.
+constexpr double largest_open_friction = 0.02;
+constexpr double friction_per_tolerance = 0.1;  ///< change by the last pass, over the force of a wheel
 
 /// Reason why a height [m] is rejected that is `depth` [m] below that of first touch.
 std::string tooDeep(double height, double depth)
@@ -98,7 +56,11 @@ class WheelsetContact::Calculation
 {
  public:
   explicit Calculation(ContactModelConfig config)
-      : config_(checked(std::move(config))), levels_(config_), balance_(config_, levels_), stress_(config_)
+      : config_(checked(std::move(config))),
+        levels_(config_),
+        balance_(config_, levels_),
+        friction_(config_),
+        stress_(config_)
   {
     if (config_.contact.check_branches && config_.wheelset.solve_height_and_roll)
     {
@@ -115,27 +77,24 @@ class WheelsetContact::Calculation
     result_.yaw = state.yaw;
     result_.z = given ? state.z : config_.wheelset.meanRadius();
     result_.roll = given ? state.roll : 0;
-    solve(state);
-    result_.rail = {};
-    result_.wheel = {};
-    result_.rail_wrench = Wrench();
-    result_.implausible_force = false;
-    result_.above_tolerance = result_.near_branch = result_.points_missing = false;
-    patch_count_ = 0;
+    if (friction_.acts(state))
+    {
+      solveWithFriction(state);
+    }
+    else
+    {
+      open_friction_ = false;
+      friction_.reset();
+      bear(friction_);
+      solveOnce(state);
+    }
     if (isUsable(result_.status))
     {
-      result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
-      result_.z = balance_.height();
-      result_.roll = balance_.roll();
-      addPatches(Side::left);
-      addPatches(Side::right);
-      sumForces(Side::left);
-      sumForces(Side::right);
-      result_.near_branch = other_ && hasOther(state);
-      result_.reason = remark();
+      result_.near_branch = other_ && hasOther(friction_.withFriction(state));
+      result_.above_tolerance = result_.above_tolerance || open_friction_;
+      result_.reason = remark(state);
       addImplausibleForces();
     }
-    result_.patches.resize(patch_count_);
     return result_;
   }
 
@@ -155,13 +114,83 @@ class WheelsetContact::Calculation
     return track.transpose() * all * track;
   }
 
-  void reset() { balance_.reset(); }
+  void reset()
+  {
+    balance_.reset();
+    friction_.reset();
+    bear(friction_);
+  }
   const ContactModelConfig& config() const { return config_; }
 
  private:
+  /// Balance of the normal forces and the results that follow from it.
+  void solveOnce(const WheelsetState& state)
+  {
+    solve(state);
+    result_.rail = {};
+    result_.wheel = {};
+    result_.rail_wrench = Wrench();
+    result_.rotation = 0;
+    result_.implausible_force = false;
+    result_.above_tolerance = result_.near_branch = result_.points_missing = false;
+    patch_count_ = 0;
+    if (isUsable(result_.status))
+    {
+      result_.rail = {balance_.wheel(Side::left).rail(), balance_.wheel(Side::right).rail()};
+      result_.z = balance_.height();
+      result_.roll = balance_.roll();
+      addPatches(Side::left);
+      addPatches(Side::right);
+      sumForces(Side::left);
+      sumForces(Side::right);
+    }
+    result_.patches.resize(patch_count_);
+  }
+
+  /// Repeats the balance with the friction that follows from it, which begins with that of the last result.
+  void solveWithFriction(const WheelsetState& state)
+  {
+    std::string_view fault;
+    int pass = 0;
+    friction_.begin();
+    do
+    {
+      bear(friction_);
+      solveOnce(friction_.withFriction(state));
+      if (!isUsable(result_.status))
+      {
+        friction_.reset();
+        return;
+      }
+      const auto head = [&](Side side) { return balance_.wheel(side).contact().rail().referencePoint(); };
+      fault = friction_.fill(state, {head(Side::left), head(Side::right)}, result_);
+    } while (fault.empty() && friction_.change() > friction_per_tolerance * config_.contact.tolerance &&
+             ++pass < most_passes);
+    open_friction_ = pass == most_passes;
+    if (!fault.empty() || (open_friction_ && friction_.change() > largest_open_friction))
+    {
+      friction_.reset();
+      result_.status = ContactStatus::not_converged;
+      result_.reason = fault.empty() ? "friction and the balance of the normal forces did not converge" : fault;
+      result_.patches.clear();
+    }
+  }
+
+  void bear(const ContactFriction& friction)
+  {
+    for (const Side side : sides)
+    {
+      balance_.wheel(side).setFriction(friction.onRail(side));
+      if (other_)
+      {
+        other_->wheel(side).setFriction(friction.onRail(side));
+      }
+    }
+  }
+
   void solve(const WheelsetState& state)
   {
-    if (const std::string_view reason = fault(state, !config_.wheelset.solve_height_and_roll); !reason.empty())
+    if (const std::string_view reason = faultOf(state, !config_.wheelset.solve_height_and_roll); !reason.empty())
     {
       result_.status = ContactStatus::invalid_input;
       result_.reason = reason;
@@ -173,7 +202,7 @@ class WheelsetContact::Calculation
       result_.reason = range->reason(state.distance);
       return;
     }
-    if (!within(state.y - trackCentre(state), lateral_limit))
+    if (std::abs(state.y - trackCentre(state)) > lateral_limit)
     {
       result_.status = ContactStatus::invalid_input;
       result_.reason = "lateral position is beyond 0.1 m from the track centre";
@@ -242,15 +271,17 @@ class WheelsetContact::Calculation
 
   /// Remark on a usable result: a wheel that carries no load, missing points of a profile, another equilibrium, or an
   /// error estimate above the tolerance; otherwise empty.
-  std::string_view remark() const
+  std::string_view remark(const WheelsetState& state) const
   {
     const bool left = balance_.wheel(Side::left).loaded(), right = balance_.wheel(Side::right).loaded();
     if (left && right)
     {
-      return result_.points_missing    ? "points of a profile are missing at a contact: its shape is not known there"
-             : result_.near_branch     ? "another equilibrium exists: the result depends on the states before"
-             : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
-                                       : "";
+      return result_.points_missing ? "points of a profile are missing at a contact: its shape is not known there"
+             : result_.near_branch  ? "another equilibrium exists: the result depends on the states before"
+             : open_friction_ ? "friction jumps, as patches join: its forces are not in balance within the tolerance"
+             : result_.above_tolerance                     ? "the estimated error of a wheel is above contact/tolerance"
+             : friction_.isSet() && !friction_.acts(state) ? "no creep forces: the speed is below 0.01 m/s"
+                                                           : "";
     }
     if (!left && !right)
     {
@@ -293,6 +324,7 @@ class WheelsetContact::Calculation
       patch.error_estimate = std::hypot(patch.error_estimate, shape.max_pressure);
       result_.points_missing = result_.points_missing || shape.missing;
       patch.method = levels_.solver().name();
+      patch.creep = {};
       stress_.fill(side, balance_, k, patch);
     }
     result_.above_tolerance = result_.above_tolerance || balance_.wheelError(side) > config_.contact.tolerance;
@@ -323,6 +355,8 @@ class WheelsetContact::Calculation
   ContactModelConfig config_;
   GridLevels levels_;
   WheelsetBalance balance_;
+  ContactFriction friction_;
+  bool open_friction_ = false;  ///< friction jumps: it differs from that of the balance
   StressBeneath stress_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
   WheelsetResult result_;

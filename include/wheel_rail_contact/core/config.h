@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "wheel_rail_contact/core/creep.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 #include "wheel_rail_contact/core/profile.h"
@@ -55,6 +56,7 @@ struct ContactModelConfig
   ContactConfig contact;           ///< method and tolerance of the contact solution
   StressConfig stress;             ///< stress beneath the patches; default: not computed
   RailBendingConfig rail_bending;  ///< deflection of the rails; default: rigid rails
+  CreepConfig creep;               ///< friction of the contacts; default: none
 };
 
 /// Checks that all profiles are set and that every parameter is within its range.

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "wheel_rail_contact/core/normal_problem.h"
+#include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
@@ -201,7 +202,7 @@ struct WheelsetMotion
   double yaw_rate = 0;       ///< about z [rad/s]
   double roll_rate = 0;      ///< about x [rad/s]; see followingRollRate()
   double rotation = 0;       ///< about the axle [rad/s], positive when it rolls forward
-  double yaw = 0, roll = 0;  ///< rotation of the axle [rad], as in WheelsetResult
+  double yaw = 0, roll = 0;  ///< rotation of the axle [rad], as in WheelsetResult; not read in a WheelsetState
 };
 
 /// A contact as seen from the wheelset, track axes.
@@ -224,6 +225,24 @@ struct ContactPlace
 /// and only turn the axes of the patch.
 /// @throw std::invalid_argument if the speed is not finite or zero.
 Creepage creepages(const WheelsetMotion& motion, const ContactPlace& place);
+
+/// Friction of the contacts of a wheelset.
+struct CreepConfig
+{
+  /// Source of the rotation of the wheelset about its axle.
+  enum class Rotation
+  {
+    given,  ///< WheelsetMotion::rotation
+    free    ///< the one at which friction has no moment about the axle
+  };
+  CreepMethod method = CreepMethod::none;  ///< default: no friction
+  Sides<FrictionLaw> friction;             ///< of each side
+  Rotation rotation = Rotation::free;      ///< default: a wheelset that is neither driven nor braked
+};
+
+/// Checks that every parameter is within its range.
+/// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
+void validate(const CreepConfig& creep);
 
 /// Roll rate [rad/s] at which both wheels follow their rails: neither of the two contacts opens or closes. The axle
 /// centre moves vertically as required. motion.roll_rate is not used.

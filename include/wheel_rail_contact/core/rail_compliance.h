@@ -74,7 +74,7 @@ struct RailBendingConfig
   /// Source of the lateral force that bends a rail.
   enum class LateralForce
   {
-    contact,  ///< outward component of the normal forces of the contact
+    contact,  ///< outward component of the forces of the contact: normal forces, and friction with CreepConfig::method
     topic,    ///< given with each state (WheelsetState::rail_lateral_force)
     constant  ///< constant force `lateral_force_value`
   };

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wheel_rail_contact/core/creep.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/rail_compliance.h"
 #include "wheel_rail_contact/core/stress.h"
@@ -31,14 +32,14 @@ struct WheelsetState
   /// WheelsetConfig::solve_height_and_roll is false.
   double roll = 0;
   /// Vertical force on the axle centre, up positive [N], of everything but the normal pressure of the rails: of the
-  /// vehicle, the weight of the wheelset itself (negative), inertia, and friction. |force_z| <= 1e8. Not required if
-  /// height and roll are given.
+  /// vehicle, the weight of the wheelset itself (negative), inertia, and friction. With CreepConfig::method, the
+  /// friction of the contacts is not part of it. |force_z| <= 1e8. Not required if height and roll are given.
   double force_z = 0;
   /// Moment on the axle centre about x [N m]: a positive moment unloads the left wheel. |torque_x| <= 1e8. Not required
   /// if height and roll are given. With Balance::wheel_loads, it is the moment that the vertical forces of the rails
   /// balance alone, at the running circles: it also contains the moment of all lateral forces on the wheels. With
   /// Balance::moments, it is the moment of all forces except those of the normal pressure: of the vehicle, and of
-  /// friction.
+  /// friction. With CreepConfig::method, the friction of the contacts is not part of it in either case.
   double torque_x = 0;
   /// Lateral force on the rail of each Side, outward positive [N]; at most 1e8. Used only with
   /// RailBendingConfig::LateralForce::topic.
@@ -46,6 +47,9 @@ struct WheelsetState
   /// Displacement of the rail of each Side at this wheelset, besides its deflection under this wheel: by a track model
   /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
   Sides<RailDeflection> rail_displacement{};
+  /// Velocities of the axle; used only with CreepConfig::method. Below 0.01 m/s there are no creep forces. The vertical
+  /// velocity and the roll rate are used only if height and roll are given, the rotation only with Rotation::given.
+  WheelsetMotion motion;
   double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
   double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
 };
@@ -87,11 +91,23 @@ struct RailResult
 /// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N].
 constexpr double plausible_force = 1e6;
 
-/// Contact forces of all patches of a wheel on its rail, by the normal pressure alone.
+/// Contact forces of all patches of a wheel on its rail.
 struct WheelForces
 {
-  double vertical = 0;  ///< Q, down positive [N]
-  double lateral = 0;   ///< Y, outward positive [N]
+  double vertical = 0;           ///< Q of the normal pressure alone, down positive [N]
+  double lateral = 0;            ///< Y of the normal pressure alone, outward positive [N]
+  double friction_vertical = 0;  ///< part of Q by friction, down positive [N]
+  double friction_lateral = 0;   ///< part of Y by friction, outward positive [N]
+};
+
+/// Friction in a patch, in the patch frame.
+struct PatchCreep
+{
+  Creepage creepage;          ///< of the wheel relative to the rail
+  CreepForce force;           ///< of the rail on the wheel
+  double adhesion_share = 0;  ///< resultant over the friction limit [-]
+  double power = 0;           ///< dissipated power [W]
+  double error_estimate = 0;  ///< of the forces over the friction limit [-]; of the method and its grid, not a bound
 };
 
 /// Force and moment, track axes.
@@ -165,6 +181,7 @@ struct PatchResult
   /// that of a flat punch with the shape of the contact (Barber 2003). NaN where half_space_ratio is above 0.4 rad: the
   /// bodies do not approach along one normal there.
   double normal_stiffness = 0;
+  PatchCreep creep;          ///< friction; all zero without CreepConfig::method
   PatchStress wheel_stress;  ///< in the wheel; all zero without StressConfig::depths
   PatchStress rail_stress;   ///< the same in the rail
   PatchGrid grid;            ///< grid of `pressure`
@@ -191,8 +208,9 @@ struct WheelsetResult
   double yaw = 0, roll = 0;    ///< rotation of the axle [rad]; roll is the solved (or given) one
   double distance = 0;         ///< place of the wheelset on the line [m]; that of the state
   Sides<WheelForces> wheel;    ///< forces of each Side; valid only if the result is usable
-  Wrench rail_wrench;      ///< of the normal pressure of both rails on the wheelset; valid only if the result is usable
-  Sides<RailResult> rail;  ///< rail of each Side; valid only if the result is usable
+  Wrench rail_wrench;          ///< of both rails on the wheelset, with friction; valid only if the result is usable
+  double rotation = 0;         ///< of the wheelset about its axle [rad/s], given or free; zero without creep forces
+  Sides<RailResult> rail;      ///< rail of each Side; valid only if the result is usable
   std::vector<PatchResult> patches;  ///< left side first; empty unless the result is usable
 };
 }  // namespace wheel_rail_contact::core

@@ -48,6 +48,12 @@ SupportedRail::SupportedRail(const ContactModelConfig& config, Side side)
 void SupportedRail::displace(const RailDeflection& displacement)
 {
   displacement_ = displacement;
-  offset_ = prescribed_ + toCoordinates(displacement);
+  offset_ = prescribed_ + toCoordinates(displacement) + compliance_ * borne_;
+}
+
+void SupportedRail::bear(const Eigen::Vector3d& forces)
+{
+  borne_ = forces;
+  displace(displacement_);
 }
 }  // namespace wheel_rail_contact::core

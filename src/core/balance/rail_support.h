@@ -36,6 +36,9 @@ class SupportedRail
   /// Sets the displacement besides the prescribed one and that by forces.
   void displace(const RailDeflection& displacement);
 
+  /// Sets constant forces on it, besides those of under().
+  void bear(const Eigen::Vector3d& forces);
+
   /// Rail in the ideal track.
   const PlacedRail& atRest() const { return along_.rail(); }
   /// Length of the longest profile, over all places [m].
@@ -46,6 +49,8 @@ class SupportedRail
   bool bends() const { return bends_; }
   /// Displacement per force; zero if it does not bend.
   const Eigen::Matrix3d& compliance() const { return compliance_; }
+  /// Forces of bear().
+  const Eigen::Vector3d& borne() const { return borne_; }
   /// Whole displacement under forces.
   Eigen::Vector3d under(const Eigen::Vector3d& forces) const { return offset_ + compliance_ * forces; }
 
@@ -55,6 +60,7 @@ class SupportedRail
   bool bends_;
   Eigen::Vector3d prescribed_ = Eigen::Vector3d::Zero();
   RailDeflection displacement_;
-  Eigen::Vector3d offset_;  ///< both together
+  Eigen::Vector3d borne_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d offset_;  ///< all three together
 };
 }  // namespace wheel_rail_contact::core

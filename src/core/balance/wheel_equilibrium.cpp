@@ -390,9 +390,10 @@ RailResult WheelEquilibrium::rail() const
   RailResult result;
   result.deflection = toDeflection(rail_.under(forces_));
   result.given = rail_.displacement();
-  result.lateral_force = forces_[0];
-  result.vertical_force = -forces_[1];
-  result.moment = forces_[2];
+  const Eigen::Vector3d forces = forces_ + rail_.borne();
+  result.lateral_force = forces[0];
+  result.vertical_force = -forces[1];
+  result.moment = forces[2];
   return result;
 }
 }  // namespace wheel_rail_contact::core

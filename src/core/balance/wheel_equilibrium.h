@@ -40,6 +40,8 @@ class WheelEquilibrium
   /// @param lateral    given lateral force, outward positive [N]; only without RailBendingConfig::LateralForce::contact
   /// @param displaced  displacement of the rail, besides that by this wheel and RailBendingConfig::prescribed
   void setRail(double lateral, const RailDeflection& displaced);
+  /// Sets the friction on the rail, along its coordinates. It is constant in a search.
+  void setFriction(const Eigen::Vector3d& forces) { rail_.bear(forces); }
 
   /// Finds height and deflection at a pose under a load [N]; the height of `pose` is the start. Without a positive
   /// load, the height of first touch.
@@ -85,7 +87,7 @@ class WheelEquilibrium
   void predict(double lateral, double roll, double load);
   /// True if the wheel carries load.
   bool loaded() const { return loaded_; }
-  /// Forces and deflection of the rail.
+  /// Forces and deflection of the rail, with friction.
   RailResult rail() const;
   /// Moment of the contact on the wheel about the axle centre, side axes: positive if it lifts the wheel [N m].
   double moment() const { return loaded_ ? contact_.solved().forces()[wheel_roll] : 0; }

@@ -119,6 +119,12 @@ void validate(const FrictionLaw& law, const char* option)
           "must be finite and at least 0");
 }
 
+void validate(const CreepConfig& creep)
+{
+  validate(creep.friction.left, "creep/friction/left");
+  validate(creep.friction.right, "creep/friction/right");
+}
+
 void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& solution)
 {
   solution.force = {};

@@ -22,6 +22,7 @@ void sweep(WheelsetContact& contact, double yaw)
     state.y = k * 0.05e-3;
     state.force_z = -200e3;
     state.yaw = yaw;
+    state.motion.speed = 20;
     ASSERT_TRUE(isUsable(contact.evaluate(state).status)) << "y = " << state.y;
   }
 }
@@ -94,6 +95,18 @@ TEST(HotPath, BendingRailsAllocateNothing)
   ContactModelConfig config = onOneGrid();
   bend(config, softPads());
   EXPECT_EQ(allocationsOnThirdSweep(config), 0);
+}
+
+TEST(HotPath, FrictionAllocatesNothing)
+{
+  ContactModelConfig config = manchesterScene();
+  config.contact.cells_along = 12;
+  config.contact.cells_across = 24;
+  for (const CreepMethod method : {CreepMethod::linear, CreepMethod::fastsim, CreepMethod::exact})
+  {
+    config.creep.method = method;
+    EXPECT_EQ(allocationsOnThirdSweep(config), 0) << toString(method);
+  }
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/contact_friction.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/track/bracketed_root.h"
+#include "wheel_rail_contact/core/sides.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double least_speed = 0.01;        ///< below it there are no creep forces [m/s]
+constexpr double narrow_range = 1e-4;       ///< of the free rotation about the last one, at first [-]
+constexpr double largest_step = 2;          ///< of an extrapolation, over the friction [-]
+constexpr double rotation_accuracy = 1e-6;  ///< of the free rotation, which is that of the longitudinal creepage [-]
+
+/// Direction of the tangent plane across the track, and its normal.
+Vector3d across(double angle)
+{
+  return {0, std::cos(angle), std::sin(angle)};
+}
+
+Vector3d normal(double angle)
+{
+  return {0, -std::sin(angle), std::cos(angle)};
+}
+}  // namespace
+
+ContactFriction::ContactFriction(const ContactModelConfig& config)
+    : config_(config), solver_(makeCreepSolver(config.creep.method)), free_rotation_(1 / config.wheelset.meanRadius())
+{
+  for (const Side side : sides)
+  {
+    elasticity_[side] = shearElasticity(config.wheel_material[side], config.rail_material[side]);
+  }
+}
+
+bool ContactFriction::acts(const WheelsetState& state) const
+{
+  return isSet() && std::abs(state.motion.speed) >= least_speed;
+}
+
+WheelsetState ContactFriction::withFriction(WheelsetState state) const
+{
+  const auto left = ofSide(Side::left), right = ofSide(Side::right);
+  state.force_z += left[0] + right[0];
+  state.torque_x += config_.wheelset.balance == WheelsetConfig::Balance::moments
+                        ? left[1] + right[1]
+                        : config_.wheelset.halfBase() * (left[0] - right[0]);
+  return state;
+}
+
+std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<PlanePoint>& heads,
+                                       WheelsetResult& result)
+{
+  setContacts(state, result);
+  const Vector3d axle(-std::sin(state.yaw), std::cos(state.yaw), 0);
+  const bool free = config_.creep.rotation == CreepConfig::Rotation::free;
+  momentAbout(axle, free ? freeRotation(axle) : state.motion.rotation);
+  Friction found = Friction::Zero();
+  for (std::size_t k = 0; k < count_; ++k)
+  {
+    const CreepStatus status = contacts_[k].solution.status;
+    if (!isUsable(status))
+    {
+      reset();
+      return toString(status);
+    }
+    PatchResult& patch = result.patches[k];
+    const CreepSolution& solution = contacts_[k].solution;
+    patch.creep = {contacts_[k].problem.creepage, solution.force, solution.adhesion_share, solution.power,
+                   solution.error_estimate};
+    addForces(patch, contacts_[k], heads[patch.side], result, found);
+  }
+  result.rotation = motion_.rotation;
+  change_ = 0;
+  for (const Side side : sides)
+  {
+    const WheelForces& wheel = result.wheel[side];
+    const double force = std::hypot(wheel.vertical, wheel.lateral);
+    const double changed = (found - assumed_).segment<2>(of_side * static_cast<int>(side) + 2).norm();
+    change_ = std::max(change_, force > 0 ? changed / force : 0);
+  }
+  assumed_ = extrapolated(found);
+  return {};
+}
+
+/// Combination of the last passes for which the difference of found and assumed friction would be least.
+ContactFriction::Friction ContactFriction::extrapolated(const Friction& found)
+{
+  const auto place = [](int pass) { return static_cast<std::size_t>(pass % (depth + 1)); };
+  const int last = passes_++, count = std::min(last, depth);
+  found_[place(last)] = found;
+  open_[place(last)] = found - assumed_;
+  Eigen::Matrix<double, 2 * of_side, Eigen::Dynamic, 0, 2 * of_side, depth> turns(2 * of_side, count);
+  Eigen::Matrix<double, 2 * of_side, Eigen::Dynamic, 0, 2 * of_side, depth> steps(2 * of_side, count);
+  for (int k = 0; k < count; ++k)
+  {
+    turns.col(k) = open_[place(last - k)] - open_[place(last - k - 1)];
+    steps.col(k) = found_[place(last - k)] - found_[place(last - k - 1)];
+  }
+  if (count == 0)
+  {
+    return found;
+  }
+  const Friction next = found - steps * turns.colPivHouseholderQr().solve(open_[place(last)]);
+  return next.allFinite() && (next - found).norm() < largest_step * found.norm() ? next : found;
+}
+
+void ContactFriction::setContacts(const WheelsetState& state, const WheelsetResult& result)
+{
+  count_ = result.patches.size();
+  contacts_.resize(std::max(contacts_.size(), count_));
+  motion_ = state.motion;
+  motion_.yaw = state.yaw;
+  motion_.roll = result.roll;
+  Sides<std::size_t> strongest(count_);
+  for (std::size_t k = 0; k < count_; ++k)
+  {
+    const PatchResult& patch = result.patches[k];
+    Contact& contact = contacts_[k];
+    const Vector3d on_rail(patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z);
+    contact.place = {};
+    contact.place.position = on_rail - patch.approach * normal(patch.pose.angle);
+    contact.place.angle = patch.pose.angle;
+    contact.problem.speed = motion_.speed;
+    contact.problem.normal_force = patch.normal_force;
+    contact.problem.semi_axis_along = patch.semi_axis_along;
+    contact.problem.semi_axis_across = patch.semi_axis_across;
+    contact.problem.grid = patch.grid;
+    contact.problem.pressure = patch.pressure;
+    contact.problem.elasticity = elasticity_[patch.side];
+    contact.problem.friction = config_.creep.friction[patch.side];
+    std::size_t& most = strongest[patch.side];
+    most = most == count_ || patch.normal_force > result.patches[most].normal_force ? k : most;
+  }
+  if (config_.wheelset.solve_height_and_roll)
+  {
+    motion_.vertical_velocity = NAN;
+    const bool both = strongest.left < count_ && strongest.right < count_;
+    motion_.roll_rate =
+        both ? followingRollRate(motion_, contacts_[strongest.left].place, contacts_[strongest.right].place) : 0;
+  }
+}
+
+/// Solves all patches at a rotation [rad/s]. Returns the moment of their forces on the wheelset about the axle [N m].
+double ContactFriction::momentAbout(const Vector3d& axle, double rotation)
+{
+  motion_.rotation = rotation;
+  double sum = 0;
+  for (std::size_t k = 0; k < count_; ++k)
+  {
+    Contact& contact = contacts_[k];
+    contact.problem.creepage = creepages(motion_, contact.place);
+    solver_->solve(contact.problem, false, contact.solution);
+    const CreepForce& force = contact.solution.force;
+    const double angle = contact.place.angle;
+    const Vector3d on_wheel = Vector3d(force.x, 0, 0) + force.y * across(angle);
+    sum += axle.dot(contact.place.position.cross(on_wheel) + force.moment * normal(angle));
+  }
+  return sum;
+}
+
+/// Rotation at which friction has no moment about the axle [rad/s]. The moment falls as the wheelset turns faster. The
+/// range about the last rotation is widened until it contains the root.
+double ContactFriction::freeRotation(const Vector3d& axle)
+{
+  const auto moment = [&](double rotation) { return momentAbout(axle, rotation); };
+  const double rolling = std::abs(motion_.speed) / config_.wheelset.meanRadius();
+  const double start = std::clamp(free_rotation_ * motion_.speed, -1.5 * rolling, 1.5 * rolling);
+  for (double range = narrow_range * rolling; range < rolling; range *= 10)
+  {
+    const double at_low = moment(start - range), at_high = moment(start + range);
+    if (at_low > 0 && at_high < 0)
+    {
+      const double found =
+          bracketedRoot(moment, start - range, at_low, start + range, at_high, rotation_accuracy * rolling);
+      free_rotation_ = found / motion_.speed;
+      return found;
+    }
+  }
+  return motion_.speed / config_.wheelset.meanRadius();
+}
+
+void ContactFriction::addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head,
+                                WheelsetResult& result, Friction& found) const
+{
+  const CreepForce& friction = contact.solution.force;
+  const double angle = contact.place.angle, sign = sideSign(patch.side);
+  const Vector3d force = Vector3d(friction.x, 0, 0) + friction.y * across(angle);
+  const Vector3d moment = contact.place.position.cross(force) + friction.moment * normal(angle);
+  const double outward = -sign * force.y(), up = -force.z();
+  result.wheel[patch.side].friction_lateral += outward;
+  result.wheel[patch.side].friction_vertical -= up;
+  result.rail_wrench.force += force;
+  result.rail_wrench.moment += moment;
+  // A given lateral force replaces that of the contact.
+  const double bending = config_.rail_bending.lateral_force == RailBendingConfig::LateralForce::contact ? outward : 0;
+  found.segment<of_side>(of_side * static_cast<int>(patch.side)) +=
+      (Eigen::Matrix<double, of_side, 1>() << force.z(), moment.x(), bending, up,
+       bending * (patch.pose.z - head.z) - up * (sign * patch.pose.y - head.y))
+          .finished();
+}
+}  // namespace wheel_rail_contact::core

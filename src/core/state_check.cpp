@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/state_check.h"
+
+#include <cmath>
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+constexpr double angle_limit = 0.2;         ///< largest accepted yaw and given roll [rad]
+constexpr double height_limit = 1.0;        ///< largest accepted axle height, if given [m]
+constexpr double force_limit = 1e8;         ///< largest accepted load [N], [N m]
+constexpr double displacement_limit = 0.1;  ///< largest accepted displacement of a rail [m]
+constexpr double speed_limit = 1e3;         ///< largest accepted velocity of the axle centre [m/s]
+constexpr double rate_limit = 1e4;          ///< largest accepted rotation of the axle [rad/s]
+
+bool within(double value, double limit)
+{
+  return std::abs(value) <= limit;
+}
+
+bool within(const WheelsetMotion& motion)
+{
+  return within(motion.speed, speed_limit) && within(motion.lateral_velocity, speed_limit) &&
+         within(motion.yaw_rate, rate_limit) && within(motion.roll_rate, rate_limit) &&
+         within(motion.rotation, rate_limit) &&
+         (std::isnan(motion.vertical_velocity) || within(motion.vertical_velocity, speed_limit));
+}
+
+bool within(const RailDeflection& displacement)
+{
+  return within(displacement.lateral, displacement_limit) && within(displacement.vertical, displacement_limit) &&
+         within(displacement.roll, angle_limit);
+}
+
+}  // namespace
+
+std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
+{
+  if (!std::isfinite(state.y))
+  {
+    return "lateral position is not a number";
+  }
+  if (!within(state.yaw, angle_limit))
+  {
+    return "yaw is not a number or beyond 0.2 rad";
+  }
+  if (!within(state.force_z, force_limit) || !within(state.torque_x, force_limit))
+  {
+    return "load is not a number or beyond 1e8 N";
+  }
+  if (!within(state.rail_lateral_force.left, force_limit) || !within(state.rail_lateral_force.right, force_limit))
+  {
+    return "lateral rail force is not a number or beyond 1e8 N";
+  }
+  if (!within(state.rail_displacement.left) || !within(state.rail_displacement.right))
+  {
+    return "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad";
+  }
+  if (!within(state.motion))
+  {
+    return "a velocity of the axle is not a number or beyond 1000 m/s or 10000 rad/s";
+  }
+  if (height_and_roll_given && !within(state.roll, angle_limit))
+  {
+    return "roll is not a number or beyond 0.2 rad";
+  }
+  if (height_and_roll_given && !within(state.z, height_limit))
+  {
+    return "height is not a number or beyond 1 m";
+  }
+  return {};
+}
+}  // namespace wheel_rail_contact::core
