@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/track/bracketed_root.h"
+#include "core/track/root_bracket.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core

@@ -174,6 +174,10 @@ struct PatchPressure
   /// pressure of the highest cell.
   double max_pressure = 0;
   double area = 0;  ///< contact area [m²]; its edge is located to a fraction of a cell
+  /// Extent of the contact along the track over that across it [-]; 0 without a contact: ratio of the radii of gyration
+  /// about its centre. They are sums over the lines of cell centres within the edge: along x over the columns, along y
+  /// over the rows. Short lines at the tips hardly count.
+  double axis_ratio = 0;
   /// Sum of the absolute area corrections at curvature discontinuities of the gap [m²]. Used by error estimates.
   double moved_at_discontinuities = 0;
   bool touches_border = false;  ///< an outer cell of the grid carries pressure: the grid may be too small

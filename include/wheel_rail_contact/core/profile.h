@@ -121,6 +121,8 @@ class Profile
   double length() const { return start_.back(); }
   /// Point and derivatives at the parameter u [m]. Outside [0, length()] the first or last section is continued.
   CurvePoint at(double u) const;
+  /// Length of the tangent at the parameter u: arc length per u [-].
+  double speedAt(double u) const;
   /// Ranges of u of the separate parts, in increasing order.
   const std::vector<ParameterRange>& parts() const { return parts_; }
   /// Range of u of the part that is nearest to u [m].

@@ -115,7 +115,7 @@ bool OutsideContact::isPossible(const std::vector<OverlapInterval>& intervals, c
   }
   for (const OverlapInterval& interval : intervals)
   {
-    search_.stationsOf(interval, stations_);
+    search_.stationsOf(interval, spans_, stations_);
     if (mayTouchFarther(problem, solution, stations_.begin(), stations_.end()) ||
         mayTouchFarther(problem, solution, stations_.rbegin(), stations_.rend()))
     {

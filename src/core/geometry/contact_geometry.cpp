@@ -10,9 +10,9 @@
 
 #include "core/balance/rail_support.h"
 #include "core/option_check.h"
-#include "core/track/bracketed_root.h"
 #include "core/track/contact_search.h"
 #include "core/track/placement.h"
+#include "core/track/root_bracket.h"
 
 namespace wheel_rail_contact::core
 {

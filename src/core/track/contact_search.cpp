@@ -322,18 +322,26 @@ std::size_t ContactSearch::nearestStation(double y) const
   return static_cast<std::size_t>(std::clamp(station + 0.5, 0.0, static_cast<double>(stations_.count - 1)));
 }
 
-void ContactSearch::stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const
+void ContactSearch::stationsOf(const OverlapInterval& interval, const std::vector<std::pair<double, double>>& known,
+                               std::vector<OverlapStation>& stations) const
 {
   stations.clear();
   const auto [first, last] = belowAround(nearestStation(interval.contact.y), 0);
+  bool was_inside = false;
   for (std::size_t k = first; k <= last; ++k)
   {
-    const auto [before, after] = neighbours(k);
-    const double slope =
-        after > before ? (rail_outline_.z(after) - rail_outline_.z(before)) / (stations_.y(after) - stations_.y(before))
-                       : 0;
-    const double per_height = 1 / std::sqrt(1 + slope * slope);
-    stations.push_back({rail_outline_.u(k), stations_.y(k), rail_outline_.z(k), -separation_[k] * per_height});
+    const double u = rail_outline_.u(k);
+    const bool is_inside = std::any_of(known.begin(), known.end(),
+                                       [u](const auto& range) { return u >= range.first && u <= range.second; });
+    if (!is_inside || !was_inside)
+    {
+      const auto [before, after] = neighbours(k);
+      const double slope = after > before ? (rail_outline_.z(after) - rail_outline_.z(before)) /
+                                                (stations_.y(after) - stations_.y(before))
+                                          : 0;
+      stations.push_back({u, stations_.y(k), rail_outline_.z(k), -separation_[k] / std::sqrt(1 + slope * slope)});
+    }
+    was_inside = is_inside;
   }
 }
 

@@ -97,8 +97,10 @@ class ContactSearch
   /// Finds all intervals in which the separation is below `separation` [m], from the gauge side to the field side, part
   /// by part.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals) const;
-  /// Stations in an interval below the separation 0.
-  void stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const;
+  /// Stations in an interval below the separation 0. Of a series of them in a range of the parameter of the rail
+  /// profile that is `known` [m], the first one stands for all.
+  void stationsOf(const OverlapInterval& interval, const std::vector<std::pair<double, double>>& known,
+                  std::vector<OverlapStation>& stations) const;
   /// Moves the ends of an interval with one minimum to a separation [m] above this minimum.
   void moveEnds(double separation, OverlapInterval& interval) const;
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/constants.h"
-#include "core/track/bracketed_root.h"
 #include "core/track/contact_search.h"
+#include "core/track/root_bracket.h"
 
 namespace wheel_rail_contact::core
 {

@@ -269,8 +269,7 @@ double arcLength(const Profile& profile, double from, double to)
   double length = 0;
   for (int i = 0; i < panels; ++i)
   {
-    const CurvePoint middle = profile.at(from + (i + 0.5) * step);
-    length += step * std::sqrt(middle.dy * middle.dy + middle.dz * middle.dz);
+    length += step * profile.speedAt(from + (i + 0.5) * step);
   }
   return length;
 }

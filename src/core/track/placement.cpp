@@ -10,7 +10,7 @@
 
 #include "core/constants.h"
 #include "core/simd/wide.h"
-#include "core/track/bracketed_root.h"
+#include "core/track/root_bracket.h"
 
 namespace wheel_rail_contact::core
 {

@@ -129,16 +129,17 @@ void RailSearch::overlapIntervals(double separation, std::vector<OverlapInterval
             [](const OverlapInterval& one, const OverlapInterval& other) { return one.u_begin < other.u_begin; });
 }
 
-void RailSearch::stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const
+void RailSearch::stationsOf(const OverlapInterval& interval, const std::vector<std::pair<double, double>>& known,
+                            std::vector<OverlapStation>& stations) const
 {
   if (!interval.seen)
   {
-    from_above_.stationsOf(interval, stations);
+    from_above_.stationsOf(interval, known, stations);
     return;
   }
   OverlapInterval own = interval;
   own.contact = *interval.seen;
-  turned_->stationsOf(own, stations);
+  turned_->stationsOf(own, known, stations);
   for (OverlapStation& station : stations)
   {
     const PlanePoint point = rail_->at(station.rail_u);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/track/contact_search.h"
@@ -33,7 +34,8 @@ class RailSearch
   /// As ContactSearch. The intervals of the second search are those at the height of the wheel, whatever the
   /// separation: the flange back moves along the face of the check rail.
   void overlapIntervals(double separation, std::vector<OverlapInterval>& intervals);
-  void stationsOf(const OverlapInterval& interval, std::vector<OverlapStation>& stations) const;
+  void stationsOf(const OverlapInterval& interval, const std::vector<std::pair<double, double>>& known,
+                  std::vector<OverlapStation>& stations) const;
   void moveEnds(double separation, OverlapInterval& interval) const;
 
  private:

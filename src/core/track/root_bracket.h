@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "core/constants.h"
 
 namespace wheel_rail_contact::core
@@ -30,4 +32,25 @@ class RootBracket
   double last_ = infinity;                      ///< absolute last value
   int slow_ = 0;                                ///< number of last values that were not halved
 };
+
+/// Root of `f` between `a` and `b`, where f(a) = value_a and f(b) = value_b have opposite signs: the last place
+/// at which `f` was evaluated. Ends when the bracket or the last step is below `tolerance`, at an exact zero, or after
+/// 100 evaluations.
+template <typename Function>
+double bracketedRoot(Function f, double a, double value_a, double b, double value_b, double tolerance)
+{
+  const double sign = (value_a > value_b) == (a < b) ? 1 : -1;
+  RootBracket bracket;
+  bracket.add(a, sign * value_a);
+  bracket.add(b, sign * value_b);
+  double x = b, step = infinity, value = value_b;
+  for (int i = 0; i < 100 && bracket.width() > tolerance && std::abs(step) >= tolerance && value != 0; ++i)
+  {
+    step = bracket.next(x, infinity) - x;  // there is no Newton step
+    x += step;
+    value = f(x);
+    bracket.add(x, sign * value);
+  }
+  return x;
+}
 }  // namespace wheel_rail_contact::core

@@ -148,15 +148,44 @@ EdgeCrossing EdgePolygon::crossingAfter(const double* p, std::ptrdiff_t step) co
   return {rises ? p + step : p, rises ? -step : step, step == 1 ? stride_ : 1, step == 1};
 }
 
-double EdgePolygon::cross(const double* p, std::ptrdiff_t step)
+double EdgePolygon::cross(const double* p, std::ptrdiff_t step, double place)
 {
   crossings_.push_back(crossingAfter(p, step));
-  return reach(crossings_.back());
+  const double distance = reach(crossings_.back()), sign = p[0] > 0 ? 1 : -1;
+  const double end = p[0] > 0 ? place + distance : place + 1 - distance;
+  (step == 1 ? moments_along_ : moments_across_).add(end, sign);
+  if (step == 1 && mirrored_)
+  {
+    moments_along_.add(-end, -sign);
+  }
+  return distance;
+}
+
+/// Adds the integrals up to the end of a part, or subtracts those up to its beginning.
+void EdgePolygon::Moments::add(double end, double sign)
+{
+  zeroth += sign * end;
+  first += sign * end * end / 2;
+  second += sign * end * end * end / 3;
+}
+
+/// Mean square distance from the centre.
+double EdgePolygon::Moments::variance() const
+{
+  const double centre = first / zeroth;
+  return second / zeroth - centre * centre;
+}
+
+double EdgePolygon::gyrationRatio() const
+{
+  const double along = moments_along_.variance(), across = moments_across_.variance();
+  return along > 0 && across > 0 ? std::sqrt(along / across) : 0;  // not a number without a contact
 }
 
 double EdgePolygon::chords()
 {
   crossings_.clear();
+  moments_along_ = moments_across_ = {};
   along_.resize(static_cast<std::size_t>(stride_));
   double whole = 0, middle = 0;
   int turns = 0;
@@ -175,9 +204,9 @@ double EdgePolygon::chords()
       {
         const unsigned second_row = corners & 10U, second_column = corners & 12U;
         edges.left = edges.right;
-        edges.right = second_row == 2 || second_row == 8 ? cross(p + 1, stride_) : 0;
+        edges.right = second_row == 2 || second_row == 8 ? cross(p + 1, stride_, static_cast<double>(j)) : 0;
         edges.lower = along_[i];
-        edges.upper = second_column == 4 || second_column == 8 ? cross(q, 1) : 0;
+        edges.upper = second_column == 4 || second_column == 8 ? cross(q, 1, static_cast<double>(i) - 0.5) : 0;
         along_[i] = edges.upper;
       }
       const double share = loadedShare(corners, edges);

@@ -43,6 +43,10 @@ class EdgePolygon
   /// Cells that touch only at a corner belong to different islands.
   int islands() const { return islands_; }
 
+  /// Radius of gyration along x over that along y, of the parts within the edge of the lines of cell centres, each in
+  /// cells, found by the last chords() or cells(); 0 without a contact.
+  double gyrationRatio() const;
+
   /// A cell of the framed pressure.
   struct Cell
   {
@@ -60,13 +64,24 @@ class EdgePolygon
   /// Crossing between a cell and the one `step` further, exactly one of which is loaded.
   EdgeCrossing crossingAfter(const double* p, std::ptrdiff_t step) const;
   /// Stores this crossing. Returns the distance of the edge from the loaded cell [cells].
-  double cross(const double* p, std::ptrdiff_t step);
+  /// @param place  of the first cell, from the centre of the grid or any other place [cells]
+  double cross(const double* p, std::ptrdiff_t step, double place);
+
+  /// Integrals of 1, t and t² over the loaded parts of lines t [cells].
+  struct Moments
+  {
+    double zeroth = 0, first = 0, second = 0;
+
+    void add(double end, double sign);
+    double variance() const;
+  };
 
   std::vector<double> framed_, along_;  ///< pressure; distances of the edge along x at the last column
   Eigen::Index rows_ = 0, columns_ = 0;
   std::ptrdiff_t stride_ = 0;
   bool mirrored_ = false;
   int islands_ = 0;
+  Moments moments_along_, moments_across_;
   std::vector<EdgeCrossing> crossings_;
   std::vector<EdgeInputs> inputs_;
 };

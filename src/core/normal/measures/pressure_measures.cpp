@@ -15,61 +15,6 @@ namespace
 /// Largest correction for curvature discontinuities, as a share of the area. On 4500 gaps with such discontinuities it
 /// was up to 0.09.
 constexpr double most_at_discontinuities = 0.15;
-
-/// Integrals of 1, t and t² over a line t.
-struct Moments
-{
-  double zeroth = 0, first = 0, second = 0;
-
-  void add(double begin, double end)
-  {
-    zeroth += end - begin;
-    first += (end * end - begin * begin) / 2;
-    second += (end * end * end - begin * begin * begin) / 3;
-  }
-  /// Radius of gyration about the centre [length of t].
-  double radius() const
-  {
-    const double centre = first / zeroth;
-    return std::sqrt(std::max(second / zeroth - centre * centre, 0.0));
-  }
-};
-
-/// Adds the loaded parts of a line of pressures. Cell i has its centre at i, in cells.
-/// @param mirrored  the line continues before its first cell as its mirror image
-template <typename Line>
-void addLine(const Line& p, bool mirrored, Moments& sum)
-{
-  const Eigen::Index count = p.size();
-  const auto at = [&](Eigen::Index i)
-  {
-    const Eigen::Index stored = mirrored && i < 0 ? -1 - i : i;
-    return stored >= 0 && stored < count ? p[stored] : 0.0;
-  };
-  const auto edge = [&](Eigen::Index outermost, Eigen::Index inward)
-  { return edgeDistance(at(outermost), at(outermost + inward), at(outermost + 2 * inward)); };
-  Eigen::Index i = 0;
-  while (i < count)
-  {
-    if (!(p[i] > 0))
-    {
-      ++i;
-      continue;
-    }
-    const Eigen::Index first = i;
-    while (i < count && p[i] > 0)
-    {
-      ++i;
-    }
-    const double end = static_cast<double>(i - 1) + edge(i - 1, -1);
-    const double begin = mirrored && first == 0 ? -1 - end : static_cast<double>(first) - edge(first, 1);
-    sum.add(begin, end);
-    if (mirrored && first > 0)
-    {
-      sum.add(-1 - end, -1 - begin);
-    }
-  }
-}
 }  // namespace
 
 void PressureMeasures::measure(const PatchGap& gap, double modulus, PatchPressure& patch)
@@ -88,30 +33,23 @@ void PressureMeasures::measure(const PatchGap& gap, double modulus, PatchPressur
   const DiscontinuitySums discontinuities = sumAtDiscontinuities({polygon_, gap, modulus, patch.max_pressure});
   patch.area = (smooth - std::clamp(discontinuities.bias, -most, most)) * grid.cellArea();
   patch.moved_at_discontinuities = discontinuities.sizes * grid.cellArea();
+  patch.axis_ratio = polygon_.gyrationRatio() * grid.dx / grid.dy;
 
   const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);
   patch.touches_border = ends || p.col(0).maxCoeff() > 0 || p.col(p.cols() - 1).maxCoeff() > 0;
 }
 
+void PressureMeasures::measureRatio(PatchPressure& patch)
+{
+  polygon_.frame(patch.pressure, patch.grid.symmetric);
+  polygon_.chords();
+  patch.axis_ratio = polygon_.gyrationRatio() * patch.grid.dx / patch.grid.dy;
+}
+
 SemiAxes equalEllipse(const PatchPressure& patch)
 {
-  const Grid& grid = patch.grid;
-  const Eigen::ArrayXXd& p = patch.pressure;
-  Moments along, across;
-  for (Eigen::Index j = 0; j < p.cols(); ++j)
-  {
-    addLine(p.col(j), grid.symmetric, along);
-  }
-  for (Eigen::Index i = 0; i < p.rows(); ++i)
-  {
-    addLine(p.row(i), false, across);
-  }
-  if (!(along.zeroth > 0) || !(across.zeroth > 0))
-  {
-    return {};
-  }
-  const double ratio = along.radius() * grid.dx / (across.radius() * grid.dy);
-  return {std::sqrt(patch.area / pi * ratio), std::sqrt(patch.area / pi / ratio)};
+  const double ratio = patch.axis_ratio;
+  return ratio > 0 ? SemiAxes{std::sqrt(patch.area / pi * ratio), std::sqrt(patch.area / pi / ratio)} : SemiAxes{};
 }
 
 double punchStiffness(const SemiAxes& axes, double modulus)

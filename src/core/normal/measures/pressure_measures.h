@@ -11,8 +11,8 @@ namespace wheel_rail_contact::core
 class PressureMeasures
 {
  public:
-  /// Fills force, max_pressure, area, moved_at_discontinuities and touches_border of `patch` from its grid and
-  /// pressure. The pressure must solve `gap` with E* = `modulus` [Pa].
+  /// Fills force, max_pressure, area, axis_ratio, moved_at_discontinuities and touches_border of `patch` from its grid
+  /// and pressure. The pressure must solve `gap` with E* = `modulus` [Pa].
   ///
   /// max_pressure: the largest peakPressure() of all cells that are the highest of their column and not exceeded by a
   /// neighbouring column. A peak between two cells, for example at a curvature discontinuity, may be higher than a peak
@@ -21,6 +21,8 @@ class PressureMeasures
   /// area: the area of the polygon through the crossings of the contact edge with the lines of cell centres, minus its
   /// known bias (contact_edge.h) and the bias at curvature discontinuities of the gap (discontinuity_bias.h).
   void measure(const PatchGap& gap, double modulus, PatchPressure& patch);
+  /// Fills axis_ratio only.
+  void measureRatio(PatchPressure& patch);
 
  private:
   EdgePolygon polygon_;
@@ -33,11 +35,7 @@ struct SemiAxes
   double across = 0;  ///< along y
 };
 
-/// Ellipse with the area of a contact, PatchPressure::area, and the ratio of its second moments about x and y through
-/// its centre.
-///
-/// The moments are sums over the lines of cell centres, whose ends are at the edge of the contact (edgeDistance()):
-/// that along x over the columns, that along y over the rows. Short lines at the tips hardly count.
+/// Ellipse with the area of a contact and the ratio of its axes, PatchPressure::axis_ratio.
 SemiAxes equalEllipse(const PatchPressure& patch);
 
 /// Normal stiffness of a contact, the change of its force per approach [N/m].

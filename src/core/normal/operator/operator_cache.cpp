@@ -143,7 +143,8 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
   auto at =
       std::lower_bound(entries.begin(), entries.end(), aspect * (1 - same_aspect),
                        [](const Entry& entry, double wanted) { return entry.influence->shape().aspect < wanted; });
-  if (at == entries.end() || at->influence->shape().aspect > aspect * (1 + same_aspect))
+  const bool is_new = at == entries.end() || at->influence->shape().aspect > aspect * (1 + same_aspect);
+  if (is_new)
   {
     Entry added;
     int index = 0;
@@ -161,7 +162,10 @@ std::shared_ptr<const InfluenceOperator> OperatorCache::find(int nx, int ny, boo
   }
   at->last_use = ++uses_;
   std::shared_ptr<const InfluenceOperator> found = at->influence;
-  forgetOldest(family(nx, ny, symmetric));
+  if (is_new)
+  {
+    forgetOldest(family(nx, ny, symmetric));
+  }
   return found;
 }
 

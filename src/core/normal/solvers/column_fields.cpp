@@ -62,7 +62,9 @@ void ColumnFields::begin(const CurvedProblem* problem, std::vector<PatchLayout>&
   if (scaled_)
   {
     fill(weightOf, weight_);
-    fill([](const ColumnNormals& normals, Eigen::Index j) { return 1 / weightOf(normals, j); }, per_weight_);
+    per_weight_.resize(length);
+    std::transform(weight_.data(), weight_.data() + length, per_weight_.data(),
+                   [](double weight) { return 1 / weight; });
     kernels_.multiply_by(length, per_weight_.data(), gap.data());
     for (std::size_t k = 0; k < patches.size(); ++k)
     {

@@ -268,6 +268,7 @@ void HertzSolver::solve(const NormalProblem& problem, bool /*warm*/, NormalSolut
     patch.area = contact.area;
     patch.moved_at_discontinuities = 0;
     layPressure(minimum, contact, patch);
+    measures_.measureRatio(patch);
     touches = touches || own > 0;
   }
   solution.status = touches ? SolveStatus::converged : SolveStatus::no_contact;

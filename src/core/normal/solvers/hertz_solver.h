@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/normal/estimate/error_estimate.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/normal/solvers/hertz.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
@@ -68,5 +69,6 @@ class HertzSolver : public NormalSolver
   double approachForLoad(const NormalProblem& problem) const;
 
   std::vector<Ellipse> ellipses_;
+  PressureMeasures measures_;
 };
 }  // namespace wheel_rail_contact::core

@@ -166,6 +166,7 @@ void KikPiotrowski::solve(const NormalProblem& problem, bool /*warm*/, NormalSol
     patch.force = area.force;
     patch.area = area.area;
     patch.moved_at_discontinuities = 0;
+    measures_.measureRatio(patch);
     patch.max_pressure = std::max(area.pressure, patch.pressure.maxCoeff());
     const Eigen::ArrayXXd& p = patch.pressure;
     const bool ends = p.row(p.rows() - 1).maxCoeff() > 0 || (!grid.symmetric && p.row(0).maxCoeff() > 0);

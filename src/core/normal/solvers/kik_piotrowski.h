@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/normal/estimate/error_estimate.h"
+#include "core/normal/measures/pressure_measures.h"
 #include "core/normal/solvers/strip_area.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
@@ -54,5 +55,6 @@ class KikPiotrowski : public NormalSolver
 
   std::vector<StripGap> gaps_;
   std::vector<StripArea> areas_;
+  PressureMeasures measures_;
 };
 }  // namespace wheel_rail_contact::core

@@ -244,6 +244,18 @@ CurvePoint Profile::at(double u) const
   return std::visit([t](const auto& law) { return evaluate(law, t).point; }, law_[section]);
 }
 
+double Profile::speedAt(double u) const
+{
+  const std::size_t section = sectionAt(u);
+  if (std::holds_alternative<ArcSection>(law_[section]))
+  {
+    return 1;
+  }
+  const double t = u - start_[section];
+  const CurvePoint point = std::visit([t](const auto& law) { return evaluate(law, t).point; }, law_[section]);
+  return std::sqrt(point.dy * point.dy + point.dz * point.dz);
+}
+
 void ProfileCursor::moveTo(double u)
 {
   const std::vector<double>& start = profile_->start_;
