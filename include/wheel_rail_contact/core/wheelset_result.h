@@ -49,7 +49,7 @@ struct WheelsetState
   Sides<RailDeflection> rail_displacement{};
   /// Velocities of the axle; used only with CreepConfig::method. Below 0.01 m/s there are no creep forces. The vertical
   /// velocity and the roll rate are used only if height and roll are given, the rotation only with Rotation::given.
-  WheelsetMotion motion;
+  WheelsetMotion motion{};
   double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
   double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
 };

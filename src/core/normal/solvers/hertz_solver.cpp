@@ -14,7 +14,7 @@ namespace
 {
 using Eigen::Index;
 
-/// Output of test/calibration/calibrate_error_estimate.cpp.
+/// Output of test/calibration/calibrate_error_estimate.cpp in revision 46df9a4.
 constexpr ShapeWeights error_weights{{3.8e-05, 1.07, 0.16, 0}, {0.00103, 2.56, 0.269, 0}, {4.11e-05, 0.797, 0.0419, 0}};
 
 /// Lowest cell of a gap and its eight neighbours. If the lowest cell is on the border, the next one inside is used.

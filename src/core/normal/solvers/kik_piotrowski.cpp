@@ -17,7 +17,7 @@ namespace
 constexpr double load_tolerance = 1e-10;  ///< relative error of the load
 constexpr int most_evaluations = 60;
 
-/// Output of test/calibration/calibrate_error_estimate.cpp.
+/// Output of test/calibration/calibrate_error_estimate.cpp in revision 46df9a4.
 constexpr ShapeWeights strip_error_weights{
     {0.113, 0, 0.847, 0.00813}, {0.100, 0.0661, 0.0013, 0.0112}, {0.0622, 0, 0.0560, 0.00569}};
 
