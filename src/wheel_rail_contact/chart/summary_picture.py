@@ -103,5 +103,6 @@ def _note(facts):
     return ("Error: largest relative error of peak pressure, area and approach, against a reference on "
             f"{grid_text(facts['truth'])} cells.\n"
             f"Time: CPU time of one thread on {facts['machine']}, warm start.\n"
-            "Markers: medians; bars: to the longest time of a state in any scene. Labels: tolerance of auto (black), cells (blue).\n"
+            "Markers: medians; bars: to the longest time of a state in any scene. Labels: tolerance of auto (black), cells "
+            "(blue).\n"
             "Not drawn: grids without a result in half or more of the scenes. Right: only where Hertz's formula is not exact.")
