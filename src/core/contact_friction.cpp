@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.h"
 #include "core/track/root_bracket.h"
 #include "wheel_rail_contact/core/sides.h"
 
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double least_speed = 0.01;        ///< below it there are no creep forces [m/s]
 constexpr double narrow_range = 1e-4;       ///< of the free rotation about the last one, at first [-]
-constexpr double largest_step = 2;          ///< of an extrapolation, over the friction [-]
+constexpr double largest_step = 1;          ///< of an extrapolation, over the friction [-]
 constexpr double rotation_accuracy = 1e-6;  ///< of the free rotation, which is that of the longitudinal creepage [-]
 
 /// Direction of the tangent plane across the track, and its normal.
@@ -37,8 +38,15 @@ ContactFriction::ContactFriction(const ContactModelConfig& config)
 {
   for (const Side side : sides)
   {
-    elasticity_[side] = shearElasticity(config.wheel_material[side], config.rail_material[side]);
+    elasticity_[side] =
+        isSet() ? shearElasticity(config.wheel_material[side], config.rail_material[side]) : ShearElasticity();
   }
+}
+
+void ContactFriction::reset()
+{
+  assumed_.setZero();
+  free_rotation_ = 1 / config_.wheelset.meanRadius();
 }
 
 bool ContactFriction::acts(const WheelsetState& state) const
@@ -62,7 +70,13 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
   setContacts(state, result);
   const Vector3d axle(-std::sin(state.yaw), std::cos(state.yaw), 0);
   const bool free = config_.creep.rotation == CreepConfig::Rotation::free;
-  momentAbout(axle, free ? freeRotation(axle) : state.motion.rotation);
+  const std::optional<double> rotation = free ? freeRotation(axle) : state.motion.rotation;
+  if (!rotation)
+  {
+    reset();
+    return "no rotation of the wheelset was found at which friction has no moment about the axle";
+  }
+  momentAbout(axle, *rotation);
   Friction found = Friction::Zero();
   for (std::size_t k = 0; k < count_; ++k)
   {
@@ -79,16 +93,28 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
     addForces(patch, contacts_[k], heads[patch.side], result, found);
   }
   result.rotation = motion_.rotation;
-  change_ = 0;
+  change_ = changeTo(found, result.wheel);
+  const Friction next = extrapolated(found);
+  found_last_ = found;
+  assumed_ = next;
+  return {};
+}
+
+/// Largest difference of the found friction from the assumed one over the normal force of its wheel [-]. That of a
+/// wheel without load counts over the other one.
+double ContactFriction::changeTo(const Friction& found, const Sides<WheelForces>& wheels) const
+{
+  const Sides<double> forces([&](Side side) { return std::hypot(wheels[side].vertical, wheels[side].lateral); });
+  const Friction open = found - assumed_;
+  double largest = 0;
   for (const Side side : sides)
   {
-    const WheelForces& wheel = result.wheel[side];
-    const double force = std::hypot(wheel.vertical, wheel.lateral);
-    const double changed = (found - assumed_).segment<2>(of_side * static_cast<int>(side) + 2).norm();
-    change_ = std::max(change_, force > 0 ? changed / force : 0);
+    const auto of = open.segment<of_side>(of_side * static_cast<int>(side));
+    const double force = forces[side] > 0 ? forces[side] : std::max(forces.left, forces.right);
+    const double changed = std::hypot(of[0], of[1] / config_.wheelset.halfBase(), of.segment<2>(2).norm());
+    largest = changed > 0 ? std::max(largest, force > 0 ? changed / force : infinity) : largest;
   }
-  assumed_ = extrapolated(found);
-  return {};
+  return largest;
 }
 
 /// Combination of the last passes for which the difference of found and assumed friction would be least.
@@ -169,12 +195,16 @@ double ContactFriction::momentAbout(const Vector3d& axle, double rotation)
 
 /// Rotation at which friction has no moment about the axle [rad/s]. The moment falls as the wheelset turns faster. The
 /// range about the last rotation is widened until it contains the root.
-double ContactFriction::freeRotation(const Vector3d& axle)
+std::optional<double> ContactFriction::freeRotation(const Vector3d& axle)
 {
   const auto moment = [&](double rotation) { return momentAbout(axle, rotation); };
   const double rolling = std::abs(motion_.speed) / config_.wheelset.meanRadius();
   const double start = std::clamp(free_rotation_ * motion_.speed, -1.5 * rolling, 1.5 * rolling);
-  for (double range = narrow_range * rolling; range < rolling; range *= 10)
+  if (count_ == 0)
+  {
+    return motion_.speed / config_.wheelset.meanRadius();
+  }
+  for (double range = narrow_range * rolling; range < 2 * rolling; range *= 10)
   {
     const double at_low = moment(start - range), at_high = moment(start + range);
     if (at_low > 0 && at_high < 0)
@@ -185,7 +215,7 @@ double ContactFriction::freeRotation(const Vector3d& axle)
       return found;
     }
   }
-  return motion_.speed / config_.wheelset.meanRadius();
+  return std::nullopt;
 }
 
 void ContactFriction::addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head,

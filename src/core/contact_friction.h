@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/track/placement.h"
@@ -22,9 +23,13 @@ class ContactFriction
   /// True if there are creep forces at this speed.
   bool acts(const WheelsetState& state) const;
   /// The next balance begins without friction.
-  void reset() { assumed_.setZero(); }
-  /// Begins the passes for a state, with the friction of the last one.
+  void reset();
+  /// Begins the passes for a state, with the friction of the last result.
   void begin() { passes_ = 0; }
+  /// Ends the passes: the next state begins with the friction that was found.
+  void end() { assumed_ = found_last_; }
+  /// True if the next balance begins with friction.
+  bool isAssumed() const { return !assumed_.isZero(0); }
   /// Loads that the normal forces alone balance: those of the state with the friction on the wheels.
   WheelsetState withFriction(WheelsetState state) const;
   /// Friction on a rail along its coordinates (core/balance/rail_support.h) [N], [N], [N m].
@@ -55,7 +60,7 @@ class ContactFriction
 
   void setContacts(const WheelsetState& state, const WheelsetResult& result);
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
-  double freeRotation(const Eigen::Vector3d& axle);
+  std::optional<double> freeRotation(const Eigen::Vector3d& axle);
   void addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head, WheelsetResult& result,
                  Friction& found) const;
   Eigen::Matrix<double, of_side, 1> ofSide(Side side) const
@@ -63,6 +68,7 @@ class ContactFriction
     return assumed_.segment<of_side>(of_side * static_cast<int>(side));
   }
   Friction extrapolated(const Friction& found);
+  double changeTo(const Friction& found, const Sides<WheelForces>& wheels) const;
 
   const ContactModelConfig& config_;
   std::unique_ptr<CreepSolver> solver_;
@@ -70,8 +76,9 @@ class ContactFriction
   WheelsetMotion motion_;
   std::vector<Contact> contacts_;  ///< only the first ones belong to the result
   std::size_t count_ = 0;
-  double free_rotation_;                          ///< last one over the speed [1/m]
-  Friction assumed_ = Friction::Zero();           ///< of the next balance
+  double free_rotation_;                 ///< last one over the speed [1/m]
+  Friction assumed_ = Friction::Zero();  ///< of the next balance
+  Friction found_last_ = Friction::Zero();
   std::array<Friction, depth + 1> found_, open_;  ///< of the last passes; difference from the one assumed
   int passes_ = 0;
   double change_ = 0;

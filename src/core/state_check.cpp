@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/text/formatted.h"
+
 namespace wheel_rail_contact::core
 {
 namespace
@@ -70,5 +72,13 @@ std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
     return "height is not a number or beyond 1 m";
   }
   return {};
+}
+
+std::string tooDeep(double height, double depth)
+{
+  return formatted(
+      "the given height z = %.4f m is %.1f mm below first touch: it was never set, or is not that of the axle "
+      "centre",
+      height, 1e3 * depth);
 }
 }  // namespace wheel_rail_contact::core

@@ -29,15 +29,6 @@ constexpr int most_passes = 8;               ///< of balance and friction
 constexpr double largest_open_friction = 0.02;
 constexpr double friction_per_tolerance = 0.1;  ///< change by the last pass, over the force of a wheel
 
-/// Reason why a height [m] is rejected that is `depth` [m] below that of first touch.
-std::string tooDeep(double height, double depth)
-{
-  return formatted(
-      "the given height z = %.4f m is %.1f mm below first touch: it was never set, or is not that of the axle "
-      "centre",
-      height, 1e3 * depth);
-}
-
 /// Places along the line for which a rail is known.
 struct PlaceRange
 {
@@ -85,12 +76,11 @@ class WheelsetContact::Calculation
     {
       open_friction_ = false;
       friction_.reset();
-      bear(friction_);
-      solveOnce(state);
+      solveUnder(state);
     }
     if (isUsable(result_.status))
     {
-      result_.near_branch = other_ && hasOther(friction_.withFriction(state));
+      result_.near_branch = other_ && hasOther(loads_);
       result_.above_tolerance = result_.above_tolerance || open_friction_;
       result_.reason = remark(state);
       addImplausibleForces();
@@ -155,8 +145,13 @@ class WheelsetContact::Calculation
     friction_.begin();
     do
     {
-      bear(friction_);
-      solveOnce(friction_.withFriction(state));
+      solveUnder(state);
+      if (!isUsable(result_.status) && friction_.isAssumed())
+      {
+        friction_.reset();
+        friction_.begin();
+        solveUnder(state);
+      }
       if (!isUsable(result_.status))
       {
         friction_.reset();
@@ -167,13 +162,22 @@ class WheelsetContact::Calculation
     } while (fault.empty() && friction_.change() > friction_per_tolerance * config_.contact.tolerance &&
              ++pass < most_passes);
     open_friction_ = pass == most_passes;
+    friction_.end();
     if (!fault.empty() || (open_friction_ && friction_.change() > largest_open_friction))
     {
       friction_.reset();
       result_.status = ContactStatus::not_converged;
       result_.reason = fault.empty() ? "friction and the balance of the normal forces did not converge" : fault;
-      result_.patches.clear();
+      result_.patches.resize(0);
     }
+  }
+
+  /// Balance under the friction assumed.
+  void solveUnder(const WheelsetState& state)
+  {
+    bear(friction_);
+    loads_ = friction_.withFriction(state);
+    solveOnce(loads_);
   }
 
   void bear(const ContactFriction& friction)
@@ -202,7 +206,7 @@ class WheelsetContact::Calculation
       result_.reason = range->reason(state.distance);
       return;
     }
-    if (std::abs(state.y - trackCentre(state)) > lateral_limit)
+    if (!(std::abs(state.y - trackCentre(state)) <= lateral_limit))
     {
       result_.status = ContactStatus::invalid_input;
       result_.reason = "lateral position is beyond 0.1 m from the track centre";
@@ -278,7 +282,8 @@ class WheelsetContact::Calculation
     {
       return result_.points_missing ? "points of a profile are missing at a contact: its shape is not known there"
              : result_.near_branch  ? "another equilibrium exists: the result depends on the states before"
-             : open_friction_ ? "friction jumps, as patches join: its forces are not in balance within the tolerance"
+             : open_friction_
+                 ? "friction and the balance of the normal forces agree within 2 %, but not within the tolerance"
              : result_.above_tolerance                     ? "the estimated error of a wheel is above contact/tolerance"
              : friction_.isSet() && !friction_.acts(state) ? "no creep forces: the speed is below 0.01 m/s"
                                                            : "";
@@ -356,6 +361,7 @@ class WheelsetContact::Calculation
   GridLevels levels_;
   WheelsetBalance balance_;
   ContactFriction friction_;
+  WheelsetState loads_;         ///< with the friction of the last balance
   bool open_friction_ = false;  ///< friction jumps: it differs from that of the balance
   StressBeneath stress_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria

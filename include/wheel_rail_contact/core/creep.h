@@ -226,7 +226,8 @@ struct ContactPlace
 /// @throw std::invalid_argument if the speed is not finite or zero.
 Creepage creepages(const WheelsetMotion& motion, const ContactPlace& place);
 
-/// Friction of the contacts of a wheelset.
+/// Friction of the contacts of a wheelset, on straight rails whose profile is the same everywhere: not with
+/// TrackConfig::line or rail_sections, whose slopes are not used.
 struct CreepConfig
 {
   /// Source of the rotation of the wheelset about its axle.
@@ -245,6 +246,7 @@ struct CreepConfig
 void validate(const CreepConfig& creep);
 
 /// Roll rate [rad/s] at which both wheels follow their rails: neither of the two contacts opens or closes. The axle
-/// centre moves vertically as required. motion.roll_rate is not used.
+/// centre moves vertically as required. motion.roll_rate is not used. Zero where the roll hardly moves the wheels
+/// apart, near a contact angle of 1.26 rad of one wheel: the rate is not determined there.
 double followingRollRate(const WheelsetMotion& motion, const ContactPlace& left, const ContactPlace& right);
 }  // namespace wheel_rail_contact::core

@@ -47,8 +47,9 @@ struct WheelsetState
   /// Displacement of the rail of each Side at this wheelset, besides its deflection under this wheel: by a track model
   /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
   Sides<RailDeflection> rail_displacement{};
-  /// Velocities of the axle; used only with CreepConfig::method. Below 0.01 m/s there are no creep forces. The vertical
-  /// velocity and the roll rate are used only if height and roll are given, the rotation only with Rotation::given.
+  /// Velocities of the axle, at most 1000 m/s and 10 000 rad/s; used only with CreepConfig::method. Below 0.01 m/s
+  /// there are no creep forces. The vertical velocity and the roll rate are used only if height and roll are given, the
+  /// rotation only with Rotation::given.
   WheelsetMotion motion{};
   double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
   double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
@@ -60,7 +61,7 @@ enum class ContactStatus : std::uint8_t
   ok,                ///< every wheel carries its load; usable
   lift_off,          ///< at least one wheel carries no load, the other one is solved; usable
   off_profile,       ///< the contact would be beyond the end of a profile; not usable
-  not_converged,     ///< normal solution, balance or coupling with the rails did not converge; not usable
+  not_converged,     ///< normal solution, balance, coupling with the rails or friction did not converge; not usable
   invalid_input,     ///< a value of the state is NaN, infinite or beyond its limit; not usable
   outside_line = 6,  ///< the place of the wheelset is not on the line, or beyond the sections of a rail; not usable
   too_deep           ///< the given height is more than 10 mm below first touch, or was never set; not usable
@@ -193,7 +194,8 @@ struct WheelsetResult
 {
   ContactStatus status = ContactStatus::invalid_input;  ///< whether the result is usable; check it first
   std::string reason;  ///< one sentence: reason for the status, or a warning; empty if there is none
-  /// The estimated error of the solution of at least one wheel is above ContactConfig::tolerance. That of a single
+  /// The estimated error of the solution of at least one wheel is above ContactConfig::tolerance, or friction and the
+  /// balance of the normal forces agree within 2 % of a wheel's force only (CreepConfig). The error of a single
   /// patch may be above it although its wheel is within it.
   bool above_tolerance = false;
   /// A contact is where points of a profile file are missing (ShapeError::missing): its shape is not known there, and

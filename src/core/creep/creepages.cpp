@@ -55,6 +55,9 @@ Creepage creepages(const WheelsetMotion& motion, const ContactPlace& place)
 
 double followingRollRate(const WheelsetMotion& motion, const ContactPlace& left, const ContactPlace& right)
 {
-  return (followingRise(motion, left) - followingRise(motion, right)) / (rollLever(left) - rollLever(right));
+  constexpr double least = 0.1;  // of the distance of the contacts
+  const double lever = rollLever(left) - rollLever(right);
+  const bool is_known = std::abs(lever) > least * std::abs(left.position.y() - right.position.y());
+  return is_known ? (followingRise(motion, left) - followingRise(motion, right)) / lever : 0;
 }
 }  // namespace wheel_rail_contact::core

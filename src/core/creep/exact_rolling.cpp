@@ -56,7 +56,7 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
     ++solution.iterations;
   }
   store(problem, solution);
-  const auto loaded = [](const ColumnRange& range) { return !range.isEmpty(); };
+  const auto loaded = [](const LoadedColumns& range) { return !range.isEmpty(); };
   const auto rows = std::count_if(ranges_.begin(), ranges_.end() - 1, loaded);
   solution.error_estimate = error_by_rows / static_cast<double>(rows) + change;
   return is_converged ? CreepStatus::converged : CreepStatus::iteration_limit;
@@ -93,7 +93,7 @@ void ExactRolling::setRow(const CreepProblem& problem, int row, double scale)
   const double unit = pi * problem.elasticity.modulus * grid.dx / grid.dy;
   const double ahead = direction_ * grid.x(gridRow(row)) + slip_place * grid.dx;
   const Creepage& creep = problem.creepage;
-  ColumnRange& range = ranges_[static_cast<std::size_t>(row)];
+  LoadedColumns& range = ranges_[static_cast<std::size_t>(row)];
   range = {ny_, 0};
   for (int j = 0; j < ny_; ++j)
   {
@@ -181,10 +181,10 @@ void ExactRolling::findSlip()
 
 void ExactRolling::addSteps(int row, bool to_itself)
 {
-  const ColumnRange source = ranges_[static_cast<std::size_t>(row)];
+  const LoadedColumns source = ranges_[static_cast<std::size_t>(row)];
   for (int target = 0; target <= nx_; ++target)
   {
-    const ColumnRange range = ranges_[static_cast<std::size_t>(target)];
+    const LoadedColumns range = ranges_[static_cast<std::size_t>(target)];
     if (range.isEmpty() || source.isEmpty() || (target == row && !to_itself))
     {
       continue;
@@ -210,7 +210,7 @@ ExactRolling::SweepSums ExactRolling::sweep()
   std::fill_n(moved_.y.data(), line_, 0.0);
   for (int row = 0; row <= nx_; ++row)
   {
-    const ColumnRange range = ranges_[static_cast<std::size_t>(row)];
+    const LoadedColumns range = ranges_[static_cast<std::size_t>(row)];
     if (!range.isEmpty())
     {
       solve(row, range, sums);
@@ -219,7 +219,7 @@ ExactRolling::SweepSums ExactRolling::sweep()
   return sums;
 }
 
-void ExactRolling::solve(int row, const ColumnRange& range, SweepSums& sums)
+void ExactRolling::solve(int row, const LoadedColumns& range, SweepSums& sums)
 {
   const int at = row * line_;
   RowCells cells;

@@ -9,7 +9,7 @@
 namespace wheel_rail_contact::core
 {
 /// Columns of a row, from `first` to below `end`.
-struct ColumnRange
+struct LoadedColumns
 {
   int first = 0, end = 0;
 
@@ -53,7 +53,7 @@ class ExactRolling : public CreepSolver
   };
   /// Solves all rows once.
   SweepSums sweep();
-  void solve(int row, const ColumnRange& range, SweepSums& sums);
+  void solve(int row, const LoadedColumns& range, SweepSums& sums);
   void store(const CreepProblem& problem, CreepSolution& solution) const;
   /// Row of the pressure that is `row` rows behind the leading edge, and column on it.
   int gridRow(int row) const { return direction_ > 0 ? nx_ - 1 - row : row; }
@@ -64,7 +64,7 @@ class ExactRolling : public CreepSolver
   double direction_ = 1;
   int nx_ = 0, ny_ = 0, line_ = 0;
   /// Of each row and one more: columns with pressure there or in the row ahead.
-  std::vector<ColumnRange> ranges_;
+  std::vector<LoadedColumns> ranges_;
   LaneBuffer bound_;          ///< friction limit [Pa]
   VectorField traction_;      ///< [Pa]
   VectorField rigid_;         ///< rigid slip over one cell, in the unit of A p: times pi G / dy [Pa]

@@ -26,7 +26,8 @@ int countOf(double side, double distance)
 double placeOf(int k, int count)
 {
   constexpr double gauss = 0.28867513459481287;  // 1 / (2 sqrt 3)
-  return count == 1 ? 0 : (2 * (k / 2) + 1 + (k % 2 == 0 ? -2 : 2) * gauss) / count - 0.5;
+  const int part = k / 2;
+  return count == 1 ? 0 : (2 * part + 1 + (k % 2 == 0 ? -2 : 2) * gauss) / count - 0.5;
 }
 
 Stress stressOf(const PointForceSums& sums, std::size_t k, double z, double poisson)

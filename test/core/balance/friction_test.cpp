@@ -79,8 +79,11 @@ TEST(Friction, NormalForcesAndFrictionTogetherBalanceTheLoad)
       ASSERT_EQ(result.status, ContactStatus::ok) << "y = " << y << ": " << result.reason;
       EXPECT_NEAR(verticalForce(result), 2 * load, 2e-3 * load) << "y = " << y;
       EXPECT_NEAR(result.rail_wrench.force.z(), 2 * load, 2e-3 * load) << "y = " << y;
-      const double moment = state.torque_x + result.rail_wrench.moment.x();
-      EXPECT_LT(balance == Balance::moments ? std::abs(moment) : 0, 3e-3 * load) << "y = " << y;
+      const Sides<double> whole([&](Side side)
+                                { return result.wheel[side].vertical + result.wheel[side].friction_vertical; });
+      const double moment = balance == Balance::moments ? result.rail_wrench.moment.x()
+                                                        : config.wheelset.halfBase() * (whole.left - whole.right);
+      EXPECT_NEAR(moment, -state.torque_x, 3e-3 * load) << "y = " << y;
     }
   }
 }
@@ -114,6 +117,38 @@ TEST(Friction, ARailBendsByTheWholeForceAndItsMoment)
     EXPECT_NEAR(rail.deflection.lateral, expected.lateral, 1e-7);
     EXPECT_NEAR(rail.deflection.roll, expected.roll, 1e-6);
   }
+}
+
+TEST(Friction, AWheelsetAtAGivenHeightBendsItsRailsByFriction)
+{
+  ContactModelConfig config = withFriction(onPads(softPads()));
+  WheelsetContact solved(config);
+  WheelsetState state = rollingAt(0.002, 0.004);
+  const WheelsetResult under_load = solved.evaluate(state);
+  config.wheelset.solve_height_and_roll = false;
+  WheelsetContact given(config);
+  state.z = under_load.z;
+  state.roll = under_load.roll;
+  const WheelsetResult there = given.evaluate(state);
+  ASSERT_EQ(there.status, ContactStatus::ok) << there.reason;
+  EXPECT_NEAR(there.rail.left.deflection.lateral, under_load.rail.left.deflection.lateral, 2e-5);
+  EXPECT_NEAR(verticalForce(there), 2 * load, 0.03 * 2 * load);
+  // A wheelset above its rails leaves them as they are, whatever was before.
+  state.z += 1e-3;
+  const WheelsetResult& above = given.evaluate(state);
+  EXPECT_EQ(above.status, ContactStatus::lift_off);
+  EXPECT_EQ(above.rail.left.lateral_force, 0);
+  EXPECT_EQ(above.rail.left.deflection.lateral, 0);
+}
+
+TEST(Friction, OppositeYawMirrorsTheForces)
+{
+  WheelsetContact contact(withFriction(onPads(softPads())));
+  const WheelsetResult one = contact.evaluate(rollingAt(0.003, 0.003));
+  contact.reset();
+  const WheelsetResult& other = contact.evaluate(rollingAt(-0.003, -0.003));
+  EXPECT_NEAR(one.wheel.left.friction_lateral, other.wheel.right.friction_lateral, 1e-3 * load);
+  EXPECT_NEAR(one.rail.right.deflection.lateral, other.rail.left.deflection.lateral, 1e-6);
 }
 
 TEST(Friction, RollingBackwardMirrorsTheForcesAlongTheTrack)
