@@ -31,6 +31,13 @@ Vector3d normal(double angle)
 {
   return {0, -std::sin(angle), std::cos(angle)};
 }
+
+/// Friction of a contact on the wheelset, track axes.
+Wrench onWheelset(const ContactPlace& place, const CreepForce& friction)
+{
+  const Vector3d force = Vector3d(friction.x, 0, 0) + friction.y * across(place.angle);
+  return {force, place.position.cross(force) + friction.moment * normal(place.angle)};
+}
 }  // namespace
 
 ContactFriction::ContactFriction(const ContactModelConfig& config)
@@ -69,14 +76,15 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
 {
   setContacts(state, result);
   const Vector3d axle(-std::sin(state.yaw), std::cos(state.yaw), 0);
-  const bool free = config_.creep.rotation == CreepConfig::Rotation::free;
-  const std::optional<double> rotation = free ? freeRotation(axle) : state.motion.rotation;
-  if (!rotation)
+  if (config_.creep.rotation == CreepConfig::Rotation::given)
+  {
+    momentAbout(axle, state.motion.rotation);
+  }
+  else if (!rollFreely(axle))
   {
     reset();
     return "no rotation of the wheelset was found at which friction has no moment about the axle";
   }
-  momentAbout(axle, *rotation);
   Friction found = Friction::Zero();
   for (std::size_t k = 0; k < count_; ++k)
   {
@@ -94,9 +102,7 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
   }
   result.rotation = motion_.rotation;
   change_ = changeTo(found, result.wheel);
-  const Friction next = extrapolated(found);
-  found_last_ = found;
-  assumed_ = next;
+  assumed_ = extrapolated(found);
   return {};
 }
 
@@ -120,7 +126,6 @@ double ContactFriction::changeTo(const Friction& found, const Sides<WheelForces>
 /// Combination of the last passes for which the difference of found and assumed friction would be least.
 ContactFriction::Friction ContactFriction::extrapolated(const Friction& found)
 {
-  const auto place = [](int pass) { return static_cast<std::size_t>(pass % (depth + 1)); };
   const int last = passes_++, count = std::min(last, depth);
   found_[place(last)] = found;
   open_[place(last)] = found - assumed_;
@@ -185,46 +190,41 @@ double ContactFriction::momentAbout(const Vector3d& axle, double rotation)
     Contact& contact = contacts_[k];
     contact.problem.creepage = creepages(motion_, contact.place);
     solver_->solve(contact.problem, false, contact.solution);
-    const CreepForce& force = contact.solution.force;
-    const double angle = contact.place.angle;
-    const Vector3d on_wheel = Vector3d(force.x, 0, 0) + force.y * across(angle);
-    sum += axle.dot(contact.place.position.cross(on_wheel) + force.moment * normal(angle));
+    sum += axle.dot(onWheelset(contact.place, contact.solution.force).moment);
   }
   return sum;
 }
 
-/// Rotation at which friction has no moment about the axle [rad/s]. The moment falls as the wheelset turns faster. The
-/// range about the last rotation is widened until it contains the root.
-std::optional<double> ContactFriction::freeRotation(const Vector3d& axle)
+/// Solves all patches at the rotation at which friction has no moment about the axle. The moment falls as the wheelset
+/// turns faster. The range about the last rotation is widened until it contains the root. @return false if none does
+bool ContactFriction::rollFreely(const Vector3d& axle)
 {
   const auto moment = [&](double rotation) { return momentAbout(axle, rotation); };
   const double rolling = std::abs(motion_.speed) / config_.wheelset.meanRadius();
   const double start = std::clamp(free_rotation_ * motion_.speed, -1.5 * rolling, 1.5 * rolling);
   if (count_ == 0)
   {
-    return motion_.speed / config_.wheelset.meanRadius();
+    motion_.rotation = motion_.speed / config_.wheelset.meanRadius();
+    return true;
   }
   for (double range = narrow_range * rolling; range < 2 * rolling; range *= 10)
   {
     const double at_low = moment(start - range), at_high = moment(start + range);
     if (at_low > 0 && at_high < 0)
     {
-      const double found =
-          bracketedRoot(moment, start - range, at_low, start + range, at_high, rotation_accuracy * rolling);
-      free_rotation_ = found / motion_.speed;
-      return found;
+      bracketedRoot(moment, start - range, at_low, start + range, at_high, rotation_accuracy * rolling);
+      free_rotation_ = motion_.rotation / motion_.speed;  // the root is the last place
+      return true;
     }
   }
-  return std::nullopt;
+  return false;
 }
 
 void ContactFriction::addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head,
                                 WheelsetResult& result, Friction& found) const
 {
-  const CreepForce& friction = contact.solution.force;
-  const double angle = contact.place.angle, sign = sideSign(patch.side);
-  const Vector3d force = Vector3d(friction.x, 0, 0) + friction.y * across(angle);
-  const Vector3d moment = contact.place.position.cross(force) + friction.moment * normal(angle);
+  const auto [force, moment] = onWheelset(contact.place, contact.solution.force);
+  const double sign = sideSign(patch.side);
   const double outward = -sign * force.y(), up = -force.z();
   result.wheel[patch.side].friction_lateral += outward;
   result.wheel[patch.side].friction_vertical -= up;

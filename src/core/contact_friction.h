@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/track/placement.h"
@@ -26,8 +25,8 @@ class ContactFriction
   void reset();
   /// Begins the passes for a state, with the friction of the last result.
   void begin() { passes_ = 0; }
-  /// Ends the passes: the next state begins with the friction that was found.
-  void end() { assumed_ = found_last_; }
+  /// Ends the passes, of which there was one: the next state begins with the friction that was found last.
+  void end() { assumed_ = found_[place(passes_ - 1)]; }
   /// True if the next balance begins with friction.
   bool isAssumed() const { return !assumed_.isZero(0); }
   /// Loads that the normal forces alone balance: those of the state with the friction on the wheels.
@@ -58,9 +57,11 @@ class ContactFriction
     CreepSolution solution;
   };
 
+  /// Place of a pass in found_ and open_.
+  static std::size_t place(int pass) { return static_cast<std::size_t>(pass % (depth + 1)); }
   void setContacts(const WheelsetState& state, const WheelsetResult& result);
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
-  std::optional<double> freeRotation(const Eigen::Vector3d& axle);
+  bool rollFreely(const Eigen::Vector3d& axle);
   void addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head, WheelsetResult& result,
                  Friction& found) const;
   Eigen::Matrix<double, of_side, 1> ofSide(Side side) const
@@ -76,9 +77,8 @@ class ContactFriction
   WheelsetMotion motion_;
   std::vector<Contact> contacts_;  ///< only the first ones belong to the result
   std::size_t count_ = 0;
-  double free_rotation_;                 ///< last one over the speed [1/m]
-  Friction assumed_ = Friction::Zero();  ///< of the next balance
-  Friction found_last_ = Friction::Zero();
+  double free_rotation_;                          ///< last one over the speed [1/m]
+  Friction assumed_ = Friction::Zero();           ///< of the next balance
   std::array<Friction, depth + 1> found_, open_;  ///< of the last passes; difference from the one assumed
   int passes_ = 0;
   double change_ = 0;

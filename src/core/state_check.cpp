@@ -34,7 +34,6 @@ bool within(const RailDeflection& displacement)
   return within(displacement.lateral, displacement_limit) && within(displacement.vertical, displacement_limit) &&
          within(displacement.roll, angle_limit);
 }
-
 }  // namespace
 
 std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)

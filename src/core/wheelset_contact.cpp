@@ -108,7 +108,6 @@ class WheelsetContact::Calculation
   {
     balance_.reset();
     friction_.reset();
-    bear(friction_);
   }
   const ContactModelConfig& config() const { return config_; }
 
@@ -162,32 +161,33 @@ class WheelsetContact::Calculation
     } while (fault.empty() && friction_.change() > friction_per_tolerance * config_.contact.tolerance &&
              ++pass < most_passes);
     open_friction_ = pass == most_passes;
-    friction_.end();
     if (!fault.empty() || (open_friction_ && friction_.change() > largest_open_friction))
     {
       friction_.reset();
       result_.status = ContactStatus::not_converged;
       result_.reason = fault.empty() ? "friction and the balance of the normal forces did not converge" : fault;
       result_.patches.resize(0);
+      return;
     }
+    friction_.end();
   }
 
   /// Balance under the friction assumed.
   void solveUnder(const WheelsetState& state)
   {
-    bear(friction_);
+    bearFriction();
     loads_ = friction_.withFriction(state);
     solveOnce(loads_);
   }
 
-  void bear(const ContactFriction& friction)
+  void bearFriction()
   {
     for (const Side side : sides)
     {
-      balance_.wheel(side).setFriction(friction.onRail(side));
+      balance_.wheel(side).setFriction(friction_.onRail(side));
       if (other_)
       {
-        other_->wheel(side).setFriction(friction.onRail(side));
+        other_->wheel(side).setFriction(friction_.onRail(side));
       }
     }
   }
