@@ -36,8 +36,8 @@ void visitPatch(const Visit& visit)
   visit(FIELD(half_space_ratio, "rad", "half the angle by which the section turns across the patch"));
   visit(FIELD(model_error, "-",
               "bound of the relative error of max_pressure and area because of the half-spaces; 1: not known"));
-  visit(FIELD(vertical_force, "N", "part Q of normal_force on the rail, down positive"));
-  visit(FIELD(lateral_force, "N", "part Y of normal_force on the rail, outward positive"));
+  visit(FIELD(vertical_force, "N", "Q, of normal pressure and friction, on the rail, down positive"));
+  visit(FIELD(lateral_force, "N", "Y, of normal pressure and friction, on the rail, outward positive"));
   visit(FIELD(semi_axis_along, "m", "of the equivalent ellipse, along x"));
   visit(FIELD(semi_axis_across, "m", "of the equivalent ellipse, along y"));
   visit(FIELD(rolling_radius, "m", "of the centre of pressure, from the axle"));
@@ -47,6 +47,23 @@ void visitPatch(const Visit& visit)
   visit(FIELD(curvature_along, "1/m", "combined, along x, convex positive"));
   visit(FIELD(curvature_across, "1/m", "combined, across, convex positive"));
   visit(FIELD(normal_stiffness, "N/m", "normal force per approach"));
+}
+
+/// Fields of the friction of a patch, without its tractions.
+template <typename Visit>
+void visitCreep(const Visit& visit)
+{
+  visit(FIELD_OF(creepage.x, creepage_x, "-", "velocity of the wheel relative to the rail along x, over the speed"));
+  visit(FIELD_OF(creepage.y, creepage_y, "-", "the same along y"));
+  visit(FIELD_OF(creepage.spin, spin, "1/m", "rotation of the wheel about z over the speed"));
+  visit(FIELD_OF(force.x, force_x, "N", "friction of the rail on the wheel along x"));
+  visit(FIELD_OF(force.y, force_y, "N", "the same along y"));
+  visit(FIELD_OF(force.moment, moment, "N m", "the same about z"));
+  visit(FIELD(vertical_force, "N", "part of vertical_force of the patch by friction"));
+  visit(FIELD(lateral_force, "N", "part of lateral_force of the patch by friction"));
+  visit(FIELD(adhesion_share, "-", "resultant of force_x and force_y over the friction limit"));
+  visit(FIELD(power, "W", "power dissipated by friction"));
+  visit(FIELD(error_estimate, "-", "estimated error of the forces over the friction limit"));
 }
 
 /// Numbers of a pressure grid.
@@ -83,8 +100,10 @@ void visitStress(const Visit& visit)
 template <typename Visit>
 void visitWheel(const Visit& visit)
 {
-  visit(FIELD_OF(vertical, vertical_force, "N", "Q, down positive"));
-  visit(FIELD_OF(lateral, lateral_force, "N", "Y, outward positive"));
+  visit(FIELD_OF(vertical, vertical_force, "N", "Q, of normal pressure and friction, down positive"));
+  visit(FIELD_OF(lateral, lateral_force, "N", "Y, of normal pressure and friction, outward positive"));
+  visit(FIELD_OF(friction_vertical, friction_vertical_force, "N", "part of vertical_force by friction"));
+  visit(FIELD_OF(friction_lateral, friction_lateral_force, "N", "part of lateral_force by friction"));
 }
 
 /// Fields of a rail.
@@ -100,6 +119,8 @@ void visitRail(const Visit& visit)
   visit(FIELD_OF(given.lateral, given_lateral, "m", "part of lateral by the line and with the state"));
   visit(FIELD_OF(given.vertical, given_vertical, "m", "part of vertical by the line and with the state"));
   visit(FIELD_OF(given.roll, given_roll, "rad", "part of roll by the line and with the state"));
+  visit(FIELD(lateral_slope, "-", "change of the lateral place along the track, outward positive"));
+  visit(FIELD(vertical_slope, "-", "change of the vertical place along the track, up positive"));
 }
 
 #undef FIELD

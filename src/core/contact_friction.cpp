@@ -38,6 +38,15 @@ Wrench onWheelset(const ContactPlace& place, const CreepForce& friction)
   const Vector3d force = Vector3d(friction.x, 0, 0) + friction.y * across(place.angle);
   return {force, place.position.cross(force) + friction.moment * normal(place.angle)};
 }
+
+/// Sets the velocity of a rail head at a contact.
+void addRailVelocity(const RailVelocity& velocity, const PatchResult& patch, const PlanePoint& head,
+                     ContactPlace& place)
+{
+  const double sign = sideSign(patch.side);
+  place.rail_velocity_y = sign * (velocity.lateral + velocity.roll * (patch.pose.z - head.z));
+  place.rail_velocity_z = velocity.vertical - velocity.roll * (sign * patch.pose.y - head.y);
+}
 }  // namespace
 
 ContactFriction::ContactFriction(const ContactModelConfig& config)
@@ -74,7 +83,7 @@ WheelsetState ContactFriction::withFriction(WheelsetState state) const
 std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<PlanePoint>& heads,
                                        WheelsetResult& result)
 {
-  setContacts(state, result);
+  setContacts(state, heads, result);
   const Vector3d axle(-std::sin(state.yaw), std::cos(state.yaw), 0);
   if (config_.creep.rotation == CreepConfig::Rotation::given)
   {
@@ -96,10 +105,20 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
     }
     PatchResult& patch = result.patches[k];
     const CreepSolution& solution = contacts_[k].solution;
-    patch.creep = {contacts_[k].problem.creepage, solution.force, solution.adhesion_share, solution.power,
-                   solution.error_estimate};
+    PatchCreep& creep = patch.creep;
+    creep.creepage = contacts_[k].problem.creepage;
+    creep.force = solution.force;
+    creep.adhesion_share = solution.adhesion_share;
+    creep.power = solution.power;
+    creep.error_estimate = solution.error_estimate;
+    if (config_.creep.field)
+    {
+      creep.traction_x = solution.traction_x;
+      creep.traction_y = solution.traction_y;
+    }
     addForces(patch, contacts_[k], heads[patch.side], result, found);
   }
+  result.speed = motion_.speed;
   result.rotation = motion_.rotation;
   change_ = changeTo(found, result.wheel);
   assumed_ = extrapolated(found);
@@ -110,7 +129,12 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
 /// wheel without load counts over the other one.
 double ContactFriction::changeTo(const Friction& found, const Sides<WheelForces>& wheels) const
 {
-  const Sides<double> forces([&](Side side) { return std::hypot(wheels[side].vertical, wheels[side].lateral); });
+  const auto normalForce = [&](Side side)
+  {
+    const WheelForces& wheel = wheels[side];
+    return std::hypot(wheel.vertical - wheel.friction_vertical, wheel.lateral - wheel.friction_lateral);
+  };
+  const Sides<double> forces(normalForce);
   const Friction open = found - assumed_;
   double largest = 0;
   for (const Side side : sides)
@@ -144,7 +168,8 @@ ContactFriction::Friction ContactFriction::extrapolated(const Friction& found)
   return next.allFinite() && (next - found).norm() < largest_step * found.norm() ? next : found;
 }
 
-void ContactFriction::setContacts(const WheelsetState& state, const WheelsetResult& result)
+void ContactFriction::setContacts(const WheelsetState& state, const Sides<PlanePoint>& heads,
+                                  const WheelsetResult& result)
 {
   count_ = result.patches.size();
   contacts_.resize(std::max(contacts_.size(), count_));
@@ -160,6 +185,7 @@ void ContactFriction::setContacts(const WheelsetState& state, const WheelsetResu
     contact.place = {};
     contact.place.position = on_rail - patch.approach * normal(patch.pose.angle);
     contact.place.angle = patch.pose.angle;
+    addRailVelocity(state.rail_velocity[patch.side], patch, heads[patch.side], contact.place);
     contact.problem.speed = motion_.speed;
     contact.problem.normal_force = patch.normal_force;
     contact.problem.semi_axis_along = patch.semi_axis_along;
@@ -220,14 +246,21 @@ bool ContactFriction::rollFreely(const Vector3d& axle)
   return false;
 }
 
-void ContactFriction::addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head,
+void ContactFriction::addForces(PatchResult& patch, const Contact& contact, const PlanePoint& head,
                                 WheelsetResult& result, Friction& found) const
 {
   const auto [force, moment] = onWheelset(contact.place, contact.solution.force);
   const double sign = sideSign(patch.side);
   const double outward = -sign * force.y(), up = -force.z();
-  result.wheel[patch.side].friction_lateral += outward;
-  result.wheel[patch.side].friction_vertical -= up;
+  patch.creep.vertical_force = -up;
+  patch.creep.lateral_force = outward;
+  patch.vertical_force -= up;
+  patch.lateral_force += outward;
+  WheelForces& wheel = result.wheel[patch.side];
+  wheel.vertical -= up;
+  wheel.lateral += outward;
+  wheel.friction_vertical -= up;
+  wheel.friction_lateral += outward;
   result.rail_wrench.force += force;
   result.rail_wrench.moment += moment;
   // A given lateral force replaces that of the contact.

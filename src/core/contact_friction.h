@@ -59,10 +59,10 @@ class ContactFriction
 
   /// Place of a pass in found_ and open_.
   static std::size_t place(int pass) { return static_cast<std::size_t>(pass % (depth + 1)); }
-  void setContacts(const WheelsetState& state, const WheelsetResult& result);
+  void setContacts(const WheelsetState& state, const Sides<PlanePoint>& heads, const WheelsetResult& result);
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
   bool rollFreely(const Eigen::Vector3d& axle);
-  void addForces(const PatchResult& patch, const Contact& contact, const PlanePoint& head, WheelsetResult& result,
+  void addForces(PatchResult& patch, const Contact& contact, const PlanePoint& head, WheelsetResult& result,
                  Friction& found) const;
   Eigen::Matrix<double, of_side, 1> ofSide(Side side) const
   {

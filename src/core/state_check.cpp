@@ -34,6 +34,12 @@ bool within(const RailDeflection& displacement)
   return within(displacement.lateral, displacement_limit) && within(displacement.vertical, displacement_limit) &&
          within(displacement.roll, angle_limit);
 }
+
+bool within(const RailVelocity& velocity)
+{
+  return within(velocity.lateral, speed_limit) && within(velocity.vertical, speed_limit) &&
+         within(velocity.roll, rate_limit);
+}
 }  // namespace
 
 std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
@@ -57,6 +63,10 @@ std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
   if (!within(state.rail_displacement.left) || !within(state.rail_displacement.right))
   {
     return "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad";
+  }
+  if (!within(state.rail_velocity.left) || !within(state.rail_velocity.right))
+  {
+    return "velocity of a rail is not a number or beyond 1000 m/s or 10000 rad/s";
   }
   if (!within(state.motion))
   {

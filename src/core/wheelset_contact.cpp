@@ -119,7 +119,7 @@ class WheelsetContact::Calculation
     result_.rail = {};
     result_.wheel = {};
     result_.rail_wrench = Wrench();
-    result_.rotation = 0;
+    result_.speed = result_.rotation = 0;
     result_.implausible_force = false;
     result_.above_tolerance = result_.near_branch = result_.points_missing = false;
     patch_count_ = 0;

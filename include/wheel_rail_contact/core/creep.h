@@ -239,6 +239,7 @@ struct CreepConfig
   CreepMethod method = CreepMethod::none;  ///< default: no friction
   Sides<FrictionLaw> friction;             ///< of each side
   Rotation rotation = Rotation::free;      ///< default: a wheelset that is neither driven nor braked
+  bool field = false;                      ///< true: results have the tractions of each cell, with `exact`
 };
 
 /// Checks that every parameter is within its range.

@@ -16,6 +16,14 @@
 
 namespace wheel_rail_contact::core
 {
+/// Velocity of a rail head by its vibration, side axes.
+struct RailVelocity
+{
+  double lateral = 0;   ///< of the reference point of RailDeflection [m/s], outward positive
+  double vertical = 0;  ///< of the reference point [m/s], up positive
+  double roll = 0;      ///< rotation of the head [rad/s], positive if the crown moves outward
+};
+
 /// Pose and load of a wheelset at one instant: the input of WheelsetContact::evaluate().
 ///
 /// Track frame: x forward, y left, z up; z = 0 is the plane on the tops of both undeflected rails. The axle is rolled
@@ -47,6 +55,9 @@ struct WheelsetState
   /// Displacement of the rail of each Side at this wheelset, besides its deflection under this wheel: by a track model
   /// of the caller, or by the forces of other wheelsets. At most 0.1 m and 0.2 rad. Added to RailBendingConfig.
   Sides<RailDeflection> rail_displacement{};
+  /// Velocity of the rail of each Side by its vibration, at most 1000 m/s and 10 000 rad/s. Used only with
+  /// CreepConfig::method.
+  Sides<RailVelocity> rail_velocity{};
   /// Velocities of the axle, at most 1000 m/s and 10 000 rad/s; used only with CreepConfig::method. Below 0.01 m/s
   /// there are no creep forces. The vertical velocity and the roll rate are used only if height and roll are given, the
   /// rotation only with Rotation::given.
@@ -87,6 +98,9 @@ struct RailResult
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
+  /// Direction of the rail: change of its lateral place along the track [-], outward positive; by line and sections.
+  double lateral_slope = 0;
+  double vertical_slope = 0;  ///< change of its vertical place along the track [-], up positive
 };
 
 /// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N].
@@ -95,10 +109,10 @@ constexpr double plausible_force = 1e6;
 /// Contact forces of all patches of a wheel on its rail.
 struct WheelForces
 {
-  double vertical = 0;           ///< Q of the normal pressure alone, down positive [N]
-  double lateral = 0;            ///< Y of the normal pressure alone, outward positive [N]
-  double friction_vertical = 0;  ///< part of Q by friction, down positive [N]
-  double friction_lateral = 0;   ///< part of Y by friction, outward positive [N]
+  double vertical = 0;           ///< whole vertical force Q, of normal pressure and friction, down positive [N]
+  double lateral = 0;            ///< whole lateral force Y, of normal pressure and friction, outward positive [N]
+  double friction_vertical = 0;  ///< part of Q by friction [N]
+  double friction_lateral = 0;   ///< part of Y by friction [N]
 };
 
 /// Friction in a patch, in the patch frame.
@@ -106,9 +120,14 @@ struct PatchCreep
 {
   Creepage creepage;          ///< of the wheel relative to the rail
   CreepForce force;           ///< of the rail on the wheel
+  double vertical_force = 0;  ///< vertical part of it on the rail, down positive [N]
+  double lateral_force = 0;   ///< lateral part of it on the rail, outward positive [N]
   double adhesion_share = 0;  ///< resultant over the friction limit [-]
   double power = 0;           ///< dissipated power [W]
   double error_estimate = 0;  ///< of the forces over the friction limit [-]; of the method and its grid, not a bound
+  /// Traction on the wheel along x in each cell of the pressure [Pa]; empty without CreepConfig::field and `exact`.
+  Eigen::ArrayXXd traction_x;
+  Eigen::ArrayXXd traction_y;  ///< the same along y [Pa]
 };
 
 /// Force and moment, track axes.
@@ -161,8 +180,8 @@ struct PatchResult
   /// What the method leaves out of the contact of curved surfaces: "column normals" (each column of cells has its own),
   /// "patch coupling" (patches deform one another), or both, separated by a comma; empty: nothing.
   std::string_view left_out;
-  double vertical_force = 0;  ///< vertical part Q of normal_force, on the rail, down positive [N]
-  double lateral_force = 0;   ///< lateral part Y of normal_force, on the rail, outward positive [N]
+  double vertical_force = 0;  ///< Q, of normal pressure and friction, on the rail, down positive [N]
+  double lateral_force = 0;   ///< Y, of normal pressure and friction, on the rail, outward positive [N]
   /// Semi-axis a along the track of the ellipse with the area of the patch and the ratio of its second moments about x
   /// and y of the patch frame [m].
   double semi_axis_along = 0;
@@ -211,6 +230,7 @@ struct WheelsetResult
   double distance = 0;         ///< place of the wheelset on the line [m]; that of the state
   Sides<WheelForces> wheel;    ///< forces of each Side; valid only if the result is usable
   Wrench rail_wrench;          ///< of both rails on the wheelset, with friction; valid only if the result is usable
+  double speed = 0;            ///< running speed along the track [m/s]; zero without creep forces
   double rotation = 0;         ///< of the wheelset about its axle [rad/s], given or free; zero without creep forces
   Sides<RailResult> rail;      ///< rail of each Side; valid only if the result is usable
   std::vector<PatchResult> patches;  ///< left side first; empty unless the result is usable

@@ -115,6 +115,29 @@ core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid&
   return stress;
 }
 
+/// Tractions of a message on a grid; empty if it has none.
+Eigen::ArrayXXd tractions(const std::vector<float>& values, const core::PatchGrid& grid, const char* name)
+{
+  if (values.empty())
+  {
+    return {};
+  }
+  const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
+  if (values.size() != cells)
+  {
+    throw std::invalid_argument(std::string(name) + ": " + std::to_string(values.size()) + " values for a grid of " +
+                                std::to_string(grid.nx) + " x " + std::to_string(grid.ny));
+  }
+  return Eigen::Map<const Eigen::ArrayXXf>(values.data(), grid.nx, grid.ny).cast<double>();
+}
+
+std::vector<float> tractionMessage(const Eigen::ArrayXXd& tractions)
+{
+  std::vector<float> values(static_cast<std::size_t>(tractions.size()));
+  Eigen::Map<Eigen::ArrayXXf>(values.data(), tractions.rows(), tractions.cols()) = tractions.cast<float>();
+  return values;
+}
+
 /// Wheelset pose of a message; zero without a pose (hasPose()).
 core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose)
 {
@@ -236,11 +259,14 @@ ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
   message.side = patch.side == core::Side::left ? ContactPatch::LEFT : ContactPatch::RIGHT;
   message.pose = toMessage(patch.pose, x);
   visitPatch(writing(patch, message));
+  visitCreep(writing(patch.creep, message.creep));
   message.wheel_stress = stressMessage(patch.wheel_stress, with_grid);
   message.rail_stress = stressMessage(patch.rail_stress, with_grid);
   if (with_grid)
   {
     message.grid = toMessage(patch.grid, patch.pressure);
+    message.creep.traction_x = tractionMessage(patch.creep.traction_x);
+    message.creep.traction_y = tractionMessage(patch.creep.traction_y);
   }
   return message;
 }
@@ -256,6 +282,9 @@ core::PatchResult fromMessage(const ContactPatch& message, double x)
   patch.pose = patchPoseFromMessage(message.pose, x);
   visitPatch(reading(message, patch));
   fromMessage(message.grid, patch.grid, patch.pressure);
+  visitCreep(reading(message.creep, patch.creep));
+  patch.creep.traction_x = tractions(message.creep.traction_x, patch.grid, "traction_x");
+  patch.creep.traction_y = tractions(message.creep.traction_y, patch.grid, "traction_y");
   patch.wheel_stress = fromMessage(message.wheel_stress, patch.grid);
   patch.rail_stress = fromMessage(message.rail_stress, patch.grid);
   return patch;
@@ -272,6 +301,8 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   visitWheel(writing(result.wheel.right, message.right_wheel));
   message.rail_wrench.force = vectorMessage(result.rail_wrench.force);
   message.rail_wrench.torque = vectorMessage(result.rail_wrench.moment);
+  message.speed = result.speed;
+  message.rotation = result.rotation;
   message.implausible_force = result.implausible_force;
   visitRail(writing(result.rail.left, message.left_rail));
   visitRail(writing(result.rail.right, message.right_rail));
@@ -297,6 +328,8 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   visitWheel(reading(message.left_wheel, result.wheel.left));
   visitWheel(reading(message.right_wheel, result.wheel.right));
   result.rail_wrench = {fromMessage(message.rail_wrench.force), fromMessage(message.rail_wrench.torque)};
+  result.speed = message.speed;
+  result.rotation = message.rotation;
   result.implausible_force = message.implausible_force;
   visitRail(reading(message.left_rail, result.rail.left));
   visitRail(reading(message.right_rail, result.rail.right));
