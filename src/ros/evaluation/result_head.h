@@ -54,7 +54,7 @@ struct Serializer<wheel_rail_contact::ResultHead>
   {
     std_msgs::Header header;
     geometry_msgs::Pose wheelset;
-    double distance = 0;
+    double distance = 0, speed = 0, rotation = 0;
     wheel_rail_contact::WheelForces left_wheel, right_wheel;
     geometry_msgs::Wrench rail_wrench;
     stream.next(header);
@@ -66,6 +66,8 @@ struct Serializer<wheel_rail_contact::ResultHead>
     stream.next(left_wheel);
     stream.next(right_wheel);
     stream.next(rail_wrench);
+    stream.next(speed);
+    stream.next(rotation);
     stream.next(result.left_rail);
     stream.next(result.right_rail);
     result.stamp = header.stamp;
