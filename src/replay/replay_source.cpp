@@ -184,7 +184,9 @@ void ReplaySource::requireTypes() const
       {
         const std::string type = connection.header.text("type");
         throw BagError("the bag's topic " + connection.topic + " is of type " + type +
-                       (type == wanted.first ? ", but of another version of its package" : ", not " + wanted.first));
+                       (type == wanted.first
+                            ? ", but of another version of its package: `rosbag fix` converts it (doc/replay.md)"
+                            : ", not " + wanted.first));
       }
     }
   }

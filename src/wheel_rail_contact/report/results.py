@@ -55,7 +55,8 @@ def find_topic(bag, wheelset):
     """The topic of the results, as it is written in the bag."""
     types, infos = bag.get_type_and_topic_info()
     if types.get(WheelsetContact._type, WheelsetContact._md5sum) != WheelsetContact._md5sum:
-        raise Failure("the results are from another version of wheel_rail_contact; replay the states again")
+        raise Failure("the results are from another version of wheel_rail_contact; replay the states again, or convert "
+                      "the bag with `rosbag fix` (doc/replay.md)")
     topics = [t for t, info in infos.items() if info.msg_type == WheelsetContact._type]
     if wheelset is not None:
         topics = [t for t in topics if t.lstrip("/").startswith((wheelset.strip("/") + "/").lstrip("/"))]
