@@ -104,6 +104,8 @@ void addPatch(const ContactPatch& patch, Line& line)
   line.add("patch_z", "m", patch.pose.position.z);
   visitPatch([&](const ResultField& field, auto /*core*/, auto message)
              { line.add(field.name, field.unit, message(patch)); });
+  visitCreep([&](const ResultField& field, auto /*core*/, auto message)
+             { line.add(std::string("creep_") + field.name, field.unit, message(patch.creep)); });
   addStress("wheel", patch.wheel_stress, line);
   addStress("rail", patch.rail_stress, line);
 }
@@ -125,6 +127,8 @@ void addResult(const WheelsetContact& result, std::uint64_t number, const std::s
   line.add("roll", "rad", 2 * std::atan2(q.x, q.w));
   line.add("yaw", "rad", 2 * std::atan2(q.z, q.w));
   line.add("distance", "m", result.distance);
+  line.add("speed", "m/s", result.speed);
+  line.add("rotation", "rad/s", result.rotation);
   addRail("left", result.left_rail, line);
   addRail("right", result.right_rail, line);
   addWheel("left", result.left_wheel, line);

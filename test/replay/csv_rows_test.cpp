@@ -37,6 +37,18 @@ std::vector<std::string> columns()
   std::remove(path.c_str());
   return cellsOf(line);
 }
+
+/// Expects numbers of a result by the names of their columns.
+void expectCells(const WheelsetContact& result, const std::map<std::string, double>& expected)
+{
+  const std::vector<std::string> names = columns(), row = cellsOf(csvRows(result, 0, ""));
+  for (const auto& [name, cell] : expected)
+  {
+    const auto column = std::find(names.begin(), names.end(), name);
+    ASSERT_NE(column, names.end()) << name;
+    EXPECT_EQ(std::stod(row.at(static_cast<std::size_t>(column - names.begin()))), cell) << name;
+  }
+}
 }  // namespace
 
 TEST(CsvRows, HeldAndImplausibleResultsAreMarkedBesideTheReason)
@@ -59,11 +71,32 @@ TEST(CsvRows, RowsWithAndWithoutAPatchHaveACellForEachColumn)
   EXPECT_EQ(cellsOf(csvRows(result, 0, "")).size(), columns().size());
 }
 
+TEST(CsvRows, FrictionIsUnderItsColumns)
+{
+  WheelsetContact result;
+  result.speed = 1;
+  result.rotation = 2;
+  result.left_wheel.friction_lateral_force = 3;
+  result.right_rail.vertical_slope = 4;
+  PatchCreep& creep = result.patches.emplace_back().creep;
+  creep.spin = 5;
+  creep.force_y = 6;
+  creep.vertical_force = 7;
+  creep.error_estimate = 8;
+  expectCells(result, {{"speed [m/s]", 1},
+                       {"rotation [rad/s]", 2},
+                       {"left_wheel_friction_lateral_force [N]", 3},
+                       {"right_vertical_slope [-]", 4},
+                       {"creep_spin [1/m]", 5},
+                       {"creep_force_y [N]", 6},
+                       {"creep_vertical_force [N]", 7},
+                       {"creep_error_estimate [-]", 8}});
+}
+
 TEST(CsvRows, StressOfBothBodiesIsUnderItsColumns)
 {
   WheelsetContact result;
   ContactPatch& patch = result.patches.emplace_back();
-  const std::vector<std::string> names = columns();
   double value = 0;
   std::map<std::string, double> expected;
   for (const std::string body : {"wheel_", "rail_"})
@@ -78,11 +111,5 @@ TEST(CsvRows, StressOfBothBodiesIsUnderItsColumns)
     expected[body + "load_factor [-]"] = stress.load_factor = ++value;
     expected[body + "shakedown_limit [-]"] = stress.shakedown_limit = ++value;
   }
-  const std::vector<std::string> row = cellsOf(csvRows(result, 0, ""));
-  for (const auto& [name, cell] : expected)
-  {
-    const auto column = std::find(names.begin(), names.end(), name);
-    ASSERT_NE(column, names.end()) << name;
-    EXPECT_EQ(std::stod(row.at(static_cast<std::size_t>(column - names.begin()))), cell) << name;
-  }
+  expectCells(result, expected);
 }
