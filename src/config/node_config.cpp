@@ -154,15 +154,48 @@ void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, 
   }
 }
 
+/// Methods by their names.
+template <typename Methods>
+auto choices(const Methods& methods)
+{
+  std::vector<std::pair<std::string, typename Methods::value_type>> named;
+  named.reserve(methods.size());
+  for (const auto method : methods)
+  {
+    named.emplace_back(toString(method), method);
+  }
+  return named;
+}
+
+void readFriction(ParameterReader& reader, const std::string& group, core::FrictionLaw& law)
+{
+  reader.read(group + "friction", rules::finite, law.coefficient);
+  reader.read(group + "slip_share", rules::finite, law.slip_share);
+  reader.read(group + "slip_decay", rules::finite, law.slip_decay);
+}
+
+void readCreep(ParameterReader& reader, core::CreepConfig& creep)
+{
+  using core::CreepMethod;
+  using Rotation = core::CreepConfig::Rotation;
+  reader.read("creep/method", choices(core::all_creep_methods), creep.method);
+  readFriction(reader, "creep/", creep.friction.left);
+  creep.friction.right = creep.friction.left;
+  for (const core::Side side : core::sides)
+  {
+    readFriction(reader, std::string("creep/") + nameOf(side) + "/", creep.friction[side]);
+  }
+  reader.read("creep/rotation", {{"free", Rotation::free}, {"topic", Rotation::given}}, creep.rotation);
+  reader.read("creep/field", {{"false", false}, {"true", true}}, creep.field);
+  if (creep.field && creep.method != CreepMethod::exact)
+  {
+    reader.refuse("creep/field", "false unless creep/method is exact");
+  }
+}
+
 void readContact(ParameterReader& reader, core::ContactConfig& contact)
 {
-  std::vector<std::pair<std::string, core::NormalMethod>> methods;
-  methods.reserve(core::all_normal_methods.size());
-  for (const core::NormalMethod method : core::all_normal_methods)
-  {
-    methods.emplace_back(toString(method), method);
-  }
-  reader.read("contact/method", methods, contact.method);
+  reader.read("contact/method", choices(core::all_normal_methods), contact.method);
   reader.read("contact/tolerance", rules::finite, contact.tolerance);
   reader.read("contact/grid/along", rules::whole, contact.cells_along);
   reader.read("contact/grid/across", rules::whole, contact.cells_across);
@@ -208,6 +241,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   readNeighbours(reader, config);
   readContact(reader, config.model.contact);
   readStress(reader, config.model.stress);
+  readCreep(reader, config.model.creep);
   reader.read("contact/hold_last", hold_rule, config.hold_last);
   readSync(reader, config);
   readMarkers(reader, config.markers);

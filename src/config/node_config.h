@@ -64,6 +64,11 @@ struct NodeConfig : ContactParameters
 ///                                               or seidel_printed
 ///   contact/tolerance                           relative error [-]
 ///   contact/grid/{along, across}                number of cells; 0: chosen from the tolerance
+///   creep/method                                none, linear, fastsim or exact
+///   creep/{friction, slip_share, slip_decay}    [-, -, s/m]
+///   creep/{left,right}/{friction, slip_share, slip_decay}               of one side; default: the value for both sides
+///   creep/rotation                              free or topic
+///   creep/field                                 true only with creep/method exact
 ///   contact/hold_last                           number of results, 0 to longest_hold
 ///   sync/{slop, longest_gap}                    [s]
 ///   sync/load                                   match or interpolate

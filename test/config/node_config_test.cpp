@@ -36,7 +36,9 @@ ParameterTree complete()
       "{profile: S1002, rolling_radius: 0.46, material: {young: 2.1e+11, poisson: 0.28, yield: 5e+8}}";
   const std::string rail =
       "{profile: 60E1, inclination: 0.025, table: '', material: {young: 2.1e+11, poisson: 0.28, yield: 5e+8}}";
-  return with("{wheel: {left: " + wheel + ", right: " + wheel + "}, rail: {left: " + rail + ", right: " + rail + "}}");
+  const std::string creep = "{friction: 0.3, slip_share: 1, slip_decay: 0}";
+  const auto both = [](const std::string& side) { return "{left: " + side + ", right: " + side + "}"; };
+  return with("{wheel: " + both(wheel) + ", rail: " + both(rail) + ", creep: " + both(creep) + "}");
 }
 
 /// Valid parameters with another value of one of them. Values for both sides are not overridden by values of the sides.
@@ -142,6 +144,15 @@ TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
   EXPECT_EQ(file.model.contact.cells_along, code.model.contact.cells_along);
   EXPECT_EQ(file.model.contact.cells_across, code.model.contact.cells_across);
   EXPECT_EQ(file.model.contact.check_branches, code.model.contact.check_branches);
+  EXPECT_EQ(file.model.creep.method, code.model.creep.method);
+  for (const core::Side side : core::sides)
+  {
+    EXPECT_EQ(file.model.creep.friction[side].coefficient, code.model.creep.friction[side].coefficient);
+    EXPECT_EQ(file.model.creep.friction[side].slip_share, code.model.creep.friction[side].slip_share);
+    EXPECT_EQ(file.model.creep.friction[side].slip_decay, code.model.creep.friction[side].slip_decay);
+  }
+  EXPECT_EQ(file.model.creep.rotation, code.model.creep.rotation);
+  EXPECT_EQ(file.model.creep.field, code.model.creep.field);
   EXPECT_EQ(file.slop, code.slop);
   EXPECT_EQ(file.interpolate_load, code.interpolate_load);
   EXPECT_EQ(file.longest_gap, code.longest_gap);
@@ -338,6 +349,37 @@ TEST(Parameters, DisplacementAndDistanceMayBeTopics)
   EXPECT_TRUE(read(with("track: {displacement: topic}")).displacement_topic);
   EXPECT_FALSE(read(with("track: {displacement: topic}")).distance_topic);
   EXPECT_TRUE(read(with("track: {distance: topic}")).distance_topic);
+}
+
+TEST(Parameters, FrictionOfASideOverridesThatForBoth)
+{
+  const core::CreepConfig creep =
+      read(with("creep: {method: exact, friction: 0.4, slip_share: 0.5, left: {friction: 0.1}, "
+                "right: {slip_decay: 0.6}, rotation: topic, field: true}"))
+          .model.creep;
+  EXPECT_EQ(creep.method, core::CreepMethod::exact);
+  EXPECT_EQ(creep.friction.left.coefficient, 0.1);
+  EXPECT_EQ(creep.friction.right.coefficient, 0.4);
+  EXPECT_EQ(creep.friction.left.slip_share, 0.5);
+  EXPECT_EQ(creep.friction.left.slip_decay, 0);
+  EXPECT_EQ(creep.friction.right.slip_decay, 0.6);
+  EXPECT_EQ(creep.rotation, core::CreepConfig::Rotation::given);
+  EXPECT_TRUE(creep.field);
+}
+
+TEST(Parameters, MistakesInCreepAreRefusedByTheirName)
+{
+  expectRefused({
+      {"creep: {method: kalker}", "creep/method = kalker", "none, linear, fastsim, exact"},
+      {"creep: {friction: 2.1}", "creep/friction = 2.1", "from 0 to 2"},
+      {"creep: {right: {friction: 2.1}}", "creep/right/friction = 2.1", "from 0 to 2"},
+      {"creep: {slip_share: 1.1}", "creep/slip_share = 1.1", "from 0 to 1"},
+      {"creep: {left: {slip_decay: -0.1}}", "creep/left/slip_decay = -0.1", "at least 0"},
+      {"creep: {rotation: pose}", "creep/rotation = pose", "free, topic"},
+      {"creep: {method: fastsim, field: true}", "creep/field = true", "false unless creep/method is exact"},
+      {"{creep: {method: linear}, rail: {profile: {file: 60E1, parts: [{file: 60E1}]}}}", "creep/method = linear",
+       "sections"},
+  });
 }
 
 TEST(Parameters, NeighboursHaveTheCompliancesOfTheTableAtTheirDistance)

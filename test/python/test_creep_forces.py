@@ -58,7 +58,7 @@ class CreepForces(unittest.TestCase):
                 (TypeError, "^semi_axes = 'a': must be", {"semi_axes": "a"}),
                 (ValueError, r"^normal_force = 0\.0+ must be", {"normal_force": 0}),
                 (TypeError, "^friction = 'dry': must be a number", {"friction": "dry"}),
-                (ValueError, "^friction/coefficient = 2.1", {"friction": 2.1}),
+                (ValueError, "^friction = 2.1", {"friction": 2.1}),
                 (ValueError, "^young = -1", {"young": -1}), (ValueError, "^poisson = 0.6", {"poisson": 0.6}),
                 (ValueError, "^nx = 0", {"cells": (0, 24)}), (TypeError, "^cells = .*integers", {"cells": (24.5, 24)}),
                 (ValueError, "^method = 'fast': must be one of none, linear", {"method": "fast"}),

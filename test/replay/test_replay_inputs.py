@@ -5,7 +5,7 @@ import csv
 import math
 
 import rosbag
-from geometry_msgs.msg import PointStamped
+from geometry_msgs.msg import PointStamped, TwistStamped
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
 from replay_case import ReplayCase, load, pose, stamp
@@ -26,6 +26,14 @@ def distance(i, x=0.0):
     message = PointStamped()
     message.header.stamp = stamp(i)
     message.point.x = x
+    return message
+
+
+def twist(i, speed=20.0, rotation=0.0, frame="track"):
+    message = TwistStamped()
+    message.header.stamp = stamp(i)
+    message.header.frame_id = frame
+    message.twist.linear.x, message.twist.angular.y = speed, rotation
     return message
 
 
@@ -109,6 +117,58 @@ class Inputs(ReplayCase):
             self.assertEqual((results[i].status, results[i].status_text), (WheelsetContact.INVALID_INPUT, reason))
         self.assertEqual({result.status for i, result in enumerate(results) if i not in (3, 5)}, {WheelsetContact.OK})
         self.assertIn("6 messages dropped: no message with a matching stamp", printed)
+
+    def with_twist(self, messages, creep="method: linear", count=PAIRS):
+        """Results of pairs with twists, of which those of `messages` are others than 20 m/s, or None. @return also the output"""
+        def all_of(i):
+            found = {"pose": pose(i), "load": load(i), "twist": messages.get(i, twist(i))}
+            return {topic: message for topic, message in found.items() if message and i < count}
+
+        config = self.config(f"creep: {{{creep}}}\n")
+        out, printed = self.replay(self.write("twist.bag", all_of), f"{len(list(self.folder.iterdir()))}.bag", "--config", config)
+        return self.results(out), printed
+
+    def test_twist_is_counted_if_missing_refused_if_invalid_and_named_if_slow(self):
+        messages = {4: None, 5: twist(5, math.nan), 6: twist(6, frame="body"), 7: twist(7, 0.009), 8: twist(8, 1001.0)}
+        results, printed = self.with_twist(messages)
+        self.assertEqual([result.header.stamp for result in results], [stamp(i) for i in range(PAIRS) if i != 4])
+        self.assertIn("2 messages dropped: no message with a matching stamp", printed)  # pose and load
+        found = {round((result.header.stamp.to_sec() - 1) * 1e3): result for result in results}
+        for i, reason in ((5, "twist: linear is not finite"),
+                          (6, "twist: frame_id is 'body', but must be 'track' (track/frame)"),
+                          (8, "a velocity of the axle is not a number or beyond 1000 m/s or 10000 rad/s")):
+            self.assertEqual((found[i].status, found[i].status_text), (WheelsetContact.INVALID_INPUT, reason))
+        self.assertEqual((found[7].status, found[7].status_text),
+                         (WheelsetContact.OK, "no creep forces: the speed is below 0.01 m/s"))
+        self.assertEqual({(patch.creep.force_x, patch.creep.force_y) for patch in found[7].patches}, {(0, 0)})
+        self.assertEqual((found[7].speed, found[7].left_wheel.friction_lateral_force), (0, 0))
+        for i in 3, 9:
+            self.assertEqual((found[i].status, found[i].status_text, found[i].speed), (WheelsetContact.OK, "", 20))
+            self.assertLess(found[i].left_wheel.friction_lateral_force, -1e3, "spin pushes the rail inward")
+
+    def test_reversing_vehicle_is_the_mirror_image(self):
+        for method in "linear", "fastsim", "exact":
+            forward, _ = self.with_twist({}, f"method: {method}", 12)
+            back, _ = self.with_twist({i: twist(i, -20.0) for i in range(12)}, f"method: {method}", 12)
+            self.assertEqual(len(back), 12)
+            for one, other in zip(forward, back):
+                self.assertEqual((one.status, other.status, one.speed, other.speed),
+                                 (WheelsetContact.OK, WheelsetContact.OK, 20, -20))
+                self.assertAlmostEqual(other.rotation, -one.rotation, delta=1e-4)
+                for patch, image in zip(one.patches, other.patches):
+                    force = math.hypot(patch.creep.force_x, patch.creep.force_y)
+                    self.assertGreater(force, 100)
+                    self.assertAlmostEqual(image.creep.force_x, -patch.creep.force_x, delta=0.005 * force)
+                    self.assertAlmostEqual(image.creep.force_y, patch.creep.force_y, delta=0.005 * force)
+                    self.assertAlmostEqual(image.creep.spin, -patch.creep.spin, delta=0.005 * abs(patch.creep.spin))
+
+    def test_rotation_of_the_topic_drives_the_wheelset(self):
+        drives = {i: twist(i, 20.0, 20.0 / 0.46 * (1 + 1e-3 * (i - 2))) for i in range(5)}
+        results, _ = self.with_twist(drives, "method: fastsim, rotation: topic", 5)
+        pulls = [result.rail_wrench.force.x for result in results]
+        self.assertEqual(pulls, sorted(pulls), "the faster it turns, the more it pulls")
+        self.assertTrue(pulls[0] < -5e3 and pulls[4] > 5e3, pulls)
+        self.assertEqual([result.rotation for result in results], [drives[i].twist.angular.y for i in range(5)])
 
     def test_missing_topic_is_reported_with_its_name_and_type(self):
         config = self.config("track: {displacement: topic}\n")

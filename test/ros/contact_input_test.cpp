@@ -65,7 +65,48 @@ RailDisplacements displacements()
   message.right.lateral = -4e-3;
   message.right.vertical = 5e-3;
   message.right.roll = -6e-3;
+  message.left.lateral_velocity = 0.01;
+  message.left.vertical_velocity = -0.02;
+  message.left.roll_rate = 0.03;
+  message.right.roll_rate = -0.04;
   return message;
+}
+
+/// Velocities with different numbers. @param frame frame_id
+geometry_msgs::TwistStampedConstPtr twist(const std::string& frame)
+{
+  geometry_msgs::TwistStamped message;
+  message.header.frame_id = frame;
+  message.twist.linear.x = 20;
+  message.twist.linear.y = 0.02;
+  message.twist.linear.z = -0.03;
+  message.twist.angular.x = 0.04;
+  message.twist.angular.y = 43;
+  message.twist.angular.z = -0.05;
+  return shared(message);
+}
+
+/// Transform of the frame "vehicle" at 10 s: at y = 10 mm, turned by this yaw [rad].
+geometry_msgs::TransformStamped vehicle(double yaw)
+{
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "track";
+  transform.header.stamp = ros::Time(10);
+  transform.child_frame_id = "vehicle";
+  transform.transform.translation.y = 0.01;
+  transform.transform.rotation.z = std::sin(yaw / 2);
+  transform.transform.rotation.w = std::cos(yaw / 2);
+  return transform;
+}
+
+void expectMotion(const core::WheelsetMotion& motion, const Eigen::Vector3d& velocity, const Eigen::Vector3d& rotation)
+{
+  EXPECT_NEAR(motion.speed, velocity.x(), 1e-12);
+  EXPECT_NEAR(motion.lateral_velocity, velocity.y(), 1e-12);
+  EXPECT_NEAR(motion.vertical_velocity, velocity.z(), 1e-12);
+  EXPECT_NEAR(motion.roll_rate, rotation.x(), 1e-12);
+  EXPECT_NEAR(motion.rotation, rotation.y(), 1e-12);
+  EXPECT_NEAR(motion.yaw_rate, rotation.z(), 1e-12);
 }
 
 core::WheelsetState convert(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
@@ -160,14 +201,7 @@ TEST(ContactInput, LoadInAnotherFrameIsRefused)
 TEST(ContactInput, PoseIsTransformedToTheTrackFrame)
 {
   tf2::BufferCore transforms;
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "track";
-  transform.header.stamp = ros::Time(10);
-  transform.child_frame_id = "vehicle";
-  transform.transform.translation.y = 0.01;
-  transform.transform.rotation.z = std::sin(0.005);
-  transform.transform.rotation.w = std::cos(0.005);
-  transforms.setTransform(transform, "test");
+  transforms.setTransform(vehicle(0.01), "test");
   auto message = pose();
   message.header.frame_id = "vehicle";
   const core::WheelsetState state = convert(input(message), transforms);
@@ -217,11 +251,19 @@ TEST(ContactInput, DisplacementsOfTheRailsAreInTheAxesOfTheirSides)
   EXPECT_EQ(state.rail_displacement.right.lateral, -4e-3);
   EXPECT_EQ(state.rail_displacement.right.vertical, 5e-3);
   EXPECT_EQ(state.rail_displacement.right.roll, -6e-3);
+  EXPECT_EQ(state.rail_velocity.left.lateral, 0.01);
+  EXPECT_EQ(state.rail_velocity.left.vertical, -0.02);
+  EXPECT_EQ(state.rail_velocity.left.roll, 0.03);
+  EXPECT_EQ(state.rail_velocity.right.roll, -0.04);
 }
 
-TEST(ContactInput, NonFiniteDisplacementIsRefusedWithItsRail)
+TEST(ContactInput, NonFiniteDisplacementOrVelocityIsRefusedWithItsRail)
 {
-  for (const auto component : {&RailDisplacement::lateral, &RailDisplacement::vertical, &RailDisplacement::roll})
+  const std::pair<double RailDisplacement::*, std::string> components[] = {
+      {&RailDisplacement::lateral, "displacement"},       {&RailDisplacement::vertical, "displacement"},
+      {&RailDisplacement::roll, "displacement"},          {&RailDisplacement::lateral_velocity, "velocity"},
+      {&RailDisplacement::vertical_velocity, "velocity"}, {&RailDisplacement::roll_rate, "velocity"}};
+  for (const auto& [component, name] : components)
   {
     for (const double bad : {not_a_number, infinity, -infinity})
     {
@@ -230,11 +272,11 @@ TEST(ContactInput, NonFiniteDisplacementIsRefusedWithItsRail)
       message.left.*component = bad;
       in.rail_displacement = shared(message);
       EXPECT_EQ(refusal(in),
-                (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "left rail displacement is not finite")));
+                (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "left rail " + name + " is not finite")));
       message = displacements();
       message.right.*component = bad;
       in.rail_displacement = shared(message);
-      EXPECT_EQ(refusal(in).second, "right rail displacement is not finite");
+      EXPECT_EQ(refusal(in).second, "right rail " + name + " is not finite");
     }
   }
 }
@@ -252,6 +294,54 @@ TEST(ContactInput, DistanceIsThatOfTheMessageOrElseXInTheTrackFrame)
   in.distance = shared(place);
   EXPECT_EQ(refusal(in),
             (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "distance: point.x is not finite")));
+}
+
+TEST(ContactInput, TwistIsInTheTrackFrameOrTurnedFromThatOfThePose)
+{
+  tf2::BufferCore transforms;
+  const double yaw = 0.01, c = std::cos(yaw), s = std::sin(yaw);
+  transforms.setTransform(vehicle(yaw), "test");
+  ContactInput in = input(pose());
+  in.twist = twist("track");
+  expectMotion(convert(in).motion, {20, 0.02, -0.03}, {0.04, 43, -0.05});
+  auto there = pose();
+  there.header.frame_id = "vehicle";
+  in.pose = shared(there);
+  expectMotion(convert(in, transforms).motion, {20, 0.02, -0.03}, {0.04, 43, -0.05});
+  in.twist = twist("vehicle");
+  expectMotion(convert(in, transforms).motion, {20 * c - 0.02 * s, 20 * s + 0.02 * c, -0.03},
+               {0.04 * c - 43 * s, 0.04 * s + 43 * c, -0.05});
+}
+
+TEST(ContactInput, TwistInAnotherFrameOrNotFiniteIsRefused)
+{
+  using Refusal = std::pair<int, std::string>;
+  ContactInput in = input(pose());
+  for (const std::string frame : {"", "vehicle"})
+  {
+    in.twist = twist(frame);
+    EXPECT_EQ(refusal(in), Refusal(WheelsetContact::INVALID_INPUT,
+                                   "twist: frame_id is '" + frame + "', but must be 'track' (track/frame)"));
+  }
+  tf2::BufferCore transforms;
+  transforms.setTransform(vehicle(0), "test");
+  auto there = pose();
+  there.header.frame_id = "vehicle";
+  in.pose = shared(there);
+  in.twist = twist("body");
+  EXPECT_EQ(refusal(in, transforms).second,
+            "twist: frame_id is 'body', but must be 'track' (track/frame) or 'vehicle', the frame of the pose");
+  for (const double bad : {not_a_number, infinity})
+  {
+    geometry_msgs::TwistStamped message = *twist("track");
+    message.twist.linear.z = bad;  // NaN would mean in the core that the wheel follows the rail
+    in.twist = shared(message);
+    EXPECT_EQ(refusal(in, transforms), Refusal(WheelsetContact::INVALID_INPUT, "twist: linear is not finite"));
+    message = *twist("track");
+    message.twist.angular.x = bad;
+    in.twist = shared(message);
+    EXPECT_EQ(refusal(in, transforms).second, "twist: angular is not finite");
+  }
 }
 
 namespace

@@ -30,6 +30,10 @@ void setValue(double value, geometry_msgs::PointStamped& point)
 {
   point.point.x = value;
 }
+void setValue(double value, geometry_msgs::TwistStamped& twist)
+{
+  twist.twist.linear.x = value;
+}
 
 /// Message of a topic with a stamp [s] and a value, which a complete input shows.
 InputMessage message(InputTopic topic, double stamp, double value = 0, const std::string& frame = "")
@@ -51,6 +55,7 @@ NodeConfig allInputs()
   config.model.rail_bending.model = core::RailBendingConfig::Model::compliance;
   config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::topic;
   config.displacement_topic = config.distance_topic = true;
+  config.model.creep.method = core::CreepMethod::linear;
   return config;
 }
 
@@ -78,9 +83,12 @@ TEST(InputPairing, ConfigurationDeterminesTheInputTopics)
   config.displacement_topic = false;
   config.distance_topic = true;
   EXPECT_EQ(namesOf(config), (std::set<std::string>{"wheelset/pose", "wheelset/distance"}));
-  EXPECT_EQ(namesOf(allInputs()),
-            (std::set<std::string>{"wheelset/pose", "wheelset/load", "wheelset/left_rail_force",
-                                   "wheelset/right_rail_force", "wheelset/rail_displacement", "wheelset/distance"}));
+  config.distance_topic = false;
+  config.model.creep.method = core::CreepMethod::exact;
+  EXPECT_EQ(namesOf(config), (std::set<std::string>{"wheelset/pose", "wheelset/twist"}));
+  EXPECT_EQ(namesOf(allInputs()), (std::set<std::string>{"wheelset/pose", "wheelset/load", "wheelset/left_rail_force",
+                                                         "wheelset/right_rail_force", "wheelset/rail_displacement",
+                                                         "wheelset/distance", "wheelset/twist"}));
 }
 
 TEST(InputPairing, InputHasTheMessageOfEachTopic)
@@ -89,7 +97,7 @@ TEST(InputPairing, InputHasTheMessageOfEachTopic)
   double value = 0;
   std::vector<ContactInput> inputs;
   for (const InputTopic topic : {InputTopic::distance, InputTopic::right_rail_force, InputTopic::load, InputTopic::pose,
-                                 InputTopic::rail_displacement, InputTopic::left_rail_force})
+                                 InputTopic::rail_displacement, InputTopic::left_rail_force, InputTopic::twist})
   {
     EXPECT_TRUE(inputs.empty()) << "complete before " << nameOf(topic);
     inputs = pairing.add(topic, message(topic, 10, ++value));
@@ -102,7 +110,8 @@ TEST(InputPairing, InputHasTheMessageOfEachTopic)
   EXPECT_EQ(input.pose->pose.position.y, 4);
   EXPECT_EQ(input.rail_displacement->left.lateral, 5);
   EXPECT_EQ(input.rail_force.left->wrench.force.y, 6);
-  EXPECT_EQ(pairing.counts().paired, 6U);
+  EXPECT_EQ(input.twist->twist.linear.x, 7);
+  EXPECT_EQ(pairing.counts().paired, 7U);
 }
 
 TEST(InputPairing, MessagesOfOtherTopicsAreIgnored)
@@ -124,6 +133,7 @@ TEST(InputPairing, DisplacementAndDistanceArePairedWithinTheSlop)
 {
   NodeConfig config = allInputs();
   config.model.rail_bending.lateral_force = core::RailBendingConfig::LateralForce::contact;
+  config.model.creep.method = core::CreepMethod::none;
   config.slop = 0.004;
   InputPairing pairing(config);
   for (const double stamp : {10.0, 10.01, 10.02})
@@ -176,7 +186,7 @@ TEST(InputPairing, LongFrameNamesOfWaitingMessagesAreCut)
   const std::string::size_type longest = InputPairing::longest_frame_name;
   for (const std_msgs::Header* header :
        {&input.pose->header, &input.load->header, &input.rail_force.left->header, &input.rail_force.right->header,
-        &input.rail_displacement->header, &input.distance->header})
+        &input.rail_displacement->header, &input.distance->header, &input.twist->header})
   {
     EXPECT_GT(header->frame_id.size(), longest) << "the cut name must not become a valid name";
     EXPECT_LE(header->frame_id.capacity(), 2 * longest);

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "wheel_rail_contact/core/normal_problem.h"
@@ -88,9 +89,9 @@ struct FrictionLaw
   double at(double slip_velocity) const;
 };
 
-/// Checks that all numbers are within their range. `option` is the name of the law in the message.
+/// Checks that all numbers are within their range. `group` is the text before their names in the message.
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
-void validate(const FrictionLaw& law, const char* option);
+void validate(const FrictionLaw& law, const std::string& group);
 
 /// Rolling with slip in one patch, whose pressure is known.
 struct CreepProblem

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "core/creep/exact_rolling.h"
 #include "core/creep/simplified_theory.h"
@@ -109,20 +110,21 @@ double FrictionLaw::at(double slip_velocity) const
   return coefficient * ((1 - slip_share) * std::exp(-slip_decay * slip_velocity) + slip_share);
 }
 
-void validate(const FrictionLaw& law, const char* option)
+void validate(const FrictionLaw& law, const std::string& group)
 {
-  const std::string name(option);
-  require(law.coefficient >= 0 && law.coefficient <= largest_friction, name + "/coefficient", law.coefficient,
+  require(law.coefficient >= 0 && law.coefficient <= largest_friction, group + "friction", law.coefficient,
           "must be from 0 to 2");
-  require(law.slip_share >= 0 && law.slip_share <= 1, name + "/slip_share", law.slip_share, "must be from 0 to 1");
-  require(law.slip_decay >= 0 && std::isfinite(law.slip_decay), name + "/slip_decay", law.slip_decay,
+  require(law.slip_share >= 0 && law.slip_share <= 1, group + "slip_share", law.slip_share, "must be from 0 to 1");
+  require(law.slip_decay >= 0 && std::isfinite(law.slip_decay), group + "slip_decay", law.slip_decay,
           "must be finite and at least 0");
 }
 
 void validate(const CreepConfig& creep)
 {
-  validate(creep.friction.left, "creep/friction/left");
-  validate(creep.friction.right, "creep/friction/right");
+  const auto numbers = [](const FrictionLaw& law) { return std::tie(law.coefficient, law.slip_share, law.slip_decay); };
+  const bool are_same = numbers(creep.friction.left) == numbers(creep.friction.right);
+  validate(creep.friction.left, are_same ? "creep/" : "creep/left/");
+  validate(creep.friction.right, "creep/right/");
 }
 
 void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& solution)

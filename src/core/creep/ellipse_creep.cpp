@@ -52,7 +52,7 @@ CreepProblem ellipseProblem(const CreepEllipse& ellipse, const Creepage& creepag
 CreepForce ellipseCreepForce(const CreepEllipse& ellipse, const Creepage& creepage, CreepMethod method,
                              const FrictionLaw& friction, const ShearElasticity& elasticity)
 {
-  validate(friction, "friction");
+  validate(friction, "");
   requirePositive("shear modulus", elasticity.modulus);
   require(elasticity.poisson >= 0 && elasticity.poisson <= 0.5, "poisson", elasticity.poisson, "must be from 0 to 0.5");
   CreepProblem problem = ellipseProblem(ellipse, creepage);

@@ -62,14 +62,14 @@ std::string shown(const std::string& text)
   return text.size() <= room ? text : text.substr(0, room) + "...";
 }
 
-Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std::string& track_frame,
-                              const tf2::BufferCore& transforms)
+/// Transform from the frame of a pose to the track frame.
+Eigen::Isometry3d toTrack(const std_msgs::Header& pose, const std::string& track_frame,
+                          const tf2::BufferCore& transforms)
 {
-  Eigen::Isometry3d own = toIsometry(pose.pose);
-  const std::string& frame = pose.header.frame_id;
+  const std::string& frame = pose.frame_id;
   if (frame == track_frame)
   {
-    return own;
+    return Eigen::Isometry3d::Identity();
   }
   if (!isFrameName(frame))
   {
@@ -78,7 +78,7 @@ Eigen::Isometry3d poseInTrack(const geometry_msgs::PoseStamped& pose, const std:
   }
   try
   {
-    return toIsometry(transforms.lookupTransform(track_frame, frame, pose.header.stamp).transform) * own;
+    return toIsometry(transforms.lookupTransform(track_frame, frame, pose.stamp).transform);
   }
   catch (const tf2::TransformException& error)
   {
@@ -116,13 +116,46 @@ void setRailForces(const ContactInput& input, core::WheelsetState& state)
   }
 }
 
-core::RailDeflection displacementOf(const RailDisplacement& rail, core::Side side)
+void setRail(const RailDisplacement& rail, core::Side side, core::WheelsetState& state)
 {
   if (!std::isfinite(rail.lateral) || !std::isfinite(rail.vertical) || !std::isfinite(rail.roll))
   {
     refuse(railName(side) + " displacement is not finite");
   }
-  return {rail.lateral, rail.vertical, rail.roll};
+  if (!std::isfinite(rail.lateral_velocity) || !std::isfinite(rail.vertical_velocity) || !std::isfinite(rail.roll_rate))
+  {
+    refuse(railName(side) + " velocity is not finite");
+  }
+  state.rail_displacement[side] = {rail.lateral, rail.vertical, rail.roll};
+  state.rail_velocity[side] = {rail.lateral_velocity, rail.vertical_velocity, rail.roll_rate};
+}
+
+/// @param to_track rotation from the frame of the pose to the track frame
+void setMotion(const geometry_msgs::TwistStamped& message, const std::string& pose_frame,
+               const std::string& track_frame, const Eigen::Matrix3d& to_track, core::WheelsetState& state)
+{
+  const std::string& frame = message.header.frame_id;
+  if (frame != track_frame && frame != pose_frame)
+  {
+    refuse("twist: frame_id is '" + shown(frame) + "', but must be '" + track_frame + "' (track/frame)" +
+           (pose_frame == track_frame ? "" : " or '" + shown(pose_frame) + "', the frame of the pose"));
+  }
+  const auto &linear = message.twist.linear, &angular = message.twist.angular;
+  requireFinite(linear, "twist: linear");
+  requireFinite(angular, "twist: angular");
+  Eigen::Vector3d velocity(linear.x, linear.y, linear.z), rotation(angular.x, angular.y, angular.z);
+  if (frame != track_frame)
+  {
+    velocity = to_track * velocity;
+    rotation = to_track * rotation;
+  }
+  core::WheelsetMotion& motion = state.motion;
+  motion.speed = velocity.x();
+  motion.lateral_velocity = velocity.y();
+  motion.vertical_velocity = velocity.z();
+  motion.roll_rate = rotation.x();
+  motion.rotation = rotation.y();
+  motion.yaw_rate = rotation.z();
 }
 }  // namespace
 
@@ -139,7 +172,8 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
     refuse(input.fault);
   }
   core::WheelsetState state;
-  const Eigen::Isometry3d pose = poseInTrack(*input.pose, track_frame, transforms);
+  const Eigen::Isometry3d own = toIsometry(input.pose->pose);
+  const Eigen::Isometry3d to_track = toTrack(input.pose->header, track_frame, transforms), pose = to_track * own;
   const core::WheelsetPose wheelset = toWheelsetPose(pose);
   state.x = state.distance = pose.translation().x();
   state.y = wheelset.y;
@@ -153,8 +187,8 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   setRailForces(input, state);
   if (input.rail_displacement)
   {
-    state.rail_displacement = {displacementOf(input.rail_displacement->left, core::Side::left),
-                               displacementOf(input.rail_displacement->right, core::Side::right)};
+    setRail(input.rail_displacement->left, core::Side::left, state);
+    setRail(input.rail_displacement->right, core::Side::right, state);
   }
   if (input.distance)
   {
@@ -163,6 +197,10 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
     {
       refuse("distance: point.x is not finite");
     }
+  }
+  if (input.twist)
+  {
+    setMotion(*input.twist, input.pose->header.frame_id, track_frame, to_track.linear(), state);
   }
   return state;
 }

@@ -41,13 +41,18 @@ bool isFrameName(const std::string& name);
 ///
 /// Rail forces: force.y is Y, positive outward on both rails (side axes; frame_id is not used).
 ///
-/// Rail displacements: side axes; frame_id is not used.
+/// Rail displacements and velocities: side axes; frame_id is not used.
 ///
 /// Distance: point.x is the place along the line [m]; frame_id is not used. Without this message it is x of the pose in
 /// the track frame.
 ///
+/// Twist: velocity of the axle centre, in the track frame, or in the frame of the pose, from which it is turned. In
+/// track axes `angular` is roll rate, rotation about the axle and yaw rate: the rotation is along y whatever yaw and
+/// roll are.
+///
 /// @throw UnusableInput with INVALID_INPUT for ContactInput::fault, a number that is not finite, an invalid quaternion,
-/// or a load in another frame; with NO_TRANSFORM if tf has no transform from the frame of the pose to the track frame.
+/// or a load or twist in another frame; with NO_TRANSFORM if tf has no transform from the frame of the pose to the
+/// track frame.
 core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
                             const tf2::BufferCore& transforms);
 

@@ -40,6 +40,7 @@ void put(InputTopic topic, const InputMessage& message, ContactInput& input)
   put_as(InputTopic::right_rail_force, input.rail_force.right);
   put_as(InputTopic::rail_displacement, input.rail_displacement);
   put_as(InputTopic::distance, input.distance);
+  put_as(InputTopic::twist, input.twist);
 }
 
 /// Topics that are paired, in the order of the channels: a load that is interpolated is the last one.

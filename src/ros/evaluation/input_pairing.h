@@ -20,6 +20,7 @@ struct ContactInput
   core::Sides<geometry_msgs::WrenchStampedConstPtr> rail_force;  ///< by Side
   RailDisplacementsConstPtr rail_displacement;                   ///< of both rails
   geometry_msgs::PointStampedConstPtr distance;                  ///< place along the line
+  geometry_msgs::TwistStampedConstPtr twist;                     ///< velocity of the axle centre
   std::string fault;      ///< reason why the messages cannot be used together; empty if there is none
   ros::WallTime arrival;  ///< time at which the last message arrived at the live node; not set in a replay
 };

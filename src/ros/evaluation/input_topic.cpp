@@ -24,12 +24,17 @@ std::vector<InputTopic> inputTopics(const NodeConfig& config)
   {
     topics.push_back(InputTopic::distance);
   }
+  if (config.model.creep.method != core::CreepMethod::none)
+  {
+    topics.push_back(InputTopic::twist);
+  }
   return topics;
 }
 
 std::string nameOf(InputTopic topic)
 {
-  constexpr std::array names{"pose", "load", "left_rail_force", "right_rail_force", "rail_displacement", "distance"};
+  constexpr std::array names{"pose",     "load", "left_rail_force", "right_rail_force", "rail_displacement",
+                             "distance", "twist"};
   return std::string("wheelset/") + names.at(static_cast<std::size_t>(topic));
 }
 }  // namespace wheel_rail_contact

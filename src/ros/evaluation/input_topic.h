@@ -3,6 +3,7 @@
 
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 
 #include <array>
@@ -23,20 +24,23 @@ enum class InputTopic
   left_rail_force,    ///< wheelset/left_rail_force (WrenchStamped), if rail_bending/lateral_force is `topic`
   right_rail_force,   ///< wheelset/right_rail_force (WrenchStamped), the same
   rail_displacement,  ///< wheelset/rail_displacement (RailDisplacements), if track/displacement is `topic`
-  distance            ///< wheelset/distance (PointStamped), if track/distance is `topic`
+  distance,           ///< wheelset/distance (PointStamped), if track/distance is `topic`
+  twist               ///< wheelset/twist (TwistStamped), unless creep/method is `none`
 };
 
 /// All input topics.
-inline constexpr std::array<InputTopic, 6> all_input_topics{InputTopic::pose,
+inline constexpr std::array<InputTopic, 7> all_input_topics{InputTopic::pose,
                                                             InputTopic::load,
                                                             InputTopic::left_rail_force,
                                                             InputTopic::right_rail_force,
                                                             InputTopic::rail_displacement,
-                                                            InputTopic::distance};
+                                                            InputTopic::distance,
+                                                            InputTopic::twist};
 
 /// Message of any input topic; never null.
-using InputMessage = std::variant<geometry_msgs::PoseStampedConstPtr, geometry_msgs::WrenchStampedConstPtr,
-                                  RailDisplacementsConstPtr, geometry_msgs::PointStampedConstPtr>;
+using InputMessage =
+    std::variant<geometry_msgs::PoseStampedConstPtr, geometry_msgs::WrenchStampedConstPtr, RailDisplacementsConstPtr,
+                 geometry_msgs::PointStampedConstPtr, geometry_msgs::TwistStampedConstPtr>;
 
 /// Input topics that a configuration requires.
 std::vector<InputTopic> inputTopics(const NodeConfig& config);
@@ -64,6 +68,8 @@ auto withMessageType(InputTopic topic, const Function& function)
       return function(MessageType<RailDisplacements>());
     case InputTopic::distance:
       return function(MessageType<geometry_msgs::PointStamped>());
+    case InputTopic::twist:
+      return function(MessageType<geometry_msgs::TwistStamped>());
     default:
       return function(MessageType<geometry_msgs::WrenchStamped>());
   }

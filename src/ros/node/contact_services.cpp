@@ -39,6 +39,7 @@ ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig&
   take(InputTopic::right_rail_force, request.right_rail_force, input.rail_force.right);
   take(InputTopic::rail_displacement, request.rail_displacement, input.rail_displacement);
   take(InputTopic::distance, request.distance, input.distance);
+  take(InputTopic::twist, request.twist, input.twist);
   return input;
 }
 }  // namespace
