@@ -46,6 +46,22 @@ class States(StatesCase):
                     self.assertAlmostEqual(getattr(state, f"{side}_rail_{name}"), value, delta=1e-15, msg=(axes, side, name))
             self.assertEqual(state.distance, 1234.5)
 
+    def test_velocities_are_those_of_the_twist_and_of_the_rails(self):
+        table = ("time [s],y [mm],speed [km/h],lateral_velocity [mm/s],vertical_velocity [mm/s],roll_rate [mrad/s],"
+                 "rotation [rad/s],yaw_rate [mrad/s],rail_vertical_velocity_left [mm/s]\n1,0,72,3,4,5,43,6,7\n")
+        for axes, down in ("rep103", 1), ("railway", -1):
+            self.states_of(table, "--axes", axes)
+            with rosbag.Bag(str(self.folder / "out.bag")) as bag:
+                messages = {topic: message for topic, message, _ in bag.read_messages()}
+            message = messages["/wheelset/twist"]
+            self.assertEqual((message.header.frame_id, message.header.stamp.to_nsec()), ("track", 10**9))
+            for vector, expected in ((message.twist.linear, (20, 3e-3 * down, 4e-3 * down)),
+                                     (message.twist.angular, (5e-3, 43 * down, 6e-3 * down))):
+                for value, wanted in zip((vector.x, vector.y, vector.z), expected):
+                    self.assertAlmostEqual(value, wanted, delta=1e-14)
+            self.assertAlmostEqual(messages["/wheelset/rail_displacement"].left.vertical_velocity, 7e-3 * down, delta=1e-15)
+        self.assertIn("yaw_rate requires speed", self.error_of("time [s],y [mm],yaw_rate [rad/s]\n1,0,1\n"))
+
     def test_displacements_and_distance_are_written_only_if_they_are_given(self):
         without, = self.states_of("time [s],y [mm]\n1,0\n")
         self.assertEqual((without.left_rail_lateral, without.right_rail_roll, without.distance), (None, None, None))
@@ -67,7 +83,8 @@ class States(StatesCase):
     def test_conversion_to_a_table_and_back_is_exact(self):
         # Without angles: their conversion to a quaternion has rounding errors, 1e-16 rad.
         states = [State(10**9 + i * 1234567, 0.1 * i, math.sin(i) / 300, 0.46, 0.0, 0.0, -2e5 / 3 * (i + 1), math.pi * i,
-                        1e4 / (i + 1), -1e4 * (i + 1), *(1e-3 * math.cos(i + k) for k in range(6)), 1e3 + i / 7)
+                        1e4 / (i + 1), -1e4 * (i + 1), *(1e-3 * math.cos(i + k) for k in range(6)), 1e3 + i / 7,
+                        *(math.cos(i + k) for k in range(12)))
                   for i in range(20)]
         write_bag(self.folder / "a.bag", states, "/front")
         for axes in ("rep103", "railway"):

@@ -19,7 +19,14 @@ COLUMNS = {
     "rail_vertical_left": ("left_rail_vertical", "length", -1), "rail_vertical_right": ("right_rail_vertical", "length", -1),
     "rail_roll_left": ("left_rail_roll", "angle", 1), "rail_roll_right": ("right_rail_roll", "angle", 1),
     "distance": ("distance", "length", 1),
+    "speed": ("speed", "velocity", 1), "lateral_velocity": ("lateral_velocity", "velocity", -1),
+    "vertical_velocity": ("vertical_velocity", "velocity", -1), "roll_rate": ("roll_rate", "rate", 1),
+    "rotation": ("rotation", "rate", -1), "yaw_rate": ("yaw_rate", "rate", -1),
+    **{f"rail_{name}_{side}": (f"{side}_rail_{name}", kind, sign) for name, kind, sign in (
+        ("lateral_velocity", "velocity", 1), ("vertical_velocity", "velocity", -1), ("roll_rate", "rate", 1))
+       for side in ("left", "right")},
 }
+VELOCITIES = ("lateral_velocity", "vertical_velocity", "roll_rate", "rotation", "yaw_rate")  # require the speed
 WHEEL_LOADS = {"Q_left": "force", "Q_right": "force"}  # down positive in both systems of axes
 QUANTITIES = {"time": "time", **{name: kind for name, (_, kind, _) in COLUMNS.items()}, **WHEEL_LOADS}
 # phi and psi are roll and yaw as in ISO 8855 and in the glossary.
@@ -137,7 +144,8 @@ def columns_of(titles, named):
 
 def _example(bare):
     """Options that give the units of columns."""
-    si_unit = {"time": "s", "length": "mm", "angle": "mrad", "force": "kN", "torque": "kN m"}
+    si_unit = {"time": "s", "length": "mm", "angle": "mrad", "force": "kN", "torque": "kN m", "velocity": "m/s",
+               "rate": "rad/s"}
     return " ".join(f"--column {quantity}='{title.name} [{si_unit[QUANTITIES[quantity]]}]'" for quantity, title in bare.items())
 
 
@@ -160,3 +168,5 @@ def check_columns(columns, titles, has_speed):
                       "--column Q_left= --column Q_right= ignores the latter")
     if "torque_x" in columns and "force_z" not in columns:
         raise Failure("torque_x requires force_z")
+    if "speed" not in columns and any(name in columns for name in VELOCITIES):
+        raise Failure(f"{next(name for name in VELOCITIES if name in columns)} requires speed")

@@ -25,6 +25,7 @@ Units may also be written as y (mm), y / mm, y_mm, or in the second line. Case d
 Lines that begin with #, %, ! or // are ignored. force_z and torque_x are the force and moment of the vehicle on the axle
 centre, Q_left and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral
 (outward), rail_vertical and rail_roll (outward) are displacements of the rails. distance is the place along the line.
+speed and the velocities after it are those of the axle centre; rotation is about the axle, along y.
 Axes: rep103: x forward, y left, z up; railway: x forward, y right, z down (roll, yaw and forces accordingly).
 Rows with missing values (empty, NaN) are dropped, and of rows with equal times all but the last; their number is printed."""
 

@@ -7,15 +7,18 @@ from typing import Optional
 
 import genpy
 import rosbag
-from geometry_msgs.msg import PointStamped, PoseStamped, WrenchStamped
+from geometry_msgs.msg import PointStamped, PoseStamped, TwistStamped, WrenchStamped
 from wheel_rail_contact.msg import RailDisplacements
 
 from ..command import Failure
 from ..message_constants import SIDES
 
 FRAME = "track"
-KINDS = ("pose", "load", "left_rail_force", "right_rail_force", "rail_displacement", "distance")  # of input topics
-DISPLACEMENT = ("lateral", "vertical", "roll")  # components of a displacement of a rail
+KINDS = ("pose", "load", "left_rail_force", "right_rail_force", "rail_displacement", "distance", "twist")  # of input topics
+RAIL_VELOCITY = ("lateral_velocity", "vertical_velocity", "roll_rate")  # components of the velocity of a rail
+DISPLACEMENT = ("lateral", "vertical", "roll", *RAIL_VELOCITY)  # components of a displacement of a rail
+TWIST = {("linear", "x"): "speed", ("linear", "y"): "lateral_velocity", ("linear", "z"): "vertical_velocity",
+         ("angular", "x"): "roll_rate", ("angular", "y"): "rotation", ("angular", "z"): "yaw_rate"}
 
 
 @dataclass
@@ -40,6 +43,19 @@ class State:
     right_rail_vertical: Optional[float] = None
     right_rail_roll: Optional[float] = None
     distance: Optional[float] = None   # place along the line
+    speed: Optional[float] = None      # velocities of the axle centre; without a speed none is written
+    lateral_velocity: Optional[float] = None
+    vertical_velocity: Optional[float] = None
+    roll_rate: Optional[float] = None
+    rotation: Optional[float] = None   # about the axle, positive when it rolls forward
+    yaw_rate: Optional[float] = None
+    # Velocities of the rail heads by their vibration, with the signs of the displacements
+    left_rail_lateral_velocity: Optional[float] = None
+    left_rail_vertical_velocity: Optional[float] = None
+    left_rail_roll_rate: Optional[float] = None
+    right_rail_lateral_velocity: Optional[float] = None
+    right_rail_vertical_velocity: Optional[float] = None
+    right_rail_roll_rate: Optional[float] = None
 
 
 def stamp_of(time_ns):
@@ -85,6 +101,13 @@ def _distance(state):
     return message
 
 
+def _twist(state):
+    message = _header(TwistStamped(), state)
+    for (group, axis), name in TWIST.items():
+        setattr(getattr(message.twist, group), axis, getattr(state, name) or 0.0)
+    return message
+
+
 def write_bag(path, states, wheelset=""):
     """Writes states to a bag for contact_node and contact_replay. The same states give the same bytes."""
     bag = rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2)
@@ -107,6 +130,8 @@ def _write_state(bag, state, topics):
         bag.write(topics + "rail_displacement", displacements, stamp)
     if state.distance is not None:
         bag.write(topics + "distance", _distance(state), stamp)
+    if state.speed is not None:
+        bag.write(topics + "twist", _twist(state), stamp)
 
 
 def read_bag(path, wheelset="", remarks=None):
@@ -138,9 +163,18 @@ def read_bag(path, wheelset="", remarks=None):
         stamp = message.header.stamp.to_nsec()
         left_out[f"{kind}: no pose with the same stamp"] += stamp not in states
         _add(states.get(stamp), kind, message)
+    _forget_velocities_of_still_rails(states.values())
     if remarks is not None:
         remarks += [f"{count} left out, {reason}" for reason, count in left_out.items() if count]
     return [states[time] for time in sorted(states)]
+
+
+def _forget_velocities_of_still_rails(states):
+    """A message has these velocities even if they are not known: zero."""
+    for name in (f"{side}_rail_{velocity}" for side in SIDES for velocity in RAIL_VELOCITY):
+        if not any(getattr(state, name) for state in states):
+            for state in states:
+                setattr(state, name, None)
 
 
 def _messages(path, prefix):
@@ -171,6 +205,9 @@ def _add(state, kind, message):
     elif kind == "rail_displacement":
         for side in SIDES:
             for name in DISPLACEMENT:
-                setattr(state, f"{side}_rail_{name}", getattr(getattr(message, side), name))
+                setattr(state, f"{side}_rail_{name}", getattr(getattr(message, side), name, 0.0))  # older: no velocities
     elif kind == "distance":
         state.distance = message.point.x
+    elif kind == "twist":
+        for (group, axis), name in TWIST.items():
+            setattr(state, name, getattr(getattr(message.twist, group), axis))

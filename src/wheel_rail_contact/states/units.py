@@ -12,6 +12,8 @@ UNITS = {
     "angle": {"rad": 1.0, "mrad": 1e-3, "deg": math.pi / 180},
     "force": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE, "kip": 1e3 * POUND_FORCE},
     "torque": {"N m": 1.0, "kN m": 1e3, "lbf ft": 0.3048 * POUND_FORCE},
+    "velocity": {"m/s": 1.0, "mm/s": 1e-3, "km/h": 1 / 3.6},
+    "rate": {"rad/s": 1.0, "mrad/s": 1e-3, "deg/s": math.pi / 180},
 }
 OTHER_SPELLINGS = {
     "sec": "s", "inch": "in", "inches": "in", "feet": "ft", "°": "deg", "degree": "deg", "degrees": "deg", "kips": "kip",
