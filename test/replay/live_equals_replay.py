@@ -16,7 +16,7 @@ import roslib.packages
 import rospkg
 import rospy
 import rostest
-from geometry_msgs.msg import PointStamped, WrenchStamped
+from geometry_msgs.msg import PointStamped, TwistStamped, WrenchStamped
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("wheel_rail_contact"))
@@ -57,8 +57,11 @@ def additional_inputs(number, header):
     distance.point.x = 1000 + 0.5 * number
     left, right = WrenchStamped(header=header), WrenchStamped(header=header)
     left.wrench.force.y, right.wrench.force.y = 5e3 * math.sin(turn), 5e3 * math.cos(turn)
+    twist = TwistStamped(header=header)
+    twist.twist.linear.x = (20 if number % 50 < 40 else -15) + math.sin(number)
+    twist.twist.linear.y = 0.02 * math.sin(number)
     return (("rail_displacement", displacements), ("distance", distance), ("left_rail_force", left),
-            ("right_rail_force", right))
+            ("right_rail_force", right), ("twist", twist))
 
 
 def write_slow_loads(path):
@@ -143,6 +146,9 @@ class LiveEqualsReplay(unittest.TestCase):
             results = self.compare(bag, ALL_INPUTS, "/all_inputs")
         self.assertGreater(len([result for result in results if result.status == WheelsetContact.OK]), 0.9 * len(results))
         self.assertGreater(max(result.right_rail.given_roll for result in results), 1e-3)
+        for direction in 1, -1:
+            pulls = [abs(patch.creep.force_x) for result in results if result.speed * direction > 0 for patch in result.patches]
+            self.assertGreater(max(pulls), 1e3)
 
 
 def without_time(data):

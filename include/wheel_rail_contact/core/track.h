@@ -114,7 +114,7 @@ struct WheelsetConfig
   enum class Balance
   {
     wheel_loads,  ///< the wheel loads follow from force_z and torque_x alone, as vertical forces at the running circles
-    moments       ///< forces and moments about the axle centre, with the moment of the lateral normal forces
+    moments       ///< forces and moments about the axle centre, with the moment of the lateral forces of the contacts
   };
   Balance balance = Balance::wheel_loads;  ///< see WheelsetState::torque_x
 

@@ -112,6 +112,26 @@ TEST(EvaluateService, UsesOnlyTheInputsThatTheParametersRequire)
   EXPECT_EQ(resultOf("/forces/contact_node/evaluate", call).left_rail.lateral_force, 20e3);
 }
 
+TEST(EvaluateService, RequiresTheTwistOnlyWithFriction)
+{
+  EvaluateWheelset call = state(2e-3, ContactClient::nextStamp());
+  const WheelsetContact refused = resultOf("/rolling/contact_node/evaluate", call);
+  EXPECT_EQ(refused.status, WheelsetContact::INVALID_INPUT);
+  EXPECT_EQ(refused.status_text, "twist: frame_id is '', but must be 'track' (track/frame)");
+  EXPECT_EQ(resultOf("/contact_node/evaluate", call).status, WheelsetContact::OK);
+  call.request.twist.header.frame_id = "track";
+  call.request.twist.twist.linear.x = -20;
+  for (const char* service : {"/rolling/contact_node/evaluate", "/rolling/contact_node/static_start"})
+  {
+    const WheelsetContact result = resultOf(service, call);
+    ASSERT_EQ(result.status, WheelsetContact::OK) << result.status_text;
+    EXPECT_EQ(result.speed, -20);
+    EXPECT_NEAR(result.rotation, -20 / 0.46, 0.1) << "free rolling on a wheel of 0.46 m";
+    EXPECT_LT(result.left_wheel.friction_lateral_force, -1e3) << "spin pushes the rail inward";
+    EXPECT_NEAR(result.left_wheel.vertical_force + result.right_wheel.vertical_force, wheelset_load, 2 * load_error);
+  }
+}
+
 TEST(EvaluateService, TopicsAreEvaluatedWhileARequestWaits)
 {
   ContactClient client;
