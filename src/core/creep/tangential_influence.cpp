@@ -11,8 +11,16 @@ namespace
 {
 /// Most tables that are kept: the cells of a contact that moves have a few aspects.
 constexpr std::size_t tables_kept = 16;
-/// Relative difference below which two aspects are taken as equal. The coefficients differ by no more.
-constexpr double equal_aspects = 1e-9;
+/// Digits of an aspect, which the grids of a contact that moves have in common. A table depends on them alone, not on
+/// the grids before. The coefficients differ by no more than 1e-9.
+constexpr double aspect_digits = 1 << 30;
+
+double rounded(double aspect)
+{
+  int exponent = 0;
+  const double digits = std::frexp(aspect, &exponent);
+  return std::ldexp(std::round(aspect_digits * digits) / aspect_digits, exponent);
+}
 
 /// Antiderivatives of x²/rho³, y²/rho³ and x y / rho³. Terms of one variable are left out.
 std::array<double, 3> cerrutiCorner(double x, double y)
@@ -37,8 +45,7 @@ TangentialInfluence tangentialInfluence(double x, double y, double dx, double dy
 
 bool TangentialTable::serves(int rows, int columns, double aspect, double poisson) const
 {
-  return rows <= rows_ && columns <= columns_ && poisson == poisson_ &&
-         std::abs(aspect - aspect_) <= equal_aspects * aspect;
+  return rows <= rows_ && columns <= columns_ && poisson == poisson_ && aspect == aspect_;
 }
 
 void TangentialTable::set(int rows, int columns, double aspect, double poisson)
@@ -66,8 +73,9 @@ void TangentialTable::set(int rows, int columns, double aspect, double poisson)
   }
 }
 
-const TangentialTable& TangentialTables::find(int rows, int columns, double aspect, double poisson)
+const TangentialTable& TangentialTables::find(int rows, int columns, double given_aspect, double poisson)
 {
+  const double aspect = rounded(given_aspect);
   std::size_t at = 0;
   while (at < tables_.size() && !tables_[at].serves(rows, columns, aspect, poisson))
   {

@@ -61,7 +61,7 @@ class TangentialTables
  public:
   /// Table of a grid. Computes it, and then allocates, unless it is one of the last tables. The reference is valid
   /// until the next call.
-  const TangentialTable& find(int rows, int columns, double aspect, double poisson);
+  const TangentialTable& find(int rows, int columns, double given_aspect, double poisson);
 
  private:
   std::vector<TangentialTable> tables_;
