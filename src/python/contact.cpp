@@ -28,10 +28,11 @@ using core::WheelsetState;
 using StateTable = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Numbers of a state with the names of their columns in the tables that Python fills. Fields of both sides have two
-/// columns, left first; a displacement three on each side.
+/// columns, left first; a displacement and its velocity three on each side.
 std::vector<std::pair<std::string, double*>> stateFields(WheelsetState& s)
 {
   auto& [left, right] = s.rail_displacement;
+  auto& [left_velocity, right_velocity] = s.rail_velocity;
   return {
       {"y", &s.y},
       {"z", &s.z},
@@ -49,6 +50,18 @@ std::vector<std::pair<std::string, double*>> stateFields(WheelsetState& s)
       {"rail_displacement", &right.lateral},
       {"rail_displacement", &right.vertical},
       {"rail_displacement", &right.roll},
+      {"rail_velocity", &left_velocity.lateral},
+      {"rail_velocity", &left_velocity.vertical},
+      {"rail_velocity", &left_velocity.roll},
+      {"rail_velocity", &right_velocity.lateral},
+      {"rail_velocity", &right_velocity.vertical},
+      {"rail_velocity", &right_velocity.roll},
+      {"speed", &s.motion.speed},
+      {"lateral_velocity", &s.motion.lateral_velocity},
+      {"vertical_velocity", &s.motion.vertical_velocity},
+      {"yaw_rate", &s.motion.yaw_rate},
+      {"roll_rate", &s.motion.roll_rate},
+      {"rotation", &s.motion.rotation},
   };
 }
 
@@ -168,6 +181,10 @@ void bindModel(py::module& module)
                                return model.config().distance_topic || config.track.line || config.rail_sections.left ||
                                       config.rail_sections.right;
                              })
+      .def_property_readonly("takes_twist", [](const ContactModel& model)
+                             { return model.config().model.creep.method != core::CreepMethod::none; })
+      .def_property_readonly("requires_rotation", [](const ContactModel& model)
+                             { return model.config().model.creep.rotation == core::CreepConfig::Rotation::given; })
       .def_property_readonly("requires_displacement",
                              [](const ContactModel& model) { return model.config().displacement_topic; })
       .def_property_readonly("requires_distance",

@@ -40,8 +40,17 @@ void bindMany(py::module& module)
       .def_readonly("z", &ManyResults::z, "(n,) height of the axle centre [m]")
       .def_readonly("roll", &ManyResults::roll, "(n,) roll of the axle, positive if left is raised [rad]")
       .def_readonly("patches", &ManyResults::patches, "(n, 2) number of patches")
-      .def_readonly("vertical_force", &ManyResults::vertical_force, "(n, 2) Q of the wheel, down positive [N]")
-      .def_readonly("lateral_force", &ManyResults::lateral_force, "(n, 2) Y of the wheel, outward positive [N]")
+      .def_readonly("rotation", &ManyResults::rotation,
+                    "(n,) rotation about the axle, given or free [rad/s]; 0 without creep forces")
+      .def_readonly("vertical_force", &ManyResults::vertical_force, "(n, 2) whole Q of the wheel, down positive [N]")
+      .def_readonly("lateral_force", &ManyResults::lateral_force, "(n, 2) whole Y of the wheel, outward positive [N]")
+      .def_readonly("friction_vertical_force", &ManyResults::friction_vertical_force,
+                    "(n, 2) part of vertical_force by friction [N]")
+      .def_readonly("friction_lateral_force", &ManyResults::friction_lateral_force,
+                    "(n, 2) part of lateral_force by friction [N]")
+      .def_readonly("adhesion_share", &ManyResults::adhesion_share,
+                    "(n, 2) largest one of all patches [-]; 0 without creep forces")
+      .def_readonly("friction_power", &ManyResults::friction_power, "(n, 2) power dissipated in all patches [W]")
       .def_readonly("max_pressure", &ManyResults::max_pressure, "(n, 2) highest pressure of all patches [Pa]")
       .def_readonly("area", &ManyResults::area, "(n, 2) contact area of all patches [m²]")
       .def_readonly("error_estimate", &ManyResults::error_estimate, "(n, 2) largest one of all patches [-]")

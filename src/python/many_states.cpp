@@ -65,10 +65,12 @@ ManyResults::ManyResults(std::size_t count) : status(count), status_text(count)
   implausible_force.setConstant(rows, 1, false);
   z.setConstant(rows, nan);
   roll.setConstant(rows, nan);
+  rotation.setConstant(rows, nan);
   patches.setZero(rows, 2);
   for (SideColumns* columns :
-       {&vertical_force, &lateral_force, &max_pressure, &area, &error_estimate, &contact_angle, &rolling_radius,
-        &wheel_von_mises, &rail_von_mises, &rail_lateral, &rail_vertical, &rail_roll})
+       {&vertical_force, &lateral_force, &friction_vertical_force, &friction_lateral_force, &adhesion_share,
+        &friction_power, &max_pressure, &area, &error_estimate, &contact_angle, &rolling_radius, &wheel_von_mises,
+        &rail_von_mises, &rail_lateral, &rail_vertical, &rail_roll})
   {
     columns->setConstant(rows, 2, nan);
   }
@@ -100,6 +102,7 @@ void ManyResults::set(std::size_t i, const core::WheelsetResult& result, const c
   implausible_force(row) = result.implausible_force;
   z(row) = result.z;
   roll(row) = result.roll;
+  rotation(row) = result.rotation;
   for (const core::Side side : core::sides)
   {
     setSide(row, side, result);
@@ -113,11 +116,14 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
   const core::RailDeflection& rail = result.rail[side].deflection;
   vertical_force(row, column) = wheel.vertical;
   lateral_force(row, column) = wheel.lateral;
+  friction_vertical_force(row, column) = wheel.friction_vertical;
+  friction_lateral_force(row, column) = wheel.friction_lateral;
   rail_lateral(row, column) = rail.lateral;
   rail_vertical(row, column) = rail.vertical;
   rail_roll(row, column) = rail.roll;
   max_pressure(row, column) = area(row, column) = error_estimate(row, column) = 0;
   wheel_von_mises(row, column) = rail_von_mises(row, column) = 0;
+  adhesion_share(row, column) = friction_power(row, column) = 0;
   for (const PatchResult& patch : result.patches)
   {
     if (patch.side == side)
@@ -126,6 +132,8 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
       max_pressure(row, column) = std::max(max_pressure(row, column), patch.max_pressure);
       area(row, column) += patch.area;
       error_estimate(row, column) = std::max(error_estimate(row, column), patch.error_estimate);
+      adhesion_share(row, column) = std::max(adhesion_share(row, column), patch.creep.adhesion_share);
+      friction_power(row, column) += patch.creep.power;
       wheel_von_mises(row, column) = std::max(wheel_von_mises(row, column), patch.wheel_stress.von_mises.value);
       rail_von_mises(row, column) = std::max(rail_von_mises(row, column), patch.rail_stress.von_mises.value);
     }

@@ -90,7 +90,7 @@ void bindForces(py::module& module)
   using core::WheelForces;
   using core::Wrench;
   py::class_<WheelForces> wheel(module, "WheelForces",
-                                "Contact forces of a wheel on its rail, by the normal pressure.");
+                                "Contact forces of a wheel on its rail, of normal pressure and friction.");
   visitWheel(propertiesOf(wheel));
   wheel.def("__repr__", [](const WheelForces& forces)
             { return formatted("<WheelForces: Q %.2f kN, Y %.2f kN>", forces.vertical / 1e3, forces.lateral / 1e3); });
@@ -138,6 +138,29 @@ void bindPose(py::module& module)
            });
 }
 
+void bindCreep(py::module& module)
+{
+  using core::PatchCreep;
+  py::class_<PatchCreep> creep(
+      module, "PatchCreep",
+      "Friction of a rolling patch, in the patch frame: x forward, y left in the tangent plane, "
+      "z out of the rail. All values are 0 without creep forces.");
+  visitCreep(propertiesOf(creep));
+  creep
+      .def_readonly(
+          "traction_x", &PatchCreep::traction_x,
+          "(nx, ny) traction on the wheel along x in the cells of the pressure, read-only [Pa]; (0, 0) unless "
+          "creep/field is set and creep/method is exact")
+      .def_readonly("traction_y", &PatchCreep::traction_y, "the same along y [Pa]")
+      .def("__repr__",
+           [](const PatchCreep& c)
+           {
+             return formatted("<PatchCreep: creepage (%.3g, %.3g), spin %.3g 1/m, force (%.2f, %.2f) kN, share %.2f>",
+                              c.creepage.x, c.creepage.y, c.creepage.spin, c.force.x / 1e3, c.force.y / 1e3,
+                              c.adhesion_share);
+           });
+}
+
 void bindPatch(py::module& module)
 {
   const auto of = [](const Patch& of_result) -> const core::PatchResult& { return *of_result.patch; };
@@ -158,6 +181,9 @@ void bindPatch(py::module& module)
       .def_property_readonly(
           "left_out", [](const Patch& p) { return p.patch->left_out; },
           "what the method leaves out of the contact of curved surfaces: 'column normals', 'patch coupling'")
+      .def_property_readonly(
+          "creep", [](const Patch& p) -> const core::PatchCreep& { return p.patch->creep; },
+          "PatchCreep, the friction of the rolling wheel")
       .def_property_readonly(
           "wheel_stress", [](const Patch& p) -> const core::PatchStress& { return p.patch->wheel_stress; },
           "PatchStress in the wheel")
@@ -196,6 +222,7 @@ void bindResults(py::module& module)
   using Shared = std::shared_ptr<WheelsetResult>;
   bindForces(module);
   bindPose(module);
+  bindCreep(module);
   bindPatch(module);
   py::class_<WheelsetResult, Shared>(module, "WheelsetResult", "Contact of a wheelset with both rails in one state.")
       .def_property_readonly(
@@ -231,7 +258,13 @@ void bindResults(py::module& module)
       .def_property_readonly(
           "right_rail", [](const WheelsetResult& result) { return result.rail.right; },
           "displacement of the right rail")
-      .def_readonly("rail_wrench", &WheelsetResult::rail_wrench, "of the pressure of both rails on the wheelset")
+      .def_readonly("rail_wrench", &WheelsetResult::rail_wrench,
+                    "of both rails on the wheelset, of normal pressure and friction")
+      .def_readonly("speed", &WheelsetResult::speed,
+                    "running speed along the track, forward positive [m/s]; 0 without creep forces")
+      .def_readonly("rotation", &WheelsetResult::rotation,
+                    "rotation about the axle, given or free, positive when it rolls forward [rad/s]; 0 without creep "
+                    "forces")
       .def_property_readonly("patches", &patchesIn, "list of PatchResult, left side first")
       .def("__repr__", [](const WheelsetResult& result) { return textOf(result); });
 }

@@ -37,7 +37,7 @@ class WheelsetContact:
                           stacklevel=2)
 
     def evaluate(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
-                 rail_lateral_force=None, rail_displacement=None):
+                 rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None):
         """Evaluates one state. The calculation starts from the previous result, which saves time; see reset().
 
         y: lateral displacement of the axle centre, to the left positive [m]
@@ -45,7 +45,7 @@ class WheelsetContact:
         force_z: vertical force on the axle centre, up positive [N]: that of the vehicle and the weight of the wheelset, both
             negative. Required if height and roll are solved from the load (wheelset/free: [z, roll]), else not used
         torque_x: moment on the axle centre about x [N m]; a positive moment unloads the left wheel. Not used if height and
-            roll are given
+            roll are given. With creep/method, force_z and torque_x do not contain the friction of the contacts
         z: height of the axle centre [m]. Required if height and roll are given (wheelset/free: []), else not used
         roll: rotation of the axle about x, positive if the left wheel is raised [rad]. Not used if it is solved
         x: position of the axle centre along the track, copied to the result [m]
@@ -56,6 +56,17 @@ class WheelsetContact:
         rail_displacement: (2, 3) displacement of the rails besides their deflection: rows left, right; columns lateral (outward
             positive) [m], vertical (up positive) [m], roll (positive if the crown moves outward) [rad]. Required with
             track/displacement: topic
+        twist: dict of velocities of the axle, track axes: {"speed": 20.0}. Required with creep/method, else refused
+            speed: of the axle centre along the track, forward positive [m/s]; required. Below 0.01 m/s of either sign there
+                are no creep forces
+            lateral_velocity: of the axle centre, to the left [m/s]; default: 0
+            vertical_velocity: of the axle centre, up [m/s]; default: the wheel follows the rail. Not used if the height is
+                solved
+            yaw_rate: about z [rad/s]; default: 0
+            roll_rate: about x [rad/s]; default: 0. Not used if the roll is solved
+            rotation: about the axle, positive when it rolls forward [rad/s]. Required with creep/rotation: topic, else not used
+        rail_velocity: (2, 3) velocities of the rails by their vibration; rows and columns as in rail_displacement [m/s, m/s,
+            rad/s]; default: 0. Refused without creep/method
 
         Returns a WheelsetResult: a value of its own, which later calls do not change. A state that is out of range, or
         without a solution, is no error: see its status and status_text.
@@ -67,14 +78,15 @@ class WheelsetContact:
         return self._model.evaluate(table(self._model, arguments, ONE))
 
     def evaluate_many(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
-                      rail_lateral_force=None, rail_displacement=None, threads=None, results=False):
+                      rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None, threads=None,
+                      results=False):
         """Evaluates n states on several threads, without the lock of the interpreter. Ctrl-C ends the evaluation.
 
         Each state starts cold, as after reset(): a result depends neither on the other states nor on the number of threads. The
         previous result of evaluate() stays as it is.
 
         y, yaw, ...: as in evaluate(). Numbers, or arrays (n,), all with the same n; rail_lateral_force (2,) or (n, 2);
-            rail_displacement (2, 3) or (n, 2, 3)
+            rail_displacement and rail_velocity (2, 3) or (n, 2, 3); in twist numbers or (n,)
         threads: number of threads, 1 to 1024; default: that of the processor cores
         results: True keeps the WheelsetResult of each state, with the pressures, in `results`
 

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """States for the core, from the arguments of evaluate() and evaluate_many()."""
+from collections.abc import Mapping
+
 import numpy as np
 
 from .extension import core
 
 ONE, MANY = False, True
-SHAPES = {"rail_lateral_force": (2,), "rail_displacement": (2, 3)}  # of one state; all others are numbers
+# of one state; all others are numbers
+SHAPES = {"rail_lateral_force": (2,), "rail_displacement": (2, 3), "rail_velocity": (2, 3)}
+VELOCITIES = ("speed", "lateral_velocity", "vertical_velocity", "yaw_rate", "roll_rate", "rotation")  # of a twist
 COLUMNS = {name: [i for i, column in enumerate(core.STATE_COLUMNS) if column == name] for name in core.STATE_COLUMNS}
 
 
@@ -21,6 +25,7 @@ def table(model, arguments, many):
     _check_given(model, arguments)
     if arguments["distance"] is None:
         arguments["distance"] = arguments["x"]
+    arguments.update(_velocities(model, arguments.pop("twist")))
     arrays = {name: _array(name, value, many) for name, value in arguments.items() if value is not None}
     lengths = {name: len(array) for name, array in arrays.items() if array.ndim > len(SHAPES.get(name, ()))}
     states = np.zeros((_common(lengths), len(core.STATE_COLUMNS)))
@@ -32,7 +37,8 @@ def table(model, arguments, many):
 def _check_given(model, arguments):
     needed = [("rail_displacement", model.requires_displacement, "track/displacement is topic"),
               ("distance", model.requires_distance, "track/distance is topic"),
-              ("rail_lateral_force", model.takes_lateral_forces, "rail_bending/lateral_force is topic")]
+              ("rail_lateral_force", model.takes_lateral_forces, "rail_bending/lateral_force is topic"),
+              ("twist", model.takes_twist, "creep/method is not none")]
     needed += [("force_z", True, "height and roll are solved from the load: wheelset/free is [z, roll]")
                if model.solves_height_and_roll else ("z", True, "height and roll are given: wheelset/free is []")]
     for name, required, reason in needed:
@@ -48,8 +54,27 @@ def unused(model):
     omit = "must be omitted, because it would not be used; set"
     remedies = {"rail_lateral_force": (model.takes_lateral_forces, "rail_bending/lateral_force to topic, and "
                                        "rail_bending/model to compliance"),
-                "distance": (model.takes_distance, "track/line, sections of a rail, or track/distance to topic")}
+                "distance": (model.takes_distance, "track/line, sections of a rail, or track/distance to topic"),
+                "twist": (model.takes_twist, "creep/method"), "rail_velocity": (model.takes_twist, "creep/method")}
     return {name: f"{omit} {remedy}" for name, (is_used, remedy) in remedies.items() if not is_used}
+
+
+def _velocities(model, twist):
+    """Velocities of a twist by name; empty without it."""
+    if twist is None:
+        return {}
+    names = ", ".join(VELOCITIES)
+    if not isinstance(twist, Mapping):
+        raise TypeError(f"twist = {twist!r}: must be a dict of velocities, with some of the names {names}")
+    given = {name: value for name, value in twist.items() if value is not None}
+    for name in given:
+        if name not in VELOCITIES:
+            raise TypeError(f"twist: {name!r} is unknown; valid names are {names}")
+    for name, required, reason in (("speed", True, "creep/method is not none"),
+                                   ("rotation", model.requires_rotation, "creep/rotation is topic")):
+        if required and name not in given:
+            raise TypeError(f"twist: {name} is missing: it is required, because {reason}")
+    return {"vertical_velocity": np.nan, **given}  # not a number: the wheel follows the rail
 
 
 def _array(name, value, many):
