@@ -186,6 +186,10 @@ PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
   {
     contents.legend.push_back({scene_colors::force(), "normal force"});
   }
+  if (options.friction && output_->result && output_->result->speed != 0)
+  {
+    contents.legend.push_back({scene_colors::friction(), "friction on the rail"});
+  }
   if (model() && options.wheels)
   {
     contents.legend.push_back({scene_colors::wheelSection(), "wheel section"});

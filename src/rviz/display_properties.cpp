@@ -88,8 +88,11 @@ void DisplayProperties::makePatchProperties(Property* parent)
                           stress_);
   outlines_ = new BoolProperty("Outline", true, "Edge of each contact", parent);
   forces_ = new BoolProperty("Forces", true, "Normal force of the wheel on the rail, from each patch", parent);
-  force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of the arrows [mm/kN]", forces_);
+  force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of the arrows, also of the friction [mm/kN]", forces_);
   arrow_width_ = makeFloat("Width", 0.014F, 1e-6F, 1, "Diameter of the shafts of the arrows [m]", forces_);
+  friction_ = new BoolProperty(
+      "Friction", true,
+      "Friction of the wheel on the rail, from each patch in its tangent plane; only with creep forces", parent);
 }
 
 void DisplayProperties::makeTrackProperties(Property* parent)
@@ -127,7 +130,7 @@ void DisplayProperties::onChange(const std::function<void()>& changed)
 {
   for (Property* property :
        std::initializer_list<Property*>{side_, follow_, follow_contact_, line_width_, patches_, stress_, outlines_,
-                                        forces_, wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
+                                        forces_, friction_, wheels_, rails_, rails_at_rest_, trail_, labels_, panel_})
   {
     connectBelow(property, changed);
   }
@@ -182,6 +185,7 @@ SceneOptions DisplayProperties::options() const
   options.stress = stress_->getBool();
   options.outlines = outlines_->getBool();
   options.forces = forces_->getBool();
+  options.friction = friction_->getBool();
   options.labels = labels_->getBool();
   options.wheels = wheels_->getBool();
   options.rails = rails_->getBool();

@@ -60,7 +60,7 @@ class DisplayProperties
   rviz::FloatProperty *size_, *height_, *lift_, *max_pressure_;
   rviz::BoolProperty* stress_;
   rviz::FloatProperty* max_stress_;
-  rviz::BoolProperty* forces_;
+  rviz::BoolProperty *forces_, *friction_;
   rviz::FloatProperty *force_length_, *arrow_width_;
   rviz::BoolProperty *wheels_, *wheel_cut_;
   rviz::FloatProperty *wheel_sweep_, *wheel_alpha_;

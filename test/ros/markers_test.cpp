@@ -191,6 +191,18 @@ TEST_F(Picture, ForceArrowPointsIntoTheRailAndHasTheLengthOfTheForce)
   EXPECT_GT(head.y, tail.y) << "on the left rail the force on the tread points outward";
 }
 
+TEST_F(Picture, FrictionOnTheRailIsAnArrowInTheTangentPlane)
+{
+  EXPECT_THROW(findMarker(draw(), "friction", 0), std::out_of_range);
+  result.patches[0].creep.force = {3e3, -4e3, 5};  // on the wheel
+  const double angle = result.patches[0].pose.angle, scale = config.markers.force_scale;
+  const MarkerArray markers = draw();
+  const auto &tail = findMarker(markers, "friction", 0).points[0], &head = findMarker(markers, "friction", 0).points[1];
+  const Eigen::Vector3d arrow(head.x - tail.x, head.y - tail.y, head.z - tail.z);
+  EXPECT_LT((arrow - scale * Eigen::Vector3d(-3e3, 4e3 * std::cos(angle), 4e3 * std::sin(angle))).norm(), 1e-12);
+  EXPECT_EQ(tail, findMarker(markers, "force", 0).points[0]);
+}
+
 TEST_F(Picture, LabelGivesPressureAndArea)
 {
   EXPECT_EQ(findMarker(draw(), "label", 0).text, "982 MPa\n192 mm²");
@@ -254,9 +266,11 @@ TEST_F(Picture, PartsCanBeSwitchedOff)
   NodeConfig plain = config;
   plain.markers.zoom = 0;
   plain.markers.force_scale = 0;
+  result.patches[0].creep.force = {3e3, -4e3, 5};
   for (const Marker& marker : draw(plain).markers)
   {
-    EXPECT_TRUE(marker.ns != "zoom" && marker.ns != "zoom_line" && marker.ns != "force") << marker.ns;
+    EXPECT_TRUE(marker.ns != "zoom" && marker.ns != "zoom_line" && marker.ns != "force" && marker.ns != "friction")
+        << marker.ns;
   }
 }
 

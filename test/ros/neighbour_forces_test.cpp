@@ -54,7 +54,8 @@ TEST(NeighbourForces, ResultIsReadWithoutItsPatches)
   message.left_rail.lateral_force = 1e3;
   message.right_rail.moment = 2e3;
   std::vector<std::uint8_t> bytes = bytesOf(message);
-  const std::size_t patches = bytes.size() - sizeof(message.solve_time) - sizeof(std::uint32_t);
+  const std::size_t patches = bytes.size() - bytesOf(message.derivatives).size() - sizeof(message.solve_time) -
+                              sizeof(message.implausible_force) - sizeof(std::uint32_t);
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(patches), sizeof(std::uint32_t), 0xff);
 
   ResultHead result;

@@ -88,6 +88,19 @@ TEST_F(ResultText, OnlyAPatchWithStressesHasALineForThem)
   EXPECT_EQ(lineWith("von Mises").text, "    von Mises stress: wheel 612 MPa 2.9 mm deep, rail 599 MPa 3.1 mm deep");
 }
 
+TEST_F(ResultText, OnlyARollingWheelHasLinesForItsFriction)
+{
+  EXPECT_EQ(lineWith("friction").text, "none");
+  result.speed = -20;
+  result.wheel.left = {101e3, 8.1e3, 120, -2.9e3};
+  result.patches[0].creep.creepage = {1e-4, -2e-3, -0.077};
+  result.patches[0].creep.force = {-12, 24.6e3, -3};
+  result.patches[0].creep.adhesion_share = 0.83;
+  EXPECT_EQ(lineWith("of these").text, "  of these by friction: Q +0.1 kN, Y -2.9 kN");
+  EXPECT_EQ(lineWith("spin").text,
+            "    83 % of adhesion, creepage +0.10, -2.00 mm/m, spin -0.08 1/m, -0.0, +24.6 kN on the wheel");
+}
+
 TEST_F(ResultText, WheelWithoutLoadIsAWarning)
 {
   output.status = WheelsetContact::LIFT_OFF;

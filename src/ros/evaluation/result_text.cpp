@@ -65,6 +65,19 @@ std::string patchLine(const core::PatchResult& patch)
                    patch.normal_force / 1e3, patch.contact_angle / core::degree, std::string(patch.method).c_str());
 }
 
+std::string frictionLine(const core::WheelForces& wheel)
+{
+  return formatted("  of these by friction: Q %+.1f kN, Y %+.1f kN", wheel.friction_vertical / 1e3,
+                   wheel.friction_lateral / 1e3);
+}
+
+std::string creepLine(const core::PatchCreep& creep)
+{
+  return formatted("    %.0f %% of adhesion, creepage %+.2f, %+.2f mm/m, spin %+.2f 1/m, %+.1f, %+.1f kN on the wheel",
+                   100 * creep.adhesion_share, 1e3 * creep.creepage.x, 1e3 * creep.creepage.y, creep.creepage.spin,
+                   creep.force.x / 1e3, creep.force.y / 1e3);
+}
+
 std::string peakText(const core::StressPeak& peak)
 {
   return formatted("%.0f MPa %.1f mm deep", peak.value / 1e6, 1e3 * peak.depth);
@@ -113,6 +126,10 @@ void addWheelLines(const core::WheelsetResult& result, core::Side side, std::vec
         patches.begin(), patches.end(), [](const auto* a, const auto* b) { return a->max_pressure < b->max_pressure; });
     lines.push_back({formatted("%-5s wheel: Q %.1f kN, Y %+.1f kN, highest pressure %s", nameOf(side),
                                forces.vertical / 1e3, forces.lateral / 1e3, pressureText(**highest).c_str())});
+    if (result.speed != 0)
+    {
+      lines.push_back({frictionLine(forces)});
+    }
   }
   const core::RailDeflection& rail = result.rail[side].deflection;
   if (isDisplaced(rail))
@@ -122,6 +139,10 @@ void addWheelLines(const core::WheelsetResult& result, core::Side side, std::vec
   for (const core::PatchResult* patch : patches)
   {
     lines.push_back({patchLine(*patch)});
+    if (result.speed != 0)
+    {
+      lines.push_back({creepLine(patch->creep)});
+    }
     if (hasStress(*patch))
     {
       lines.push_back({stressLine(*patch)});

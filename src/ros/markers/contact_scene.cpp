@@ -2,6 +2,7 @@
 #include "ros/markers/contact_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "ros/evaluation/result_text.h"
@@ -70,6 +71,12 @@ void addPatch(const PatchPicture& picture, const SceneOptions& options, const st
   if (options.forces && options.patch.force_scale * picture.patch->normal_force > 0)
   {
     markers.markers.push_back(forceArrow(picture, options.patch, header));
+  }
+  const core::CreepForce& friction = picture.patch->creep.force;
+  if (options.friction && options.patch.force_scale * std::hypot(friction.x, friction.y) > 0)
+  {
+    const bool covered = options.patches && options.patch.zoom > 0 && options.patch.lift == 0;
+    markers.markers.push_back(frictionArrow(picture, options.patch, covered, header));
   }
   if (options.labels)
   {

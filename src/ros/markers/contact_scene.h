@@ -22,6 +22,7 @@ struct SceneOptions
   bool patches = true;        ///< pressure surfaces, magnified and in true size
   bool outlines = true;       ///< edges of the contacts
   bool forces = true;         ///< normal forces as arrows
+  bool friction = true;       ///< friction as arrows, if there is any
   bool labels = true;         ///< highest pressure and area; highest stress and depth
   bool stress = true;         ///< sections of von Mises stress of patches with a stress field (stress_section.h)
   double max_stress = 1e9;    ///< von Mises stress at the upper end of its colour scale [Pa], > 0

@@ -101,6 +101,24 @@ void addOutline(const PressureSurface& surface, double zoom, const Eigen::Isomet
     marker.points.push_back(toPoint(to_track * Vector3d(zoom * p.x, zoom * p.y, 0)));
   }
 }
+/// Height of the magnified surface of a patch [m].
+double pressureHeight(const PatchPicture& picture, const PatchStyle& style)
+{
+  return style.pressure_height * std::min(picture.patch->max_pressure / style.max_pressure, 1.0);
+}
+
+/// The marker as an arrow of a force [N], from a point [m]; both in the patch frame.
+Marker arrowOf(const Vector3d& force, const Vector3d& from, const PatchPicture& picture, const PatchStyle& style,
+               Marker marker)
+{
+  const double head = head_ratio * style.arrow_width;
+  const Vector3d arrow = style.force_scale * force;
+  marker.points = {toPoint(picture.to_track * from), toPoint(picture.to_track * Vector3d(from + arrow))};
+  marker.scale.x = style.arrow_width;
+  marker.scale.y = head;
+  marker.scale.z = std::min(head, 0.5 * arrow.norm());
+  return marker;
+}
 }  // namespace
 
 std::vector<PatchPicture> arrangePatches(const core::WheelsetResult& result, core::Side side, double x,
@@ -162,14 +180,17 @@ Marker zoomLine(const PatchPicture& picture, const PatchStyle& style, const std_
 
 Marker forceArrow(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
 {
-  Marker marker = makeMarker(header, "force", picture.id, Marker::ARROW, scene_colors::force());
-  const double length = style.force_scale * picture.patch->normal_force;
-  const double head = head_ratio * style.arrow_width;
-  marker.points = {toPoint(picture.to_track.translation()), toPoint(picture.to_track * Vector3d(0, 0, -length))};
-  marker.scale.x = style.arrow_width;
-  marker.scale.y = head;
-  marker.scale.z = std::min(head, 0.5 * length);
-  return marker;
+  return arrowOf({0, 0, -picture.patch->normal_force}, Vector3d::Zero(), picture, style,
+                 makeMarker(header, "force", picture.id, Marker::ARROW, scene_colors::force()));
+}
+
+Marker frictionArrow(const PatchPicture& picture, const PatchStyle& style, bool above_surface,
+                     const std_msgs::Header& header)
+{
+  const core::CreepForce& on_wheel = picture.patch->creep.force;
+  const Vector3d from(0, 0, above_surface ? pressureHeight(picture, style) + style.arrow_width : 0);
+  return arrowOf({-on_wheel.x, -on_wheel.y, 0}, from, picture, style,
+                 makeMarker(header, "friction", picture.id, Marker::ARROW, scene_colors::friction()));
 }
 
 Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
@@ -179,8 +200,7 @@ Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const st
                 picture.patch->max_pressure > style.max_pressure ? ", above scale" : "", picture.patch->area * 1e6);
   const double half_width = 0.5 * zoomedWidth(*picture.patch, style.zoom);
   const double edge_height = half_width * std::abs(picture.zoom_turn(2, 1));
-  const double share = std::min(picture.patch->max_pressure / style.max_pressure, 1.0);
-  const Vector3d above(0, 0, style.pressure_height * share + edge_height + 2.2 * style.letter_height);
+  const Vector3d above(0, 0, pressureHeight(picture, style) + edge_height + 2.2 * style.letter_height);
   return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, text,
                   scene_colors::text());
 }

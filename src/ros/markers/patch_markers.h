@@ -61,6 +61,10 @@ visualization_msgs::Marker zoomLine(const PatchPicture& picture, const PatchStyl
 /// Normal force of the wheel on the rail, as an arrow from the patch into the rail: "force".
 visualization_msgs::Marker forceArrow(const PatchPicture& picture, const PatchStyle& style,
                                       const std_msgs::Header& header);
+/// Friction of the wheel on the rail, as an arrow from the patch in its tangent plane: "friction".
+/// @param above_surface true: above the surface of the pressure, which would hide it
+visualization_msgs::Marker frictionArrow(const PatchPicture& picture, const PatchStyle& style, bool above_surface,
+                                         const std_msgs::Header& header);
 /// Highest pressure, a note if it is above the scale, and area above the magnified patch: "label".
 visualization_msgs::Marker patchLabel(const PatchPicture& picture, const PatchStyle& style,
                                       const std_msgs::Header& header);

@@ -40,6 +40,11 @@ inline std_msgs::ColorRGBA force()
 {
   return makeColor(0.90, 0.30, 0.20);
 }
+/// Friction of a wheel on its rail.
+inline std_msgs::ColorRGBA friction()
+{
+  return makeColor(0.35, 0.55, 1.0);
+}
 /// Section of a rail at rest.
 inline std_msgs::ColorRGBA railAtRest()
 {
