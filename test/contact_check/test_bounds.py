@@ -4,7 +4,7 @@ import unittest
 
 import genpy
 from wheel_rail_contact.checking.bounds import BadParameter, check_names, read_limits, violation
-from wheel_rail_contact.msg import ContactPatch, WheelsetContact
+from wheel_rail_contact.msg import ContactPatch, PatchCreep, WheelsetContact
 
 
 def result(status=WheelsetContact.OK, seconds=1, **quantities):
@@ -69,6 +69,10 @@ class Bounds(unittest.TestCase):
             text = violations({"bounds": {name: {"min": 0.5}}}, [result(**{name: 0.25}), result(**{name: 0.75})])[name]
             self.assertIn(f"{name} 0.25 {unit} is below 0.5 {unit} at 1.000 s", text)
             self.assertIn("1 of 2 patches", text)
+        creep = [result(creep=PatchCreep(adhesion_share=0.9, power=3e3))]
+        found = violations({"bounds": {"adhesion_share": {"max": 0.8}, "friction_power": {"max": 4e3}}}, creep)
+        self.assertIn("adhesion_share 0.9 - is above 0.8 -", found.pop("adhesion_share"))
+        self.assertEqual(found, {})
 
     def test_refusals_and_lift_offs_are_counted_separately(self):
         results = [result(), result(WheelsetContact.OFF_PROFILE), result(WheelsetContact.LIFT_OFF)]

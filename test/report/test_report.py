@@ -15,8 +15,9 @@ import numpy as np
 import rosbag
 from matplotlib import image
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
-from wheel_rail_contact.report import drawing, positions
+from wheel_rail_contact.report import drawing, histories, positions
 from wheel_rail_contact.report.command_line import main
+from wheel_rail_contact.report.page import extremes
 from wheel_rail_contact.report.results import per_result, read, read_full
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
@@ -151,8 +152,27 @@ class Report(SweepCase):
             self.assertEqual(highest[index], max(p.max_pressure for p in patches))
             self.assertAlmostEqual(area[index], sum(p.area for p in patches), delta=1e-18)
             self.assertEqual(results.rail[index][1][3], message.right_rail.lateral_force)
-            self.assertEqual(results.wheel[index][1].tolist(), [message.right_wheel.lateral_force,
-                                                                message.right_wheel.vertical_force])
+            self.assertEqual(results.wheel[index][1].tolist()[:2], [message.right_wheel.lateral_force,
+                                                                    message.right_wheel.vertical_force])
+
+    def test_friction_is_shown_only_if_there_is_any(self):
+        path = self.folder / "friction.bag"
+        with rosbag.Bag(str(self.rigid)) as old, rosbag.Bag(str(path), "w") as new:
+            for topic, message, time in old.read_messages():
+                message.right_wheel.friction_lateral_force = -4321.0
+                for patch in message.patches:
+                    patch.creep.adhesion_share, patch.creep.power = 0.25 + 0.5 * patch.side, 3e3
+                new.write(topic, message, time)
+        for bag, is_shown in ((path, True), (self.rigid, False)):
+            results, _ = read(bag)
+            _, left_out = histories.histories(results, None, self.folder / "friction.png")
+            values = {row[0]: row[1] for row in extremes(results)}
+            self.assertEqual([values.get(name) for name in ("Y by friction of the wheel [kN], right",
+                                                            "adhesion_share [-], right", "power of friction [kW], left")],
+                             ["-4.3", "0.75", "3.00"] if is_shown else [None] * 3)
+            labels = [row.label.split("\n", maxsplit=1)[0] for row in histories._rows(results) if row.lines]
+            self.assertEqual("friction power" in labels, is_shown)
+            self.assertNotIn("friction", "".join(left_out))
 
     def test_long_histories_keep_their_peaks(self):
         x = np.arange(100000.0)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bounds for the results of a contact node, read from parameters, and their violations. Does not depend on a ROS node."""
 import math
+import operator
 from dataclasses import dataclass, field
 
 from ..message_constants import SIDES, STATUSES, USABLE
@@ -18,7 +19,10 @@ QUANTITIES = {  # of each patch -> unit
     "semi_axis_across": "m",
     "rolling_radius": "m",
     "normal_stiffness": "N/m",
+    "adhesion_share": "-",
+    "friction_power": "W",
 }
+OF_CREEP = {"adhesion_share": "creep.adhesion_share", "friction_power": "creep.power"}  # -> place in the message of a patch
 
 
 class BadParameter(ValueError):
@@ -151,7 +155,8 @@ def _too_many(kind, allowed, results):
 
 
 def _outside(quantity, is_inside, low, high, results, prefix):
-    patches = [(getattr(p, quantity), r, p) for r in results if not r.held for p in r.patches]
+    value_of = operator.attrgetter(OF_CREEP.get(quantity, quantity))
+    patches = [(value_of(p), r, p) for r in results if not r.held for p in r.patches]
     if quantity == "normal_stiffness":  # not a number where no such stiffness exists, see ContactPatch
         patches = [entry for entry in patches if not math.isnan(entry[0])]
     outside = [entry for entry in patches if not is_inside(entry[0])]

@@ -14,13 +14,13 @@ NAME = "contact_check"
 
 
 def collect(limits, topic="contact"):
-    """Results received until none has been received for limits.idle seconds. Their pressure grids are removed."""
+    """Results received until none has been received for limits.idle seconds. Their grids are removed."""
     results = []
     last = [time.monotonic()]
 
     def receive(result):
         for patch in result.patches:
-            patch.grid.pressure = ()
+            patch.grid.pressure = patch.creep.traction_x = patch.creep.traction_y = ()
         results.append(result)
         last[0] = time.monotonic()
 

@@ -9,7 +9,7 @@ from ..message_constants import SIDES, USABLE
 from . import marks
 from .drawing import COLOURS, MAX_POINTS, draw_history, is_zero, limit_zoom, save
 from .loops import loops
-from .results import RAIL_FIELDS, WHEEL_FIELDS, main_patch, of_patches, per_result
+from .results import RAIL_FIELDS, WHEEL_FIELDS, has_friction, main_patch, of_patches, per_result
 
 FAR = 1e6      # [s] stamps beyond it, as times of day are, are drawn as differences from a whole second
 SHARE = 0.01   # [-] of the largest force: a lateral force that bends the rail is given if it differs by more from that of the
@@ -62,11 +62,20 @@ def _given_forces(results):
     return _by_side(given.T, 1e-3) if differ else []
 
 
+def _friction(results):
+    """Pictures of the friction; without lines if there is none, so that they are not named as zero."""
+    rows = [Row("Y by friction [kN],\noutward", _wheel(results, "friction_lateral_force", 1e-3), [], ZOOM),
+            Row("largest adhesion\nshare [-]", _reduced(results, "creep.adhesion_share", 1, "max"), [], ZOOM),
+            Row("friction power\n[kW]", _reduced(results, "creep.power", 1e-3, "sum"), [], ZOOM)]
+    return rows if has_friction(results) else [row._replace(lines=[]) for row in rows]
+
+
 def _rows(results):
     return [Row("y [mm]", [(1e3 * results.y, None, "k")], [], ZOOM),
             Row("yaw [mrad]", [(1e3 * results.yaw, None, "k")], [], ZOOM),
             Row("Q [kN]", _wheel(results, "vertical_force", 1e-3), [], ZOOM),
             Row("Y [kN], outward", _wheel(results, "lateral_force", 1e-3), [], ZOOM),
+            *_friction(results),
             Row("given Y on the rail\n[kN], outward", _given_forces(results), [], ZOOM),
             Row("rail lateral [mm],\noutward", _rail(results, "lateral", 1e3), [], ZOOM),
             Row("rail roll [mrad],\noutward", _rail(results, "roll", 1e3), [], ZOOM),

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..message_constants import SIDES, STATUSES, USABLE
 from .loops import loop_of, loops
-from .results import WHEEL_FIELDS
+from .results import WHEEL_FIELDS, has_friction
 
 MOST_LOOPS = 50  # largest number of loops that are listed
 
@@ -46,7 +46,12 @@ def _quantities(results, side):
         values = results.patches[f"{body}_stress.von_mises.value"]
         if values.any():  # otherwise not computed
             yield f"von Mises stress in the {body} [MPa]", values[chosen], of_patch, 1e-6, 0
-    for name, symbol in (("vertical_force", "Q"), ("lateral_force", "Y")):
+    forces = [("vertical_force", "Q"), ("lateral_force", "Y")]
+    if has_friction(results):
+        forces.append(("friction_lateral_force", "Y by friction"))
+        yield "adhesion_share [-]", results.patches["creep.adhesion_share"][chosen], of_patch, 1, 2
+        yield "power of friction [kW]", results.patches["creep.power"][chosen], of_patch, 1e-3, 2
+    for name, symbol in forces:
         known = np.flatnonzero(np.isfinite(results.wheel[:, side, 0]))
         yield f"{symbol} of the wheel [kN]", results.wheel[known, side, WHEEL_FIELDS.index(name)], known, 1e-3, 1
 

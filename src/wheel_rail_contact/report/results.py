@@ -39,11 +39,11 @@ class Results:
 FAR_BELOW = -0.1  # [m] height below all pictures
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
                 "semi_axis_along", "semi_axis_across", "rolling_radius", "wheel_s", "rail_s", "wheel_stress.von_mises.value",
-                "rail_stress.von_mises.value")
+                "rail_stress.von_mises.value", "creep.adhesion_share", "creep.power")
 OF_PATCH = operator.attrgetter(*PATCH_FIELDS)
 OUTLINES = {"rail": "rail_outline", "wheel": "wheel_outline", "reference": "rail_reference"}  # -> end of the header's field
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "given_lateral", "given_vertical")
-WHEEL_FIELDS = ("lateral_force", "vertical_force")
+WHEEL_FIELDS = ("lateral_force", "vertical_force", "friction_lateral_force")
 
 
 def _message(raw):
@@ -136,6 +136,11 @@ def rail_outline(results, side, distance):
     nearest = places[np.argmin(np.abs(places - distance))]
     parts = sorted((outline for x, outline in results.sections[side] if x == nearest), key=lambda part: part[:, 0].mean())
     return np.vstack([np.vstack([(part[0, 0], FAR_BELOW), part, (part[-1, 0], FAR_BELOW)]) for part in parts])
+
+
+def has_friction(results):
+    """True if there are creep forces."""
+    return bool(results.patches["creep.power"].any())
 
 
 def per_result(values, results, index, reduce):
