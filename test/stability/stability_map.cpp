@@ -12,8 +12,8 @@ std::string digits(double value)
 
 const std::vector<MapTable>& stabilityMaps()
 {
-  static const std::vector<MapTable> maps{wheelsetMap(), sweepMap(),     conformalMap(), shapeMap(),
-                                          aspectMap(),   iterationMap(), fewCellsMap(),  boxMap()};
+  static const std::vector<MapTable> maps{wheelsetMap(),  sweepMap(),    conformalMap(), shapeMap(),   aspectMap(),
+                                          iterationMap(), fewCellsMap(), boxMap(),       frictionMap()};
   return maps;
 }
 }  // namespace wheel_rail_contact::core::stability

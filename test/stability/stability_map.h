@@ -45,6 +45,8 @@ MapTable iterationMap();
 MapTable fewCellsMap();
 /// Grids smaller and larger than the contact.
 MapTable boxMap();
+/// Methods for creep forces, against the complete theory on the same cells.
+MapTable frictionMap();
 
 /// All of them. They are computed in the first call, which takes about ten seconds.
 const std::vector<MapTable>& stabilityMaps();
