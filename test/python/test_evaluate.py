@@ -24,7 +24,10 @@ PATCH_FIELDS = ("method", "contact_angle", "normal_force", "approach", "area", "
                 "residual", "half_space_ratio", "model_error", "vertical_force", "lateral_force", "semi_axis_along",
                 "semi_axis_across", "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "moment", "given_lateral", "given_vertical",
-               "given_roll")
+               "given_roll", "lateral_slope", "vertical_slope")
+WHEEL_FIELDS = ("vertical_force", "lateral_force", "friction_vertical_force", "friction_lateral_force")
+CREEP_FIELDS = ("creepage_x", "creepage_y", "spin", "force_x", "force_y", "moment", "vertical_force", "lateral_force",
+                "adhesion_share", "power", "error_estimate")
 ROUNDING = 1e-7  # of numbers in messages, relative: the pressures are float32, poses are quaternions
 
 
@@ -56,6 +59,11 @@ class EvaluateEqualsReplay(unittest.TestCase):
         self.assert_close(patch.x, grid.x0 + grid.dx * np.arange(grid.nx), "x")
         self.assert_close(patch.y, grid.y0 + grid.dy * np.arange(grid.ny), "y")
         self.assert_equal_pose(patch.pose, message.pose)
+        for name in CREEP_FIELDS:
+            self.assert_close(getattr(patch.creep, name), getattr(message.creep, name), name)
+        for name in ("traction_x", "traction_y") if message.creep.traction_x else ():
+            expected = np.reshape(getattr(message.creep, name), (grid.ny, grid.nx)).T
+            self.assert_close(getattr(patch.creep, name), expected, name)
 
     def assert_equal_pose(self, pose, message):
         for name, axes in (("position", "xyz"), ("orientation", "xyzw")):
@@ -66,7 +74,8 @@ class EvaluateEqualsReplay(unittest.TestCase):
     def assert_equal_result(self, result, message):
         self.assertEqual(result.status, STATUSES[message.status])
         self.assertEqual((result.status_text, result.held), (message.status_text, message.held))
-        self.assert_close(result.distance, message.distance, "distance")
+        for name in ("distance", "speed", "rotation"):
+            self.assert_close(getattr(result, name), getattr(message, name), name)
         self.assert_equal_pose(result.wheelset, message.wheelset)
         orientation = message.wheelset.orientation
         self.assertAlmostEqual(result.wheelset.roll, 2 * math.atan2(orientation.x, orientation.w), delta=1e-10)  # [rad]
@@ -75,8 +84,8 @@ class EvaluateEqualsReplay(unittest.TestCase):
             expected_rail, expected_wheel = getattr(message, f"{side}_rail"), getattr(message, f"{side}_wheel")
             for name in RAIL_FIELDS:
                 self.assert_close(getattr(rail, name), getattr(expected_rail, name), name)
-            self.assert_close([wheel.vertical_force, wheel.lateral_force],
-                              [expected_wheel.vertical_force, expected_wheel.lateral_force], "wheel")
+            for name in WHEEL_FIELDS:
+                self.assert_close(getattr(wheel, name), getattr(expected_wheel, name), name)
         for name in ("force", "torque"):
             expected = getattr(message.rail_wrench, name)
             self.assert_close(getattr(result.rail_wrench, name), [expected.x, expected.y, expected.z], name)
@@ -96,6 +105,18 @@ class EvaluateEqualsReplay(unittest.TestCase):
         for state, message in zip(states, messages):
             result = contact.evaluate(y=state.y, force_z=state.force_z, torque_x=state.torque_x)
             self.assert_equal_result(result, message)
+
+    def test_velocities_and_friction_are_the_same(self):
+        pose = {"y": 2e-3, "z": 0.4597}
+        twist = {"speed": 20.0, "lateral_velocity": 0.02, "vertical_velocity": 0.01, "roll_rate": 0.1, "yaw_rate": 0.04,
+                 "rotation": 43.4}
+        config = {"creep": {"method": "exact", "field": True, "rotation": "topic"}, "track": {"displacement": "topic"},
+                  "wheelset": {"free": []}}
+        message, = replayed([State(1_000_000_000, **pose, force_z=LOAD, **twist, left_rail_lateral_velocity=0.03)], config)
+        result = WheelsetContact(config).evaluate(**pose, twist=twist, rail_displacement=np.zeros((2, 3)),
+                                                  rail_velocity=[[0.03, 0, 0], [0, 0, 0]])
+        self.assert_equal_result(result, message)
+        self.assertTrue(message.patches[0].creep.traction_x)
 
     def test_yaw_has_the_same_sense(self):
         message, = replayed([State(1_000_000_000, x=12.5, y=5e-3, yaw=0.02, force_z=LOAD)], {})

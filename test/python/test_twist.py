@@ -49,21 +49,6 @@ class Friction(unittest.TestCase):
             self.assertEqual([*many.adhesion_share[i]], [patch.creep.adhesion_share for patch in one.patches])
             self.assertEqual([*many.friction_power[i]], [patch.creep.power for patch in one.patches])
 
-    def test_each_velocity_has_its_place(self):
-        # All by the velocity of the wheel at the contact; the left one is at y = 0.75 m, z = -0.46 m from the axle centre.
-        contact = WheelsetContact([{"creep": {"method": "linear", "rotation": "topic"}, "wheelset": {"free": []}}])
-        pose = {"z": 0.4597}
-        at_rest = {"speed": SPEED, "rotation": SPEED / 0.46, "vertical_velocity": 0.0}
-        start = left(contact.evaluate(**pose, twist=at_rest)).creep
-        for name, value, x, y in (("lateral_velocity", 0.1, 0, 0.1), ("yaw_rate", 0.1, -0.075, 0),
-                                  ("roll_rate", 0.1, 0, 0.046), ("rotation", at_rest["rotation"] + 1, -0.46, 0)):
-            with self.subTest(name=name):
-                creep = left(contact.evaluate(**pose, twist={**at_rest, name: value})).creep
-                np.testing.assert_allclose([creep.creepage_x - start.creepage_x, creep.creepage_y - start.creepage_y],
-                                           [x / SPEED, y / SPEED], rtol=0.02, atol=5e-4)
-        moved = left(contact.evaluate(**pose, twist=at_rest, rail_velocity=[[0.1, 0, 0], [0, 0, 0]])).creep
-        np.testing.assert_allclose(moved.creepage_y - start.creepage_y, -0.1 / SPEED, rtol=0.01)
-
     def test_misuse_is_refused_by_name(self):
         free, given = WheelsetContact(EXACT), WheelsetContact({"creep": {"method": "linear", "rotation": "topic"}})
         for contact, arguments, error, text in (
