@@ -50,11 +50,10 @@ void validate(const ContactModelConfig& config)
   validate(config.stress);
   validate(config.rail_bending);
   validate(config.creep);
-  const bool changes = config.track.line || config.rail_sections.left || config.rail_sections.right;
-  if (config.creep.method != CreepMethod::none && changes)
+  if (config.creep.method != CreepMethod::none && (config.rail_sections.left || config.rail_sections.right))
   {
     throw std::invalid_argument("creep/method = " + std::string(toString(config.creep.method)) +
-                                ": friction is for straight rails, without track/line and sections");
+                                ": friction is for rails without sections");
   }
 }
 }  // namespace wheel_rail_contact::core

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/constants.h"
+#include "core/track/rail_along.h"
 #include "core/track/root_bracket.h"
 #include "wheel_rail_contact/core/sides.h"
 
@@ -19,6 +20,7 @@ using Eigen::Vector3d;
 constexpr double least_speed = 0.01;        ///< below it there are no creep forces [m/s]
 constexpr double narrow_range = 1e-4;       ///< of the free rotation about the last one, at first [-]
 constexpr double largest_step = 1;          ///< of an extrapolation, over the friction [-]
+constexpr double half_station = 1e-3;       ///< for the direction of a rail on a line [m]
 constexpr double rotation_accuracy = 1e-6;  ///< of the free rotation, which is that of the longitudinal creepage [-]
 
 /// Direction of the tangent plane across the track, and its normal.
@@ -39,13 +41,32 @@ Wrench onWheelset(const ContactPlace& place, const CreepForce& friction)
   return {force, place.position.cross(force) + friction.moment * normal(place.angle)};
 }
 
-/// Sets the velocity of a rail head at a contact.
-void addRailVelocity(const RailVelocity& velocity, const PatchResult& patch, const PlanePoint& head,
-                     ContactPlace& place)
+/// Movement of a rail at a contact, y left and z up, for a movement of its head.
+Eigen::Vector2d movementAt(const PatchResult& patch, const PlanePoint& head, const RailVelocity& of_head)
 {
   const double sign = sideSign(patch.side);
-  place.rail_velocity_y = sign * (velocity.lateral + velocity.roll * (patch.pose.z - head.z));
-  place.rail_velocity_z = velocity.vertical - velocity.roll * (sign * patch.pose.y - head.y);
+  return {sign * (of_head.lateral + of_head.roll * (patch.pose.z - head.z)),
+          of_head.vertical - of_head.roll * (sign * patch.pose.y - head.y)};
+}
+
+/// Movement of each rail head per distance along the track.
+Sides<RailVelocity> directionsAt(const TrackLine* line, double distance, const Sides<PlanePoint>& heads)
+{
+  if (line == nullptr)
+  {
+    return {};
+  }
+  const double begin = std::max(line->begin(), distance - half_station),
+               end = std::min(line->end(), distance + half_station);
+  const Sides<RailDeflection> from = displacementsAt(line->at(begin), heads),
+                              to = displacementsAt(line->at(end), heads);
+  return Sides<RailVelocity>(
+      [&](Side side)
+      {
+        return RailVelocity{(to[side].lateral - from[side].lateral) / (end - begin),
+                            (to[side].vertical - from[side].vertical) / (end - begin),
+                            (to[side].roll - from[side].roll) / (end - begin)};
+      });
 }
 }  // namespace
 
@@ -168,9 +189,14 @@ ContactFriction::Friction ContactFriction::extrapolated(const Friction& found)
   return next.allFinite() && (next - found).norm() < largest_step * found.norm() ? next : found;
 }
 
-void ContactFriction::setContacts(const WheelsetState& state, const Sides<PlanePoint>& heads,
-                                  const WheelsetResult& result)
+void ContactFriction::setContacts(const WheelsetState& state, const Sides<PlanePoint>& heads, WheelsetResult& result)
 {
+  const Sides<RailVelocity> directions = directionsAt(config_.track.line.get(), state.distance, heads);
+  for (const Side side : sides)
+  {
+    result.rail[side].lateral_slope = directions[side].lateral;
+    result.rail[side].vertical_slope = directions[side].vertical;
+  }
   count_ = result.patches.size();
   contacts_.resize(std::max(contacts_.size(), count_));
   motion_ = state.motion;
@@ -185,7 +211,12 @@ void ContactFriction::setContacts(const WheelsetState& state, const Sides<PlaneP
     contact.place = {};
     contact.place.position = on_rail - patch.approach * normal(patch.pose.angle);
     contact.place.angle = patch.pose.angle;
-    addRailVelocity(state.rail_velocity[patch.side], patch, heads[patch.side], contact.place);
+    const Eigen::Vector2d velocity = movementAt(patch, heads[patch.side], state.rail_velocity[patch.side]);
+    contact.place.rail_velocity_y = velocity.x();
+    contact.place.rail_velocity_z = velocity.y();
+    const Eigen::Vector2d slope = movementAt(patch, heads[patch.side], directions[patch.side]);
+    contact.place.slope_y = slope.x();
+    contact.place.slope_z = slope.y();
     contact.problem.speed = motion_.speed;
     contact.problem.normal_force = patch.normal_force;
     contact.problem.semi_axis_along = patch.semi_axis_along;

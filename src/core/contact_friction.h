@@ -59,7 +59,7 @@ class ContactFriction
 
   /// Place of a pass in found_ and open_.
   static std::size_t place(int pass) { return static_cast<std::size_t>(pass % (depth + 1)); }
-  void setContacts(const WheelsetState& state, const Sides<PlanePoint>& heads, const WheelsetResult& result);
+  void setContacts(const WheelsetState& state, const Sides<PlanePoint>& heads, WheelsetResult& result);
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
   bool rollFreely(const Eigen::Vector3d& axle);
   void addForces(PatchResult& patch, const Contact& contact, const PlanePoint& head, WheelsetResult& result,

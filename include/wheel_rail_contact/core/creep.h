@@ -227,8 +227,8 @@ struct ContactPlace
 /// @throw std::invalid_argument if the speed is not finite or zero.
 Creepage creepages(const WheelsetMotion& motion, const ContactPlace& place);
 
-/// Friction of the contacts of a wheelset, on straight rails whose profile is the same everywhere: not with
-/// TrackConfig::line or rail_sections, whose slopes are not used.
+/// Friction of the contacts of a wheelset. On a TrackConfig::line, the direction of the rails counts in the creepages.
+/// Not with rail_sections.
 struct CreepConfig
 {
   /// Source of the rotation of the wheelset about its axle.

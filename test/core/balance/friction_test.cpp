@@ -163,6 +163,36 @@ TEST(Friction, RollingBackwardMirrorsTheForcesAlongTheTrack)
   EXPECT_NEAR(backward.patches.front().creep.force.y, forward.patches.front().creep.force.y, 1e-3 * friction * load);
 }
 
+TEST(Friction, AWheelsetAlongTurnedRailsRollsAsOnStraightOnes)
+{
+  constexpr double slope = 2e-3, twist = 1e-3, length = 5;
+  WheelsetContact straight(withFriction(manchesterScene()));
+  const WheelsetResult expected = straight.evaluate(rollingAt(0.003, 0.001));
+  ContactModelConfig config = withFriction(manchesterScene());
+  const double end = slope * length;  // both rails to the left
+  config.track.line = std::make_shared<const TrackLine>(
+      "turned",
+      std::vector<LineStation>{{-length, 0, {{-end, 0, 0}, {end, 0, 0}}}, {length, 0, {{end, 0, 0}, {-end, 0, 0}}}});
+  WheelsetContact turned(config);
+  WheelsetState state = rollingAt(0.003, 0.001 + slope);
+  state.motion.lateral_velocity = slope * speed;
+  const WheelsetResult& result = turned.evaluate(state);
+  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  EXPECT_NEAR(result.rail.right.lateral_slope, -slope, 1e-9);
+  for (std::size_t i = 0; i < expected.patches.size(); ++i)
+  {
+    // A yaw moves the contacts along the track by 0.02 mm per mrad on the tread, and the roll follows.
+    EXPECT_NEAR(result.patches.at(i).creep.creepage.x, expected.patches[i].creep.creepage.x, 1e-5);
+    EXPECT_NEAR(result.patches[i].creep.creepage.y, expected.patches[i].creep.creepage.y, 2e-5);
+  }
+  // A twisted track rolls the wheelset, whose contacts then move to the left below the axle.
+  config.track.line = std::make_shared<const TrackLine>(
+      "twisted", std::vector<LineStation>{{-length, -1.5 * twist * length, {}}, {length, 1.5 * twist * length, {}}});
+  WheelsetContact twisted(config);
+  const WheelsetResult& rolled = twisted.evaluate(rollingAt(0.003, 0.001));
+  EXPECT_NEAR(rolled.patches.front().creep.creepage.y - expected.patches.front().creep.creepage.y, twist * 0.46, 2e-5);
+}
+
 TEST(Friction, BelowTheLeastSpeedThereIsNone)
 {
   WheelsetContact contact(withFriction(manchesterScene()));
