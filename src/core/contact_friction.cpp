@@ -21,7 +21,7 @@ constexpr double least_speed = 0.01;        ///< below it there are no creep for
 constexpr double narrow_range = 1e-4;       ///< of the free rotation about the last one, at first [-]
 constexpr double largest_step = 1;          ///< of an extrapolation, over the friction [-]
 constexpr double half_station = 1e-3;       ///< for the direction of a rail on a line [m]
-constexpr double rotation_accuracy = 1e-6;  ///< of the free rotation, which is that of the longitudinal creepage [-]
+constexpr double rotation_accuracy = 1e-8;  ///< of the free rotation, which is that of the longitudinal creepage [-]
 
 /// Direction of the tangent plane across the track, and its normal.
 Vector3d across(double angle)
@@ -105,7 +105,8 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
                                        WheelsetResult& result)
 {
   setContacts(state, heads, result);
-  const Vector3d axle(-std::sin(state.yaw), std::cos(state.yaw), 0);
+  const double level = std::cos(result.roll);
+  const Vector3d axle(-std::sin(state.yaw) * level, std::cos(state.yaw) * level, std::sin(result.roll));
   if (config_.creep.rotation == CreepConfig::Rotation::given)
   {
     momentAbout(axle, state.motion.rotation);

@@ -98,6 +98,22 @@ TEST(Friction, AFreeWheelsetHasNoMomentAboutItsAxle)
   EXPECT_LT(result.rail_wrench.moment.z(), 0);
 }
 
+TEST(Friction, FreeRollingTurnsTheWorkOfTheDragIntoHeat)
+{
+  WheelsetContact contact(withFriction(manchesterScene()));
+  for (const double y : {0.001, 0.003, 0.005})
+  {
+    const WheelsetResult& result = contact.evaluate(rollingAt(y, 0.001));
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    double power = 0;
+    for (const PatchResult& patch : result.patches)
+    {
+      power += patch.creep.power;
+    }
+    EXPECT_NEAR(-result.rail_wrench.force.x() * speed / power, 1, 0.01) << "y = " << y;
+  }
+}
+
 TEST(Friction, ARailBendsByTheWholeForceAndItsMoment)
 {
   const ComplianceTable table = softPads();
