@@ -143,8 +143,24 @@ std::string_view ContactFriction::fill(const WheelsetState& state, const Sides<P
   result.speed = motion_.speed;
   result.rotation = motion_.rotation;
   change_ = changeTo(found, result.wheel);
+  if (change_ < best_change_)
+  {
+    best_ = assumed_;
+    best_change_ = change_;
+  }
   assumed_ = extrapolated(found);
   return {};
+}
+
+bool ContactFriction::returnToBest(double limit)
+{
+  if (best_change_ > limit)
+  {
+    return false;
+  }
+  assumed_ = best_;
+  best_change_ = infinity;
+  return true;
 }
 
 /// Largest difference of the found friction from the assumed one over the normal force of its wheel [-]. That of a

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -24,7 +25,13 @@ class ContactFriction
   /// The next balance begins without friction.
   void reset();
   /// Begins the passes for a state, with the friction of the last result.
-  void begin() { passes_ = 0; }
+  void begin()
+  {
+    passes_ = 0;
+    best_change_ = std::numeric_limits<double>::infinity();
+  }
+  /// The next balance has the friction of the pass with the least change, once. @return false if it is above `limit`
+  bool returnToBest(double limit);
   /// Ends the passes, of which there was one: the next state begins with the friction that was found last.
   void end() { assumed_ = found_[place(passes_ - 1)]; }
   /// True if the next balance begins with friction.
@@ -80,7 +87,8 @@ class ContactFriction
   double free_rotation_;                          ///< last one over the speed [1/m]
   Friction assumed_ = Friction::Zero();           ///< of the next balance
   std::array<Friction, depth + 1> found_, open_;  ///< of the last passes; difference from the one assumed
+  Friction best_ = Friction::Zero();              ///< assumed in the pass with the least change
   int passes_ = 0;
-  double change_ = 0;
+  double change_ = 0, best_change_ = 0;
 };
 }  // namespace wheel_rail_contact::core

@@ -159,8 +159,9 @@ class WheelsetContact::Calculation
       const auto head = [&](Side side) { return balance_.wheel(side).contact().rail().referencePoint(); };
       fault = friction_.fill(state, {head(Side::left), head(Side::right)}, result_);
     } while (fault.empty() && friction_.change() > friction_per_tolerance * config_.contact.tolerance &&
-             ++pass < most_passes);
-    open_friction_ = pass == most_passes;
+             (++pass < most_passes ||
+              (friction_.change() > largest_open_friction && friction_.returnToBest(largest_open_friction))));
+    open_friction_ = pass >= most_passes;
     if (!fault.empty() || (open_friction_ && friction_.change() > largest_open_friction))
     {
       friction_.reset();
