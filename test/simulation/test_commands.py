@@ -14,7 +14,7 @@ import numpy as np
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.csv_table import CsvTable
 from wheel_rail_contact.simulation.command_line import main
-from wheel_rail_contact.simulation.contact import open_contact, rolling_radius
+from wheel_rail_contact.simulation.contact import open_contact
 from wheel_rail_contact.simulation.parameters import read_parameters
 
 PROGRAM = os.environ["SIMULATE_WHEELSET"]
@@ -75,7 +75,7 @@ class Commands(unittest.TestCase):
         for text in ("run: {sped: 3}\n", "runs: {step: 3}\n", "run: {step: -0.001}\n", "run: {step: 20}\n",
                      "run: {duration: 1.0e+9}\n", "run: {held_steps: 2.5}\n", "run: {speed: fast}\n", "run: {speed: true}\n",
                      "run: {yaw: .nan}\n", "wheelset: {mass: 0}\n", "suspension: {lateral_damping: -1}\n",
-                     "creep: {poisson: 0.6}\n", "run: 3\n", "run:\n", "hello\n", ""):
+                     "wheelset: {gyroscopic: 0.6}\n", "run: 3\n", "run:\n", "hello\n", ""):
             path = self.config(text)
             status, _, error = run(PROGRAM, "--config", path)
             self.assertEqual(status, 1, text)
@@ -92,20 +92,15 @@ class Commands(unittest.TestCase):
 
     @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
     def test_python_loop_refuses_contact_parameters_that_it_is_not_written_for(self):
-        for text, message in (("wheelset: {balance: moments}\n", "wheelset/balance = moments must be wheel_loads"),
+        for text, message in (("wheelset: {balance: wheel_loads}\n", "wheelset/balance = wheel_loads must be moments"),
                               ("wheelset: {free: []}\n", r"wheelset/free = \[\] must be \[z, roll\]"),
                               ("track: {displacement: topic}\n", "rail_displacement is missing"),
                               ("wheel: NOSUCH\n", "wheel"), ("hello\n", "config.yaml")):
             with self.assertRaisesRegex(Failure, message):
                 open_contact(self.config(text))
-        status, out, error = run(PYTHON_LOOP, "--contact-config", self.config("wheelset: {balance: moments}\n"))
+        status, out, error = run(PYTHON_LOOP, "--contact-config", self.config("wheelset: {balance: wheel_loads}\n"))
         self.assertEqual((status, out), (1, ""))
-        self.assertRegex(error, "^simulate_wheelset_python: wheelset/balance = moments must be")
-
-    @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
-    def test_rolling_radius_of_the_python_loop_is_that_of_the_contact(self):
-        contact = open_contact(self.config("wheelset: {rolling_radius: 0.5}\nwheel: {left: {rolling_radius: 0.498}}\n"))
-        self.assertAlmostEqual(rolling_radius(contact), 0.499, delta=1e-12)
+        self.assertRegex(error, "^simulate_wheelset_python: wheelset/balance = wheel_loads must be")
 
     def test_program_reports_mistakes_and_a_full_folder(self):
         for arguments, message in ((("--speed", "fast"), "('fast') for option '--speed' is invalid: must be a number"),

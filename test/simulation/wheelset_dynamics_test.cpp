@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -13,64 +14,81 @@ using namespace simulate_wheelset;
 
 namespace
 {
-constexpr double wheel_radius = 0.46;
-
-ContactPoint pointAt(bool is_left, const Eigen::Vector3d& position, double angle, double normal_force)
+/// Rails that give a prescribed reply, whatever the request.
+class Rails : public ContactSource
 {
-  ContactPoint point;
-  point.is_left = is_left;
-  point.position = position;
-  point.angle = angle;
-  point.normal_force = normal_force;
-  point.semi_axis_along = 0.006;
-  point.semi_axis_across = 0.004;
-  point.rolling_radius = -position.z();
-  return point;
-}
+ public:
+  Rails() { reply.is_usable = true; }
+  ContactReply evaluate(const ContactRequest& /*request*/) override { return reply; }
 
-/// The left wheel runs on its tread and its flange, the right one on its tread.
-ContactReply flangeContact()
-{
-  ContactReply contact;
-  contact.is_usable = true;
-  contact.roll = 0.002;
-  contact.points = {pointAt(true, {0.004, 0.71, -0.472}, 1.1, 60e3), pointAt(true, {0, 0.745, -0.46}, 0.05, 70e3),
-                    pointAt(false, {0, -0.755, -0.459}, -0.02, 100e3)};
-  return contact;
-}
+  ContactReply reply;
+};
 
-TEST(WheelsetDynamics, LoadHoldsAllForcesThatTheContactCalculationLeavesOut)
+TEST(WheelsetDynamics, LoadHasNoForceOfTheRails)
 {
-  const Parameters parameters;
-  WheelsetDynamics dynamics(parameters, wheel_radius);
-  const ContactReply contact = flangeContact();
-  dynamics.advance(contact);
-  // Sums over the contacts, from the patch frames: the lateral normal force, and the creep force and its moment.
-  double normal_y = 0, creep_z = 0, moment_of_z = 0, moment_of_y = 0;
-  for (std::size_t i = 0; i < contact.points.size(); ++i)
-  {
-    const ContactPoint& p = contact.points[i];
-    const double across = dynamics.forces().creep[i].across;
-    normal_y -= p.normal_force * std::sin(p.angle);
-    creep_z += across * std::sin(p.angle);
-    moment_of_z += p.position.y() * across * std::sin(p.angle);
-    moment_of_y -= p.position.z() * across * std::cos(p.angle);
-  }
-  // At the flange, neither part of the moment is small.
-  EXPECT_GT(std::abs(moment_of_z), 3e3);
-  EXPECT_GT(std::abs(moment_of_y), 3e3);
-  const ContactRequest request = dynamics.request(0, contact.roll);
+  Parameters parameters;
+  parameters.wheelset.gyroscopic = 0;
+  Rails rails;
+  rails.reply.roll = 0.002;
+  rails.reply.force = {-100, 5e3, 200e3};
+  rails.reply.moment = {8e3, 30, 2e3};
+  HeldContact held(rails, 0);
+  WheelsetDynamics dynamics(parameters);
+  dynamics.advance(held);
+  const ContactRequest request = dynamics.request();
   const SuspensionParameters& s = parameters.suspension;
-  const double suspension = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * contact.roll;
-  EXPECT_NEAR(request.torque_x, suspension + wheel_radius * normal_y + moment_of_z + moment_of_y, 1e-6);
-  EXPECT_NEAR(request.torque_x, suspension + wheel_radius * normal_y + dynamics.forces().creep_moment.x(), 1e-6);
-  EXPECT_NEAR(request.force_z, -parameters.wheelset.axle_load + creep_z, 1e-6);
+  EXPECT_NEAR(request.torque_x, -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * 0.002, 1e-9);
+  EXPECT_EQ(request.force_z, -parameters.wheelset.axle_load);
+  // The forces of the rails move the wheelset.
+  const double step = parameters.run.step, spring = 2 * s.lateral_stiffness * parameters.run.y;
+  EXPECT_NEAR(request.y_rate, step * (5e3 - spring) / parameters.wheelset.mass, 1e-12);
+  EXPECT_NEAR(request.yaw_rate, step * 2e3 / parameters.wheelset.yaw_inertia, 1e-12);
 }
 
-TEST(WheelsetDynamics, StartsWithTheSpinOfFreeRolling)
+TEST(WheelsetDynamics, AGyroscopicWheelsetConservesItsAngularMomentum)
 {
-  const Parameters parameters;
-  EXPECT_DOUBLE_EQ(WheelsetDynamics(parameters, 0.5).motion().spin, parameters.run.speed / 0.5);
+  // Without moments about z, I_z yaw' + I_y W roll is constant.
+  Parameters parameters;
+  parameters.suspension.longitudinal_stiffness = parameters.suspension.vertical_stiffness = 0;
+  Rails rails;
+  rails.reply.rotation = 87;
+  HeldContact held(rails, 0);
+  WheelsetDynamics dynamics(parameters);
+  dynamics.advance(held);
+  const double roll = 1e-3;
+  for (int i = 1; i <= 4; ++i)
+  {
+    rails.reply.roll = std::min(1.0, i / 2.0) * roll;
+    dynamics.advance(held);
+  }
+  const double spin_momentum = parameters.wheelset.spin_inertia * 87;
+  EXPECT_NEAR(dynamics.motion().yaw_rate, -spin_momentum * roll / parameters.wheelset.yaw_inertia, 1e-9);
+  // The turn of the axle to the right raises the right wheel: the moment on the axle is negative.
+  EXPECT_NEAR(dynamics.request().torque_x, spin_momentum * dynamics.motion().yaw_rate, 1e-9);
+}
+
+TEST(WheelsetDynamics, LoadHasTheInertiaOnALine)
+{
+  Parameters parameters;
+  parameters.suspension.vertical_stiffness = 0;
+  const double rise = 3, turn = 2, step = parameters.run.step;  // [m/s^2], [rad/s^2]
+  for (const double is_on : {1.0, 0.0})
+  {
+    parameters.wheelset.line_inertia = is_on;
+    Rails rails;
+    HeldContact held(rails, 0);
+    WheelsetDynamics dynamics(parameters);
+    for (int i = 0; i < 4; ++i)
+    {
+      const double half_square = 0.5 * i * i * step * step;
+      rails.reply.line_left = half_square * (rise + 0.75 * turn);
+      rails.reply.line_right = half_square * (rise - 0.75 * turn);
+      dynamics.advance(held);
+    }
+    const WheelsetParameters& w = parameters.wheelset;
+    EXPECT_NEAR(dynamics.request().force_z, -w.axle_load - is_on * w.mass * rise, 1e-3);
+    EXPECT_NEAR(dynamics.request().torque_x, -is_on * w.yaw_inertia * turn, 1e-3);
+  }
 }
 
 /// Contact with a prescribed usability in each call; the height counts the calls.
@@ -79,7 +97,6 @@ class Prescribed : public ContactSource
  public:
   explicit Prescribed(std::vector<bool> usable) : usable_(std::move(usable)) {}
 
-  double rollingRadius() const override { return 0.46; }
   ContactReply evaluate(const ContactRequest& /*request*/) override
   {
     ContactReply reply;

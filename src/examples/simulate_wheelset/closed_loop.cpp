@@ -4,14 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstddef>
 #include <iomanip>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
-
-#include "wheel_rail_contact/core/creep.h"
 
 namespace simulate_wheelset
 {
@@ -19,22 +15,16 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
+constexpr double saturated_share = 0.99;  ///< of the friction limit, from which a contact counts as saturated
+
 double secondsSince(Clock::time_point begin)
 {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void count(const ContactReply& contact, const RailForces& forces, RunSummary& summary)
+bool isSaturated(const ContactPoint& point)
 {
-  const auto is_saturated = [](const CreepForce& force) { return force.isSaturated(); };
-  const auto is_outside = [](const ContactPoint& point)
-  {
-    const double ratio = point.semi_axis_along / point.semi_axis_across;
-    return std::max(ratio, 1 / ratio) > wheel_rail_contact::core::kalker_ratio_limit;
-  };
-  summary.saturated += std::any_of(forces.creep.begin(), forces.creep.end(), is_saturated) ? 1 : 0;
-  summary.outside_table += std::any_of(contact.points.begin(), contact.points.end(), is_outside) ? 1 : 0;
-  ++summary.steps;
+  return point.adhesion_share >= saturated_share;
 }
 
 constexpr int digits = 9;
@@ -44,53 +34,38 @@ struct Wheel
 {
   double normal_force = 0;          ///< sum [N]
   double radius = 0;                ///< mean rolling radius, weighted with the normal forces [m]
-  double creep_x = 0, creep_y = 0;  ///< creep force on the wheel along x and y of the track [N]
-  double demand = 0;                ///< largest of the contacts [-]
-  bool is_saturated = false;        ///< whether the creep force of a contact is at the friction limit
+  double creep_x = 0, creep_y = 0;  ///< friction on the wheel along x and y of the track [N]
+  double adhesion_share = 0;        ///< largest of the contacts [-]
+  bool is_saturated = false;        ///< whether the friction of a contact is at its limit
 };
 
-Wheel wheelOf(bool is_left, const ContactReply& contact, const RailForces& forces)
+Wheel wheelOf(bool is_left, const ContactReply& contact)
 {
   Wheel wheel;
-  for (std::size_t i = 0; i < contact.points.size(); ++i)
+  for (const ContactPoint& point : contact.points)
   {
-    const ContactPoint& point = contact.points[i];
     if (point.is_left == is_left)
     {
       wheel.normal_force += point.normal_force;
       wheel.radius += point.normal_force * point.rolling_radius;
-      wheel.creep_x += forces.creep[i].along;
-      wheel.creep_y += forces.creep[i].across * std::cos(point.angle);
-      wheel.demand = std::max(wheel.demand, forces.creep[i].demand);
-      wheel.is_saturated = wheel.is_saturated || forces.creep[i].isSaturated();
+      wheel.creep_x += point.creep_x;
+      wheel.creep_y += point.creep_y * std::cos(point.angle);
+      wheel.adhesion_share = std::max(wheel.adhesion_share, point.adhesion_share);
+      wheel.is_saturated = wheel.is_saturated || isSaturated(point);
     }
   }
   wheel.radius = wheel.normal_force > 0 ? wheel.radius / wheel.normal_force : std::nan("");
   return wheel;
 }
+
+double frictionPower(const ContactReply& contact)
+{
+  return std::accumulate(contact.points.begin(), contact.points.end(), 0.0,
+                         [](double sum, const ContactPoint& point) { return sum + point.power; });
+}
 }  // namespace
 
-const ContactReply& HeldContact::evaluate(const ContactRequest& request)
-{
-  ContactReply reply = source_.evaluate(request);
-  if (reply.is_usable)
-  {
-    in_a_row_ = 0;
-    last_ = std::move(reply);
-    return last_;
-  }
-  ++in_a_row_;
-  if (!last_.is_usable || in_a_row_ > most_)
-  {
-    throw std::runtime_error("no usable contact in " + std::to_string(in_a_row_) + " successive steps, at " +
-                             std::to_string(1e-9 * static_cast<double>(request.time)) +
-                             " s, y = " + std::to_string(1e3 * request.y) + " mm: " + reply.status);
-  }
-  ++held_;
-  return last_;
-}
-
-void Waves::add(double distance, double y, const RailForces& forces)
+void Waves::add(double distance, double y, const ContactReply& contact)
 {
   if (has_last_ && last_y_ < 0 && y >= 0)
   {
@@ -102,8 +77,8 @@ void Waves::add(double distance, double y, const RailForces& forces)
   if (first_crossing_)
   {
     ++begun_.steps;
-    begun_.drag -= forces.creep_force.x();
-    begun_.friction_power += forces.friction_power;
+    begun_.drag -= contact.force.x();
+    begun_.friction_power += simulate_wheelset::frictionPower(contact);
   }
   has_last_ = true;
   last_distance_ = distance;
@@ -143,32 +118,31 @@ std::string Waves::text(double speed) const
 MotionTable::MotionTable(const std::string& file) : file_(file), stream_(file)
 {
   stream_.precision(digits);
-  stream_ << "time [s],distance [m],y [m],yaw [rad],y_rate [m/s],yaw_rate [rad/s],spin [rad/s],z [m],roll [rad],"
-             "force_z [N],torque_x [N m],normal_force_y [N],creep_force_y [N],yaw_moment [N m],friction_power [W]";
+  stream_ << "time [s],distance [m],y [m],yaw [rad],y_rate [m/s],yaw_rate [rad/s],rotation [rad/s],z [m],roll [rad],"
+             "force_z [N],torque_x [N m],lateral_force [N],yaw_moment [N m],friction_power [W]";
   for (const char* side : {"left", "right"})
   {
     stream_ << ',' << side << "_normal_force [N]," << side << "_rolling_radius [m]," << side << "_creep_x [N]," << side
-            << "_creep_y [N]," << side << "_demand [-]," << side << "_saturated [-]";
+            << "_creep_y [N]," << side << "_adhesion_share [-]," << side << "_saturated [-]";
   }
   stream_ << ",held [-]\n";
   check();
 }
 
-void MotionTable::add(const ContactRequest& request, const Motion& motion, const ContactReply& contact,
-                      const RailForces& forces, bool is_held)
+void MotionTable::add(const ContactRequest& request, const ContactReply& contact, bool is_held)
 {
   stream_ << 1e-9 * static_cast<double>(request.time);
-  for (const double value : {request.distance, motion.y, motion.yaw, motion.y_rate, motion.yaw_rate, motion.spin,
-                             contact.z, contact.roll, request.force_z, request.torque_x, forces.normal_force.y(),
-                             forces.creep_force.y(), forces.moment().z(), forces.friction_power})
+  for (const double value :
+       {request.distance, request.y, request.yaw, request.y_rate, request.yaw_rate, contact.rotation, contact.z,
+        contact.roll, request.force_z, request.torque_x, contact.force.y(), contact.moment.z(), frictionPower(contact)})
   {
     stream_ << ',' << value;
   }
   for (const bool is_left : {true, false})
   {
-    const Wheel wheel = wheelOf(is_left, contact, forces);
+    const Wheel wheel = wheelOf(is_left, contact);
     stream_ << ',' << wheel.normal_force << ',' << wheel.radius << ',' << wheel.creep_x << ',' << wheel.creep_y << ','
-            << wheel.demand << ',' << (wheel.is_saturated ? 1 : 0);
+            << wheel.adhesion_share << ',' << (wheel.is_saturated ? 1 : 0);
   }
   stream_ << ',' << (is_held ? 1 : 0) << '\n';
   check();
@@ -191,28 +165,23 @@ void MotionTable::check()
 RunSummary runClosedLoop(const Parameters& parameters, ContactSource& source, MotionTable* table)
 {
   RunSummary summary;
-  WheelsetDynamics dynamics(parameters, source.rollingRadius());
+  WheelsetDynamics dynamics(parameters);
   HeldContact held(source, static_cast<int>(parameters.run.held_steps));
-  const std::int64_t step = parameters.run.stepNanoseconds();
   const int steps = parameters.run.steps();
-  double roll = 0;
-  for (int i = 0; i < steps; ++i)
+  for (; summary.steps < steps; ++summary.steps)
   {
     const Clock::time_point begin = Clock::now();
-    const Motion motion = dynamics.motion();
-    const ContactRequest request = dynamics.request(i * step, roll);
-    const ContactReply& contact = held.evaluate(request);
-    roll = contact.roll;
-    dynamics.advance(contact);
+    const ContactRequest request = dynamics.request();
+    const ContactReply& contact = dynamics.advance(held);
     summary.times.add(secondsSince(begin));
-    count(contact, dynamics.forces(), summary);
-    if (3 * i >= 2 * steps)
+    summary.saturated += std::any_of(contact.points.begin(), contact.points.end(), isSaturated) ? 1 : 0;
+    if (3 * summary.steps >= 2 * steps)
     {
-      summary.waves.add(request.distance, motion.y, dynamics.forces());
+      summary.waves.add(request.distance, request.y, contact);
     }
     if (table != nullptr)
     {
-      table->add(request, motion, contact, dynamics.forces(), held.isHeld());
+      table->add(request, contact, held.isHeld());
     }
   }
   summary.held = held.held();

@@ -12,30 +12,6 @@
 
 namespace simulate_wheelset
 {
-/// Contact of each step, or the last usable one while there is none: without forces the wheelset would fall and drift
-/// as after a lift-off, and nothing would show it.
-class HeldContact
-{
- public:
-  /// @param most largest number of successive steps with the last usable contact
-  HeldContact(ContactSource& source, int most) : source_(source), most_(most) {}
-
-  /// Contact for the request.
-  /// @throw std::runtime_error if more than `most` successive states, or the first one, have no usable result.
-  const ContactReply& evaluate(const ContactRequest& request);
-
-  /// Number of steps with a held contact.
-  int held() const { return held_; }
-  /// Whether the last contact is held.
-  bool isHeld() const { return in_a_row_ > 0; }
-
- private:
-  ContactSource& source_;
-  const int most_;
-  ContactReply last_;
-  int held_ = 0, in_a_row_ = 0;
-};
-
 /// Means over the whole waves of a run: between the first and the last upward zero crossing of the lateral
 /// displacement.
 class Waves
@@ -44,7 +20,7 @@ class Waves
   /// Adds a step.
   /// @param distance place along the track [m]
   /// @param y        lateral displacement [m]
-  void add(double distance, double y, const RailForces& forces);
+  void add(double distance, double y, const ContactReply& contact);
 
   /// Number of whole waves.
   int count() const { return count_; }
@@ -84,9 +60,8 @@ class MotionTable
   /// @throw std::runtime_error if the file cannot be written: also from add() and close().
   explicit MotionTable(const std::string& file);
 
-  /// Adds a step: the motion in which the contact was evaluated, and the forces in the step.
-  void add(const ContactRequest& request, const Motion& motion, const ContactReply& contact, const RailForces& forces,
-           bool is_held);
+  /// Adds a step: the request at its start, and the contact in the step.
+  void add(const ContactRequest& request, const ContactReply& contact, bool is_held);
   /// Writes what is buffered.
   void close();
 
@@ -113,15 +88,14 @@ class StepTimes
 /// What happened in a run.
 struct RunSummary
 {
-  int steps = 0;          ///< number of steps
-  int held = 0;           ///< steps with the contact of an earlier one, because there was no usable result
-  int saturated = 0;      ///< steps in which the creep force of a contact was at the friction limit
-  int outside_table = 0;  ///< steps with a contact whose ratio of semi-axes is beyond Kalker's table
-  Waves waves;            ///< of the last third of the run
-  StepTimes times;        ///< wall times
+  int steps = 0;      ///< number of steps
+  int held = 0;       ///< steps with the contact of an earlier one, because there was no usable result
+  int saturated = 0;  ///< steps in which the friction of a contact was at its limit
+  Waves waves;        ///< of the last third of the run
+  StepTimes times;    ///< wall times
 };
 
-/// Runs the loop: send pose and load, receive the contact, advance the motion by one step.
+/// Runs the loop: send pose, velocities and load, receive the contact, advance the motion by one step.
 /// @param table rows of the steps; null: none
 /// @throw std::runtime_error if the contact calculation cannot be reached, has no usable result in too many successive
 /// steps (HeldContact), or the motion does not converge.

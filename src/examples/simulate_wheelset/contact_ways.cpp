@@ -2,14 +2,16 @@
 #include "examples/simulate_wheelset/contact_ways.h"
 
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/names.h>
 #include <ros/package.h>
 #include <ros/param.h>
 #include <wheel_rail_contact/EvaluateWheelset.h>
 
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -22,29 +24,23 @@ namespace core = wheel_rail_contact::core;
 
 namespace
 {
-/// Copies the force, the axes and the radius of a patch of the core or of a message.
-template <typename Patch>
-void copySizes(const Patch& patch, ContactPoint& point)
-{
-  point.normal_force = patch.normal_force;
-  point.semi_axis_along = patch.semi_axis_along;
-  point.semi_axis_across = patch.semi_axis_across;
-  point.rolling_radius = patch.rolling_radius;
-}
-
 /// Text of ContactReply::status.
 std::string statusText(const std::string& name, const std::string& reason)
 {
   return reason.empty() ? name : name + ": " + reason;
 }
 
-ContactPoint pointOf(const core::PatchResult& patch, const core::WheelsetResult& result)
+ContactPoint pointOf(const core::PatchResult& patch)
 {
   ContactPoint point;
   point.is_left = patch.side == core::Side::left;
-  point.position = {patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z};
   point.angle = patch.pose.angle;
-  copySizes(patch, point);
+  point.normal_force = patch.normal_force;
+  point.rolling_radius = patch.rolling_radius;
+  point.creep_x = patch.creep.force.x;
+  point.creep_y = patch.creep.force.y;
+  point.adhesion_share = patch.creep.adhesion_share;
+  point.power = patch.creep.power;
   return point;
 }
 
@@ -59,8 +55,12 @@ void requireSuitable(const wheel_rail_contact::ContactParameters& parameters)
       throw std::invalid_argument(text);
     }
   };
-  require(wheelset.balance == core::WheelsetConfig::Balance::wheel_loads,
-          "wheelset/balance = moments must be wheel_loads: the load of this program is for it");
+  require(wheelset.balance == core::WheelsetConfig::Balance::moments,
+          "wheelset/balance = wheel_loads must be moments: the load of this program is for it");
+  require(parameters.model.creep.method != core::CreepMethod::none,
+          "creep/method = none must be linear, fastsim or exact: this program has no friction of its own");
+  require(parameters.model.creep.rotation == core::CreepConfig::Rotation::free,
+          "creep/rotation = topic must be free: this program does not integrate the rotation");
   require(wheelset.solve_height_and_roll,
           "wheelset/free = [] must be [z, roll]: this program does not integrate height and roll");
   require(!parameters.displacement_topic,
@@ -90,15 +90,23 @@ double rollOf(const geometry_msgs::Quaternion& q)
   return std::atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y));
 }
 
-ContactPoint pointOf(const ContactPatch& patch, const geometry_msgs::Point& centre)
+ContactPoint pointOf(const ContactPatch& patch)
 {
   ContactPoint point;
   point.is_left = patch.side == ContactPatch::LEFT;
-  const geometry_msgs::Point& position = patch.pose.position;
-  point.position = {position.x - centre.x, position.y - centre.y, position.z - centre.z};
   point.angle = rollOf(patch.pose.orientation);
-  copySizes(patch, point);
+  point.normal_force = patch.normal_force;
+  point.rolling_radius = patch.rolling_radius;
+  point.creep_x = patch.creep.force_x;
+  point.creep_y = patch.creep.force_y;
+  point.adhesion_share = patch.creep.adhesion_share;
+  point.power = patch.creep.power;
   return point;
+}
+
+Eigen::Vector3d toEigen(const geometry_msgs::Vector3& v)
+{
+  return {v.x, v.y, v.z};
 }
 
 /// Stamp of a time since the start [ns]. Stamps begin at 1000 s: messages with a stamp of 0 are dropped, and the trial
@@ -109,8 +117,8 @@ ros::Time stampOf(std::int64_t time)
   return stamp.fromNSec(static_cast<std::uint64_t>(first_stamp + time));
 }
 
-/// Pose of the axle in the track frame, and load on its centre in track axes. Height and roll are zero: they are
-/// results.
+/// Pose and velocity of the axle in the track frame, and load on its centre in track axes. Height, roll and rotation
+/// are zero: they are results.
 EvaluateWheelset::Request messageOf(const ContactRequest& request, const std::string& frame)
 {
   EvaluateWheelset::Request message;
@@ -120,7 +128,10 @@ EvaluateWheelset::Request messageOf(const ContactRequest& request, const std::st
   message.pose.pose.position.y = request.y;
   message.pose.pose.orientation.z = std::sin(0.5 * request.yaw);
   message.pose.pose.orientation.w = std::cos(0.5 * request.yaw);
-  message.load.header = message.pose.header;
+  message.twist.header = message.load.header = message.pose.header;
+  message.twist.twist.linear.x = request.speed;
+  message.twist.twist.linear.y = request.y_rate;
+  message.twist.twist.angular.z = request.yaw_rate;
   message.load.wrench.force.z = request.force_z;
   message.load.wrench.torque.x = request.torque_x;
   return message;
@@ -135,10 +146,13 @@ ContactReply replyOf(const WheelsetContact& message)
   reply.status = statusText(nameOf(status), message.status_text);
   reply.z = message.wheelset.position.z;
   reply.roll = rollOf(message.wheelset.orientation);
-  for (const ContactPatch& patch : message.patches)
-  {
-    reply.points.push_back(pointOf(patch, message.wheelset.position));
-  }
+  reply.rotation = message.rotation;
+  reply.force = toEigen(message.rail_wrench.force);
+  reply.moment = toEigen(message.rail_wrench.torque);
+  reply.line_left = message.left_rail.given_vertical;
+  reply.line_right = message.right_rail.given_vertical;
+  std::transform(message.patches.begin(), message.patches.end(), std::back_inserter(reply.points),
+                 [](const ContactPatch& patch) { return pointOf(patch); });
   return reply;
 }
 
@@ -147,31 +161,7 @@ std::string fullName(const std::string& node, const std::string& parameter)
   return ros::names::resolve(node) + "/" + parameter;
 }
 
-/// A radius on the parameter server; `otherwise` if it has none [m].
-double radius(const std::string& name, double otherwise)
-{
-  double value = otherwise;
-  std::string text;  // 460e-3 in a YAML file is a text for the parameter server, and a number for the node
-  if (ros::param::get(name, text))
-  {
-    std::istringstream(text) >> value;
-  }
-  else if (!ros::param::get(name, value) && ros::param::has(name))
-  {
-    value = 0;
-  }
-  if (!(value > 0))
-  {
-    throw std::runtime_error(name + " must be a number > 0");
-  }
-  return value;
-}
 }  // namespace
-
-InProcessContact::InProcessContact(core::ContactModelConfig config)
-    : rolling_radius_(config.wheelset.meanRadius()), contact_(std::move(config))
-{
-}
 
 ContactReply InProcessContact::evaluate(const ContactRequest& request)
 {
@@ -181,23 +171,30 @@ ContactReply InProcessContact::evaluate(const ContactRequest& request)
   state.force_z = request.force_z;
   state.torque_x = request.torque_x;
   state.distance = request.distance;
+  state.motion.speed = request.speed;
+  state.motion.lateral_velocity = request.y_rate;
+  state.motion.yaw_rate = request.yaw_rate;
   const core::WheelsetResult& result = contact_.evaluate(state);
   ContactReply reply;
   reply.is_usable = core::isUsable(result.status);
   reply.status = statusText(nameOf(result.status), result.reason);
   reply.z = result.z;
   reply.roll = result.roll;
-  for (const core::PatchResult& patch : result.patches)
-  {
-    reply.points.push_back(pointOf(patch, result));
-  }
+  reply.rotation = result.rotation;
+  reply.force = result.rail_wrench.force;
+  reply.moment = result.rail_wrench.moment;
+  reply.line_left = result.rail.left.given.vertical;
+  reply.line_right = result.rail.right.given.vertical;
+  std::transform(result.patches.begin(), result.patches.end(), std::back_inserter(reply.points),
+                 [](const core::PatchResult& patch) { return pointOf(patch); });
   return reply;
 }
 
 core::ContactModelConfig readContact(const std::string& file)
 {
   using wheel_rail_contact::ParameterSource;
-  std::vector<ParameterSource> sources{{ParameterSource::file, wheel_rail_contact::default_parameters}};
+  std::vector<ParameterSource> sources{{ParameterSource::file, wheel_rail_contact::default_parameters},
+                                       {ParameterSource::file, contact_parameters}};
   if (!file.empty())
   {
     sources.push_back({ParameterSource::file, file});
@@ -208,13 +205,16 @@ core::ContactModelConfig readContact(const std::string& file)
   return std::move(parameters.model);
 }
 
-void requireWheelLoads(const std::string& node)
+void requireLoad(const std::string& node)
 {
-  const std::string balance = fullName(node, "wheelset/balance"), expected = "wheel_loads";
-  const std::string value = ros::param::param(balance, expected);
-  if (value != expected)
+  const std::string balance = fullName(node, "wheelset/balance"), method = fullName(node, "creep/method");
+  if (ros::param::param<std::string>(balance, "wheel_loads") != "moments")
   {
-    throw std::runtime_error(balance + " = " + value + " must be " + expected + ": the load of this program is for it");
+    throw std::runtime_error(balance + " must be moments: the load of this program is for it");
+  }
+  if (ros::param::param<std::string>(method, "none") == "none")
+  {
+    throw std::runtime_error(method + " must be linear, fastsim or exact: this program has no friction of its own");
   }
   const std::string free = fullName(node, "wheelset/free");
   std::vector<std::string> solved;
@@ -224,23 +224,14 @@ void requireWheelLoads(const std::string& node)
   }
 }
 
-double rollingRadiusOf(const std::string& node)
-{
-  const double of_both =
-      radius(fullName(node, "wheelset/rolling_radius"), wheel_rail_contact::core::WheelsetConfig().meanRadius());
-  return 0.5 * (radius(fullName(node, "wheel/left/rolling_radius"), of_both) +
-                radius(fullName(node, "wheel/right/rolling_radius"), of_both));
-}
-
-ServiceContact::ServiceContact(const std::string& node, std::string frame)
-    : frame_(std::move(frame)), rolling_radius_(rollingRadiusOf(node))
+ServiceContact::ServiceContact(const std::string& node, std::string frame) : frame_(std::move(frame))
 {
   const std::string service = nh_.resolveName(node + "/evaluate");
   if (!ros::service::waitForService(service, ros::Duration(service_wait)))
   {
     throw std::runtime_error("no service " + service + " within a minute");
   }
-  requireWheelLoads(node);
+  requireLoad(node);
   // A persistent client connects when it is made: the service must exist.
   client_ = nh_.serviceClient<EvaluateWheelset>(service, true);
 }
@@ -256,12 +247,12 @@ ContactReply ServiceContact::evaluate(const ContactRequest& request)
   return replyOf(call.response.contact);
 }
 
-TopicContact::TopicContact(const std::string& node, std::string frame)
-    : frame_(std::move(frame)), rolling_radius_(rollingRadiusOf(node))
+TopicContact::TopicContact(const std::string& node, std::string frame) : frame_(std::move(frame))
 {
-  requireWheelLoads(node);
+  requireLoad(node);
   nh_.setCallbackQueue(&queue_);
   pose_publisher_ = nh_.advertise<geometry_msgs::PoseStamped>("wheelset/pose", queue_size);
+  twist_publisher_ = nh_.advertise<geometry_msgs::TwistStamped>("wheelset/twist", queue_size);
   load_publisher_ = nh_.advertise<geometry_msgs::WrenchStamped>("wheelset/load", queue_size);
   subscriber_ = nh_.subscribe<wheel_rail_contact::WheelsetContact>(
       node + "/contact", queue_size,
@@ -296,7 +287,9 @@ ContactReply TopicContact::evaluate(const ContactRequest& request)
 void TopicContact::send(const ContactRequest& request)
 {
   const EvaluateWheelset::Request message = messageOf(request, frame_);
+  latest_.reset();  // that of an earlier request of this step has the same stamp
   pose_publisher_.publish(message.pose);
+  twist_publisher_.publish(message.twist);
   load_publisher_.publish(message.load);
 }
 

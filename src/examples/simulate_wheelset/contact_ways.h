@@ -6,6 +6,7 @@
 #include <wheel_rail_contact/WheelsetContact.h>
 
 #include <string>
+#include <utility>
 
 #include "examples/simulate_wheelset/contact_source.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
@@ -17,18 +18,19 @@ class InProcessContact : public ContactSource
 {
  public:
   /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
-  explicit InProcessContact(wheel_rail_contact::core::ContactModelConfig config);
+  explicit InProcessContact(wheel_rail_contact::core::ContactModelConfig config) : contact_(std::move(config)) {}
 
-  double rollingRadius() const override { return rolling_radius_; }
   ContactReply evaluate(const ContactRequest& request) override;
 
  private:
-  const double rolling_radius_;  ///< [m]
   wheel_rail_contact::core::WheelsetContact contact_;
 };
 
+/// Parameters of the contact for this program: friction, and the balance for its load.
+constexpr const char* contact_parameters = "package://wheel_rail_contact/config/simulate_contact.yaml";
+
 /// Reads parameters of the contact node for use in this process.
-/// @param file  YAML file, applied over config/default.yaml; empty: no further file
+/// @param file  YAML file, applied over config/default.yaml and contact_parameters; empty: no further file
 /// @throw std::invalid_argument with the name, the value and the broken rule; also for parameters that expect another
 /// load or another state than the example has.
 wheel_rail_contact::core::ContactModelConfig readContact(const std::string& file);
@@ -41,21 +43,20 @@ class ServiceContact : public ContactSource
   /// @param node  name of the contact node
   /// @param frame its parameter track/frame
   /// @throw std::runtime_error if there is no service within a minute, or the node expects another
-  /// load (requireWheelLoads()).
+  /// load (requireLoad()).
   ServiceContact(const std::string& node, std::string frame);
 
-  double rollingRadius() const override { return rolling_radius_; }
   /// @throw std::runtime_error if the service fails.
   ContactReply evaluate(const ContactRequest& request) override;
 
  private:
   std::string frame_;
-  const double rolling_radius_;  ///< [m]
   ros::NodeHandle nh_;
   ros::ServiceClient client_;
 };
 
-/// A contact node, over its topics, in lockstep: publishes pose and load, and waits for the result with their stamp.
+/// A contact node, over its topics, in lockstep: publishes pose, twist and load, and waits for the result with their
+/// stamp.
 ///
 /// The subscriber uses TCP without delay. Without this option each result may wait up to 40 ms in the socket.
 class TopicContact : public ContactSource
@@ -65,10 +66,9 @@ class TopicContact : public ContactSource
   /// @param node  name of the contact node
   /// @param frame its parameter track/frame
   /// @throw std::runtime_error if there is no reply within a minute, or the node expects another load
-  /// (requireWheelLoads()).
+  /// (requireLoad()).
   TopicContact(const std::string& node, std::string frame);
 
-  double rollingRadius() const override { return rolling_radius_; }
   /// @throw std::runtime_error if there is no result within 10 s.
   ContactReply evaluate(const ContactRequest& request) override;
 
@@ -77,23 +77,16 @@ class TopicContact : public ContactSource
   bool waitFor(const ros::Time& stamp, double seconds);
 
   std::string frame_;
-  const double rolling_radius_;  ///< [m]
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
-  ros::Publisher pose_publisher_, load_publisher_;
+  ros::Publisher pose_publisher_, twist_publisher_, load_publisher_;
   ros::Subscriber subscriber_;
-  wheel_rail_contact::WheelsetContact::ConstPtr latest_;  ///< latest result; null before the first one
+  wheel_rail_contact::WheelsetContact::ConstPtr latest_;  ///< result of the last request; null before it is here
 };
 
 /// Checks that the load of the dynamics (WheelsetDynamics::request()) is the one that a contact node expects. It is for
-/// wheelset/balance: wheel_loads and wheelset/free: [z, roll], the defaults.
+/// wheelset/balance: moments, wheelset/free: [z, roll], and friction in the node (creep/method).
 /// @param node name of the contact node
 /// @throw std::runtime_error if the node has other values on the parameter server.
-void requireWheelLoads(const std::string& node);
-
-/// Nominal rolling radius of a contact node, the mean of both wheels [m]: wheelset/rolling_radius, or those of the
-/// wheels (wheel/left/rolling_radius), or the default if the parameter server has none.
-/// @param node name of the contact node
-/// @throw std::runtime_error if a radius is not a number > 0.
-double rollingRadiusOf(const std::string& node);
+void requireLoad(const std::string& node);
 }  // namespace simulate_wheelset

@@ -35,8 +35,7 @@ std::unique_ptr<ContactSource> makeSource(const Options& options)
 void print(const RunSummary& summary, double speed)
 {
   std::cout << std::fixed << std::setprecision(3) << summary.steps << " steps, " << summary.held
-            << " with a held contact, " << summary.saturated << " at the friction limit, " << summary.outside_table
-            << " beyond the ratios of Kalker's table\n"
+            << " with a held contact, " << summary.saturated << " at the friction limit\n"
             << "last third: " << summary.waves.text(speed) << '\n'
             << summary.times.text() << '\n';
 }

@@ -29,6 +29,7 @@ struct Rule
 constexpr Rule finite{"a finite number", [](double v) { return std::isfinite(v); }};
 constexpr Rule positive{"a finite number > 0", [](double v) { return std::isfinite(v) && v > 0; }};
 constexpr Rule not_negative{"a finite number >= 0", [](double v) { return std::isfinite(v) && v >= 0; }};
+constexpr Rule on_off{"0 or 1", [](double v) { return v == 0 || v == 1; }};
 constexpr Rule step_count{"a whole number from 0 to 10000000",  // most_steps
                           [](double v) { return v >= 0 && v <= most_steps && v == std::floor(v); }};
 
@@ -46,6 +47,8 @@ std::vector<Entry> entriesOf(Parameters& p)
       {"wheelset/mass", &p.wheelset.mass, positive},
       {"wheelset/yaw_inertia", &p.wheelset.yaw_inertia, positive},
       {"wheelset/spin_inertia", &p.wheelset.spin_inertia, positive},
+      {"wheelset/gyroscopic", &p.wheelset.gyroscopic, on_off},
+      {"wheelset/line_inertia", &p.wheelset.line_inertia, on_off},
       {"wheelset/axle_load", &p.wheelset.axle_load, positive},
       {"suspension/half_spacing", &p.suspension.half_spacing, positive},
       {"suspension/longitudinal_stiffness", &p.suspension.longitudinal_stiffness, not_negative},
@@ -53,9 +56,6 @@ std::vector<Entry> entriesOf(Parameters& p)
       {"suspension/vertical_stiffness", &p.suspension.vertical_stiffness, not_negative},
       {"suspension/longitudinal_damping", &p.suspension.longitudinal_damping, not_negative},
       {"suspension/lateral_damping", &p.suspension.lateral_damping, not_negative},
-      {"creep/friction", &p.creep.friction, positive},
-      {"creep/shear_modulus", &p.creep.shear_modulus, positive},
-      {"creep/poisson", &p.creep.poisson, not_negative},
       {"run/speed", &p.run.speed, positive},
       {"run/duration", &p.run.duration, positive},
       {"run/step", &p.run.step, positive},
@@ -141,7 +141,7 @@ po::options_description describe(Options& options)
       "in_process (default), topics or service: the last two need a running contact node");
   add("config", text("F.yaml", options.config), "parameters of the simulation, as in config/simulate_wheelset.yaml");
   add("contact-config", text("F.yaml", options.contact_config),
-      "parameters of the contact for in_process, over config/default.yaml; the contact node has its own");
+      "parameters of the contact for in_process, over config/simulate_contact.yaml; the contact node has its own");
   add("speed", number("V", options.speed), "running speed [m/s], over that of the file");
   add("duration", number("T", options.duration), "simulated time [s], over that of the file");
   add("step", number("S", options.step), "time step [s], over that of the file");
@@ -178,10 +178,6 @@ void validate(const Parameters& parameters)
       refuse(entry.name, textOf(*entry.value), entry.rule.text);
     }
   }
-  if (parameters.creep.poisson > 0.5)
-  {
-    refuse("creep/poisson", textOf(parameters.creep.poisson), "from 0 to 0.5");
-  }
   const RunParameters& run = parameters.run;
   if (run.step < shortest_step || run.step > run.duration)
   {
@@ -210,8 +206,7 @@ std::string usage()
   out << "usage: simulate_wheelset [options]\n"
          "One wheelset on its primary suspension runs along a track. The contact comes from the contact calculation "
          "of\n"
-         "wheel_rail_contact, the creep forces from Kalker's linear theory with a friction limit "
-         "(doc/co_simulation.md).\n\n"
+         "wheel_rail_contact, with friction (doc/co_simulation.md).\n\n"
       << describe(options);
   return out.str();
 }

@@ -12,8 +12,10 @@ namespace simulate_wheelset
 struct WheelsetParameters
 {
   double mass = 1500;         ///< [kg]
-  double yaw_inertia = 900;   ///< about the vertical axis through the centre [kg m^2]
-  double spin_inertia = 110;  ///< about the axle [kg m^2]
+  double yaw_inertia = 900;   ///< about the vertical and the longitudinal axis through the centre [kg m^2]
+  double spin_inertia = 110;  ///< about the axle [kg m^2], for the gyroscopic moments
+  double gyroscopic = 1;      ///< 1: with gyroscopic moments; 0: without
+  double line_inertia = 1;    ///< 1: with the inertia of height and roll that follow a line; 0: without
   /// Vertical force on the axle centre, down positive: share of the vehicle and weight of the wheelset [N].
   double axle_load = 200e3;
 };
@@ -27,14 +29,6 @@ struct SuspensionParameters
   double vertical_stiffness = 1.0e6;      ///< [N/m], >= 0
   double longitudinal_damping = 0;        ///< [N s/m], >= 0
   double lateral_damping = 0;             ///< [N s/m], >= 0
-};
-
-/// Friction and material of the creep forces.
-struct CreepParameters
-{
-  double friction = 0.3;          ///< coefficient of friction [-]
-  double shear_modulus = 8.2e10;  ///< of wheel and rail [Pa]
-  double poisson = 0.28;          ///< Poisson's ratio of wheel and rail [-], 0 to 0.5
 };
 
 /// Largest number of steps of a run.
@@ -62,11 +56,10 @@ struct Parameters
 {
   WheelsetParameters wheelset;
   SuspensionParameters suspension;
-  CreepParameters creep;
   RunParameters run;
 };
 
-/// Reads a YAML file with the groups wheelset, suspension, creep and run. Values that are not given keep their default.
+/// Reads a YAML file with the groups wheelset, suspension and run. Values that are not given keep their default.
 /// @throw std::invalid_argument with the file, the name, the value and the broken rule.
 Parameters readParameters(const std::string& file);
 
@@ -87,7 +80,7 @@ struct Options
   bool help = false;                            ///< --help
   ContactWay contact = ContactWay::in_process;  ///< --contact
   std::string config;                           ///< --config; empty: the defaults of Parameters
-  std::string contact_config;                   ///< --contact-config, for in_process
+  std::string contact_config;                   ///< --contact-config, for in_process; over contact_parameters
   std::string out;                              ///< --out; empty: no table
   std::string node = "contact_node";            ///< --node: name of the contact node
   std::string frame = "track";                  ///< --frame: its parameter track/frame

@@ -1,181 +1,158 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace simulate_wheelset
 {
 namespace
 {
-constexpr int most_iterations = 50;
-constexpr double tolerance = 1e-11;  ///< of the velocities at the circumference of the wheels, over the running speed
-constexpr double difference = 1e-7;  ///< for the derivatives, of the same velocities
-
-/// Axes of a patch in track axes: y in the tangent plane, z out of the rail. The x axes are the same.
-struct PatchAxes
-{
-  explicit PatchAxes(double angle)
-      : across(0, std::cos(angle), std::sin(angle)), normal(0, -std::sin(angle), std::cos(angle))
-  {
-  }
-  Eigen::Vector3d across, normal;
-};
-
-/// Direction of the axle, to the left.
-Eigen::Vector3d axleDirection(double yaw, double roll)
-{
-  return {-std::sin(yaw) * std::cos(roll), std::cos(yaw) * std::cos(roll), std::sin(roll)};
-}
-
-/// Contact of a wheel with the largest normal force; null if it has none.
-const ContactPoint* mainContact(const ContactReply& contact, bool is_left)
-{
-  const ContactPoint* main = nullptr;
-  for (const ContactPoint& point : contact.points)
-  {
-    if (point.is_left == is_left && (main == nullptr || point.normal_force > main->normal_force))
-    {
-      main = &point;
-    }
-  }
-  return main;
-}
+constexpr int most_iterations = 20;
+constexpr double tolerance = 1e-6;      ///< of the velocities of y, and of yaw at 1 m, over the running speed
+constexpr double difference = 1e-5;     ///< for the derivatives, of the same velocities
+constexpr double slow = 0.3;            ///< share that is left of a change, from which the derivatives are renewed
+constexpr double half_distance = 0.75;  ///< of the rails [m], for the roll by the line
 }  // namespace
 
-FollowingRates followingRates(const ContactReply& contact, const Motion& motion)
+const ContactReply& HeldContact::evaluate(const ContactRequest& request)
 {
-  // No velocity along the normal: z' + roll' (p_y + tan(angle) p_z) = tan(angle) (y' + yaw' p_x).
-  const ContactPoint* const left = mainContact(contact, true);
-  const ContactPoint* const right = mainContact(contact, false);
-  const auto lever = [](const ContactPoint& p) { return p.position.y() + std::tan(p.angle) * p.position.z(); };
-  const auto rise = [&](const ContactPoint& p)
-  { return std::tan(p.angle) * (motion.y_rate + motion.yaw_rate * p.position.x()); };
-  if (left == nullptr || right == nullptr)
+  ContactReply reply = source_.evaluate(request);
+  if (reply.is_usable)
   {
-    const ContactPoint* const only = left == nullptr ? right : left;
-    return {only == nullptr ? 0 : rise(*only), 0};
+    in_a_row_ = 0;
+    last_ = std::move(reply);
+    return last_;
   }
-  // Both levers become equal only if the slopes add up to the base over the radius, about 3.3: flanges on both sides.
-  const double roll_rate = (rise(*left) - rise(*right)) / (lever(*left) - lever(*right));
-  return {rise(*left) - roll_rate * lever(*left), roll_rate};
-}
-
-Creepage creepageAt(const ContactPoint& point, const Motion& motion, const FollowingRates& rates, double roll,
-                    double speed)
-{
-  const PatchAxes axes(point.angle);
-  const Eigen::Vector3d body_rotation(rates.roll, 0, motion.yaw_rate);
-  const Eigen::Vector3d rotation = body_rotation + motion.spin * axleDirection(motion.yaw, roll);
-  const Eigen::Vector3d centre(speed, motion.y_rate, rates.z);
-  const Eigen::Vector3d velocity = centre + rotation.cross(point.position);
-  return {velocity.x() / speed, velocity.dot(axes.across) / speed, rotation.dot(axes.normal) / speed};
-}
-
-RailForces railForces(const ContactReply& contact, const Motion& motion, double speed, const CreepLaw& law)
-{
-  RailForces sum;
-  const FollowingRates rates = followingRates(contact, motion);
-  for (const ContactPoint& point : contact.points)
+  ++in_a_row_;
+  if (!last_.is_usable || in_a_row_ > most_)
   {
-    const PatchAxes axes(point.angle);
-    const Creepage creepage = creepageAt(point, motion, rates, contact.roll, speed);
-    const CreepForce creep = law.force({point.semi_axis_along, point.semi_axis_across, point.normal_force}, creepage);
-    const Eigen::Vector3d normal = point.normal_force * axes.normal;
-    const Eigen::Vector3d tangential = creep.along * Eigen::Vector3d::UnitX() + creep.across * axes.across;
-    sum.normal_force += normal;
-    sum.normal_moment += point.position.cross(normal);
-    sum.creep_force += tangential;
-    sum.creep_moment += point.position.cross(tangential) + creep.moment * axes.normal;
-    sum.creep.push_back(creep);
-    sum.friction_power -=
-        speed * (creep.along * creepage.along + creep.across * creepage.across + creep.moment * creepage.spin);
+    throw std::runtime_error("no usable contact in " + std::to_string(in_a_row_) + " successive steps, at " +
+                             std::to_string(1e-9 * static_cast<double>(request.time)) +
+                             " s, y = " + std::to_string(1e3 * request.y) + " mm: " + reply.status);
   }
-  // The normal forces of surfaces of revolution pass through the axle.
-  sum.spin_moment = sum.creep_moment.dot(axleDirection(motion.yaw, contact.roll));
-  return sum;
+  ++held_;
+  return last_;
 }
 
-WheelsetDynamics::WheelsetDynamics(const Parameters& parameters, double rolling_radius)
-    : parameters_(parameters),
-      rolling_radius_(rolling_radius),
-      step_(1e-9 * static_cast<double>(parameters.run.stepNanoseconds())),
-      law_(parameters.creep)
+const ContactReply& HeldContact::evaluateAgain(const ContactRequest& request)
+{
+  if (ContactReply reply = isHeld() ? ContactReply() : source_.evaluate(request); reply.is_usable)
+  {
+    last_ = std::move(reply);
+  }
+  return last_;
+}
+
+WheelsetDynamics::WheelsetDynamics(const Parameters& parameters)
+    : parameters_(parameters), step_(1e-9 * static_cast<double>(parameters.run.stepNanoseconds()))
 {
   motion_.y = parameters.run.y;
   motion_.yaw = parameters.run.yaw;
-  motion_.spin = parameters.run.speed / rolling_radius;
+  line_.fill(Eigen::Vector2d::Zero());
 }
 
-ContactRequest WheelsetDynamics::request(std::int64_t time, double roll) const
+ContactRequest WheelsetDynamics::request() const
 {
-  const SuspensionParameters& s = parameters_.suspension;
-  ContactRequest request;
-  request.time = time;
-  request.distance = parameters_.run.start + parameters_.run.speed * 1e-9 * static_cast<double>(time);
-  request.y = motion_.y;
+  ContactRequest request = requestAt({motion_.y_rate, motion_.yaw_rate});
   request.yaw = motion_.yaw;
-  request.force_z = -parameters_.wheelset.axle_load + forces_.creep_force.z();
-  request.torque_x = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * roll +
-                     rolling_radius_ * forces_.normal_force.y() + forces_.creep_moment.x();
   return request;
 }
 
-Motion WheelsetDynamics::trialAt(const Eigen::Vector3d& velocities) const
-{
-  Motion trial = motion_;
-  trial.y_rate = velocities.x();
-  trial.yaw_rate = velocities.y();
-  trial.spin = velocities.z();
-  trial.yaw += step_ * velocities.y();
-  return trial;
-}
-
-Eigen::Vector3d WheelsetDynamics::accelerations(const ContactReply& contact, const Motion& trial,
-                                                RailForces& forces) const
+/// State of the contact in a step with these new velocities: the yaw is that at its end.
+ContactRequest WheelsetDynamics::requestAt(const Eigen::Vector2d& velocities) const
 {
   const SuspensionParameters& s = parameters_.suspension;
   const WheelsetParameters& w = parameters_.wheelset;
-  forces = railForces(contact, trial, parameters_.run.speed, law_);
-  const double lateral =
-      forces.force().y() - 2 * s.lateral_stiffness * motion_.y - 2 * s.lateral_damping * trial.y_rate;
-  const double spring_moment = s.longitudinal_stiffness * motion_.yaw + s.longitudinal_damping * trial.yaw_rate;
-  const double yaw_moment = forces.moment().z() - 2 * s.half_spacing * s.half_spacing * spring_moment;
-  return {lateral / w.mass, yaw_moment / w.yaw_inertia, forces.spin_moment / w.spin_inertia};
+  const Eigen::Vector2d line_acceleration = (line_[0] - 2 * line_[1] + line_[2]) / (step_ * step_);
+  ContactRequest request;
+  request.time = steps_ * parameters_.run.stepNanoseconds();
+  request.distance = parameters_.run.start + parameters_.run.speed * 1e-9 * static_cast<double>(request.time);
+  request.speed = parameters_.run.speed;
+  request.y = motion_.y;
+  request.y_rate = velocities.x();
+  request.yaw = motion_.yaw + step_ * velocities.y();
+  request.yaw_rate = velocities.y();
+  request.force_z = -w.axle_load - w.line_inertia * w.mass * line_acceleration.x();
+  request.torque_x = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * roll_ -
+                     w.line_inertia * w.yaw_inertia * line_acceleration.y() +
+                     w.gyroscopic * w.spin_inertia * rotation_ * velocities.y();
+  return request;
 }
 
-void WheelsetDynamics::advance(const ContactReply& contact)
+/// Velocities after the step, less `velocities`.
+Eigen::Vector2d WheelsetDynamics::residual(const Eigen::Vector2d& velocities, const ContactReply& contact) const
 {
-  const double speed = parameters_.run.speed;
-  // Velocities at the circumference have one scale.
-  const Eigen::Vector3d scale(1, 1, rolling_radius_);
-  const Eigen::Vector3d old(motion_.y_rate, motion_.yaw_rate, motion_.spin);
-  const auto residual = [&](const Eigen::Vector3d& v, RailForces& forces) -> Eigen::Vector3d
-  { return v - old - step_ * accelerations(contact, trialAt(v), forces); };
-  Eigen::Vector3d velocities = old;
+  const SuspensionParameters& s = parameters_.suspension;
+  const WheelsetParameters& w = parameters_.wheelset;
+  const double lateral =
+      contact.force.y() - 2 * s.lateral_stiffness * motion_.y - 2 * s.lateral_damping * velocities.x();
+  const double spring_moment = s.longitudinal_stiffness * motion_.yaw + s.longitudinal_damping * velocities.y();
+  const double yaw_moment = contact.moment.z() - 2 * s.half_spacing * s.half_spacing * spring_moment -
+                            w.gyroscopic * w.spin_inertia * rotation_ * roll_rate_;
+  return Eigen::Vector2d(motion_.y_rate, motion_.yaw_rate) +
+         step_ * Eigen::Vector2d(lateral / w.mass, yaw_moment / w.yaw_inertia) - velocities;
+}
+
+void WheelsetDynamics::differentiate(const Eigen::Vector2d& velocities, const Eigen::Vector2d& value,
+                                     HeldContact& contact)
+{
+  const double h = difference * parameters_.run.speed;
+  Eigen::Matrix2d derivatives;
+  for (int k = 0; k < 2; ++k)
+  {
+    const Eigen::Vector2d shifted = velocities + h * Eigen::Vector2d::Unit(k);
+    derivatives.col(k) = (residual(shifted, contact.evaluateAgain(requestAt(shifted))) - value) / h;
+  }
+  correction_ = -derivatives.inverse();
+}
+
+const ContactReply& WheelsetDynamics::advance(HeldContact& contact)
+{
+  const double least = tolerance * parameters_.run.speed;
+  Eigen::Vector2d velocities = Eigen::Vector2d(motion_.y_rate, motion_.yaw_rate) + change_;
+  const ContactReply* reply = &contact.evaluate(requestAt(velocities));
+  addLine({0.5 * (reply->line_left + reply->line_right), 0.5 * (reply->line_left - reply->line_right) / half_distance});
+  double last = 0;
   for (int i = 0; i < most_iterations; ++i)
   {
-    const Eigen::Vector3d value = residual(velocities, forces_);
-    Eigen::Matrix3d derivatives;
-    RailForces ignored;
-    for (int k = 0; k < 3; ++k)
+    const Eigen::Vector2d value = residual(velocities, *reply);
+    Eigen::Vector2d change = correction_ * value;
+    if (change.norm() <= least)
     {
-      const double h = difference * speed / scale[k];
-      derivatives.col(k) = (residual(velocities + h * Eigen::Vector3d::Unit(k), ignored) - value) / h;
+      finish(velocities + change, *reply);
+      return *reply;
     }
-    const Eigen::Vector3d change = -derivatives.partialPivLu().solve(value);
+    if (i > 0 ? change.norm() > slow * last : steps_ == 0)
+    {
+      differentiate(velocities, value, contact);
+      change = correction_ * value;
+    }
     velocities += change;
-    if (change.cwiseProduct(scale).norm() <= tolerance * speed)
-    {
-      motion_ = trialAt(velocities);
-      motion_.y += step_ * velocities.x();
-      return;
-    }
+    last = change.norm();
+    reply = &contact.evaluateAgain(requestAt(velocities));
   }
   throw std::runtime_error("the velocities of the wheelset do not converge in a step of " + std::to_string(step_) +
                            " s");
+}
+
+void WheelsetDynamics::addLine(const Eigen::Vector2d& height_and_roll)
+{
+  const Eigen::Vector2d last = steps_ > 0 ? line_[0] : height_and_roll;
+  // Before the start the line is straight.
+  line_ = {height_and_roll, last, steps_ > 1 ? line_[1] : 2 * last - height_and_roll};
+}
+
+void WheelsetDynamics::finish(const Eigen::Vector2d& velocities, const ContactReply& contact)
+{
+  change_ = velocities - Eigen::Vector2d(motion_.y_rate, motion_.yaw_rate);
+  motion_ = {motion_.y + step_ * velocities.x(), motion_.yaw + step_ * velocities.y(), velocities.x(), velocities.y()};
+  roll_rate_ = steps_ > 0 ? (contact.roll - roll_) / step_ : 0;
+  roll_ = contact.roll;
+  rotation_ = contact.rotation;
+  ++steps_;
 }
 }  // namespace simulate_wheelset

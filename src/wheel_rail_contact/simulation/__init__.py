@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts of the example of a closed loop: creep forces in Python, and pictures of a run."""
+"""Parts of the example of a closed loop: parameters and contact in Python, and pictures of a run."""
