@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/compliance_table_file.h"
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;

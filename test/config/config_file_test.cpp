@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "config/parameter_tree.h"
 #include "parameter_helpers.h"
 #include "wheel_rail_contact/config_file.h"

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/node_config.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;

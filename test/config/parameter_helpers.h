@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
+#include "../usual_headers.h"
 #include "config/node_config.h"
 
 namespace wheel_rail_contact

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <fstream>
-#include <limits>
-#include <string>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "parameter_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <fstream>
-#include <string>
 
+#include "../usual_headers.h"
 #include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/csv_rows.h"
 
-#include <gtest/gtest.h>
+#include "../usual_headers.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <sstream>
-#include <vector>
 
 using namespace wheel_rail_contact;
 

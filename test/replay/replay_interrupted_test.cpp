@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "../pairs_bag.h"
 #include "../temporary_folder.h"
+#include "../usual_headers.h"
 #include "replay/replay.h"
 
 using namespace wheel_rail_contact;

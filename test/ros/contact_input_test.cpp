@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <wheel_rail_contact/WheelsetContact.h>
 #include <Eigen/Geometry>
 #include <boost/make_shared.hpp>
-#include <limits>
-#include <string>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "ros/evaluation/contact_input.h"
 
 using namespace wheel_rail_contact;

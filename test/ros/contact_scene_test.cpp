@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "ros/markers/contact_scene.h"
+#include "../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/evaluation/conversions.h"
-#include "ros/markers/contact_scene.h"
 #include "ros/markers/contact_view.h"
 #include "ros/markers/rail_motion.h"
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <string>
-
+#include "ros/evaluation/contact_statistics.h"
+#include "../usual_headers.h"
 #include "config/compliance_table_file.h"
 #include "result_scene.h"
 #include "ros/evaluation/contact_evaluator.h"
-#include "ros/evaluation/contact_statistics.h"
 
 using namespace wheel_rail_contact;
 using diagnostic_msgs::DiagnosticStatus;

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/hold_last.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <boost/make_shared.hpp>
-#include <cmath>
-#include <cstdint>
-#include <memory>
-#include <string>
 
+#include "../usual_headers.h"
 #include "message_bytes.h"
 #include "ros/evaluation/conversions.h"
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <boost/make_shared.hpp>
-#include <random>
-#include <string>
 #include <tuple>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "pairing_helpers.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/input_pairing.h"

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-
+#include "../usual_headers.h"
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/marker_tools.h"

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/neighbour_forces.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
+#include "../usual_headers.h"
 #include "message_bytes.h"
 
 using namespace wheel_rail_contact;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/node_parameters.h"
 

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "../usual_headers.h"
 #include "result_scene.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/markers/pressure_surface.h"

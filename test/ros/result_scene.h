@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
-#include <string>
-
+#include "../usual_headers.h"
 #include "config/node_config.h"
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/markers/marker_tools.h"

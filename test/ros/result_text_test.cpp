@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/result_text.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
+#include "../usual_headers.h"
 #include "result_scene.h"
 
 using namespace wheel_rail_contact;

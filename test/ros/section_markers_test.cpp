@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drawn rails whose profile changes along the line.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "../core/balance/crossing_scene.h"
+#include "../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"

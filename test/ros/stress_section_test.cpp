@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/stress_section.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+#include "../usual_headers.h"
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/scene_colors.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "../core/balance/crossing_scene.h"
 #include "../core/balance/wheelset_scene.h"
+#include "../usual_headers.h"
 #include "result_check.h"
 #include "scene.h"
 #include "standard_wheelset.h"

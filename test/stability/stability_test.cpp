@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <limits>
 #include <sstream>
 
+#include "../usual_headers.h"
 #include "stability_map.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 

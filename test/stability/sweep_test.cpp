@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 #include "../core/balance/wheelset_scene.h"
 #include "../temporary_folder.h"
+#include "../usual_headers.h"
 #include "random_scene.h"
 #include "result_check.h"
 #include "scene_file.h"

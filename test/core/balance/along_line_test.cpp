@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <memory>
-#include <random>
-#include <string>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/rail_along.h"
 #include "crossing_scene.h"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A check rail beside the running rail: the flange back touches its face.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/profile/curve/spline.h"
 #include "core/track/placement.h"

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What creep forces require of a result: sizes, places, curvatures, stiffness and forces of each contact.
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
-#include <cmath>
-#include <memory>
-#include <string>
 
+#include "../../usual_headers.h"
 #include "core/track/placement.h"
 #include "round_bodies.h"
 #include "wheelset_scene.h"

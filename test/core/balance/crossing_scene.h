@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-#include <memory>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/profile.h"
 #include "wheelset_scene.h"
 

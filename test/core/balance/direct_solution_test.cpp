@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "../normal/dense_active_set.h"
 #include "core/balance/rail_support.h"
 #include "core/track/gap.h"

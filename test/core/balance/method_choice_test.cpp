@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accuracy of `method: auto`: a result meets the tolerance, or its error estimate exceeds the tolerance.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <iostream>
 #include <map>
-#include <string>
 
+#include "../../usual_headers.h"
 #include "../normal/error_samples.h"
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"

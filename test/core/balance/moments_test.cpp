@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Balance of forces and moments about the axle centre (WheelsetConfig::Balance::moments).
-#include <gtest/gtest.h>
-
-#include <cmath>
-
+#include "../../usual_headers.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

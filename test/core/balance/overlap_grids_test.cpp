@@ -2,13 +2,7 @@
 // Grids over the overlap of the undeformed bodies.
 #include "core/balance/overlap_grids.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-
+#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
 

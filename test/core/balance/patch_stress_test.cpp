@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stress beneath the patches of a wheelset.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/contact_search.h"
 #include "round_bodies.h"

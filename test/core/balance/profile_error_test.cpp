@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Results with profiles from files: what noise and missing points leave open.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <fstream>
-#include <random>
-#include <string>
 
+#include "../../usual_headers.h"
 #include "core/balance/patch_result.h"
 #include "round_bodies.h"
 #include "wheel_rail_contact/core/profile_reader.h"

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-
+#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/placement.h"
 #include "same_bits.h"

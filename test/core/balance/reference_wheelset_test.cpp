@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <memory>
-#include <string>
-#include <utility>
-
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 #include "wheelset_scene.h"

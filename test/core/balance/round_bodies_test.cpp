@@ -2,12 +2,7 @@
 // Accuracy of `method: auto` between round bodies and at the end of an arc.
 #include "round_bodies.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <random>
+#include "../../usual_headers.h"
 
 using namespace wheel_rail_contact::core;
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <utility>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 /// Comparison of results without a tolerance: with equal results, and with the mirror image, in which left and right

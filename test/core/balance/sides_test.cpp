@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <random>
-#include <string>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "round_bodies.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"

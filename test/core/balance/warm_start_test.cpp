@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
+#include "../../usual_headers.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 

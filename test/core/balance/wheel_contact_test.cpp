@@ -2,11 +2,7 @@
 // One wheel on the surface of its rail, against the reference code and its own energy.
 #include "core/balance/wheel_contact.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "../../usual_headers.h"
 #include "../normal/problems.h"
 #include "conformal_reference.h"
 #include "core/balance/rail_support.h"

@@ -2,13 +2,9 @@
 // Equilibrium of a wheel and its bending rail.
 #include "core/balance/wheel_equilibrium.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
+#include "../../usual_headers.h"
 #include "../normal/problems.h"
 #include "core/balance/rail_support.h"
 #include "wheelset_scene.h"

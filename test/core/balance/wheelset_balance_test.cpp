@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/balance/wheelset_balance.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-
+#include "../../usual_headers.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
+#include "../../usual_headers.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

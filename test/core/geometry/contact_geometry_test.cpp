@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/contact_geometry.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
-
+#include "../../usual_headers.h"
 #include "../balance/round_bodies.h"
 #include "core/track/placement.h"
 #include "wheel_rail_contact/core/profile_reader.h"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-
 #include "core/normal/solvers/conjugate_gradients.h"
+#include "../../usual_headers.h"
 #include "dense_active_set.h"
 #include "problems.h"
 

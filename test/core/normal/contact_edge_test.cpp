@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/measures/contact_edge.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <random>
-
+#include "../../usual_headers.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <Eigen/Cholesky>
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <vector>
 
+#include "../../usual_headers.h"
 #include "core/constants.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/contact_tangent.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/estimate/error_estimate.h"
 
-#include <gtest/gtest.h>
-
-#include <iostream>
-
+#include "../../usual_headers.h"
 #include "error_samples.h"
 
 namespace wheel_rail_contact::core

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <map>
-#include <memory>
-#include <vector>
 
+#include "../../usual_headers.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/estimate/error_estimate.h"

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <random>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/constants.h"
 #include "core/normal/operator/operator_cache.h"
 #include "core/normal/solvers/conjugate_gradients.h"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/hertz_solver.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-
+#include "../../usual_headers.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/kik_piotrowski.h"
 #include "problems.h"

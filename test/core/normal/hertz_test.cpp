@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/hertz.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <random>
-
+#include "../../usual_headers.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/operator/influence_operator.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Eigenvalues>
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
 
+#include "../../usual_headers.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/operator/operator_cache.h"
 #include "problems.h"

@@ -2,14 +2,8 @@
 // Separate contacts of a wheel, of which several may lie on one grid.
 #include "core/normal/estimate/islands.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <random>
-
 #include "../../manchester_scene.h"
+#include "../../usual_headers.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/track/placement.h"
 #include "problems.h"

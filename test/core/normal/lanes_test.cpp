@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/operator/lanes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
+#include "../../usual_headers.h"
 #include "problems.h"
 
 namespace wheel_rail_contact::core

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <random>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 

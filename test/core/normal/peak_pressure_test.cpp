@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/measures/peak_pressure.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/constants.h"
 #include "core/normal/measures/discontinuity_bias.h"
 #include "core/normal/measures/gap_steps.h"

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz.h"

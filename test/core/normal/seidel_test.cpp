@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/seidel.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
+#include "../../usual_headers.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

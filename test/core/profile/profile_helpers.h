@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iomanip>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "../../temporary_folder.h"
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact::core

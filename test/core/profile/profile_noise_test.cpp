@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Noise of the points of a file, and points that are missing.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/profile/noise/noise.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile_reader.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <stdexcept>
-
+#include "../../usual_headers.h"
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/profile/along/changing_profile.h"
 #include "section_scenes.h"
 #include "wheel_rail_contact/core/profile.h"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <map>
-#include <string>
-#include <vector>
 
+#include "../../usual_headers.h"
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 #include "section_scenes.h"

@@ -2,13 +2,7 @@
 // Curves between two sections of a rail.
 #include "core/profile/along/section_blend.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "section_scenes.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/profile/along/section_blend.h"
 #include "wheel_rail_contact/core/profile.h"
 

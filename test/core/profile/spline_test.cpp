@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "core/profile/curve/spline.h"
+#include "../../usual_headers.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-
+#include "../../usual_headers.h"
 #include "standard_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

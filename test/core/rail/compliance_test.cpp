@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/rail_compliance.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-
 #include "../../manchester_scene.h"
+#include "../../usual_headers.h"
 #include "core/rail/neighbours.h"
 
 using namespace wheel_rail_contact::core;

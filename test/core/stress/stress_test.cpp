@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/stress.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Eigenvalues>
-#include <cmath>
-#include <limits>
-#include <random>
 
+#include "../../usual_headers.h"
 #include "core/normal/operator/influence.h"
 #include "core/stress/point_forces.h"
 #include "core/stress/point_sources.h"

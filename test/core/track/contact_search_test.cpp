@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "../../manchester_scene.h"
+#include "../../usual_headers.h"
 #include "../profile/section_scenes.h"
 #include "core/track/contact_search.h"
 #include "dense_separation.h"

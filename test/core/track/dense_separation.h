@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
+#include "../../usual_headers.h"
 #include "core/track/placement.h"
 
 namespace wheel_rail_contact::core

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/gap.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <vector>
 
 #include "../../manchester_scene.h"
+#include "../../usual_headers.h"
 #include "core/track/contact_search.h"
 
 using namespace wheel_rail_contact::core;

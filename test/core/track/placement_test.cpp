@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/placement.h"
 
-#include <gtest/gtest.h>
-
-#include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "../../manchester_scene.h"
+#include "../../usual_headers.h"
 #include "core/track/contact_search.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

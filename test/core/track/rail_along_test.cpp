@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
+#include "core/track/rail_along.h"
 #include "../../manchester_scene.h"
 #include "../../temporary_folder.h"
+#include "../../usual_headers.h"
 #include "../profile/profile_helpers.h"
 #include "../profile/section_scenes.h"
-#include "core/track/rail_along.h"
 
 using namespace wheel_rail_contact::core;
 using section_scenes::Head;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/root_bracket.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "../../usual_headers.h"
 
 namespace wheel_rail_contact::core
 {

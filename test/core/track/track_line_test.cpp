@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "../../temporary_folder.h"
+#include "../../usual_headers.h"
 #include "../profile/profile_helpers.h"
 #include "wheel_rail_contact/core/track.h"
 

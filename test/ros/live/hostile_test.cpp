@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // contact_node with invalid and excessive input. At the end of each test, each pair has a result or is counted as
 // dropped.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
-#include <limits>
 
+#include "../../usual_headers.h"
 #include "contact_client.h"
 
 using namespace wheel_rail_contact;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cmath>
-#include <limits>
-
+#include "../../usual_headers.h"
 #include "../message_bytes.h"
 #include "contact_client.h"
 

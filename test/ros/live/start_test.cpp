@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <array>
 #include <csignal>
-#include <cstdio>
-#include <string>
 
+#include "../../usual_headers.h"
 #include "contact_client.h"
 
 using namespace wheel_rail_contact;

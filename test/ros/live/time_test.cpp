@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
-#include <cmath>
-
+#include "../../usual_headers.h"
 #include "contact_client.h"
 
 using namespace wheel_rail_contact;
