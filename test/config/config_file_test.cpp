@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
-
-#include "../usual_headers.h"
+#include "wheel_rail_contact/config_file.h"
 #include "config/parameter_tree.h"
 #include "parameter_helpers.h"
-#include "wheel_rail_contact/config_file.h"
 
 using namespace wheel_rail_contact;
 
@@ -22,15 +19,7 @@ ContactParameters readOver(const std::vector<ParameterSource>& overlays)
 
 std::string refusalOf(const std::vector<ParameterSource>& sources, const FileSearch& where)
 {
-  try
-  {
-    readContactParameters(sources, where);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "accepted";
+  return wheel_rail_contact::refusalOf([&] { readContactParameters(sources, where); });
 }
 }  // namespace
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/node_config.h"
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "../usual_headers.h"
 #include "parameter_helpers.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../usual_headers.h"
+#include "../refusal.h"
 #include "config/node_config.h"
 
 namespace wheel_rail_contact
@@ -36,20 +36,7 @@ inline NodeConfig read(const ParameterTree& tree)
 /// Message with which a tree is refused; "accepted" if it is not.
 inline std::string refusal(const ParameterTree& tree)
 {
-  try
-  {
-    read(tree);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "accepted";
-}
-
-inline bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
+  return refusalOf([&] { read(tree); });
 }
 
 struct Mistake

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
-
 #include "../usual_headers.h"
 #include "parameter_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
@@ -44,7 +42,6 @@ class ProfileParameters : public testing::Test
                 });
   }
 };
-}  // namespace
 
 TEST_F(ProfileParameters, TellWhatAFileDoesNotState)
 {
@@ -107,8 +104,6 @@ TEST_F(ProfileParameters, MistakesAreNamed)
 }
 
 // Parameters of rails whose profile changes along the line.
-namespace
-{
 using Placement = core::RailSections::Placement;
 
 /// Points of a round head with its middle at `y` and its crown at `top` [mm].
@@ -146,7 +141,6 @@ class SectionParameters : public testing::Test
     return read(with("rail: {left: {profile: " + profile + "}}")).model;
   }
 };
-}  // namespace
 
 TEST_F(SectionParameters, SectionsAreReadInOrder)
 {
@@ -271,3 +265,4 @@ TEST_F(SectionParameters, NameAndGroupExcludeEachOther)
   tree["rail/profile"] = YAML::Node("60E1");
   EXPECT_TRUE(contains(refusal(tree), "rail/profile = 60E1 must be either a name or a group")) << refusal(tree);
 }
+}  // namespace

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
-
 #include "../usual_headers.h"
 #include "parameter_helpers.h"
 

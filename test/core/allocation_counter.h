@@ -1,29 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cerrno>
 #include <cstdlib>
 
 #ifdef __GLIBC__
 /// Counts the allocations of a test program, including those of Eigen and operator new. To be included in one source of
-/// a program: it replaces malloc() and calloc().
+/// a program: it replaces the functions of the standard library.
 namespace
 {
-volatile long allocations = 0;  // volatile: the compiler may assume that calloc() does not change it
+volatile long allocations = 0;        ///< by malloc() and calloc(), which the compiler may assume not to change it
+volatile long other_allocations = 0;  ///< by the other functions
 volatile bool counting = false;
-}  // namespace
 
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* __libc_calloc(std::size_t count, std::size_t size);
-
-extern "C" void* malloc(std::size_t size)
+void countIn(volatile long& number)
 {
-  allocations = allocations + (counting ? 1 : 0);
-  return __libc_malloc(size);
+  number = number + (counting ? 1 : 0);
 }
 
-extern "C" void* calloc(std::size_t count, std::size_t size)
+/// Number of all allocations of a call.
+template <typename Call>
+long allocationsOf(const Call& call)
 {
-  allocations = allocations + (counting ? 1 : 0);
-  return __libc_calloc(count, size);
+  allocations = other_allocations = 0;
+  counting = true;
+  call();
+  counting = false;
+  return allocations + other_allocations;
+}
+}  // namespace
+
+extern "C"
+{
+  void* __libc_malloc(std::size_t size);
+  void* __libc_calloc(std::size_t count, std::size_t size);
+  void* __libc_realloc(void* memory, std::size_t size);
+  void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+  void* malloc(std::size_t size)
+  {
+    countIn(allocations);
+    return __libc_malloc(size);
+  }
+  void* calloc(std::size_t count, std::size_t size)
+  {
+    countIn(allocations);
+    return __libc_calloc(count, size);
+  }
+  void* realloc(void* memory, std::size_t size)
+  {
+    countIn(other_allocations);
+    return __libc_realloc(memory, size);
+  }
+  void* aligned_alloc(std::size_t alignment, std::size_t size)
+  {
+    countIn(other_allocations);
+    return __libc_memalign(alignment, size);
+  }
+  int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
+  {
+    countIn(other_allocations);
+    *memory = __libc_memalign(alignment, size);
+    return *memory ? 0 : ENOMEM;
+  }
 }
 #endif

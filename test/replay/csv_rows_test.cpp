@@ -3,10 +3,6 @@
 
 #include "../usual_headers.h"
 
-#include <fstream>
-#include <map>
-#include <sstream>
-
 using namespace wheel_rail_contact;
 
 namespace

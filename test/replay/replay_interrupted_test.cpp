@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <atomic>
-#include <fstream>
 #include <iterator>
-#include <map>
 
 #include "../pairs_bag.h"
 #include "../temporary_folder.h"

@@ -27,7 +27,6 @@ std::size_t count(const MarkerArray& markers, const std::string& ns)
   return static_cast<std::size_t>(std::count_if(markers.markers.begin(), markers.markers.end(),
                                                 [&](const Marker& marker) { return marker.ns == ns; }));
 }
-}  // namespace
 
 TEST_F(Scene, PressureInTrueSizeIsDrawnOnItsPatch)
 {
@@ -269,8 +268,6 @@ TEST_F(Scene, MessageOfARejectedInputHasNoPoseAndIsDrawnWithoutAWheelset)
   EXPECT_EQ(count(draw(), "wheel_profile"), 0U);
 }
 
-namespace
-{
 constexpr double spacing = 0.15;
 
 class FollowedContact : public ResultScene
@@ -296,7 +293,6 @@ class FollowedContact : public ResultScene
   ContactTrail trail;
   SceneOptions options;
 };
-}  // namespace
 
 TEST_F(FollowedContact, IsAtTheOriginWithItsNormalUpward)
 {
@@ -387,3 +383,4 @@ TEST(ContactFrame, WheelWithoutLoadHasNone)
   EXPECT_TRUE(contactFrame(result, core::Side::left));
   EXPECT_FALSE(contactFrame(result, core::Side::right));
 }
+}  // namespace

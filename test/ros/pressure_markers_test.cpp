@@ -14,7 +14,6 @@ ros::Time after(double seconds)
 {
   return begin + ros::Duration(seconds);
 }
-}  // namespace
 
 TEST(PressureScale, FixedUpperEndIgnoresThePressure)
 {
@@ -88,8 +87,6 @@ TEST_F(HighestPressure, IsThatOfTheDrawnSidesAndOfTheirCells)
   EXPECT_EQ(highestPressure(output, {core::Side::left}), 0);
 }
 
-namespace
-{
 constexpr double a = 8e-3, b = 5e-3, peak = 1e9;  // semi-axes [m], pressure [Pa]
 
 double hertz(double x, double y)
@@ -121,7 +118,6 @@ Eigen::ArrayXXd hertzOn(const core::PatchGrid& grid)
   }
   return pressure;
 }
-}  // namespace
 
 TEST(PressureSurface, ApproximatesHertzBetweenCoarseCells)
 {
@@ -231,3 +227,4 @@ TEST(PressureSurface, OutlineLiesOnTheEllipse)
     EXPECT_NEAR(std::hypot(p.x / a, p.y / b), 1, 0.33 * grid.dx / a);
   }
 }
+}  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/contact_geometry.h"
 
-#include "../../usual_headers.h"
+#include "../../refusal.h"
 #include "../balance/round_bodies.h"
 #include "core/track/placement.h"
 #include "wheel_rail_contact/core/profile_reader.h"
@@ -257,17 +257,7 @@ TEST(ContactGeometry, TouchesOnMissingPointsHaveAReasonAndEndTheCurve)
 TEST(ContactGeometry, RefusesOptionsOutOfRange)
 {
   const auto refused = [](const ContactGeometryOptions& options, const std::string& name)
-  {
-    try
-    {
-      contactGeometry(standard(), options);
-    }
-    catch (const std::invalid_argument& error)
-    {
-      return std::string(error.what()).rfind(name + " = ", 0) == 0;
-    }
-    return false;
-  };
+  { return refusalOf([&] { contactGeometry(standard(), options); }).rfind(name + " = ", 0) == 0; };
   EXPECT_TRUE(refused(range(-0.11, 0, 1e-3), "y_first"));
   EXPECT_TRUE(refused(range(0, 0.11, 1e-3), "y_last"));
   EXPECT_TRUE(refused(range(0.01, 0.01, 1e-3), "y_last"));

@@ -13,11 +13,6 @@ using Origin = ProfileReading::Origin;
 constexpr double rounding = 1e-12;  ///< of 12 digits [m]
 constexpr double of_top = 1e-7;     ///< by which the highest of the points may be below the crown [m]
 
-std::vector<Point> moved(const std::vector<Point>& points, double y, double z)
-{
-  return changed(points, [=](const Point& p) { return Point{p.y + y, p.z + z}; });
-}
-
 class OriginTest : public testing::Test
 {
  protected:
@@ -28,15 +23,7 @@ class OriginTest : public testing::Test
 
   std::string refusal(const std::vector<Point>& points, ProfileKind kind, const ProfileReading& reading = {}) const
   {
-    try
-    {
-      read(points, kind, reading);
-      return "accepted";
-    }
-    catch (const FileError& error)
-    {
-      return error.reason();
-    }
+    return refusalOf<FileError>([&] { read(points, kind, reading); });
   }
 
   static ProfileReading with(Origin origin)
@@ -44,11 +31,6 @@ class OriginTest : public testing::Test
     ProfileReading reading;
     reading.origin = origin;
     return reading;
-  }
-
-  static bool contains(const std::string& text, const std::string& part)
-  {
-    return text.find(part) != std::string::npos;
   }
 
   const std::vector<Point> rail_ = pointsOf(rail60E1()), wheel_ = pointsOf(s1002Wheel());
@@ -64,7 +46,6 @@ std::vector<Point> wholeRail()
   outline.insert(outline.end(), {{0.009, -0.050}, {0.009, -0.140}, {0.075, -0.160}, {0.075, -0.172}, {-0.075, -0.172}});
   return outline;
 }
-}  // namespace
 
 TEST_F(OriginTest, OfARailIsFoundFromItsShape)
 {
@@ -75,7 +56,7 @@ TEST_F(OriginTest, OfARailIsFoundFromItsShape)
     EXPECT_LT(deviation(described.profile, rail_), of_top);
     EXPECT_NEAR(described.report.moved_y, std::abs(y) > 0.015 ? -y : 0, 1e-9);
     EXPECT_NEAR(described.report.moved_z, z == 0 ? 0 : -z, of_top);
-    EXPECT_TRUE(contains(described.report.text, "moved by")) << described.report.text;
+    EXPECT_TRUE(contains(described.report.text, "moved by"));
   }
 }
 
@@ -138,15 +119,7 @@ TEST_F(OriginTest, OfASimpackWheelMayBeItsFlangeBack)
       "header.begin\n version = 1\n type = 1\nheader.end\nspline.begin\n units.len.f = 1000\n point.begin\n" +
           lines(listed, " ") + " point.end\nspline.end\n");
   EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, with(Origin::flange_back)), wheel_), of_top);
-  try
-  {
-    readProfile(path, ProfileKind::wheel);
-    ADD_FAILURE() << "accepted";
-  }
-  catch (const FileError& error)
-  {
-    EXPECT_TRUE(contains(error.reason(), "origin: flange_back")) << error.reason();
-  }
+  EXPECT_TRUE(contains(refusalOf<FileError>([&] { readProfile(path, ProfileKind::wheel); }), "origin: flange_back"));
 }
 
 TEST_F(OriginTest, ShiftMovesAWheelFromItsFlangeBackToo)
@@ -170,8 +143,7 @@ TEST_F(OriginTest, WheelIsNotTakenForARail)
 {
   for (const double sign : {-1.0, 1.0})
   {
-    const auto turned = changed(wheel_, [sign](const Point& p) { return Point{sign * p.y, -p.z}; });
-    EXPECT_TRUE(contains(refusal(turned, ProfileKind::rail), "not a rail")) << refusal(turned, ProfileKind::rail);
+    EXPECT_TRUE(contains(refusal(scaled(wheel_, sign, -1), ProfileKind::rail), "not a rail"));
   }
 }
 
@@ -214,11 +186,11 @@ TEST_F(OriginTest, RimIsNotTakenForAFlange)
     whole.push_back({0.060 + 0.0002 * i, whole.back().z + 0.001});
   }
   EXPECT_LT(deviation(read(whole, ProfileKind::wheel).profile, whole), rounding);
-  const auto turned = changed(whole, [](const Point& p) { return Point{-p.y, -p.z}; });
+  const auto turned = scaled(whole, -1, -1);
   EXPECT_TRUE(contains(refusal(turned, ProfileKind::wheel),
                        "both axes are reversed; the points are a profile by y: inward, z: down"));
-  const auto mirrored = changed(whole, [](const Point& p) { return Point{-p.y, p.z}; });
-  EXPECT_TRUE(contains(refusal(mirrored, ProfileKind::wheel), "the points are a profile by y: inward, z: up"));
+  EXPECT_TRUE(
+      contains(refusal(scaled(whole, -1, 1), ProfileKind::wheel), "the points are a profile by y: inward, z: up"));
   // Without the flange back: the curve ends at the tip.
   std::vector<Point> to_tip;
   std::copy_if(turned.begin(), turned.end(), std::back_inserter(to_tip), [](const Point& p) { return p.y < 0.0545; });
@@ -227,24 +199,17 @@ TEST_F(OriginTest, RimIsNotTakenForAFlange)
 
 TEST_F(OriginTest, OptionsOutOfRangeAreRefused)
 {
-  const auto expect_invalid = [&](const ProfileReading& reading)
-  { EXPECT_THROW(read(rail_, ProfileKind::rail, reading), std::invalid_argument); };
-  ProfileReading reading;
-  reading.unit = 0;
-  expect_invalid(reading);
-  reading = {};
-  reading.shift_y = 1.5;
-  expect_invalid(reading);
-  reading = {};
-  reading.rotate = NAN;
-  expect_invalid(reading);
-  reading = {};
-  reading.smoothing = 2e-4;
-  expect_invalid(reading);
+  const std::function<void(ProfileReading&)> mistakes[] = {
+      [](ProfileReading& reading) { reading.unit = 0; }, [](ProfileReading& reading) { reading.shift_y = 1.5; },
+      [](ProfileReading& reading) { reading.rotate = NAN; }, [](ProfileReading& reading) { reading.smoothing = 2e-4; }};
+  for (const auto& make : mistakes)
+  {
+    ProfileReading reading;
+    make(reading);
+    EXPECT_THROW(read(rail_, ProfileKind::rail, reading), std::invalid_argument);
+  }
 }
 
-namespace
-{
 ProfileReading mirrored(std::optional<double> smoothing = std::nullopt)
 {
   ProfileReading reading;
@@ -259,11 +224,6 @@ const ProfileReading mirror = mirrored();
 std::vector<Point> wornRail()
 {
   return changed(pointsOf(rail60E1()), [](const Point& p) { return Point{p.y, p.z * (p.y < 0 ? 1.02 : 1)}; });
-}
-
-Point negated(const Point& p)
-{
-  return {-p.y, p.z};
 }
 
 /// Expects the curves to be equal in every bit.
@@ -292,12 +252,7 @@ std::string simpack(const std::vector<Point>& points, const char* type)
 {
   return std::string("header.begin\n version = 1\n type = ") + type +
          "\nheader.end\nspline.begin\n approx.smooth = 0\n units.len.f = 1000\n point.begin\n" +
-         lines(changed(points,
-                       [](const Point& p) {
-                         return Point{p.y * 1e3, -p.z * 1e3};
-                       }),
-               " ") +
-         " point.end\nspline.end\n";
+         lines(scaled(points, 1e3, -1e3), " ") + " point.end\nspline.end\n";
 }
 
 const Format formats[] = {
@@ -306,13 +261,8 @@ const Format formats[] = {
     {"prw", ProfileKind::wheel, [](const std::vector<Point>& points) { return simpack(points, "1"); }},
     {"prr", ProfileKind::rail, [](const std::vector<Point>& points) { return simpack(points, "0"); }},
     {"whl", ProfileKind::wheel,
-     [](const std::vector<Point>& points) {
-       return lines(changed(points, [](const Point& p) { return Point{p.y * 1e3 + 70, -p.z * 1e3}; }), " ");
-     }},
-    {"ban", ProfileKind::rail, [](const std::vector<Point>& points) {
-       return lines(changed(points, [](const Point& p) { return Point{-p.y * 1e3, p.z * 1e3}; }), " ");
-     }}};
-}  // namespace
+     [](const std::vector<Point>& points) { return lines(moved(scaled(points, 1e3, -1e3), 70, 0), " "); }},
+    {"ban", ProfileKind::rail, [](const std::vector<Point>& points) { return lines(scaled(points, -1e3, 1e3), " "); }}};
 
 // The sign of a number in the file does not affect its rounding, except that of a MiniProf wheel, whose X is counted
 // from the flange back: 70 mm + y and 70 mm - y are written with twelve digits, to 1e-13 m.
@@ -326,7 +276,7 @@ TEST(MirroredProfile, IsTheProfileWrittenWithYNegated)
     const std::string name = std::string("given.") + format.extension;
     const Profile given = readProfile(folder.write(name, format.text(points)), format.kind);
     const std::string negated_name = std::string("negated.") + format.extension;
-    const std::string path = folder.write(negated_name, format.text(changed(points, negated)));
+    const std::string path = folder.write(negated_name, format.text(scaled(points, -1, 1)));
     const Profile mirrored = readProfile(path, format.kind, mirror);
     EXPECT_EQ(mirrored.name(), negated_name);
     if (std::string(format.extension) == "whl")
@@ -348,16 +298,9 @@ TEST(MirroredProfile, OfAStandardNameIsRefused)
   for (const auto& [name, kind] : standards)
   {
     EXPECT_EQ(loadProfile(name, kind).name(), name);
-    try
-    {
-      loadProfile(name, kind, mirror);
-      ADD_FAILURE() << name << " was accepted";
-    }
-    catch (const std::invalid_argument& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-      EXPECT_NE(std::string(error.what()).find("mirror"), std::string::npos) << error.what();
-    }
+    const std::string refusal = refusalOf([&, name = name, kind = kind] { loadProfile(name, kind, mirror); });
+    EXPECT_TRUE(contains(refusal, name));
+    EXPECT_TRUE(contains(refusal, "mirror"));
   }
 }
 
@@ -366,7 +309,7 @@ TEST(MirroredProfile, OfAWheelOfTheRightOrientationIsNotAWheel)
   const Folder folder;
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
   const std::string given = folder.write("given.csv", csv(wheel));
-  const std::string negated_file = folder.write("negated.csv", csv(changed(wheel, negated)));
+  const std::string negated_file = folder.write("negated.csv", csv(scaled(wheel, -1, 1)));
   EXPECT_THROW(readProfile(given, ProfileKind::wheel, mirror), FileError);
   EXPECT_THROW(readProfile(negated_file, ProfileKind::wheel), FileError);
   EXPECT_NO_THROW(loadProfile(negated_file, ProfileKind::wheel, mirror));
@@ -377,7 +320,8 @@ TEST(MirroredProfile, IsSmoothedForTheSameNoise)
   const Folder folder;
   const std::vector<Point> rail = wornRail();
   const Profile given = readProfile(folder.write("given.csv", csv(rail)), ProfileKind::rail, {5e-6});
-  const std::string path = folder.write("negated.csv", csv(changed(rail, negated)));
+  const std::string path = folder.write("negated.csv", csv(scaled(rail, -1, 1)));
   expectSameCurve(readProfile(path, ProfileKind::rail, mirrored(5e-6)), given);
 }
+}  // namespace
 }  // namespace wheel_rail_contact::core

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <iomanip>
-#include <sstream>
 
+#include "../../last_where.h"
+#include "../../refusal.h"
 #include "../../temporary_folder.h"
-#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact::core
@@ -15,14 +15,7 @@ constexpr double mm = 1e-3;  ///< [m]
 /// Parameter at which a curve with increasing y reaches `y` [m].
 inline double parameterAt(const Profile& profile, double y)
 {
-  double low = 0.0;
-  double high = profile.length();
-  for (int halving = 0; halving < 100; ++halving)
-  {
-    const double middle = 0.5 * (low + high);
-    (profile.at(middle).y < y ? low : high) = middle;
-  }
-  return low;
+  return lastWhere([&](double u) { return profile.at(u).y < y; }, 0, profile.length());
 }
 
 /// Two coordinates, in the unit and axes of a file.
@@ -50,6 +43,17 @@ inline std::vector<Point> changed(const std::vector<Point>& points, const std::f
   std::vector<Point> result;
   std::transform(points.begin(), points.end(), std::back_inserter(result), change);
   return result;
+}
+
+inline std::vector<Point> moved(const std::vector<Point>& points, double y, double z)
+{
+  return changed(points, [=](const Point& p) { return Point{p.y + y, p.z + z}; });
+}
+
+/// Points with other units or directions of the axes.
+inline std::vector<Point> scaled(const std::vector<Point>& points, double y, double z)
+{
+  return changed(points, [=](const Point& p) { return Point{p.y * y, p.z * z}; });
 }
 
 /// One line per point, the coordinates separated by `separator`.

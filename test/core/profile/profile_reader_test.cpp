@@ -13,18 +13,11 @@ namespace
 void expectRejected(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
 {
   SCOPED_TRACE(path + ", expected error: " + reason);
-  try
-  {
-    readProfile(path, kind);
-    ADD_FAILURE() << "the file was accepted";
-  }
-  catch (const FileError& error)
-  {
-    EXPECT_EQ(error.file(), path);
-    EXPECT_EQ(error.line(), line) << error.what();
-    EXPECT_NE(error.reason().find(reason), std::string::npos) << error.what();
-    EXPECT_EQ(error.what(), path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + error.reason());
-  }
+  const FileError error = thrownBy<FileError>([&] { readProfile(path, kind); });
+  EXPECT_EQ(error.file(), path);
+  EXPECT_EQ(error.line(), line) << error.what();
+  EXPECT_TRUE(contains(error.reason(), reason));
+  EXPECT_EQ(error.what(), path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + error.reason());
 }
 
 /// The points in a random order that is the same with every standard library. The order of std::shuffle is not.
@@ -57,15 +50,8 @@ TEST(LoadProfile, ContentDeterminesTheFileFormat)
     EXPECT_EQ(loadProfile(folder.write(name, table), ProfileKind::rail).name(), name);
     EXPECT_EQ(describedProfile(folder.path(name), ProfileKind::rail).report.format, "table");
   }
-  try
-  {
-    loadProfile("S1003", ProfileKind::wheel);
-    ADD_FAILURE() << "S1003 is no file";
-  }
-  catch (const FileError& error)
-  {
-    EXPECT_NE(error.reason().find("neither the name of a standard profile"), std::string::npos);
-  }
+  EXPECT_TRUE(contains(refusalOf<FileError>([] { loadProfile("S1003", ProfileKind::wheel); }),
+                       "neither the name of a standard profile"));
   expectRejected(folder.path("missing.csv"), ProfileKind::rail, 0, "no such file");
 }
 
@@ -73,7 +59,7 @@ TEST(TableProfile, TitlesDetermineTheUnit)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(s1002Wheel());
-  const std::vector<Point> millimetres = changed(points, [](const Point& p) { return Point{p.y * 1e3, p.z * 1e3}; });
+  const std::vector<Point> millimetres = scaled(points, 1e3, 1e3);
   const std::vector<Point> reversed(points.rbegin(), points.rend());
   const std::string files[] = {
       folder.write("metres.csv", "y_m,z_m\n" + lines(points, ",")),
@@ -141,29 +127,22 @@ TEST(ProfileFiles, ImplausibleProfilesAreRejected)
   { expectRejected(folder.write("bad.csv", csv(points)), kind, line, reason); };
   const std::vector<Point> rail = pointsOf(rail60E1());
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
-  const auto scaled = [](double factor) {
-    return [factor](const Point& p) { return Point{factor * p.y, factor * p.z}; };
-  };
 
   rejected({rail.begin(), rail.begin() + 9}, 0, "number of points is 9");
-  rejected(changed(rail, scaled(1e3)), 0, "wrong unit");
-  rejected(changed(rail, scaled(1e-3)), 0, "wrong unit");
-  rejected(changed(rail, [](const Point& p) { return Point{p.y, 5.0 * p.z}; }), 0, "high");
+  rejected(scaled(rail, 1e3, 1e3), 0, "wrong unit");
+  rejected(scaled(rail, 1e-3, 1e-3), 0, "wrong unit");
+  rejected(scaled(rail, 1, 5), 0, "high");
   rejected(std::vector<Point>(50, Point{0.0, 0.0}), 0, "wide");
 
   // Wrong kind, wrong axes, wrong origin.
   rejected(wheel, 0, "highest point is at an end");
   rejected(rail, 0, "not a wheel", ProfileKind::wheel);
-  rejected(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "z does not point up");
-  rejected(changed(wheel,
-                   [](const Point& p) {
-                     return Point{-p.y, p.z};
-                   }),
-           0, "an axis is reversed; the points are a profile by y: inward, z: up", ProfileKind::wheel);
-  rejected(changed(wheel, [](const Point& p) { return Point{p.y, -p.z}; }), 0, "not a wheel", ProfileKind::wheel);
-  const auto turned = changed(wheel, [](const Point& p) { return Point{-p.y, -p.z}; });
-  rejected(turned, 0, "both axes are reversed", ProfileKind::wheel);
-  rejected(changed(wheel, [](const Point& p) { return Point{p.y + 0.07, p.z}; }), 0, "origin", ProfileKind::wheel);
+  rejected(scaled(rail, 1, -1), 0, "z does not point up");
+  rejected(scaled(wheel, -1, 1), 0, "an axis is reversed; the points are a profile by y: inward, z: up",
+           ProfileKind::wheel);
+  rejected(scaled(wheel, 1, -1), 0, "not a wheel", ProfileKind::wheel);
+  rejected(scaled(wheel, -1, -1), 0, "both axes are reversed", ProfileKind::wheel);
+  rejected(moved(wheel, 0.07, 0), 0, "origin", ProfileKind::wheel);
 
   // Order along the curve.
   std::vector<Point> points = rail;
@@ -240,17 +219,10 @@ TEST(MiniProfProfile, OriginOfAWheelIsOnTheRunningCircle)
 
   // Running circle 73.5 mm from the flange back, heights from another reference.
   const CurvePoint origin = s1002Wheel().at(parameterAt(s1002Wheel(), 3.5 * mm));
-  const std::vector<Point> raised = changed(points,
-                                            [](const Point& p) {
-                                              return Point{miniProfWheel(p).y, miniProfWheel(p).z + 2.0};
-                                            });
+  const std::vector<Point> raised = moved(changed(points, miniProfWheel), 0, 2);
   const Profile other = readProfile(
       folder.write("b.whl", header + "WheelDiameterTaperline=73.5\n" + lines(raised, "\t")), ProfileKind::wheel, {0.0});
-  EXPECT_LT(deviation(other, changed(points,
-                                     [&](const Point& p) {
-                                       return Point{p.y - origin.y, p.z - origin.z};
-                                     })),
-            1e-11);
+  EXPECT_LT(deviation(other, moved(points, -origin.y, -origin.z)), 1e-11);
 }
 
 TEST(MiniProfProfile, WheelThatEndsBesideItsRunningCircleIsRejected)
@@ -330,7 +302,7 @@ TEST(MiniProfProfile, DamagedFilesAreRejected)
   rejected(points + "12.5 gauge\n", count + 1, "'gauge' is not a finite number");
   rejected("Comment=none\n", 0, "number of points is 0");
   rejected(lines(pointsOf(rail60E1()), " "), 0, "wrong unit");
-  rejected(lines(changed(rail, [](const Point& p) { return Point{p.y, -p.z}; }), " "), 0, "z does not point up");
+  rejected(lines(scaled(rail, 1, -1), " "), 0, "z does not point up");
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "core/profile/along/changing_profile.h"
 #include "section_scenes.h"
@@ -114,9 +115,7 @@ TEST(Profile, SectionIsFoundForAnyLengths)
 {
   // Every section is a line at the height of its number. The height therefore identifies the section that was used.
   // Lengths over eight orders of magnitude put many sections into one bucket.
-  const unsigned seed = 20240611;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 generator(seed);
+  Seeded generator(20240611);
   std::uniform_real_distribution<double> exponent(-10.0, -2.0);
   std::vector<ProfileSection> sections;
   for (int i = 0; i < 300; ++i)
@@ -146,9 +145,7 @@ TEST(ProfileCursor, PointsAreThoseOfTheProfile)
                                 {PolynomialSection{-0.01, {2.0, -3.0, 50.0, 4000.0}, 4}, 0.03},
                                 {CubicSection{{0.01, 0.9, -5.0, 300.0}, {0.02, -0.4, 20.0, -700.0}}, 0.005}});
   const std::vector<double>& discontinuities = profile.discontinuities();
-  const unsigned seed = 20261125;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 generator(seed);
+  Seeded generator(20261125);
   std::uniform_real_distribution<double> anywhere(-0.01, profile.length() + 0.01);
   std::vector<double> places(discontinuities);
   for (int i = 0; i < 200; ++i)
@@ -231,7 +228,6 @@ TEST(Profile, InvalidSectionsAreRejected)
   EXPECT_THROW(single(PolynomialSection{0.0, {}, PolynomialSection::max_coefficients + 1}, 0.01),
                std::invalid_argument);
 }
-}  // namespace
 TEST(ProfilePart, OriginIsItsPointNearestToTheOriginOfTheProfile)
 {
   // An arc of 0.3 m about a point below, whose top is 2 mm above the origin and 5 mm to the side; and a line beside it.
@@ -245,15 +241,12 @@ TEST(ProfilePart, OriginIsItsPointNearestToTheOriginOfTheProfile)
 
 // The profile of a rail at a place of the line.
 
-namespace
-{
 constexpr auto coordinates = RailSections::Placement::coordinates;
 
 std::shared_ptr<const Profile> headAt(double y)
 {
   return shared(profileOf({y}));
 }
-}  // namespace
 
 TEST(ChangingProfile, IsASectionAtItsPlaceAndACurveBetweenTwo)
 {
@@ -375,3 +368,4 @@ TEST(ChangingProfile, LongestProfileIsFoundBetweenSectionsToo)
   EXPECT_EQ(changing.longest(), changing.profile()->length());
   EXPECT_GT(changing.longest(), 2 * a->length());
 }
+}  // namespace

@@ -49,35 +49,15 @@ class TableTest : public testing::Test
   void expectRail(const std::string& what, const std::string& text, const ProfileReading& reading = {}) const
   {
     SCOPED_TRACE(what);
-    try
-    {
-      const Profile read = readProfile(folder_.write("rail.txt", text), ProfileKind::rail, reading);
-      EXPECT_LT(deviation(read, pointsOf(rail60E1())), digits);
-    }
-    catch (const FileError& error)
-    {
-      ADD_FAILURE() << error.what();
-    }
+    const Profile read = readProfile(folder_.write("rail.txt", text), ProfileKind::rail, reading);
+    EXPECT_LT(deviation(read, pointsOf(rail60E1())), digits);
   }
 
   /// Message of the refusal.
   std::string refusal(const std::string& text, const ProfileReading& reading = {},
                       ProfileKind kind = ProfileKind::rail) const
   {
-    try
-    {
-      readProfile(folder_.write("bad.txt", text), kind, reading);
-      return "accepted";
-    }
-    catch (const FileError& error)
-    {
-      return error.reason();
-    }
-  }
-
-  static bool contains(const std::string& text, const std::string& part)
-  {
-    return text.find(part) != std::string::npos;
+    return thrownBy<FileError>([&] { readProfile(folder_.write("bad.txt", text), kind, reading); }).reason();
   }
 
   const std::string comma_ = rows("%.6f,%.6f\n");
@@ -174,11 +154,7 @@ TEST_F(TableTest, UnitAndAxesAreAskedFor)
   reading.z = ProfileReading::Z::up;
   expectRail("with options", comma_, reading);
 
-  const std::string wheel = lines(changed(pointsOf(s1002Wheel()),
-                                          [](const Point& p) {
-                                            return Point{-p.y, -p.z};
-                                          }),
-                                  " ");
+  const std::string wheel = lines(scaled(pointsOf(s1002Wheel()), -1, -1), " ");
   EXPECT_TRUE(contains(refusal(wheel, {}, ProfileKind::wheel), "unit: m, y: inward, z: down"));
   EXPECT_TRUE(contains(refusal("y,z\n" + comma_), "does not state its unit, "));
   EXPECT_TRUE(contains(refusal("0,0\n1,1\n2,2\n3,3\n"), "no profile by any values"));
@@ -212,10 +188,7 @@ TEST_F(TableTest, ShuffledPointsAreRefused)
 
 TEST_F(TableTest, OverlapOfTwoStrokesIsOmitted)
 {
-  const std::vector<Point> rail = changed(pointsOf(rail60E1()),
-                                          [](const Point& p) {
-                                            return Point{p.y * 1e3, p.z * 1e3};
-                                          });
+  const std::vector<Point> rail = scaled(pointsOf(rail60E1()), 1e3, 1e3);
   std::vector<Point> points(rail.begin(), rail.begin() + 250);
   points.insert(points.end(), rail.begin() + 247, rail.end());
   expectRail("0.75 mm", "y_mm,z_mm\n" + lines(points, ","));

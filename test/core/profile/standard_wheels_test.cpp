@@ -34,14 +34,8 @@ TEST(S1002, FlangeHasTheDimensionsOfEn13715)
   // Flange thickness 32.5 mm: from the flange back at -70 mm, measured 10 mm below the running circle.
   EXPECT_NEAR(atY(wheel, -37.5 * mm).z, -10.0 * mm, 0.0005 * mm);
   // qR 10.794 mm: lateral distance between the point 2 mm above the tip and the point 10 mm below the running circle.
-  double low = -55.0 * mm;
-  double high = -40.0 * mm;
-  for (int halving = 0; halving < 60; ++halving)
-  {
-    const double middle = 0.5 * (low + high);
-    (atY(wheel, middle).z < -26.0 * mm ? low : high) = middle;
-  }
-  EXPECT_NEAR(-37.5 * mm - low, 10.794 * mm, 0.0006 * mm);
+  const double upper = lastWhere([&](double y) { return atY(wheel, y).z < -26.0 * mm; }, -55.0 * mm, -40.0 * mm);
+  EXPECT_NEAR(-37.5 * mm - upper, 10.794 * mm, 0.0006 * mm);
   // Flank angle 70 degrees.
   EXPECT_NEAR(std::atan(atY(wheel, -39.0 * mm).slope()) * 180.0 / 3.14159265358979323846, 70.0, 1e-6);
 }

@@ -3,7 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "../../usual_headers.h"
+#include "../../seeded.h"
 #include "core/normal/operator/influence.h"
 #include "core/stress/point_forces.h"
 #include "core/stress/point_sources.h"
@@ -21,13 +21,10 @@ TEST(Stress, VonMisesStressOfUniaxialAndShearStress)
 
 TEST(Stress, PrincipalStressesAreTheEigenvaluesOfTheTensor)
 {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1, 1);
+  Seeded random(std::random_device{}());
   for (int k = 0; k < 200; ++k)
   {
-    const Stress s{value(random), value(random), value(random), value(random), value(random), value(random)};
+    const Stress s{random.unit(), random.unit(), random.unit(), random.unit(), random.unit(), random.unit()};
     Eigen::Matrix3d tensor;
     tensor << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
     const Eigen::Vector3d expected = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor).eigenvalues();
@@ -71,6 +68,14 @@ TEST(Stress, ConfigurationIsChecked)
 
 using pressures::Cells;
 
+void expectNear(const Stress& one, const Stress& other, double tolerance)
+{
+  for (const auto component : {&Stress::xx, &Stress::yy, &Stress::zz, &Stress::yz, &Stress::xz, &Stress::xy})
+  {
+    EXPECT_NEAR(one.*component, other.*component, tolerance);
+  }
+}
+
 TEST(StressLayers, EqualTheSumOfAllCells)
 {
   const unsigned seed = std::random_device{}();
@@ -87,15 +92,8 @@ TEST(StressLayers, EqualTheSumOfAllCells)
       {
         for (int i = 0; i < nx; ++i)
         {
-          const Stress one = layer.at(i, j);
-          const Stress other =
-              stressAt(cells.grid, cells.pressure, 0.28, {cells.grid.x(i), cells.grid.y(j), layer.depth});
-          EXPECT_NEAR(one.xx, other.xx, 1e-13);
-          EXPECT_NEAR(one.yy, other.yy, 1e-13);
-          EXPECT_NEAR(one.zz, other.zz, 1e-13);
-          EXPECT_NEAR(one.yz, other.yz, 1e-13);
-          EXPECT_NEAR(one.xz, other.xz, 1e-13);
-          EXPECT_NEAR(one.xy, other.xy, 1e-13);
+          const Eigen::Vector3d place(cells.grid.x(i), cells.grid.y(j), layer.depth);
+          expectNear(layer.at(i, j), stressAt(cells.grid, cells.pressure, 0.28, place), 1e-13);
         }
       }
     }
@@ -108,8 +106,6 @@ TEST(StressLayers, RejectNegativeDepths)
   EXPECT_THROW(stressLayers(cells.grid, cells.pressure, 0.28, {0.1, -0.1}), std::invalid_argument);
 }
 
-using pressures::Cells;
-
 namespace
 {
 constexpr double nu = 0.3;
@@ -118,7 +114,6 @@ Stress below(const Cells& cells, double x, double y, double z)
 {
   return stressAt(cells.grid, cells.pressure, nu, {x, y, z});
 }
-}  // namespace
 
 // Johnson 1985, eq. 3.45 (with 3.42 for the radial stress). Cells of a sixtieth of the diameter change the stress by
 // 0.03 %.
@@ -190,14 +185,12 @@ TEST(StressAt, SurfaceCarriesThePressureAndNoShear)
 TEST(StressAt, ForcesAreInEquilibrium)
 {
   const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(seed);
   const Cells cells = pressures::random(6, 7, seed);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(-5, 5), depth(0.3, 4);
+  Seeded random(seed);
   constexpr double h = 1e-4;
   for (int k = 0; k < 50; ++k)
   {
-    const Eigen::Vector3d at(place(random), place(random), depth(random));
+    const Eigen::Vector3d at(random.within(-5, 5), random.within(-5, 5), random.within(0.3, 4));
     const auto slope = [&](int axis, double Stress::*component)
     {
       Eigen::Vector3d step = Eigen::Vector3d::Zero();
@@ -262,10 +255,6 @@ TEST(StressAt, ShearStressAtACornerOfTheSurfaceIsRefused)
   EXPECT_TRUE(std::isfinite(below(cells, x, y, 1e-12).xy));
 }
 
-using pressures::Cells;
-
-namespace
-{
 double alternating(const Stress& stress)
 {
   return std::abs(stress.xz);
@@ -296,7 +285,6 @@ HighestStresses search(const Cells& cells, const SemiAxes& axes)
   search.set(cells.grid, cells.pressure, {0, cells.grid.ny}, axes);
   return search.find(0.3);
 }
-}  // namespace
 
 // The depths of the maxima are those of Johnson 1985, sec. 3.4 and 4.2. On 12 × 24 cells the pressure itself has errors
 // of 0.5 %; |xz| lies near the ends of the contact, which the cells resolve less.
@@ -372,17 +360,10 @@ TEST(PointSources, AgreeWithTheSumOfAllCells)
   {
     const Stress expected =
         stressAt(cells.grid, cells.pressure, 0.3, {2.0 * places.x[k], 2.0 * places.y[k], 2.0 * places.depth[k]});
-    EXPECT_NEAR(stresses[k].xx, expected.xx, 3e-3);
-    EXPECT_NEAR(stresses[k].yy, expected.yy, 3e-3);
-    EXPECT_NEAR(stresses[k].zz, expected.zz, 3e-3);
-    EXPECT_NEAR(stresses[k].yz, expected.yz, 3e-3);
-    EXPECT_NEAR(stresses[k].xz, expected.xz, 3e-3);
-    EXPECT_NEAR(stresses[k].xy, expected.xy, 3e-3);
+    expectNear(stresses[k], expected, 3e-3);
   }
 }
 
-namespace
-{
 /// Parameter: each instruction set that this machine supports.
 class PointForceLoop : public testing::TestWithParam<const PointForceKernels*>
 {

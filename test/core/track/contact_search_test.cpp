@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <sstream>
-
+#include "core/track/contact_search.h"
 #include "../../manchester_scene.h"
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "../profile/section_scenes.h"
-#include "core/track/contact_search.h"
 #include "dense_separation.h"
 
 using namespace wheel_rail_contact::core;
@@ -56,6 +55,21 @@ double stationError(const DenseSeparation& dense, std::size_t station)
   return 0.5 * (flank ? sharpest : std::pow(2, 1.5) / 0.013) * 0.125e-3 * 0.125e-3;
 }
 
+/// Nearest position of a search that must have one.
+template <typename Search>
+InitialContact nearestOf(Search&& search)
+{
+  InitialContact contact;
+  return search.nearest(contact) ? contact : throw std::runtime_error("no contact");
+}
+
+std::vector<OverlapInterval> intervalsOf(const ContactSearch& search, double separation)
+{
+  std::vector<OverlapInterval> found;
+  search.overlapIntervals(separation, found);
+  return found;
+}
+
 std::vector<DenseInterval> intervalsBelow(const DenseSeparation& dense, double level)
 {
   std::vector<DenseInterval> found;
@@ -82,7 +96,7 @@ std::vector<DenseInterval> intervalsBelow(const DenseSeparation& dense, double l
 class ContactSearchTest : public testing::Test
 {
  protected:
-  double unit() { return unit_(random_); }
+  double unit() { return random_.unit(); }
   Scene randomScene(Side side, double yaw)
   {
     const WheelsetPose pose{0.012 * unit(), 0.46, yaw * unit(), 0.01 * unit()};
@@ -93,21 +107,12 @@ class ContactSearchTest : public testing::Test
     search_.setRail(scene.rail);
     search_.setWheel(scene.wheel);
   }
-  std::vector<OverlapInterval> intervals(double separation)
-  {
-    std::vector<OverlapInterval> found;
-    search_.overlapIntervals(separation, found);
-    return found;
-  }
+  std::vector<OverlapInterval> intervals(double separation) const { return intervalsOf(search_, separation); }
 
-  const unsigned seed_ = 20111U;
-  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
-  std::mt19937 random_{seed_};
-  std::uniform_real_distribution<double> unit_{-1, 1};
+  Seeded random_{20111U};
   ContactModelConfig config_ = manchesterScene();
   ContactSearch search_{*config_.wheel_profile.left, *config_.rail_profile.left};
 };
-}  // namespace
 
 // The position found must be a point of both bodies and have the smallest separation. Among positions whose separations
 // differ by less than the error of the stations, the search takes the one with the lowest station. It also stays at a
@@ -119,8 +124,7 @@ TEST_F(ContactSearchTest, NearestPositionAgreesWithBruteForce)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, i % 3 == 0 ? 0.06 : 0.02);
     place(scene);
-    InitialContact contact;
-    ASSERT_TRUE(search_.nearest(contact));
+    const InitialContact contact = nearestOf(search_);
     SCOPED_TRACE(scene.description);
     const DenseSeparation dense(scene.wheel, scene.rail);
     const std::size_t lowest = dense.lowest();
@@ -149,8 +153,7 @@ TEST_F(ContactSearchTest, OutlinesAreParallelAtTheNearestPosition)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.03);
     place(scene);
-    InitialContact contact;
-    ASSERT_TRUE(search_.nearest(contact));
+    const InitialContact contact = nearestOf(search_);
     SpacePoint locus{};
     PlanePoint wheel{};
     const CurvePoint point = config_.wheel_profile.left->at(contact.wheel_u);
@@ -217,8 +220,7 @@ TEST_F(ContactSearchTest, IntervalsAreSeparateAndInOrder)
   {
     const Scene scene = randomScene(i % 2 == 0 ? Side::left : Side::right, 0.06);
     place(scene);
-    InitialContact contact;
-    ASSERT_TRUE(search_.nearest(contact));
+    const InitialContact contact = nearestOf(search_);
     SCOPED_TRACE(scene.description);
     const std::vector<OverlapInterval> found =
         intervals(contact.separation + (i < 1000 ? 6e-3 : 2e-4) * std::abs(unit()));
@@ -275,8 +277,7 @@ TEST_F(ContactSearchTest, IntervalsWidenWithTheSeparation)
   {
     const Scene scene = randomScene(Side::left, 0.02);
     place(scene);
-    InitialContact contact;
-    ASSERT_TRUE(search_.nearest(contact));
+    const InitialContact contact = nearestOf(search_);
     OverlapInterval before;
     double first_width = 0;
     for (double depth = 2e-4; depth < 4e-3; depth *= 1.3)
@@ -302,8 +303,7 @@ TEST_F(ContactSearchTest, IntervalsWidenWithTheSeparation)
 TEST_F(ContactSearchTest, ThereIsNoOverlapAboveTheFirstTouch)
 {
   place({config_, Side::left, {0, 0.46, 0, 0}, {}});
-  InitialContact contact;
-  ASSERT_TRUE(search_.nearest(contact));
+  const InitialContact contact = nearestOf(search_);
   EXPECT_TRUE(intervals(contact.separation - 1e-9).empty());
   EXPECT_FALSE(intervals(contact.separation + 2e-4).empty());
 }
@@ -338,8 +338,7 @@ TEST_F(ContactSearchTest, LowerBranchOfAFoldedOutlineIsFoundAtLargeYaw)
       y_before = locus.y;
     }
     folded += turns_back ? 1 : 0;
-    InitialContact contact;
-    ASSERT_TRUE(search_.nearest(contact));
+    const InitialContact contact = nearestOf(search_);
     SCOPED_TRACE(scene.description);
     const DenseSeparation dense(scene.wheel, scene.rail);
     EXPECT_GT(contact.separation, dense.at(dense.lowest()) - dense_error);
@@ -349,8 +348,6 @@ TEST_F(ContactSearchTest, LowerBranchOfAFoldedOutlineIsFoundAtLargeYaw)
 }
 
 // Contact of a wheel with a rail of several separate parts.
-namespace
-{
 using Sections = std::vector<ProfileSection>;
 
 Sections sectionsOf(const Head& head)
@@ -378,7 +375,7 @@ struct TwoParts
 class ContactPartsTest : public testing::Test
 {
  protected:
-  double unit() { return unit_(random_); }
+  double unit() { return random_.unit(); }
   PlacedWheel randomWheel()
   {
     return {*config_.wheel_profile.left,
@@ -393,22 +390,12 @@ class ContactPartsTest : public testing::Test
     search.setWheel(wheel);
     return search;
   }
-  static std::vector<OverlapInterval> intervals(const ContactSearch& search, double separation)
-  {
-    std::vector<OverlapInterval> found;
-    search.overlapIntervals(separation, found);
-    return found;
-  }
 
-  const unsigned seed_ = 561U;
-  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
-  std::mt19937 random_{seed_};
-  std::uniform_real_distribution<double> unit_{-1, 1};
+  Seeded random_{561U};
   ContactModelConfig config_ = manchesterScene();
   /// A wing on the field side of a nose, both below the tread.
   const TwoParts separate_{sectionsOf({0.745, 0, 0.010, 0.005}), sectionsOf({0.785, 0.0015, 0.012, 0.005})};
 };
-}  // namespace
 
 // Each part is sampled at the same parameters, alone or with the other one. The stations differ. An interval of less
 // than eight stations has the width of its osculating parabola, any other one is interpolated between stations: the
@@ -421,22 +408,21 @@ TEST_F(ContactPartsTest, IntervalsOnSeparateHeadsAreThoseOfEachAlone)
   {
     const PlacedWheel wheel = randomWheel();
     ContactSearch both = searchOn(separate_.both, wheel);
-    InitialContact nearest;
-    ASSERT_TRUE(both.nearest(nearest));
+    const InitialContact nearest = nearestOf(both);
     for (const double depth : {5e-5, 2e-4, 5e-4})
     {
       const double level = nearest.separation + depth;
       std::vector<OverlapInterval> expected;
       for (const std::size_t part : {0U, 1U})
       {
-        for (OverlapInterval interval : intervals(searchOn(separate_.alone[part], wheel), level))
+        for (OverlapInterval interval : intervalsOf(searchOn(separate_.alone[part], wheel), level))
         {
           interval.u_begin = separate_.wholeParameter(part, interval.u_begin);
           interval.u_end = separate_.wholeParameter(part, interval.u_end);
           expected.push_back(interval);
         }
       }
-      const std::vector<OverlapInterval> found = intervals(both, level);
+      const std::vector<OverlapInterval> found = intervalsOf(both, level);
       // A flat overlap as shallow as the error of the stations may be missed by one of them.
       ASSERT_EQ(found.size(), expected.size()) << "state " << i << " depth " << depth;
       on_both += found.size() == 2 ? 1 : 0;
@@ -460,15 +446,11 @@ TEST_F(ContactPartsTest, EachHeadHasAContact)
   std::array<double, 2> separation{};
   for (const std::size_t part : {0U, 1U})
   {
-    InitialContact contact;
-    ContactSearch search = searchOn(separate_.alone[part], wheel);
-    ASSERT_TRUE(search.nearest(contact));
-    separation[part] = contact.separation;
+    separation[part] = nearestOf(searchOn(separate_.alone[part], wheel)).separation;
   }
   const double raise = separation[1] - separation[0];
   const TwoParts level(sectionsOf({0.745, 0, 0.010, 0.005}), sectionsOf({0.785, 0.0015 + raise, 0.012, 0.005}));
-  ContactSearch search = searchOn(level.both, wheel);
-  const std::vector<OverlapInterval> found = intervals(search, separation[0] + 1e-4);
+  const std::vector<OverlapInterval> found = intervalsOf(searchOn(level.both, wheel), separation[0] + 1e-4);
   ASSERT_EQ(found.size(), 2U);
   for (const std::size_t part : {0U, 1U})
   {
@@ -490,11 +472,10 @@ TEST_F(ContactPartsTest, IntervalsNeverSpanTwoParts)
     for (int i = 0; i < 50; ++i)
     {
       ContactSearch search = searchOn(close.both, randomWheel());
-      InitialContact nearest;
-      ASSERT_TRUE(search.nearest(nearest));
+      const InitialContact nearest = nearestOf(search);
       for (const double depth : {1e-4, 1e-3, 5e-3})
       {
-        for (OverlapInterval interval : intervals(search, nearest.separation + depth))
+        for (OverlapInterval interval : intervalsOf(search, nearest.separation + depth))
         {
           for (const bool moved : {false, true})
           {
@@ -518,7 +499,7 @@ TEST_F(ContactPartsTest, IntervalsAreInTheOrderOfTheParts)
 {
   const TwoParts swapped(sectionsOf({0.785, 0.0015, 0.012, 0.005}), sectionsOf({0.745, 0, 0.010, 0.005}));
   const PlacedWheel wheel(*config_.wheel_profile.left, config_.wheelset, Side::left, {0, 0.458, 0, 0});
-  const std::vector<OverlapInterval> found = intervals(searchOn(swapped.both, wheel), 0);
+  const std::vector<OverlapInterval> found = intervalsOf(searchOn(swapped.both, wheel), 0);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_GT(found[0].contact.y, found[1].contact.y);
   EXPECT_LT(found[0].u_end, found[1].u_begin);
@@ -533,9 +514,7 @@ TEST_F(ContactPartsTest, BladeAgainstAStockRailIsTouchedWhereItIsHigher)
     const double blade_top = 0.0008 * unit();
     const TwoParts rail(sectionsOf({0.790, 0.001, 0.036}), sectionsOf({0.745, blade_top, 0.012, 0.010}));
     const PlacedWheel wheel = randomWheel();
-    ContactSearch search = searchOn(rail.both, wheel);
-    InitialContact contact;
-    ASSERT_TRUE(search.nearest(contact));
+    const InitialContact contact = nearestOf(searchOn(rail.both, wheel));
     const DenseSeparation stock(wheel, rail.alone[0]), blade(wheel, rail.alone[1]);
     const double lowest = std::min(stock.at(stock.lowest()), blade.at(blade.lowest()));
     EXPECT_GT(contact.separation, lowest - dense_error);
@@ -547,3 +526,4 @@ TEST_F(ContactPartsTest, BladeAgainstAStockRailIsTouchedWhereItIsHigher)
   EXPECT_GT(on_blade, 10);
   EXPECT_GT(on_stock, 10);
 }
+}  // namespace

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "../../last_where.h"
 #include "../../manchester_scene.h"
 #include "../../usual_headers.h"
 #include "core/track/contact_search.h"
@@ -15,12 +16,7 @@ namespace
 inline double root(const std::function<double(double)>& value, double low, double high)
 {
   const bool rises = value(low) < 0;
-  for (int i = 0; i < 50; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    ((value(middle) < 0) == rises ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return lastWhere([&](double place) { return (value(place) < 0) == rises; }, low, high);
 }
 
 class GapTest : public testing::Test

@@ -66,7 +66,6 @@ TrackConfig upright()
   track.rail_inclination = 0;
   return track;
 }
-}  // namespace
 
 TEST(RailAlong, GaugePlacementPutsEachSectionToGaugeAndHeight)
 {
@@ -187,8 +186,6 @@ TEST(RailAlong, ASectionThatEndsAboveTheGaugeDepthIsRefused)
 }
 
 // Places of the rails on a line, measured on placed rails by the definitions of EN 13848-1.
-namespace
-{
 constexpr double rail_rounding = 1e-15;  ///< rounding error of sums of lengths below 2 m [m]
 
 /// Places of a rail in track axes, measured on the surface of its head.
@@ -201,28 +198,25 @@ struct RailMeasure
 
 RailMeasure measured(const PlacedRail& rail, Side side, double gauge_depth)
 {
-  constexpr int count = 20000;
-  RailMeasure measure{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), rail.angle()};
-  const auto at = [&](int i) { return rail.at(rail.profile().length() * i / count); };
-  for (int i = 0; i <= count; ++i)
-  {
-    measure.top = std::max(measure.top, at(i).z);
-  }
-  for (int i = 0; i <= count; ++i)
-  {
-    measure.face = at(i).z >= measure.top - gauge_depth ? std::min(measure.face, at(i).y) : measure.face;
-  }
-  measure.face *= sideSign(side);
-  return measure;
+  const Extremes extremes = extremesOf(rail, 0, gauge_depth);
+  return {sideSign(side) * extremes.face, extremes.top, rail.angle()};
 }
 
 /// Both rails at one place of a line.
 class RailOnLineTest : public testing::Test
 {
  protected:
-  /// Station of a table with the columns `titles` and the values `values`, all in mm.
-  LineStation station(const std::string& titles, const std::string& values) const
+  /// Displacements of the gauge faces to the left, or of the rail tops upwards, by a station of a table.
+  struct Case
   {
+    const char *titles, *values;  ///< columns of the table, and their values [mm]
+    double left, right;           ///< [mm]
+  };
+
+  /// Station of a table with the columns `titles` and the values `values`, all in mm.
+  LineStation station(const std::string& titles, std::string values) const
+  {
+    std::replace(values.begin(), values.end(), ' ', ',');
     std::string header = "x [mm]";
     for (const std::string& title : split(titles))
     {
@@ -281,7 +275,6 @@ class RailOnLineTest : public testing::Test
   Sides<RailDeflection> displaced_{};  ///< of each Side
   Sides<RailMeasure> rail_{};          ///< of each Side
 };
-}  // namespace
 
 TEST_F(RailOnLineTest, IdealTrackDisplacesNothing)
 {
@@ -298,11 +291,6 @@ TEST_F(RailOnLineTest, IdealTrackDisplacesNothing)
 
 TEST_F(RailOnLineTest, GaugeAndAlignmentAreThoseOfTheGaugeFaces)
 {
-  struct Case
-  {
-    const char *titles, *values;
-    double left, right;  ///< displacement of the gauge faces to the left [mm]
-  };
   for (const Case& c : {Case{"gauge", "1441", 3, -3},
                         {"gauge", "1430", -2.5, 2.5},
                         {"alignment", "2", 2, 2},
@@ -319,9 +307,7 @@ TEST_F(RailOnLineTest, GaugeAndAlignmentAreThoseOfTheGaugeFaces)
                         {"gauge alignment_left alignment_right", "1441 2 0", 4, -2}})
   {
     SCOPED_TRACE(std::string(c.titles) + ": " + c.values);
-    std::string values = c.values;
-    std::replace(values.begin(), values.end(), ' ', ',');
-    place(station(c.titles, values));
+    place(station(c.titles, c.values));
     expectFaces(1e-3 * c.left, 1e-3 * c.right);
     EXPECT_EQ(displaced_.left.roll, 0);
     EXPECT_EQ(displaced_.right.roll, 0);
@@ -330,11 +316,6 @@ TEST_F(RailOnLineTest, GaugeAndAlignmentAreThoseOfTheGaugeFaces)
 
 TEST_F(RailOnLineTest, LevelsAndCrossLevelAreThoseOfTheRailTops)
 {
-  struct Case
-  {
-    const char *titles, *values;
-    double left, right;  ///< height of the rail tops [mm]
-  };
   for (const Case& c : {Case{"level", "3", 3, 3},
                         {"level", "-3", -3, -3},
                         {"level_left", "3", 3, 3},
@@ -351,9 +332,7 @@ TEST_F(RailOnLineTest, LevelsAndCrossLevelAreThoseOfTheRailTops)
                         {"level_left level_right cross_level", "5 1 6", 6, 0}})
   {
     SCOPED_TRACE(std::string(c.titles) + ": " + c.values);
-    std::string values = c.values;
-    std::replace(values.begin(), values.end(), ' ', ',');
-    place(station(c.titles, values));
+    place(station(c.titles, c.values));
     expectTops(1e-3 * c.left, 1e-3 * c.right);
   }
 }
@@ -406,3 +385,4 @@ TEST_F(RailOnLineTest, DisplacementsAreThoseInTheTiltedTrack)
     }
   }
 }
+}  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../../refusal.h"
+#include "../../seeded.h"
 #include "../../temporary_folder.h"
-#include "../../usual_headers.h"
 #include "../profile/profile_helpers.h"
 #include "wheel_rail_contact/core/track.h"
 
@@ -39,15 +40,7 @@ TrackLine lineThrough(const std::function<double(double)>& function, double begi
 /// Message with which stations are refused; "accepted" if they are not.
 std::string refusal(const std::vector<LineStation>& stations)
 {
-  try
-  {
-    const TrackLine line("line", stations);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "accepted";
+  return refusalOf([&] { TrackLine("line", stations); });
 }
 
 class TrackLineTest : public testing::Test
@@ -58,24 +51,20 @@ class TrackLineTest : public testing::Test
     double x = -20;
     for (int i = 0; i < 300; ++i)
     {
-      const auto value = [this] { return 0.02 * unit_(random_); };
+      const auto value = [this] { return 0.02 * random_.unit(); };
       LineStation station{x, value(), {RailDeflection{value(), value(), value()}, {value(), value(), value()}}};
       if (i % 7 == 3)
       {
         station.rail.left = stations_.back().rail.left;  // constant over one interval
       }
       stations_.push_back(station);
-      x += 0.05 + std::abs(unit_(random_));
+      x += 0.05 + std::abs(random_.unit());
     }
   }
 
-  const unsigned seed_ = 20111U;
-  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
-  std::mt19937 random_{seed_};
-  std::uniform_real_distribution<double> unit_{-1, 1};
+  Seeded random_{20111U};
   std::vector<LineStation> stations_;  ///< random values at random places
 };
-}  // namespace
 
 TEST_F(TrackLineTest, PassesThroughAllStations)
 {
@@ -230,8 +219,6 @@ TEST_F(TrackLineTest, InvalidStationsAreRefusedByNumber)
   }
 }
 
-namespace
-{
 constexpr double gauge = 1.435;  ///< nominal [m]
 
 class LineFileTest : public testing::Test
@@ -241,20 +228,12 @@ class LineFileTest : public testing::Test
   {
     return readTrackLine(folder_.write("line.csv", table), gauge, axes);
   }
-  /// Message with which a table is refused, without the path of the file; "accepted" if it is not.
+  /// Message with which a table is refused, without the path of the file.
   std::string refusal(const std::string& table) const
   {
-    try
-    {
-      read(table);
-    }
-    catch (const std::invalid_argument& error)
-    {
-      const std::string message = error.what(), path = folder_.path("line.csv");
-      EXPECT_EQ(message.substr(0, path.size()), path);
-      return message.substr(path.size());
-    }
-    return "accepted";
+    const std::string message = refusalOf([&] { read(table); }), path = folder_.path("line.csv");
+    EXPECT_EQ(message.substr(0, path.size()), path);
+    return message.substr(path.size());
   }
 
   const wheel_rail_contact::Folder folder_;
@@ -278,7 +257,6 @@ struct Mistake
   const char* table;
   const char* message;
 };
-}  // namespace
 
 TEST_F(LineFileTest, ColumnsOfTheRailsAreTheirDisplacements)
 {
@@ -400,3 +378,4 @@ TEST_F(LineFileTest, FilesThatCannotBeReadAreRefused)
   EXPECT_THROW(readTrackLine(folder_.path("missing.csv"), gauge), std::invalid_argument);
   EXPECT_THROW(readTrackLine(folder_.path("."), gauge), std::invalid_argument);
 }
+}  // namespace

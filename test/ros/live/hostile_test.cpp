@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // contact_node with invalid and excessive input. At the end of each test, each pair has a result or is counted as
 // dropped.
-#include <fstream>
-
 #include "../../usual_headers.h"
 #include "contact_client.h"
 
